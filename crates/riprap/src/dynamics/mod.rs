@@ -1,0 +1,1 @@
+//! Clock, integrators, damping, time functions, convergence.

@@ -1,0 +1,1 @@
+//! Pure functions on numbers, each citing its source. They know no world.

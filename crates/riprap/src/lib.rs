@@ -1,0 +1,15 @@
+//! Discrete-element simulation of blocky rock.
+//!
+//! `scenario` (what the user said) -> `model` (SI numbers) -> an engine (`planar`) driven by `run`,
+//! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
+
+pub mod dynamics;
+pub mod laws;
+pub mod model;
+pub mod planar;
+pub mod record;
+pub mod run;
+pub mod scenario;
+
+pub use riprap_geom as geom;
+pub use riprap_geom::Vec2;

@@ -1,0 +1,1 @@
+//! Scenario to SI numbers: block generation, material and interface tables, resolved plan.

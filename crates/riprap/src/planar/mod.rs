@@ -1,0 +1,1 @@
+//! The 2D engine: rigid polygons with mutual-potential contact.

@@ -1,0 +1,1 @@
+//! Field table, frames, run folder, checkpoints, plots.

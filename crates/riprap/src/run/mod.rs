@@ -1,0 +1,1 @@
+//! Simulation loop: phases, schedule, stop criteria, checks, sweeps.
