@@ -1,1 +1,7 @@
 //! Clock, integrators, damping, time functions, convergence.
+
+pub mod formula;
+pub mod time_function;
+
+pub use formula::{Formula, FormulaError};
+pub use time_function::TimeFunction;

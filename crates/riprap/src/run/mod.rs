@@ -1,1 +1,3 @@
 //! Simulation loop: phases, schedule, stop criteria, checks, sweeps.
+
+pub mod plan;

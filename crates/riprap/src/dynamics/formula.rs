@@ -1,0 +1,159 @@
+//! Formulas in scenarios: a thin wrapper over the `exmex` expression parser.
+
+use exmex::prelude::*;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Longest formula text accepted, bytes; parsing is recursive, so the length bounds the depth.
+pub const MAX_LENGTH: usize = 2000;
+/// Deepest nesting of parentheses accepted.
+pub const MAX_DEPTH: usize = 64;
+
+/// Why a formula could not be used.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum FormulaError {
+    /// Too long or too deeply nested.
+    #[error(
+        "the formula is too long or too deeply nested (at most {MAX_LENGTH} characters, {MAX_DEPTH} levels)"
+    )]
+    TooLarge,
+    /// The text is not a formula.
+    #[error("this is not a formula: {0}")]
+    Syntax(String),
+    /// A name stands for nothing.
+    #[error("`{name}` is not known in this formula; known names are {known}")]
+    UnknownName {
+        /// The name.
+        name: String,
+        /// What could stand there.
+        known: String,
+    },
+}
+
+/// A compiled formula of named numbers, e.g. `0.5*g*t^2`.
+///
+/// `pi` and `deg` (= pi/180) are always known. Functions: sin, cos, tan, asin, acos, atan, atan2,
+/// exp, log/ln, sqrt, abs, floor, ceil, sign and the operators + - * / ^.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    text: String,
+    expression: FlatEx<f64>,
+    names: Vec<String>,
+}
+
+impl Formula {
+    /// Compiles `text`; `known` lists the names that [`Formula::value`] will be given.
+    ///
+    /// # Errors
+    /// Text that is no formula, is too large, or uses a name that is not in `known`.
+    pub fn new(text: &str, known: &[&str]) -> Result<Self, FormulaError> {
+        let (mut depth, mut deepest) = (0usize, 0usize);
+        for c in text.chars() {
+            match c {
+                '(' | '{' => depth += 1,
+                ')' | '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            deepest = deepest.max(depth);
+        }
+        if text.len() > MAX_LENGTH || deepest > MAX_DEPTH {
+            return Err(FormulaError::TooLarge);
+        }
+        let expression =
+            FlatEx::<f64>::parse(text).map_err(|e| FormulaError::Syntax(e.to_string()))?;
+        let names: Vec<String> = expression.var_names().to_vec();
+        for name in &names {
+            if !known.contains(&name.as_str()) && !["pi", "deg"].contains(&name.as_str()) {
+                let mut list: Vec<&str> = known.to_vec();
+                list.extend(["pi", "deg"]);
+                return Err(FormulaError::UnknownName {
+                    name: name.clone(),
+                    known: list.join(", "),
+                });
+            }
+        }
+        Ok(Self {
+            text: text.to_owned(),
+            expression,
+            names,
+        })
+    }
+
+    /// The text it was compiled from.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Names it uses besides `pi` and `deg`.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Value with the given names; NaN if one of its names is missing.
+    #[must_use]
+    pub fn value(&self, values: &[(&str, f64)]) -> f64 {
+        let arguments: Vec<f64> = self
+            .names
+            .iter()
+            .map(|name| match name.as_str() {
+                "pi" => std::f64::consts::PI,
+                "deg" => std::f64::consts::PI / 180.0,
+                other => values
+                    .iter()
+                    .find(|(n, _)| *n == other)
+                    .map_or(f64::NAN, |(_, value)| *value),
+            })
+            .collect();
+        self.expression.eval(&arguments).unwrap_or(f64::NAN)
+    }
+}
+
+impl PartialEq for Formula {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl Serialize for Formula {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.text.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Formula {
+    /// Reads a formula of time, the only kind that is stored.
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        Self::new(&text, &["t"]).map_err(serde::de::Error::custom)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn evaluates_the_sliding_distance() {
+        let formula = Formula::new(
+            "0.5*g*(sin(35*deg)-cos(35*deg)*tan(phi))*t^2",
+            &["g", "phi", "t"],
+        )
+        .unwrap();
+        let phi = 15.0_f64.to_radians();
+        let d = formula.value(&[("g", 10.0), ("phi", phi), ("t", 1.5)]);
+        assert!((d - 3.983_460).abs() < 1e-6, "{d}");
+    }
+
+    #[test]
+    fn names_what_is_not_known() {
+        let error = Formula::new("2*q", &["t"]).unwrap_err();
+        assert!(error.to_string().contains("`q` is not known"), "{error}");
+        assert!(Formula::new("2*(", &["t"]).is_err());
+        assert_eq!(
+            Formula::new(&"(".repeat(5000), &[]),
+            Err(FormulaError::TooLarge)
+        );
+    }
+}

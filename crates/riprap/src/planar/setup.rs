@@ -1,0 +1,238 @@
+//! What the 2D engine is built from: plain SI data, no behaviour.
+//!
+//! Written by `model`, kept in checkpoints. Everything is per metre of thickness, so a force is in
+//! N/m, a moment in N (N m per m), an energy in J/m. x points right, y up; angles are radians,
+//! anticlockwise.
+
+use riprap_geom::Vec2;
+use serde::{Deserialize, Serialize};
+
+use crate::dynamics::TimeFunction;
+
+/// A complete 2D model at its start.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Setup {
+    /// Acceleration of gravity, m/s².
+    pub gravity: [f64; 2],
+    /// Global position of the local origin that all coordinates here are relative to, m.
+    ///
+    /// Far coordinates (UTM) are shifted before the engine sees them; records add this back.
+    pub origin: [f64; 2],
+    /// Names of the materials; a block's `material` is an index into this list.
+    pub materials: Vec<String>,
+    /// The blocks, in scenario order.
+    pub blocks: Vec<BlockSpec>,
+    /// Contact and bond laws.
+    pub interfaces: Vec<Interface>,
+    /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
+    pub pair_table: Vec<u16>,
+    /// Fixed and driven blocks; a later entry wins over an earlier one for the same block.
+    pub supports: Vec<Support>,
+    /// External loads.
+    pub loads: Vec<Load>,
+    /// Named sets of blocks, each sorted.
+    pub groups: Vec<Group>,
+}
+
+/// A named set of blocks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Group {
+    /// Name used in the scenario.
+    pub name: String,
+    /// Indices of the blocks, ascending.
+    pub blocks: Vec<u32>,
+}
+
+/// One rigid polygon.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BlockSpec {
+    /// Unique name.
+    pub name: String,
+    /// Corners, anticlockwise, m.
+    pub vertices: Vec<Vec2>,
+    /// Index into `Setup::materials`.
+    pub material: u16,
+    /// Mass density, kg/m³.
+    pub density: f64,
+    /// Initial velocity of the centroid, m/s.
+    pub velocity: Vec2,
+    /// Initial angular velocity, rad/s.
+    pub spin: f64,
+}
+
+/// Laws between two materials.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Interface {
+    /// Name used in the scenario.
+    pub name: String,
+    /// Law of contacts found from geometry.
+    pub contact: ContactLaw,
+    /// Law of the patches built along edges shared at the start; `None` builds none.
+    pub bond: Option<BondLaw>,
+}
+
+/// Normal law of a found contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum NormalLaw {
+    /// Pressure proportional to the true distance to the other block's whole boundary (conservative).
+    DistancePotential,
+    /// The source's mutual penetration potentials, linear between vertices (local, not conservative).
+    PenetrationPotential {
+        /// How the depth at a reflex corner is read.
+        reflex: Reflex,
+    },
+}
+
+/// Depth of a point behind a reflex corner, for the penetration-potential law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Reflex {
+    /// The smaller of the distances to the two edge lines (uniform with convex corners).
+    Min,
+    /// The larger of the two.
+    Max,
+    /// The true distance to the boundary.
+    True,
+}
+
+/// Friction law of a found contact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum FrictionLaw {
+    /// Incremental shear spring with a Coulomb slider and a sticking dashpot.
+    ShearSpring,
+    /// The source's law: mu times the normal force, against the sliding direction of each piece.
+    RateSign,
+    /// As `RateSign`, smoothed to `v / speed` below `speed` (m/s).
+    Clip {
+        /// Sliding speed at which full friction is reached, m/s.
+        speed: f64,
+    },
+}
+
+/// Law of contacts found from geometry.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ContactLaw {
+    /// Normal law.
+    pub normal: NormalLaw,
+    /// Normal stiffness kn (pn in the source), Pa/m.
+    pub normal_stiffness: f64,
+    /// Shear stiffness ks, Pa/m.
+    pub shear_stiffness: f64,
+    /// Friction coefficient, tan(phi).
+    pub friction: f64,
+    /// Cohesion on the contact length, Pa.
+    pub cohesion: f64,
+    /// Friction law.
+    pub friction_law: FrictionLaw,
+    /// Dashpots, as a share of critical damping for the contact's stiffness and the pair's mass.
+    pub damping_ratio: f64,
+}
+
+/// Law of a patch built along an edge shared at the start.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BondLaw {
+    /// Normal stiffness, Pa/m.
+    pub normal_stiffness: f64,
+    /// Shear stiffness, Pa/m.
+    pub shear_stiffness: f64,
+    /// Tensile strength, Pa.
+    pub tension: f64,
+    /// Cohesion before failure, Pa.
+    pub cohesion: f64,
+    /// Friction coefficient before failure, tan(phi).
+    pub friction: f64,
+    /// Friction coefficient after failure.
+    pub residual_friction: f64,
+    /// Cohesion after failure, Pa.
+    pub residual_cohesion: f64,
+    /// Share of critical damping.
+    pub damping_ratio: f64,
+    /// Number of points along the edge (Gauss points), 1 to 5.
+    pub points: u8,
+}
+
+/// Fixes or drives some blocks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Support {
+    /// Blocks concerned.
+    pub blocks: Vec<u32>,
+    /// What they do.
+    pub motion: Motion,
+}
+
+/// Prescribed motion of a block, by component; a component that is not prescribed is free.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Motion {
+    /// Held still in the chosen freedoms.
+    Fixed {
+        /// Horizontal.
+        x: bool,
+        /// Vertical.
+        y: bool,
+        /// Rotation.
+        rotation: bool,
+    },
+    /// Velocity of the centroid (m/s) and spin (rad/s) as functions of time.
+    Velocity {
+        /// Horizontal, m/s.
+        x: Option<TimeFunction>,
+        /// Vertical, m/s.
+        y: Option<TimeFunction>,
+        /// Angular, rad/s.
+        spin: Option<TimeFunction>,
+    },
+    /// Acceleration of the centroid (m/s²) and of rotation (rad/s²) as functions of time.
+    Acceleration {
+        /// Horizontal, m/s².
+        x: Option<TimeFunction>,
+        /// Vertical, m/s².
+        y: Option<TimeFunction>,
+        /// Angular, rad/s².
+        spin: Option<TimeFunction>,
+    },
+}
+
+/// An external load.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Load {
+    /// Blocks it acts on.
+    pub blocks: Vec<u32>,
+    /// What acts.
+    pub kind: LoadKind,
+    /// Multiplier over time.
+    pub time: TimeFunction,
+}
+
+/// Kinds of load.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum LoadKind {
+    /// A force at a material point.
+    Point {
+        /// Force, N/m.
+        force: Vec2,
+        /// Initial global position of the point, m; `None` is the centroid. It travels with the block.
+        at: Option<Vec2>,
+        /// Whether the force turns with the block.
+        follows: bool,
+    },
+    /// Pressure or traction on a straight part of the boundary.
+    Edge {
+        /// Start of the loaded segment, initial global position, m.
+        from: Vec2,
+        /// End of the loaded segment, m.
+        to: Vec2,
+        /// Traction with a fixed direction, Pa.
+        traction: Vec2,
+        /// Pressure at `from` and `to`, Pa, positive into the block; follows the edge normal.
+        pressure: [f64; 2],
+    },
+    /// A moment, N (N m per m), anticlockwise.
+    Moment {
+        /// Moment, N.
+        moment: f64,
+    },
+    /// An acceleration acting on the mass, m/s².
+    BodyForce {
+        /// Acceleration, m/s².
+        acceleration: Vec2,
+    },
+}

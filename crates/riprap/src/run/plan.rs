@@ -1,0 +1,127 @@
+//! The plan of a run: phases, what to record, when to stop. SI numbers, no behaviour.
+
+use serde::{Deserialize, Serialize};
+
+use crate::planar::setup::ContactLaw;
+
+/// Everything the loop needs besides the model itself.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Plan {
+    /// Title of the scenario.
+    pub title: String,
+    /// Phases in order.
+    pub phases: Vec<Phase>,
+    /// Histories to record.
+    pub histories: Vec<History>,
+    /// When frames are written; `None` writes the first and last of each phase only.
+    pub frames: Option<Every>,
+    /// When checkpoints are written besides the end of each phase.
+    pub checkpoints: Option<Every>,
+    /// When a line of `energy.csv` is written; `None` follows the frames.
+    pub energy: Option<Every>,
+}
+
+/// One stretch of a run with its own rules.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Phase {
+    /// Name, unique.
+    pub name: String,
+    /// Static (settles) or dynamic (true time).
+    pub kind: PhaseKind,
+    /// What ends it; whichever comes first.
+    pub until: Until,
+    /// Time step rule.
+    pub time_step: TimeStep,
+    /// Damping besides that of the contacts.
+    pub damping: Damping,
+    /// Blocks taken out at the start of the phase.
+    pub remove: Vec<u32>,
+    /// Blocks fixed at the start of the phase.
+    pub fix: Vec<u32>,
+    /// Blocks whose supports are taken away at the start of the phase.
+    pub release: Vec<u32>,
+    /// New gravity, m/s².
+    pub gravity: Option<[f64; 2]>,
+    /// Time over which gravity grows from its value before (zero in the first phase), s.
+    pub gravity_ramp: Option<f64>,
+    /// Rows of the interface table replaced at the start of the phase.
+    pub contacts: Vec<(u16, ContactLaw)>,
+    /// Sets all velocities to zero at the start.
+    pub zero_velocities: bool,
+    /// Measures displacements from the start of this phase on.
+    pub zero_displacements: bool,
+}
+
+/// Kind of phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum PhaseKind {
+    /// Dynamic relaxation: settles to rest; its time is not physical.
+    Static,
+    /// True dynamics.
+    Dynamic,
+}
+
+/// Stop criteria of a phase.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Until {
+    /// Duration of the phase, s.
+    pub time: Option<f64>,
+    /// Unbalanced-force ratio at or below which it ends.
+    pub unbalanced: Option<f64>,
+    /// Kinetic energy at or below which it ends (after at least 10 steps), J/m.
+    pub kinetic: Option<f64>,
+    /// Number of steps.
+    pub steps: Option<u64>,
+}
+
+/// Time step rule.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum TimeStep {
+    /// `safety` times the stable step, found at the start of the phase and whenever the contacts change.
+    Auto {
+        /// Share of the stable step, 0 to 1.
+        safety: f64,
+    },
+    /// Given, s.
+    Given {
+        /// Time step, s.
+        dt: f64,
+    },
+}
+
+/// Damping that is not part of the contact law.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Damping {
+    /// Mass-proportional: force = -mass * m * v, 1/s.
+    pub mass: f64,
+    /// Stiffness-proportional part added to the contact dashpots, s.
+    pub stiffness: f64,
+    /// Local non-viscous: share of the unbalanced force, against the velocity.
+    pub local: f64,
+}
+
+/// One recorded history.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct History {
+    /// Column name.
+    pub name: String,
+    /// Field, e.g. `block.displacement`.
+    pub field: String,
+    /// Blocks it is read at (one for block fields, two for pair fields, any for group fields).
+    pub of: Vec<u32>,
+    /// Unit direction onto which a vector field is projected.
+    pub along: Option<[f64; 2]>,
+    /// Sampling.
+    pub every: Every,
+}
+
+/// A rhythm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Every {
+    /// Model time, s.
+    Time(f64),
+    /// Steps.
+    Steps(u64),
+    /// At the end of each phase.
+    Phase,
+}
