@@ -1,2 +1,56 @@
-//! The tasks of the repository.
-fn main() {}
+//! The tasks of the repository: `cargo xtask <task>`.
+//!
+//! `test` is exactly what CI runs. Every step is a plain function that prints what it finds; the
+//! runner adds a headline, the time, and one closing line `N passed, N failed, N skipped`.
+
+mod licences;
+mod rooms;
+mod shell;
+mod source_tree;
+mod steps;
+mod tidy;
+mod verify;
+mod vtk;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+The tasks of the repository.
+
+Usage: cargo xtask <task> [step]...
+
+Tasks:
+  test [step]...   formatting, lints, unit, property, doc, CLI and scene tests, docs: what CI runs
+  steps            list the steps of `test`
+  verify-all       run every scene, the long ones too, and write docs/src/verification.md
+  docs             build the API documentation (and the book, where mdbook is installed)
+
+Examples:
+  cargo xtask test
+  cargo xtask test rooms fmt clippy
+";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let root = source_tree::root();
+    match words.as_slice() {
+        ["test", only @ ..] => steps::run(&root, only),
+        ["steps"] => {
+            for step in steps::STEPS {
+                println!("{:<10} {}", step.name, step.about);
+            }
+            ExitCode::SUCCESS
+        }
+        ["verify-all"] => verify::all(&root),
+        ["docs"] => steps::docs_only(&root),
+        [] | ["help" | "--help" | "-h"] => {
+            print!("{HELP}");
+            ExitCode::SUCCESS
+        }
+        [other, ..] => {
+            eprintln!("there is no task {other:?}\n\n{HELP}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Running commands: their output is shown as it comes and, where they count, counted.
+
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// How many checks passed, failed and were skipped.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub passed: u64,
+    pub failed: u64,
+    pub skipped: u64,
+}
+
+impl Counts {
+    pub fn add(&mut self, other: Counts) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+        self.skipped += other.skipped;
+    }
+}
+
+/// What a command left behind.
+pub struct Finished {
+    pub success: bool,
+    pub counts: Counts,
+}
+
+/// The cargo that started this program.
+pub fn cargo() -> String {
+    std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
+}
+
+/// Runs `command` in `root`; shows its output; adds up the test counts it prints.
+pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
+    println!("$ {}", spoken(command));
+    let name = command.get_program().to_string_lossy().into_owned();
+    let mut child = command
+        .current_dir(root)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .spawn()
+        .map_err(|e| format!("{name} could not be started: {e}"))?;
+    let mut counts = Counts::default();
+    if let Some(stdout) = child.stdout.take() {
+        let mut out = std::io::stdout();
+        for line in BufReader::new(stdout).split(b'\n') {
+            let line = line.map_err(|e| format!("reading from {name}: {e}"))?;
+            // A reader that has gone away (`| head`) must not stop the checks.
+            let _ = out.write_all(&line).and_then(|()| out.write_all(b"\n"));
+            if let Some(found) = read_counts(&String::from_utf8_lossy(&line)) {
+                counts.add(found);
+            }
+        }
+    }
+    let status = child
+        .wait()
+        .map_err(|e| format!("waiting for {name}: {e}"))?;
+    Ok(Finished {
+        success: status.success(),
+        counts,
+    })
+}
+
+/// The command as a person would type it.
+fn spoken(command: &Command) -> String {
+    let program = Path::new(command.get_program());
+    let mut words = vec![
+        program
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned(),
+    ];
+    words.extend(command.get_args().map(|a| a.to_string_lossy().into_owned()));
+    if words.len() > 14 {
+        let hidden = words.len() - 12;
+        words.truncate(12);
+        words.push(format!("… and {hidden} more"));
+    }
+    words.join(" ")
+}
+
+/// Reads `test result: ok. 12 passed; 0 failed; 1 ignored; …` or `12 passed, 0 failed, 1 skipped`.
+fn read_counts(line: &str) -> Option<Counts> {
+    let line = line.trim();
+    if !line.starts_with("test result:") && !line.starts_with(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
+    let number = |word: &str| -> Option<u64> {
+        let before = line.find(word).map(|at| line[..at].trim_end())?;
+        let digits = before.rsplit(|c: char| !c.is_ascii_digit()).next()?;
+        digits.parse().ok()
+    };
+    Some(Counts {
+        passed: number(" passed")?,
+        failed: number(" failed")?,
+        skipped: number(" ignored").or_else(|| number(" skipped"))?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_read_from_cargo_and_from_riprap() {
+        let cargo = "test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; 3 filtered out";
+        assert_eq!(
+            read_counts(cargo),
+            Some(Counts {
+                passed: 12,
+                failed: 0,
+                skipped: 1
+            })
+        );
+        let riprap = "7 passed, 2 failed, 0 skipped";
+        assert_eq!(
+            read_counts(riprap),
+            Some(Counts {
+                passed: 7,
+                failed: 2,
+                skipped: 0
+            })
+        );
+        assert_eq!(read_counts("test a::b ... ok"), None);
+        assert_eq!(read_counts("3 warnings"), None);
+    }
+}

@@ -1,0 +1,166 @@
+//! Scenes check themselves; these tasks only choose which ones to run.
+//!
+//! A scene is a `*.toml` under `scenes/` whose first key is `riprap = `. It is *long* when one of
+//! its folders is called `long`, *fast* otherwise. Only scenes with `[[checks]]` are run.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+
+use serde_json::Value;
+
+use crate::shell::{self, cargo};
+use crate::source_tree::{files, shown};
+use crate::steps::Outcome;
+
+/// Builds the release binary once; `Err` when it does not build.
+pub fn release_binary(root: &Path) -> Result<PathBuf, String> {
+    let mut command = Command::new(cargo());
+    command.args(["build", "--release", "--locked", "--package", "riprap-cli"]);
+    if !shell::run(root, &mut command)?.success {
+        return Err("the release build failed".to_owned());
+    }
+    let target =
+        std::env::var("CARGO_TARGET_DIR").map_or_else(|_| root.join("target"), PathBuf::from);
+    Ok(root
+        .join(target)
+        .join("release")
+        .join(format!("riprap{}", std::env::consts::EXE_SUFFIX)))
+}
+
+/// Scenes with checks, relative to the root: the fast ones, then the long ones.
+fn scenes(root: &Path) -> (Vec<String>, Vec<String>) {
+    let all = files(&root.join("scenes"), &["toml"])
+        .into_iter()
+        .filter(|path| {
+            let text = std::fs::read_to_string(path).unwrap_or_default();
+            let mut keys = text
+                .lines()
+                .map(str::trim)
+                .filter(|l| !l.is_empty() && !l.starts_with('#'));
+            keys.next().is_some_and(|l| l.starts_with("riprap"))
+                && text.lines().any(|l| l.trim() == "[[checks]]")
+        });
+    let is_long = |p: &PathBuf| p.iter().any(|part| part == "long");
+    let (long, fast): (Vec<PathBuf>, Vec<PathBuf>) = all.partition(is_long);
+    let names = |paths: Vec<PathBuf>| paths.iter().map(|p| shown(root, p)).collect();
+    (names(fast), names(long))
+}
+
+/// The `scenes` step of `cargo xtask test`.
+pub fn fast(root: &Path) -> Result<Outcome, String> {
+    let (fast, long) = scenes(root);
+    if fast.is_empty() {
+        return Ok(Outcome::Skipped(
+            "there are no scenes with checks yet".to_owned(),
+        ));
+    }
+    println!(
+        "{} fast scenes; {} long ones run under `cargo xtask verify-all`",
+        fast.len(),
+        long.len()
+    );
+    let mut command = Command::new(release_binary(root)?);
+    command.arg("verify").args(&fast);
+    let done = shell::run(root, &mut command)?;
+    let mut counts = done.counts;
+    if !done.success && counts.failed == 0 {
+        counts.failed = 1;
+    }
+    Ok(Outcome::Counted(counts))
+}
+
+/// `cargo xtask verify-all`: runs everything and writes the table.
+pub fn all(root: &Path) -> ExitCode {
+    match run_all(root) {
+        Ok(0) => ExitCode::SUCCESS,
+        Ok(_) => ExitCode::FAILURE,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run_all(root: &Path) -> Result<u64, String> {
+    let (fast, long) = scenes(root);
+    if fast.is_empty() && long.is_empty() {
+        return Err("there are no scenes with checks under scenes/".to_owned());
+    }
+    let output = Command::new(release_binary(root)?)
+        .args(["verify", "--json"])
+        .args(fast.iter().chain(&long))
+        .current_dir(root)
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| format!("riprap verify: {e}"))?;
+    let rows: Vec<Value> = String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .filter_map(|line| serde_json::from_str(line).ok())
+        .collect();
+    if rows.is_empty() {
+        return Err("riprap verify --json printed no checks".to_owned());
+    }
+    let count = |what: &str| rows.iter().filter(|r| r["status"] == what).count() as u64;
+    let (passed, failed, skipped) = (count("passed"), count("failed"), count("skipped"));
+    let page = root.join("docs/src/verification.md");
+    if let Some(folder) = page.parent() {
+        std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    }
+    std::fs::write(&page, table(&rows, passed, failed, skipped))
+        .map_err(|e| format!("{}: {e}", page.display()))?;
+    println!("wrote {}", shown(root, &page));
+    println!("{passed} passed, {failed} failed, {skipped} skipped");
+    Ok(failed + u64::from(!output.status.success() && failed == 0))
+}
+
+/// The page: one row a check.
+fn table(rows: &[Value], passed: u64, failed: u64, skipped: u64) -> String {
+    let mut page = format!(
+        "# Verification\n\nWritten by `cargo xtask verify-all`; every row is a check inside a scene and can be run again\n\
+         with `riprap verify SCENE`. Skipped = known failures, run and shown with their reason.\n\n\
+         {passed} passed, {failed} failed, {skipped} skipped\n\n\
+         | scene | case | check | result | measured | expected | tolerance | note |\n\
+         |---|---|---|---|---|---|---|---|\n"
+    );
+    for row in rows {
+        let cell = |key: &str| match &row[key] {
+            Value::String(text) => text.replace('|', "\\|").replace('\n', " "),
+            Value::Null => String::new(),
+            other => other.to_string(),
+        };
+        let cells: Vec<String> = [
+            "scene",
+            "case",
+            "check",
+            "status",
+            "measured",
+            "expected",
+            "tolerance",
+            "note",
+        ]
+        .iter()
+        .map(|key| cell(key))
+        .collect();
+        page.push_str(&format!("| {} |\n", cells.join(" | ")));
+    }
+    page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_a_check_and_bars_are_escaped() {
+        let row: Value = serde_json::from_str(
+            r#"{"scene":"a.toml","case":"","check":"|v|","status":"passed","measured":1.5}"#,
+        )
+        .unwrap();
+        let page = table(&[row], 1, 0, 0);
+        assert!(
+            page.contains("| a.toml |  | \\|v\\| | passed | 1.5 |  |  |  |"),
+            "{page}"
+        );
+        assert!(page.contains("1 passed, 0 failed, 0 skipped"));
+    }
+}
