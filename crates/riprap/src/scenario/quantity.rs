@@ -1,0 +1,512 @@
+//! Values as the user wrote them: text or number, with the place in the file.
+//!
+//! A [`Quantity`] is converted when it is read, but an unreadable one is no parse error: the
+//! reason is kept and reported by [`super::check()`], which collects all of them. After a check
+//! without errors every [`Quantity::si`] is a finite number inside its range.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
+
+use super::units::{self, Dim};
+
+/// Bytes of the source text.
+pub type Span = Range<usize>;
+
+/// Number or text as it stands in the file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Raw {
+    /// A bare number.
+    Number(f64),
+    /// A string.
+    Text(String),
+}
+
+impl fmt::Display for Raw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Raw::Number(number) => write!(f, "{number}"),
+            Raw::Text(text) => write!(f, "{text}"),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Raw {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct RawVisitor;
+        impl Visitor<'_> for RawVisitor {
+            type Value = Raw;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number with a unit in quotes")
+            }
+            fn visit_i64<E>(self, value: i64) -> Result<Raw, E> {
+                Ok(Raw::Number(value as f64))
+            }
+            fn visit_u64<E>(self, value: u64) -> Result<Raw, E> {
+                Ok(Raw::Number(value as f64))
+            }
+            fn visit_f64<E>(self, value: f64) -> Result<Raw, E> {
+                Ok(Raw::Number(value))
+            }
+            fn visit_str<E>(self, value: &str) -> Result<Raw, E> {
+                Ok(Raw::Text(value.to_owned()))
+            }
+        }
+        deserializer.deserialize_any(RawVisitor)
+    }
+}
+
+/// Interval of allowed SI values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Whether the lower end itself is allowed.
+    pub low_closed: bool,
+    /// Whether the upper end itself is allowed.
+    pub high_closed: bool,
+    /// The interval in the user's words.
+    pub text: &'static str,
+}
+
+impl Bounds {
+    /// Whether a finite value lies inside.
+    pub fn contains(&self, value: f64) -> bool {
+        (value > self.low || (self.low_closed && value == self.low))
+            && (value < self.high || (self.high_closed && value == self.high))
+    }
+}
+
+/// What a key expects: dimension, range, and how to say so.
+pub trait Kind: fmt::Debug + Clone + PartialEq + JsonSchema + 'static {
+    /// Short name, used in the names of schema types.
+    const NAME: &'static str;
+    /// Expected dimension; `None` takes any (checked later against a field).
+    const DIM: Option<Dim>;
+    /// Allowed SI values.
+    const BOUNDS: Bounds;
+    /// "a joint stiffness (pressure per length)".
+    const WHAT: &'static str;
+    /// A value to copy.
+    const EXAMPLE: &'static str;
+}
+
+const ALL: Bounds = Bounds {
+    low: f64::NEG_INFINITY,
+    high: f64::INFINITY,
+    low_closed: false,
+    high_closed: false,
+    text: "any finite value",
+};
+const POSITIVE: Bounds = Bounds {
+    low: 0.0,
+    text: "greater than zero",
+    ..ALL
+};
+const NOT_NEGATIVE: Bounds = Bounds {
+    low: 0.0,
+    low_closed: true,
+    text: "zero or more",
+    ..ALL
+};
+const RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
+
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $name:ident: $dim:expr, $bounds:expr, $what:literal, $example:literal;)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum $name {}
+        impl Kind for $name {
+            const NAME: &'static str = stringify!($name);
+            const DIM: Option<Dim> = $dim;
+            const BOUNDS: Bounds = $bounds;
+            const WHAT: &'static str = $what;
+            const EXAMPLE: &'static str = $example;
+        }
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                Cow::Borrowed(stringify!($name))
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                quantity_schema::<$name>()
+            }
+        }
+    )*};
+}
+
+kinds! {
+    /// Any dimension; compared later with the unit of a field or key.
+    Any: None, ALL, "a quantity", "0.1 m";
+    /// A number without unit.
+    Plain: Some(Dim::NONE), ALL, "a number without unit", "1.0";
+    /// A number > 0 without unit.
+    PositivePlain: Some(Dim::NONE), POSITIVE, "a number without unit", "1e-5";
+    /// A number >= 0 without unit.
+    NotNegativePlain: Some(Dim::NONE), NOT_NEGATIVE, "a number without unit", "0.2";
+    /// A share, 0 < x <= 1.
+    Share: Some(Dim::NONE), Bounds { low: 0.0, high: 1.0, low_closed: false, high_closed: true, text: "greater than 0 and at most 1" }, "a number without unit", "1.0";
+    /// A share, 0 <= x < 1.
+    ShareBelowOne: Some(Dim::NONE), Bounds { low: 0.0, high: 1.0, low_closed: true, high_closed: false, text: "at least 0 and less than 1" }, "a number without unit", "0.7";
+    /// Poisson's ratio, -1 < x < 0.5.
+    Poisson: Some(Dim::NONE), Bounds { low: -1.0, high: 0.5, low_closed: false, high_closed: false, text: "greater than -1 and less than 0.5" }, "a number without unit", "0.25";
+    /// A length or coordinate, m.
+    Length: Some(Dim::LENGTH), ALL, "a length", "1.5 m";
+    /// A length > 0, m.
+    PositiveLength: Some(Dim::LENGTH), POSITIVE, "a length", "0.5 m";
+    /// A length >= 0, m.
+    NotNegativeLength: Some(Dim::LENGTH), NOT_NEGATIVE, "a length", "0.02 m";
+    /// An angle, rad.
+    Angle: Some(Dim::ANGLE), ALL, "an angle", "30 deg";
+    /// An angle >= 0, rad.
+    NotNegativeAngle: Some(Dim::ANGLE), NOT_NEGATIVE, "an angle", "2 deg";
+    /// Half the opening of an arch, 0 < x <= 180 deg, rad.
+    HalfAngle: Some(Dim::ANGLE), Bounds { low: 0.0, high: std::f64::consts::PI, low_closed: false, high_closed: true, text: "greater than 0 deg and at most 180 deg" }, "an angle", "90 deg";
+    /// A friction angle, 0 <= x < 90 deg, rad.
+    FrictionAngle: Some(Dim::ANGLE), Bounds { low: 0.0, high: RIGHT_ANGLE, low_closed: true, high_closed: false, text: "at least 0 deg and less than 90 deg" }, "a friction angle", "30 deg";
+    /// Mass density, kg/m3.
+    Density: Some(Dim::DENSITY), POSITIVE, "a density (mass per volume)", "2600 kg/m3";
+    /// Young's modulus, Pa.
+    Modulus: Some(Dim::PRESSURE), POSITIVE, "a modulus", "10 GPa";
+    /// A stress, traction or pressure, Pa.
+    Pressure: Some(Dim::PRESSURE), ALL, "a pressure", "1 MPa";
+    /// A strength >= 0, Pa.
+    Strength: Some(Dim::PRESSURE), NOT_NEGATIVE, "a strength (force per area)", "2 MPa";
+    /// A joint or contact stiffness per area, Pa/m.
+    StiffnessPerArea: Some(Dim::STIFFNESS_PER_AREA), POSITIVE, "a joint stiffness (pressure per length)", "10 GPa/m";
+    /// A time, s.
+    Time: Some(Dim::TIME), ALL, "a time", "1.5 s";
+    /// A time > 0, s.
+    PositiveTime: Some(Dim::TIME), POSITIVE, "a time", "10 us";
+    /// A time >= 0, s.
+    NotNegativeTime: Some(Dim::TIME), NOT_NEGATIVE, "a time", "0.5 s";
+    /// A velocity, m/s.
+    Velocity: Some(Dim::VELOCITY), ALL, "a velocity", "0.1 m/s";
+    /// A speed > 0, m/s.
+    Speed: Some(Dim::VELOCITY), POSITIVE, "a speed", "1 mm/s";
+    /// A rate of turning, rad/s, anticlockwise.
+    Spin: Some(Dim::SPIN), ALL, "a spin (angle per time)", "0.1 rad/s";
+    /// A rate of change of spin, rad/s2.
+    SpinAcceleration: Some(Dim::SPIN_ACCELERATION), ALL, "an angular acceleration", "0.1 rad/s2";
+    /// An acceleration, m/s2.
+    Acceleration: Some(Dim::ACCELERATION), ALL, "an acceleration", "-9.81 m/s2";
+    /// A force per metre of thickness, N/m.
+    ForcePerLength: Some(Dim::FORCE_PER_LENGTH), ALL, "a force per metre of thickness (2D)", "-10 kN/m";
+    /// A moment per metre of thickness, N (= N m/m).
+    MomentPerLength: Some(Dim::FORCE), ALL, "a moment per metre of thickness (N m/m = N)", "3 N";
+    /// A frequency > 0, Hz.
+    Frequency: Some(Dim::RATE), POSITIVE, "a frequency", "2 Hz";
+    /// A rate >= 0, 1/s.
+    Rate: Some(Dim::RATE), NOT_NEGATIVE, "a rate", "5 1/s";
+    /// An energy per metre of thickness > 0, J/m.
+    EnergyPerLength: Some(Dim::FORCE), POSITIVE, "an energy per metre of thickness", "1 J/m";
+}
+
+/// A value of one kind, with its place in the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity<K: Kind> {
+    /// What was written.
+    pub raw: Raw,
+    /// Where.
+    pub span: Span,
+    kind: PhantomData<K>,
+}
+
+impl<K: Kind> Quantity<K> {
+    /// A quantity from text, at no place; for tests and defaults.
+    pub fn from_text(text: &str) -> Self {
+        Quantity {
+            raw: Raw::Text(text.to_owned()),
+            span: 0..0,
+            kind: PhantomData,
+        }
+    }
+
+    /// SI value and dimension without looking at the range. A bare number has dimension `None`:
+    /// it is whatever the key expects (allowed when the file says `units = "SI"`).
+    pub fn read(&self) -> Result<(f64, Option<Dim>), units::UnitError> {
+        match &self.raw {
+            Raw::Number(value) => Ok((*value, None)),
+            Raw::Text(text) => units::parse(text).map(|(value, dim)| (value, Some(dim))),
+        }
+    }
+
+    /// SI value; NaN where [`super::check()`] would report an error.
+    pub fn si(&self) -> f64 {
+        self.read().map_or(f64::NAN, |(value, _)| value)
+    }
+}
+
+impl<'de, K: Kind> Deserialize<'de> for Quantity<K> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let raw = toml::Spanned::<Raw>::deserialize(deserializer)?;
+        let span = raw.span();
+        Ok(Quantity {
+            raw: raw.into_inner(),
+            span,
+            kind: PhantomData,
+        })
+    }
+}
+
+impl<K: Kind> JsonSchema for Quantity<K> {
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed(K::NAME)
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        quantity_schema::<K>()
+    }
+}
+
+fn quantity_schema<K: Kind>() -> Schema {
+    let description = match K::DIM {
+        Some(dim) if dim == Dim::NONE => format!("A number without unit, {}.", K::BOUNDS.text),
+        Some(_) => {
+            format!(
+                "{}, for example \"{}\"; {}.",
+                capital(K::WHAT),
+                K::EXAMPLE,
+                K::BOUNDS.text
+            )
+        }
+        None => "A number with a unit; the unit must suit what it is compared with.".to_owned(),
+    };
+    json_schema!({ "type": ["string", "number"], "description": description })
+}
+
+/// First letter in upper case.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// A word that refers to something (material, block, group, field, file), with its place.
+#[derive(Debug, Clone)]
+pub struct Name {
+    /// The word.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+impl Name {
+    /// The word.
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+}
+
+impl PartialEq for Name {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl From<&str> for Name {
+    fn from(text: &str) -> Self {
+        Name {
+            text: text.to_owned(),
+            span: 0..0,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Name {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = toml::Spanned::<String>::deserialize(deserializer)?;
+        let span = text.span();
+        Ok(Name {
+            text: text.into_inner(),
+            span,
+        })
+    }
+}
+
+impl JsonSchema for Name {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed("Name")
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string" })
+    }
+}
+
+/// One name or a list of names: `of = "block"` or `of = ["a", "b"]`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Names(pub Vec<Name>);
+
+impl<'de> Deserialize<'de> for Names {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NamesVisitor;
+        impl<'de> Visitor<'de> for NamesVisitor {
+            type Value = Vec<(String, Span)>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a name or a list of names")
+            }
+            fn visit_str<E>(self, value: &str) -> Result<Self::Value, E> {
+                Ok(vec![(value.to_owned(), 0..0)])
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(
+                self,
+                mut seq: A,
+            ) -> Result<Self::Value, A::Error> {
+                let mut names = Vec::new();
+                while let Some(name) = seq.next_element::<Name>()? {
+                    names.push((name.text, name.span));
+                }
+                Ok(names)
+            }
+        }
+        struct Inner(Vec<(String, Span)>);
+        impl<'de> Deserialize<'de> for Inner {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                deserializer.deserialize_any(NamesVisitor).map(Inner)
+            }
+        }
+        let whole = toml::Spanned::<Inner>::deserialize(deserializer)?;
+        let span = whole.span();
+        let place = |inner: Span| {
+            if inner.is_empty() {
+                span.clone()
+            } else {
+                inner
+            }
+        };
+        let names = whole.into_inner().0;
+        Ok(Names(
+            names
+                .into_iter()
+                .map(|(text, inner)| Name {
+                    text,
+                    span: place(inner),
+                })
+                .collect(),
+        ))
+    }
+}
+
+impl JsonSchema for Names {
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed("Names")
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "A name or a list of names.",
+            "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }]
+        })
+    }
+}
+
+/// A TOML table with free keys, in file order; keys keep their place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table<T>(pub Vec<(Name, T)>);
+
+impl<T> Default for Table<T> {
+    fn default() -> Self {
+        Table(Vec::new())
+    }
+}
+
+impl<T> Table<T> {
+    /// The entry of that name.
+    pub fn get(&self, name: &str) -> Option<&T> {
+        self.0
+            .iter()
+            .find(|(key, _)| key.text == name)
+            .map(|(_, value)| value)
+    }
+    /// Entries in file order.
+    pub fn iter(&self) -> impl Iterator<Item = (&Name, &T)> {
+        self.0.iter().map(|(name, value)| (name, value))
+    }
+    /// Keys in file order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|(name, _)| name.text.as_str())
+    }
+    /// Number of entries.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+    /// Whether there is no entry.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct TableVisitor<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for TableVisitor<T> {
+            type Value = Table<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a table")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Table<T>, A::Error> {
+                let mut entries: Vec<(Name, T)> = Vec::new();
+                while let Some(key) = map.next_key::<Name>()? {
+                    if entries.iter().any(|(other, _)| other.text == key.text) {
+                        return Err(A::Error::custom(format!("`{key}` stands twice")));
+                    }
+                    let value = map.next_value()?;
+                    entries.push((key, value));
+                }
+                // The parser sorts keys; the file order is in their places.
+                entries.sort_by_key(|(name, _)| name.span.start);
+                Ok(Table(entries))
+            }
+        }
+        deserializer.deserialize_map(TableVisitor(PhantomData))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Table<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Owned(format!("Table_{}", T::schema_name()))
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "object", "additionalProperties": generator.subschema_for::<T>() })
+    }
+}
+
+/// What [`super::language::Every`] says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Interval {
+    /// Model time, s.
+    Time(f64),
+    /// Steps.
+    Steps(u64),
+    /// At the end of each phase.
+    Phase,
+    /// Not at all.
+    Never,
+}
+
+/// What [`super::language::Moment`] says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum When {
+    /// Model time, s.
+    Time(f64),
+    /// Before the first step.
+    Start,
+    /// After the last step.
+    End,
+}

@@ -1,0 +1,84 @@
+//! Values that change with time, as the user writes them.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::quantity::{
+    Angle, Frequency, Kind, Name, NotNegativeTime, Plain, PositivePlain, Quantity, Time,
+};
+
+/// A value over time; `K` is the kind of the value. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", bound(deserialize = "K: Kind"))]
+pub enum TimeFunction<K: Kind> {
+    /// The same value at all times, for example `constant = "1 m/s2"`.
+    Constant(Quantity<K>),
+    /// `from` before `start`, `to` after `end`, a straight line between.
+    Ramp(Ramp<K>),
+    /// A sine wave that starts at time 0.
+    Sine(Sine<K>),
+    /// `value` between `start` and `end`, zero outside.
+    Pulse(Pulse<K>),
+    /// A column of a CSV file over a time column: straight lines between the rows, the first and
+    /// last value outside. Values are SI times `scale`.
+    Csv(CsvFunction),
+    /// A formula in `t` (seconds of model time), result in SI units, for example
+    /// `"3*sin(2*pi*2*t)"`.
+    Formula(Name),
+}
+
+/// Straight line in time between two constant values.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "K: Kind"))]
+pub struct Ramp<K: Kind> {
+    /// Value up to `start`.
+    pub from: Quantity<K>,
+    /// Value after `end`.
+    pub to: Quantity<K>,
+    /// Time at which the change begins, s. Default 0 s.
+    pub start: Option<Quantity<Time>>,
+    /// Time at which the change is complete, s; after `start`.
+    pub end: Quantity<Time>,
+}
+
+/// Sine wave: offset + amplitude sin(2 pi frequency t + phase).
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "K: Kind"))]
+pub struct Sine<K: Kind> {
+    /// Largest distance from `offset`.
+    pub amplitude: Quantity<K>,
+    /// Full waves per second, Hz.
+    pub frequency: Quantity<Frequency>,
+    /// Angle of the wave at time 0. Default 0 deg.
+    pub phase: Option<Quantity<Angle>>,
+    /// Value about which it swings. Default 0.
+    pub offset: Option<Quantity<K>>,
+    /// Number of full waves, then the value stays at `offset`. Default: never ends.
+    pub cycles: Option<Quantity<PositivePlain>>,
+}
+
+/// A value for a limited time.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "K: Kind"))]
+pub struct Pulse<K: Kind> {
+    /// Value during the pulse; zero outside.
+    pub value: Quantity<K>,
+    /// Beginning of the pulse, s. Default 0 s.
+    pub start: Option<Quantity<NotNegativeTime>>,
+    /// End of the pulse, s; after `start`.
+    pub end: Quantity<Time>,
+}
+
+/// Values from two columns of a CSV file.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CsvFunction {
+    /// Path of the CSV file, seen from the scenario file.
+    pub file: Name,
+    /// Name of the column with the time in seconds; must grow.
+    pub time: Name,
+    /// Name of the column with the values in SI units.
+    pub column: Name,
+    /// Factor on the values. Default 1.
+    pub scale: Option<Quantity<Plain>>,
+}
