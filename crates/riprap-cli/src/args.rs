@@ -1,0 +1,441 @@
+//! What the user typed, and nothing else: one struct a verb, with the help texts.
+//!
+//! Doc comments here are the `--help` texts. They are read aloud before they are committed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+const FIRST_STEPS: &str = "\
+First steps:
+  riprap new hill --template slope       write a scene to start from
+  riprap check hill.toml                 look at it without running it
+  riprap run hill.toml                   run it; results go to hill.run/
+  riprap plot hill.run                   draw what happened
+
+Exit codes:
+  0  done
+  1  the physics stopped the run, or a check failed
+  2  bad input
+  3  could not write the results
+  130  stopped by Ctrl-C, with a checkpoint";
+
+/// Discrete-element simulation of blocky rock.
+///
+/// A scene is a TOML file: blocks, how they touch, what pushes them, what to record. Every
+/// quantity has its unit, and a scene can check its own results.
+#[derive(Debug, Parser)]
+#[command(name = "riprap", version, after_help = FIRST_STEPS, arg_required_else_help = true)]
+#[command(disable_help_subcommand = true, max_term_width = 100)]
+pub struct Cli {
+    /// Colours in messages and progress lines
+    #[arg(long, global = true, value_enum, default_value_t = ColorChoice::Auto, value_name = "WHEN")]
+    pub color: ColorChoice,
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// When to colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ColorChoice {
+    /// On a terminal, unless NO_COLOR is set
+    Auto,
+    Always,
+    Never,
+}
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    New(New),
+    Check(Check),
+    Run(Run),
+    Resume(Resume),
+    Sweep(Sweep),
+    Bisect(Bisect),
+    Compare(Compare),
+    ProbeContact(ProbeContact),
+    Verify(Verify),
+    Plot(Plot),
+    Fields(Fields),
+    Explain(Explain),
+    Schema(Schema),
+    Hash(Hash),
+    Doctor(Doctor),
+}
+
+/// A scene file, and what is changed in it before it is read.
+#[derive(Debug, Args)]
+pub struct Scene {
+    /// Scene to read (TOML)
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub change: Change,
+}
+
+/// What is changed in a scene before it is read.
+#[derive(Debug, Default, Args)]
+pub struct Change {
+    /// Change a key of the scene; repeatable. Quantities keep their units
+    ///
+    /// Keys are written with dots; entries of lists by number or by their name.
+    /// Examples:
+    ///   --set 'interfaces.default.friction_angle=20 deg'
+    ///   --set blocks.slope.shift.0='1 m'
+    #[arg(long = "set", value_name = "KEY=VALUE", verbatim_doc_comment, value_parser = key_value)]
+    pub set: Vec<(String, String)>,
+    /// Take one variant of the scene by its name
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+}
+
+/// Write a scene to start from.
+///
+/// The templates are scenes of the library that run as they stand.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap new --list
+  riprap new hill --template slope       writes hill.toml")]
+pub struct New {
+    /// Name of the new scene; `.toml` is added
+    #[arg(value_name = "NAME", required_unless_present = "list")]
+    pub name: Option<String>,
+    /// Template to start from; see --list
+    #[arg(short, long, value_name = "TEMPLATE", default_value = "slide")]
+    pub template: String,
+    /// List the templates
+    #[arg(short, long)]
+    pub list: bool,
+    /// Replace a file that is already there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Look at a scene without running it.
+///
+/// Checks words, units, names and geometry, and tells what to expect: blocks, contacts,
+/// slivers, overlaps, the stable time step and which block sets it, steps and time of the run.
+/// Ends with code 2 when the scene cannot run.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap check hill.toml
+  riprap check hill.toml --set 'phases.0.time_step=1 ms'
+  riprap check hill.toml --json | jq .stable_time_step")]
+pub struct Check {
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Print the findings as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Run a scene.
+///
+/// Results go to a run folder: histories and energies as CSV, frames for ParaView, checkpoints,
+/// and a manifest that says how it ended. Ctrl-C stops at the next step and leaves a checkpoint;
+/// Ctrl-C again quits at once.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap run hill.toml
+  riprap run hill.toml --out try1 --threads 2
+  riprap run hill.toml --set 'interfaces.default.friction_angle=20 deg' --out phi20")]
+pub struct Run {
+    #[command(flatten)]
+    pub scene: Scene,
+    #[command(flatten)]
+    pub how: How,
+    /// Folder for the results [default: the scene's name with .run, in the working folder]
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace results that are already there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// How to compute; never what.
+#[derive(Debug, Args)]
+pub struct How {
+    /// Threads; the result is the same bit for bit [default: all cores]
+    #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// No progress, only warnings and errors
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Go on with a run that was stopped.
+///
+/// Continues from the last good checkpoint in the run folder. The result equals, bit for bit,
+/// that of a run that was never stopped. A run that has already ended is left alone.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  riprap resume hill.run")]
+pub struct Resume {
+    /// Run folder
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    #[command(flatten)]
+    pub how: How,
+}
+
+/// Run a scene over the values of its [sweep].
+///
+/// Each combination gets its own sub-folder; `sweep.csv` has one row for each.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  riprap sweep slide.toml --out friction
+
+The scene says what to vary:
+  [sweep]
+  \"interfaces.default.friction_angle\" = [\"0 deg\", \"15 deg\", \"30 deg\"]")]
+pub struct Sweep {
+    #[command(flatten)]
+    pub scene: Scene,
+    #[command(flatten)]
+    pub how: How,
+    /// Folder for the results [default: the scene's name with .sweep, in the working folder]
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace results that are already there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Find the value of a key at which the scene begins to fail.
+///
+/// Runs the scene again and again, halving the interval of its [bisect] table each time.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  riprap bisect slope.toml
+
+The scene says what to look for:
+  [bisect]
+  key = \"interfaces.default.friction_angle\"
+  low = \"30 deg\"
+  high = \"45 deg\"
+  tolerance = \"0.1 deg\"
+  fails_when = { field = \"model.max_displacement\", above = \"0.1 m\" }")]
+pub struct Bisect {
+    #[command(flatten)]
+    pub scene: Scene,
+    #[command(flatten)]
+    pub how: How,
+    /// Print each run and the result as JSON lines
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Run a scene under both normal laws and show the difference.
+///
+/// Two independent laws on one model are a cross-check: where they agree, the law does not
+/// matter; where they differ, look closer.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  riprap compare topple.toml")]
+pub struct Compare {
+    #[command(flatten)]
+    pub scene: Scene,
+    #[command(flatten)]
+    pub how: How,
+    /// Folder for the results [default: the scene's name with .compare, in the working folder]
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace results that are already there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Show the contact forces of a scene at its start, without a step.
+///
+/// One row a touching pair: overlap, force and moment on the first block (about its centroid).
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap probe-contact two.toml
+  riprap probe-contact two.toml --pair left right --json")]
+pub struct ProbeContact {
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Only this pair of blocks, by name
+    #[arg(long, num_args = 2, value_names = ["A", "B"])]
+    pub pair: Option<Vec<String>>,
+    /// Print as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Run scenes and test their checks.
+///
+/// Prints a line a check and closes with `N passed, N failed, N skipped`. Skipped are checks
+/// that the scene marks as known failures: they are run and shown with their reason. Ends with
+/// code 1 when a check failed.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap verify scenes/verify/planar
+  riprap verify slide.toml --strict")]
+pub struct Verify {
+    /// Scenes, or folders whose scenes are all run
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    /// Count known failures as failed
+    #[arg(long)]
+    pub strict: bool,
+    /// Scenes run side by side [default: all cores]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Print one JSON object a check
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Draw the results of a run.
+///
+/// Writes SVG pictures, and the numbers behind them as CSV, into the run folder.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap plot hill.run                   everything
+  riprap plot hill.run energy --png
+  riprap plot hill.run slip -o slip.svg
+  riprap plot hill.run blocks --by velocity --time '0.5 s'")]
+pub struct Plot {
+    /// Run folder
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// `histories`, `energy`, `blocks`, or the name of one history [default: all]
+    #[arg(value_name = "WHAT")]
+    pub what: Option<String>,
+    /// File to write; its ending says the format
+    #[arg(short, long, value_name = "FILE", requires = "what")]
+    pub output: Option<PathBuf>,
+    /// Write PNG instead of SVG
+    #[arg(long)]
+    pub png: bool,
+    /// Field that colours the blocks
+    #[arg(long, value_name = "FIELD", default_value = "displacement")]
+    pub by: String,
+    /// Time of the frame that is drawn [default: the last]
+    #[arg(long, value_name = "TIME")]
+    pub time: Option<String>,
+}
+
+/// List the fields that histories, checks and frames can name.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  riprap fields | grep energy")]
+pub struct Fields {
+    /// Print as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Explain a scene or a key of the scenario language.
+///
+/// For a file: the resolved scene, every default filled in, with where each value came from.
+/// For a key: what it means, its unit, its default and its range.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap explain hill.toml
+  riprap explain interfaces.default.friction_angle")]
+pub struct Explain {
+    /// A scene file, or a key
+    #[arg(value_name = "FILE|KEY")]
+    pub what: String,
+    #[command(flatten)]
+    pub change: Change,
+}
+
+/// Print the JSON schema of the scenario language, for editors.
+///
+/// Put `#:schema ./riprap.schema.json` at the top of a scene and an editor with TOML support
+/// completes and explains keys.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  riprap schema > riprap.schema.json")]
+pub struct Schema {
+    /// Print the reference page of all keys instead
+    #[arg(long)]
+    pub markdown: bool,
+}
+
+/// Print the fingerprint of a scene, or of the final state of a run.
+///
+/// Equal fingerprints of two runs mean bitwise equal final states.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap hash hill.toml
+  riprap hash hill.run")]
+pub struct Hash {
+    /// A scene file or a run folder
+    #[arg(value_name = "FILE|RUN")]
+    pub what: PathBuf,
+    #[command(flatten)]
+    pub change: Change,
+}
+
+/// Show what riprap sees of this machine.
+#[derive(Debug, Args)]
+pub struct Doctor {}
+
+/// Reads `key=value`; the value may contain `=`.
+fn key_value(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.trim().is_empty() => {
+            Ok((key.trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err("write KEY=VALUE, for example interfaces.default.cohesion='1 kPa'".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn set_is_split_at_the_first_equals_sign() {
+        let cli = Cli::try_parse_from(["riprap", "run", "a.toml", "--set", "a.b=\"x=1\""]).unwrap();
+        let Verb::Run(run) = cli.verb else {
+            panic!("not run")
+        };
+        assert_eq!(
+            run.scene.change.set,
+            [("a.b".to_owned(), "\"x=1\"".to_owned())]
+        );
+        assert!(Cli::try_parse_from(["riprap", "run", "a.toml", "--set", "a.b"]).is_err());
+        assert!(Cli::try_parse_from(["riprap", "run", "a.toml", "--threads", "0"]).is_err());
+    }
+
+    #[test]
+    fn every_verb_has_an_about_and_every_argument_a_help() {
+        for verb in Cli::command().get_subcommands() {
+            assert!(verb.get_about().is_some(), "{}", verb.get_name());
+            for argument in verb.get_arguments() {
+                assert!(
+                    argument.get_help().is_some(),
+                    "{} {}",
+                    verb.get_name(),
+                    argument.get_id()
+                );
+            }
+        }
+    }
+}

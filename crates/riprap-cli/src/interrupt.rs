@@ -1,0 +1,32 @@
+//! Ctrl-C (and a polite kill): the first asks the run to stop, the second quits.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::failure::Failure;
+
+/// Whether the user has asked to stop.
+#[derive(Clone)]
+pub struct Interrupt(Arc<AtomicBool>);
+
+impl Interrupt {
+    /// Starts listening. Called once per process.
+    pub fn listen() -> Result<Self, Failure> {
+        let asked = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&asked);
+        ctrlc::set_handler(move || {
+            if flag.swap(true, Ordering::SeqCst) {
+                // The last checkpoint on disk is whole; nothing is lost but the steps since.
+                std::process::exit(i32::from(crate::failure::INTERRUPTED));
+            }
+            eprintln!("\nstopping at the next step with a checkpoint; Ctrl-C again quits at once");
+        })
+        .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))?;
+        Ok(Interrupt(asked))
+    }
+
+    /// Whether to stop.
+    pub fn asked(&self) -> bool {
+        self.0.load(Ordering::SeqCst)
+    }
+}

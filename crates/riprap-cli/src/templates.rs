@@ -1,0 +1,21 @@
+//! Scenes of the library that `riprap new` writes, embedded in the binary.
+
+/// A scene to start from.
+pub struct Template {
+    /// What the user calls it.
+    pub name: &'static str,
+    /// What happens in it, in one line.
+    pub about: &'static str,
+    /// The scene.
+    pub text: &'static str,
+    /// Files the scene reads: name and contents.
+    pub files: &'static [(&'static str, &'static str)],
+}
+
+/// All templates, the simplest first.
+pub const TEMPLATES: &[Template] = &[];
+
+/// The template called `name`.
+pub fn find(name: &str) -> Option<&'static Template> {
+    TEMPLATES.iter().find(|t| t.name == name)
+}

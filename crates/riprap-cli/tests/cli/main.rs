@@ -1,0 +1,4 @@
+//! Drives the real binary, as a person or a script would.
+
+mod bench;
+mod words;
