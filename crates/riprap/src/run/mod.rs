@@ -1,3 +1,5 @@
 //! Simulation loop: phases, schedule, stop criteria, checks, sweeps.
 
+pub mod bisect;
+pub mod checks;
 pub mod plan;
