@@ -33,7 +33,7 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
         return Err(format!("{SCENE} did not run"));
     }
     let mut check = Command::new(python);
-    check.arg(root.join("xtask/check_vtu.py")).arg(&out);
+    check.arg(root.join("tests/python/check_vtk.py")).arg(&out);
     let done = shell::run(root, &mut check)?;
     if !done.success && done.counts.failed == 0 {
         return Err("the VTK check did not finish".to_owned());

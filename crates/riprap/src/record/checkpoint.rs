@@ -1,0 +1,571 @@
+//! Checkpoints: a state to resume from, in a container that knows when it is damaged.
+//!
+//! Layout, little endian: magic `RIPRAPCK` (8 bytes), format version `u32`, kind (16 bytes, ASCII, zero padded),
+//! uncompressed length `u64`, compressed length `u64`, blake3 of all that and of the payload (32 bytes), then the
+//! payload: a postcard-encoded serde value in one zlib stream. The checksum is tested before anything is
+//! decompressed or decoded, and the lengths before anything is allocated.
+//!
+//! The two newest checkpoints are kept; [`latest`] falls back to the older one and says why.
+
+use super::disk::{AtPath, OutputError, write_whole};
+use flate2::Compression;
+use flate2::read::ZlibDecoder;
+use flate2::write::ZlibEncoder;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+const MAGIC: &[u8; 8] = b"RIPRAPCK";
+/// Version of the container. The meaning of the payload is the business of its kind.
+pub const FORMAT_VERSION: u32 = 1;
+const KIND_BYTES: usize = 16;
+const SUM_AT: usize = 8 + 4 + KIND_BYTES + 8 + 8;
+const HEAD: usize = SUM_AT + 32;
+/// Deflate cannot expand more than 1032:1, so more than this is a lie about the length.
+const MAX_RATIO: u64 = 1100;
+
+/// Why a checkpoint cannot be used. Every message names the file and what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum CheckpointError {
+    /// The system would not let us read it.
+    #[error("could not read checkpoint {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// It does not begin like a checkpoint.
+    #[error("{} is not a riprap checkpoint; give a file from a run folder's checkpoints/", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Made by a later riprap.
+    #[error(
+        "checkpoint {} has format version {found}, this riprap reads up to {FORMAT_VERSION}; resume with the riprap that wrote it or a newer one",
+        path.display()
+    )]
+    Newer {
+        /// The file.
+        path: PathBuf,
+        /// Its format version.
+        found: u32,
+    },
+    /// Shorter than it says: the writer or a copy was cut off.
+    #[error(
+        "checkpoint {} is cut off: it has {found} bytes of {expected}; copy it again or resume from the one before it",
+        path.display()
+    )]
+    Truncated {
+        /// The file.
+        path: PathBuf,
+        /// Bytes there.
+        found: u64,
+        /// Bytes there should be.
+        expected: u64,
+    },
+    /// Longer than it says.
+    #[error(
+        "checkpoint {} has {extra} bytes after its end; it was changed after writing, resume from the one before it",
+        path.display()
+    )]
+    Trailing {
+        /// The file.
+        path: PathBuf,
+        /// Bytes too many.
+        extra: u64,
+    },
+    /// The bytes are not those that were written.
+    #[error(
+        "checkpoint {} is damaged: its checksum does not match; copy it again or resume from the one before it",
+        path.display()
+    )]
+    Checksum {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The length in the head cannot be true.
+    #[error(
+        "checkpoint {} claims to unpack to {claimed} bytes from {compressed}, which is impossible; it is damaged or forged, do not use it",
+        path.display()
+    )]
+    Absurd {
+        /// The file.
+        path: PathBuf,
+        /// Uncompressed length in its head.
+        claimed: u64,
+        /// Compressed bytes.
+        compressed: u64,
+    },
+    /// A state of something else.
+    #[error("checkpoint {} holds a `{found}` state, here a `{wanted}` state is needed", path.display())]
+    Kind {
+        /// The file.
+        path: PathBuf,
+        /// What it holds.
+        found: String,
+        /// What was asked for.
+        wanted: String,
+    },
+    /// Sound container, but the value inside is of another shape.
+    #[error(
+        "checkpoint {} does not hold the state this riprap ({}) expects ({reason}); resume with the riprap that wrote it (its manifest.json says which)",
+        path.display(), env!("CARGO_PKG_VERSION")
+    )]
+    Decode {
+        /// The file.
+        path: PathBuf,
+        /// What the decoder said.
+        reason: String,
+    },
+    /// No usable checkpoint.
+    #[error("{} has no usable checkpoint{}; start the run anew", folder.display(), list(broken))]
+    None {
+        /// The run folder.
+        folder: PathBuf,
+        /// What was wrong with those there are, newest first.
+        broken: Vec<CheckpointError>,
+    },
+}
+
+fn list(broken: &[CheckpointError]) -> String {
+    broken.iter().map(|b| format!("\n  {b}")).collect()
+}
+
+/// The newest good checkpoint of a run folder.
+#[derive(Debug)]
+pub struct Latest<T> {
+    /// Its file.
+    pub path: PathBuf,
+    /// The state.
+    pub value: T,
+    /// What was wrong with newer ones, newest first: show these as warnings.
+    pub broken: Vec<CheckpointError>,
+}
+
+/// Encodes a state into the bytes of a checkpoint file.
+///
+/// # Errors
+/// A value that postcard cannot encode, or a `kind` that is not 1 to 16 ASCII characters: both are mistakes of
+/// the programmer, reported as `InvalidData`.
+pub fn encode<T: Serialize>(kind: &str, value: &T) -> io::Result<Vec<u8>> {
+    let invalid = |text: String| io::Error::new(io::ErrorKind::InvalidData, text);
+    if kind.is_empty() || kind.len() > KIND_BYTES || !kind.is_ascii() {
+        return Err(invalid(format!(
+            "checkpoint kind `{kind}` is not 1 to 16 ASCII characters"
+        )));
+    }
+    let plain = postcard::to_stdvec(value).map_err(|e| invalid(e.to_string()))?;
+    let mut zlib = ZlibEncoder::new(Vec::new(), Compression::fast());
+    zlib.write_all(&plain)?;
+    let packed = zlib.finish()?;
+    let mut out = Vec::with_capacity(HEAD + packed.len());
+    out.extend_from_slice(MAGIC);
+    out.extend_from_slice(&FORMAT_VERSION.to_le_bytes());
+    let mut padded = [0u8; KIND_BYTES];
+    padded[..kind.len()].copy_from_slice(kind.as_bytes());
+    out.extend_from_slice(&padded);
+    out.extend_from_slice(&(plain.len() as u64).to_le_bytes());
+    out.extend_from_slice(&(packed.len() as u64).to_le_bytes());
+    let sum = checksum(&out, &packed);
+    out.extend_from_slice(&sum);
+    out.extend_from_slice(&packed);
+    Ok(out)
+}
+
+fn checksum(head: &[u8], payload: &[u8]) -> [u8; 32] {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(head);
+    hasher.update(payload);
+    *hasher.finalize().as_bytes()
+}
+
+/// Writes a checkpoint: aside, synced, renamed.
+///
+/// # Errors
+/// Whatever the disk says.
+pub fn write<T: Serialize>(path: &Path, kind: &str, value: &T) -> Result<(), OutputError> {
+    let bytes = encode(kind, value).at(path)?;
+    write_whole(path, &bytes)
+}
+
+/// Reads a checkpoint of the given kind.
+///
+/// # Errors
+/// See [`CheckpointError`]; never panics, never allocates more than the file can unpack to.
+pub fn read<T: DeserializeOwned>(path: &Path, kind: &str) -> Result<T, CheckpointError> {
+    let bytes = fs::read(path).map_err(|source| CheckpointError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    decode(&bytes, kind, path)
+}
+
+/// Decodes the bytes of a checkpoint file; `path` is only for the messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn decode<T: DeserializeOwned>(
+    bytes: &[u8],
+    kind: &str,
+    path: &Path,
+) -> Result<T, CheckpointError> {
+    let path = || path.to_owned();
+    let have = bytes.len() as u64;
+    if bytes.len() < MAGIC.len() && MAGIC.starts_with(bytes) {
+        return Err(CheckpointError::Truncated {
+            path: path(),
+            found: have,
+            expected: HEAD as u64,
+        });
+    }
+    if !bytes.starts_with(MAGIC) {
+        return Err(CheckpointError::Foreign { path: path() });
+    }
+    // The version comes before the length: a newer format may have another head.
+    if let Some(version) = number::<4>(bytes, 8) {
+        let found = u32::from_le_bytes(version);
+        if found != FORMAT_VERSION {
+            return Err(CheckpointError::Newer {
+                path: path(),
+                found,
+            });
+        }
+    }
+    let (Some(claimed), Some(packed)) = (
+        number::<8>(bytes, SUM_AT - 16),
+        number::<8>(bytes, SUM_AT - 8),
+    ) else {
+        return Err(CheckpointError::Truncated {
+            path: path(),
+            found: have,
+            expected: HEAD as u64,
+        });
+    };
+    let (claimed, packed) = (u64::from_le_bytes(claimed), u64::from_le_bytes(packed));
+    let expected = packed.saturating_add(HEAD as u64);
+    if have < expected {
+        return Err(CheckpointError::Truncated {
+            path: path(),
+            found: have,
+            expected,
+        });
+    }
+    if have > expected {
+        return Err(CheckpointError::Trailing {
+            path: path(),
+            extra: have - expected,
+        });
+    }
+    if claimed > packed.saturating_mul(MAX_RATIO) {
+        return Err(CheckpointError::Absurd {
+            path: path(),
+            claimed,
+            compressed: packed,
+        });
+    }
+    let payload = &bytes[HEAD..];
+    if checksum(&bytes[..SUM_AT], payload) != bytes[SUM_AT..HEAD] {
+        return Err(CheckpointError::Checksum { path: path() });
+    }
+    let name = &bytes[12..12 + KIND_BYTES];
+    let name = &name[..name.iter().position(|b| *b == 0).unwrap_or(KIND_BYTES)];
+    if name != kind.as_bytes() {
+        let found = String::from_utf8_lossy(name).into_owned();
+        return Err(CheckpointError::Kind {
+            path: path(),
+            found,
+            wanted: kind.to_owned(),
+        });
+    }
+    let wrong = |reason: String| CheckpointError::Decode {
+        path: path(),
+        reason,
+    };
+    let mut plain = Vec::new();
+    ZlibDecoder::new(payload)
+        .take(claimed.saturating_add(1))
+        .read_to_end(&mut plain)
+        .map_err(|e| wrong(e.to_string()))?;
+    if plain.len() as u64 != claimed {
+        return Err(wrong(format!("{} bytes instead of {claimed}", plain.len())));
+    }
+    let (value, rest) = postcard::take_from_bytes(&plain).map_err(|e| wrong(e.to_string()))?;
+    if rest.is_empty() {
+        Ok(value)
+    } else {
+        Err(wrong(format!("{} bytes left over", rest.len())))
+    }
+}
+
+fn number<const N: usize>(bytes: &[u8], at: usize) -> Option<[u8; N]> {
+    bytes.get(at..at + N)?.try_into().ok()
+}
+
+/// The file of the checkpoint after `step` steps inside `folder/checkpoints/`.
+pub fn path_for(folder: &Path, step: u64) -> PathBuf {
+    folder
+        .join("checkpoints")
+        .join(format!("checkpoint_{step:012}.rck"))
+}
+
+/// All checkpoint files of a run folder with their steps, oldest first. A missing folder has none.
+///
+/// # Errors
+/// Whatever the system says when listing.
+pub fn all(folder: &Path) -> io::Result<Vec<(u64, PathBuf)>> {
+    let mut found = Vec::new();
+    let entries = match fs::read_dir(folder.join("checkpoints")) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(found),
+        Err(e) => return Err(e),
+    };
+    for entry in entries {
+        let path = entry?.path();
+        let step = path
+            .file_name()
+            .and_then(|n| n.to_str())
+            .and_then(|n| n.strip_prefix("checkpoint_"))
+            .and_then(|n| n.strip_suffix(".rck"))
+            .and_then(|n| n.parse::<u64>().ok());
+        if let Some(step) = step {
+            found.push((step, path));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Reads the newest good checkpoint of a run folder.
+///
+/// # Errors
+/// [`CheckpointError::None`] with the reasons when there is none.
+pub fn latest<T: DeserializeOwned>(
+    folder: &Path,
+    kind: &str,
+) -> Result<Latest<T>, CheckpointError> {
+    let files = all(folder).map_err(|source| CheckpointError::Read {
+        path: folder.to_owned(),
+        source,
+    })?;
+    let mut broken = Vec::new();
+    for (_, path) in files.into_iter().rev() {
+        match read(&path, kind) {
+            Ok(value) => {
+                return Ok(Latest {
+                    path,
+                    value,
+                    broken,
+                });
+            }
+            Err(e) => broken.push(e),
+        }
+    }
+    Err(CheckpointError::None {
+        folder: folder.to_owned(),
+        broken,
+    })
+}
+
+/// Writes the checkpoint after `step` steps and keeps only it and the one before it.
+pub(crate) fn write_and_prune<T: Serialize>(
+    folder: &Path,
+    kind: &str,
+    step: u64,
+    value: &T,
+) -> Result<PathBuf, OutputError> {
+    let path = path_for(folder, step);
+    write(&path, kind, value)?;
+    let files = all(folder).at(folder)?;
+    let before = files.iter().rev().find(|f| f.0 < step).map(|f| f.0);
+    for (other, file) in &files {
+        if *other < step && Some(*other) != before {
+            fs::remove_file(file).at(file)?;
+        }
+    }
+    Ok(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    type State = (u64, Vec<f64>, String);
+
+    fn sample() -> State {
+        (
+            7,
+            (0..300).map(|i| f64::from(i) * 0.1).collect(),
+            "phase".to_owned(),
+        )
+    }
+
+    fn decoded(bytes: &[u8]) -> Result<State, CheckpointError> {
+        decode(bytes, "test", Path::new("x.rck"))
+    }
+
+    #[test]
+    fn round_trip() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.rck");
+        write(&path, "test", &sample()).unwrap();
+        assert_eq!(read::<State>(&path, "test").unwrap(), sample());
+        assert!(matches!(
+            read::<State>(&path, "other"),
+            Err(CheckpointError::Kind { .. })
+        ));
+        assert!(matches!(
+            read::<Vec<String>>(&path, "test"),
+            Err(CheckpointError::Decode { .. })
+        ));
+        let missing = read::<State>(&dir.path().join("none.rck"), "test");
+        assert!(matches!(missing, Err(CheckpointError::Read { .. })));
+        assert!(encode("a kind that is far too long", &1).is_err());
+    }
+
+    #[test]
+    fn every_truncation_and_every_flipped_byte_is_told() {
+        let bytes = encode("test", &sample()).unwrap();
+        for n in 0..bytes.len() {
+            assert!(
+                matches!(decoded(&bytes[..n]), Err(CheckpointError::Truncated { .. })),
+                "{n}"
+            );
+            let mut bad = bytes.clone();
+            bad[n] ^= 1 << (n % 8);
+            assert!(decoded(&bad).is_err(), "flip at {n}");
+        }
+        let mut long = bytes.clone();
+        long.push(0);
+        assert!(matches!(
+            decoded(&long),
+            Err(CheckpointError::Trailing { .. })
+        ));
+        let mut newer = bytes.clone();
+        newer[8] = 9;
+        assert!(matches!(
+            decoded(&newer),
+            Err(CheckpointError::Newer { found: 9, .. })
+        ));
+        assert!(matches!(
+            decoded(b"PK\x03\x04 zip"),
+            Err(CheckpointError::Foreign { .. })
+        ));
+        let mut flipped = bytes;
+        *flipped.last_mut().unwrap() ^= 1;
+        assert!(matches!(
+            decoded(&flipped),
+            Err(CheckpointError::Checksum { .. })
+        ));
+    }
+
+    #[test]
+    fn forged_lengths_do_not_allocate() {
+        // A forger can make the checksum fit, so the ratio is what stands between the head and memory.
+        let forge = |claimed: u64| {
+            let mut bytes = encode("test", &sample()).unwrap();
+            bytes[SUM_AT - 16..SUM_AT - 8].copy_from_slice(&claimed.to_le_bytes());
+            let sum = checksum(&bytes[..SUM_AT], &bytes[HEAD..]);
+            bytes[SUM_AT..HEAD].copy_from_slice(&sum);
+            bytes
+        };
+        assert!(matches!(
+            decoded(&forge(u64::MAX)),
+            Err(CheckpointError::Absurd { .. })
+        ));
+        assert!(matches!(
+            decoded(&forge(10_000)),
+            Err(CheckpointError::Decode { .. })
+        ));
+        assert!(matches!(
+            decoded(&forge(10)),
+            Err(CheckpointError::Decode { .. })
+        ));
+    }
+
+    #[test]
+    fn a_vector_length_inside_the_payload_does_not_allocate() {
+        // Valid container whose payload claims a vector of 2^60 numbers.
+        let bytes = encode("test", &(7u64, 1u64 << 60)).unwrap();
+        assert!(matches!(
+            decoded(&bytes),
+            Err(CheckpointError::Decode { .. })
+        ));
+    }
+
+    #[test]
+    fn two_are_kept_and_a_broken_one_is_skipped() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::create_dir(dir.path().join("checkpoints")).unwrap();
+        let none = latest::<State>(dir.path(), "test").unwrap_err();
+        assert!(none.to_string().contains("no usable checkpoint"));
+        for step in [10, 20, 30] {
+            write_and_prune(
+                dir.path(),
+                "test",
+                step,
+                &(step, Vec::<f64>::new(), String::new()),
+            )
+            .unwrap();
+        }
+        let steps: Vec<u64> = all(dir.path()).unwrap().iter().map(|f| f.0).collect();
+        assert_eq!(steps, vec![20, 30]);
+        assert_eq!(latest::<State>(dir.path(), "test").unwrap().value.0, 30);
+        let newest = path_for(dir.path(), 30);
+        let bytes = fs::read(&newest).unwrap();
+        fs::write(&newest, &bytes[..bytes.len() / 2]).unwrap();
+        let fallback = latest::<State>(dir.path(), "test").unwrap();
+        assert_eq!(fallback.value.0, 20);
+        assert!(
+            fallback.broken[0].to_string().contains("cut off"),
+            "{}",
+            fallback.broken[0]
+        );
+        fs::write(path_for(dir.path(), 20), b"").unwrap();
+        let none = latest::<State>(dir.path(), "test").unwrap_err().to_string();
+        assert!(
+            none.contains("000020.rck") && none.contains("000030.rck"),
+            "{none}"
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn random_bytes_never_panic(bytes in proptest::collection::vec(any::<u8>(), 0..400), magic: bool) {
+            let mut all = if magic { b"RIPRAPCK\x01\0\0\0".to_vec() } else { Vec::new() };
+            all.extend(bytes);
+            prop_assert!(decoded(&all).is_err());
+        }
+
+        #[test]
+        fn random_payloads_never_panic(payload in proptest::collection::vec(any::<u8>(), 0..200)) {
+            // Container sound, value random: only the decoder stands.
+            let plain = payload.clone();
+            let mut bytes = encode("test", &0u8).unwrap();
+            let mut zlib = ZlibEncoder::new(Vec::new(), Compression::fast());
+            zlib.write_all(&plain).unwrap();
+            let packed = zlib.finish().unwrap();
+            bytes.truncate(SUM_AT - 16);
+            bytes.extend_from_slice(&(plain.len() as u64).to_le_bytes());
+            bytes.extend_from_slice(&(packed.len() as u64).to_le_bytes());
+            let sum = checksum(&bytes, &packed);
+            bytes.extend_from_slice(&sum);
+            bytes.extend_from_slice(&packed);
+            let _ = decoded(&bytes);
+        }
+
+        #[test]
+        fn any_state_round_trips(step: u64, data in proptest::collection::vec(any::<u64>().prop_map(f64::from_bits), 0..50), text: String) {
+            let bytes = encode("test", &(step, data.clone(), text.clone())).unwrap();
+            let back = decoded(&bytes).unwrap();
+            prop_assert_eq!(back.0, step);
+            prop_assert_eq!(back.2, text);
+            let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            prop_assert_eq!(bits(&back.1), bits(&data));
+        }
+    }
+}

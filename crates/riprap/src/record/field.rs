@@ -1,0 +1,258 @@
+//! The field vocabulary: every number that can be asked for has one entry.
+//!
+//! An engine publishes a `&'static [FieldInfo]`; frames, histories, checks, plots, `riprap fields` and the
+//! documentation all read that one table. Names are `site.quantity`; a vector takes `.x`, `.y` or `.magnitude`.
+
+use serde::Serialize;
+
+/// Where a field sits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Site {
+    /// One value per block.
+    Block,
+    /// One value per contact (a region in 2D, a patch in 3D).
+    Contact,
+    /// One value for a named pair of blocks: the sum over their contacts.
+    Pair,
+    /// One value for a named group of blocks.
+    Group,
+    /// One value for the whole model.
+    Model,
+    /// One term of the energy ledger.
+    Energy,
+}
+
+impl Site {
+    /// The word in front of the dot in a field name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Site::Block => "block",
+            Site::Contact => "contact",
+            Site::Pair => "pair",
+            Site::Group => "group",
+            Site::Model => "model",
+            Site::Energy => "energy",
+        }
+    }
+}
+
+/// Number or vector.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// Two numbers, x and y, in global axes.
+    Vector,
+}
+
+/// One entry of a field table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct FieldInfo {
+    /// `site.quantity`, for example `block.displacement`.
+    pub name: &'static str,
+    /// Unit as printed, `-` for none.
+    pub unit: &'static str,
+    /// Where it sits.
+    pub site: Site,
+    /// Number or vector.
+    pub shape: Shape,
+    /// One sentence for the user.
+    pub meaning: &'static str,
+}
+
+/// The part of a field that a name asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The field as it is.
+    Whole,
+    /// First component of a vector.
+    X,
+    /// Second component of a vector.
+    Y,
+    /// Length of a vector.
+    Magnitude,
+}
+
+impl Part {
+    /// The suffix with its dot, empty for the whole field.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Part::Whole => "",
+            Part::X => ".x",
+            Part::Y => ".y",
+            Part::Magnitude => ".magnitude",
+        }
+    }
+
+    /// One number out of a vector; `None` for [`Part::Whole`], which is no number.
+    pub fn of(self, v: [f64; 2]) -> Option<f64> {
+        match self {
+            Part::Whole => None,
+            Part::X => Some(v[0]),
+            Part::Y => Some(v[1]),
+            Part::Magnitude => Some(v[0].hypot(v[1])),
+        }
+    }
+
+    /// Splits `block.velocity.x` into `block.velocity` and [`Part::X`].
+    pub fn split(name: &str) -> (&str, Part) {
+        for part in [Part::X, Part::Y, Part::Magnitude] {
+            if let Some(stem) = name.strip_suffix(part.suffix()) {
+                return (stem, part);
+            }
+        }
+        (name, Part::Whole)
+    }
+}
+
+/// A name that no entry of the table answers to.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum FieldError {
+    /// No such field.
+    #[error("there is no field `{name}`{}; fields are: {}", did_you_mean(suggestion.as_deref()), known.join(", "))]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// The nearest name there is, if any is near.
+        suggestion: Option<String>,
+        /// All names.
+        known: Vec<String>,
+    },
+    /// `.x` and so on asked of a number.
+    #[error("`{name}` asks for a component, but `{field}` is a single number: write `{field}`")]
+    NoComponents {
+        /// What was asked for.
+        name: String,
+        /// The field without the suffix.
+        field: String,
+    },
+}
+
+fn did_you_mean(suggestion: Option<&str>) -> String {
+    suggestion.map_or_else(String::new, |s| format!(" (did you mean `{s}`?)"))
+}
+
+/// Finds a field and the part of it that `name` asks for.
+///
+/// # Errors
+/// Unknown names, with the nearest known one, and components of scalars.
+pub fn find<'a>(table: &'a [FieldInfo], name: &str) -> Result<(&'a FieldInfo, Part), FieldError> {
+    if let Some(info) = table.iter().find(|f| f.name == name) {
+        return Ok((info, Part::Whole));
+    }
+    let (stem, part) = Part::split(name);
+    match table.iter().find(|f| f.name == stem) {
+        Some(info) if info.shape == Shape::Vector => Ok((info, part)),
+        Some(_) => Err(FieldError::NoComponents {
+            name: name.to_owned(),
+            field: stem.to_owned(),
+        }),
+        None => {
+            let known: Vec<String> = table.iter().map(|f| f.name.to_owned()).collect();
+            let suggestion = nearest(stem, known.iter().map(String::as_str)).map(str::to_owned);
+            Err(FieldError::Unknown {
+                name: name.to_owned(),
+                suggestion,
+                known,
+            })
+        }
+    }
+}
+
+/// The candidate most like `name`, if any is like it at all; the first one wins a tie.
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = name.to_lowercase();
+    let mut best: Option<(f64, &str)> = None;
+    for candidate in candidates {
+        let lower = candidate.to_lowercase();
+        // `velocity` for `block.velocity` is the commonest slip and far in edit distance.
+        let tail = lower.rsplit('.').next().unwrap_or(&lower);
+        let score = strsim::jaro_winkler(&wanted, &lower)
+            .max(strsim::normalized_damerau_levenshtein(&wanted, &lower))
+            .max(if tail == wanted { 0.99 } else { 0.0 });
+        if score > best.map_or(0.0, |b| b.0) {
+            best = Some((score, candidate));
+        }
+    }
+    best.filter(|b| b.0 >= 0.75).map(|b| b.1)
+}
+
+/// Written in a column head: `slip [m]`, or `ratio` when the unit is `-` or empty.
+pub fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() || unit == "-" {
+        name.to_owned()
+    } else {
+        format!("{name} [{unit}]")
+    }
+}
+
+/// Takes a column head apart: `slip [m]` gives `("slip", "m")`, `step` gives `("step", "-")`.
+pub fn split_unit(head: &str) -> (&str, &str) {
+    match head.rsplit_once(" [") {
+        Some((name, rest)) => match rest.strip_suffix(']') {
+            Some(unit) => (name, unit),
+            None => (head, "-"),
+        },
+        None => (head, "-"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TABLE: &[FieldInfo] = &[
+        FieldInfo {
+            name: "block.velocity",
+            unit: "m/s",
+            site: Site::Block,
+            shape: Shape::Vector,
+            meaning: "velocity of the centroid",
+        },
+        FieldInfo {
+            name: "block.rotation",
+            unit: "rad",
+            site: Site::Block,
+            shape: Shape::Scalar,
+            meaning: "rotation since the start",
+        },
+    ];
+
+    #[test]
+    fn components_are_found() {
+        assert_eq!(find(TABLE, "block.velocity").unwrap().1, Part::Whole);
+        assert_eq!(find(TABLE, "block.velocity.y").unwrap().1, Part::Y);
+        assert_eq!(
+            find(TABLE, "block.velocity.magnitude").unwrap().1,
+            Part::Magnitude
+        );
+        assert_eq!(Part::Magnitude.of([3.0, -4.0]), Some(5.0));
+        assert_eq!(Part::Whole.of([3.0, -4.0]), None);
+    }
+
+    #[test]
+    fn wrong_names_are_explained() {
+        let message = find(TABLE, "block.velocty.x").unwrap_err().to_string();
+        assert!(
+            message.contains("did you mean `block.velocity`"),
+            "{message}"
+        );
+        assert!(message.contains("block.rotation"), "{message}");
+        let message = find(TABLE, "block.rotation.x").unwrap_err().to_string();
+        assert!(message.contains("write `block.rotation`"), "{message}");
+        assert_eq!(
+            nearest("rotation", TABLE.iter().map(|f| f.name)),
+            Some("block.rotation")
+        );
+        assert_eq!(nearest("qqqq", TABLE.iter().map(|f| f.name)), None);
+    }
+
+    #[test]
+    fn heads_round_trip() {
+        for (name, unit) in [("slip", "m"), ("a [b]", "m/s2"), ("ratio", "-")] {
+            assert_eq!(split_unit(&with_unit(name, unit)), (name, unit));
+        }
+    }
+}

@@ -1,0 +1,787 @@
+//! The run folder: created, filled, marked for checkpoints, reopened for resuming.
+//!
+//! `docs/src/run-folder.md` is the contract. A checkpoint stores [`Marks`]; [`RunFolder::reopen`] cuts every file
+//! back to them, so that a resumed run leaves the same bytes as one that was never stopped (`manifest.json` with
+//! its wall times excepted).
+
+use super::checkpoint;
+use super::disk::{AppendFile, AtPath, OutputError, write_whole};
+use super::field::with_unit;
+use super::frame::Frame;
+use super::manifest::{Manifest, ManifestError};
+use super::vtu::{self, PvdEntry};
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What to do with a folder that is already there. An empty one is always fine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// Leave anything alone.
+    Refuse,
+    /// An earlier run is replaced; other folders are left alone.
+    ReplaceRun,
+    /// Write into any folder. Files that are not of a run stay where they are.
+    Force,
+}
+
+/// Why a run folder cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum FolderError {
+    /// There is something in it that is not a run.
+    #[error("{} is not empty and not a run folder; choose another folder, or force it to write there", path.display())]
+    Occupied {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// There is a run in it.
+    #[error("{} holds a run already; choose another folder, or ask for it to be replaced", path.display())]
+    Run {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// It is a file.
+    #[error("{} is a file, a run needs a folder", path.display())]
+    NotAFolder {
+        /// The path.
+        path: PathBuf,
+    },
+    /// A frame that the checkpoint names is missing.
+    #[error("{} is missing, but the checkpoint was written after it; the run cannot be continued, start it anew", path.display())]
+    FrameMissing {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The manifest of a run to continue.
+    #[error(transparent)]
+    Manifest(#[from] ManifestError),
+    /// The disk.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+/// One written frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FrameEntry {
+    /// Number in the file name, from 1.
+    pub index: u32,
+    /// Step count.
+    pub step: u64,
+    /// Model time in s.
+    pub time: f64,
+}
+
+/// How far each file had come: part of every checkpoint.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Marks {
+    /// Step count.
+    pub step: u64,
+    /// Bytes of `histories.csv`; 0 if not begun.
+    pub histories: u64,
+    /// Bytes of `energy.csv`; 0 if not begun.
+    pub energy: u64,
+    /// Bytes of `events.jsonl`.
+    pub events: u64,
+    /// Columns of `histories.csv` after `step` and `time`.
+    pub history_columns: u32,
+    /// Columns of `energy.csv` after `step` and `time`.
+    pub energy_columns: u32,
+    /// Frames written.
+    pub frames: Vec<FrameEntry>,
+}
+
+/// A CSV file whose first columns are `step` and `time [s]`.
+#[derive(Debug)]
+struct Series {
+    file: AppendFile,
+    columns: usize,
+}
+
+/// A run folder being written.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    histories: Option<Series>,
+    energy: Option<Series>,
+    events: AppendFile,
+    frames: Vec<FrameEntry>,
+}
+
+/// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
+/// folder as ours, goes last.
+const FILES: [&str; 7] = [
+    "scenario.resolved.toml",
+    "histories.csv",
+    "energy.csv",
+    "events.jsonl",
+    "run.pvd",
+    "contacts.pvd",
+    "manifest.json",
+];
+
+impl RunFolder {
+    /// The first of `name`, `name-2`, `name-3`, ... that is not taken: `slope.run`, `slope-2.run`.
+    pub fn free_name(wanted: &Path) -> PathBuf {
+        let stem = wanted
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let extension = wanted
+            .extension()
+            .map(|e| format!(".{}", e.to_string_lossy()))
+            .unwrap_or_default();
+        let mut path = wanted.to_owned();
+        let mut n = 2u32;
+        while path.exists() {
+            path = wanted.with_file_name(format!("{stem}-{n}{extension}"));
+            n += 1;
+        }
+        path
+    }
+
+    /// Makes a run folder and writes its first manifest.
+    ///
+    /// # Errors
+    /// A folder that `existing` does not allow, or the disk.
+    pub fn create(
+        path: &Path,
+        existing: Existing,
+        manifest: &Manifest,
+    ) -> Result<Self, FolderError> {
+        if path.exists() && !path.is_dir() {
+            return Err(FolderError::NotAFolder {
+                path: path.to_owned(),
+            });
+        }
+        if path.is_dir() && fs::read_dir(path).at(path)?.next().is_some() {
+            // A manifest of a newer format is still a run that must not be lost.
+            let run = matches!(
+                Manifest::read(path),
+                Ok(_) | Err(ManifestError::Newer { .. })
+            );
+            match (existing, run) {
+                (Existing::Refuse, true) => {
+                    return Err(FolderError::Run {
+                        path: path.to_owned(),
+                    });
+                }
+                (Existing::Refuse | Existing::ReplaceRun, false) => {
+                    return Err(FolderError::Occupied {
+                        path: path.to_owned(),
+                    });
+                }
+                (Existing::ReplaceRun, true) | (Existing::Force, _) => clear(path)?,
+            }
+        }
+        for sub in ["frames", "checkpoints"] {
+            let folder = path.join(sub);
+            fs::create_dir_all(&folder).at(&folder)?;
+        }
+        manifest.write(path)?;
+        let events = AppendFile::create(&path.join("events.jsonl"))?;
+        let run = RunFolder {
+            path: path.to_owned(),
+            histories: None,
+            energy: None,
+            events,
+            frames: Vec::new(),
+        };
+        run.write_pvd()?;
+        Ok(run)
+    }
+
+    /// Opens a run folder to continue from a checkpoint: every file is cut back to the checkpoint's marks, frames
+    /// and checkpoints after it are removed.
+    ///
+    /// # Errors
+    /// Files that are shorter than their marks or changed, missing frames, the disk.
+    pub fn reopen(path: &Path, marks: &Marks) -> Result<Self, FolderError> {
+        Manifest::read(path)?;
+        for entry in &marks.frames {
+            for file in [block_file(entry.index), contact_file(entry.index)] {
+                let file = path.join(file);
+                if !file.is_file() {
+                    return Err(FolderError::FrameMissing { path: file });
+                }
+            }
+        }
+        let series =
+            |name: &str, bytes: u64, columns: u32| -> Result<Option<Series>, OutputError> {
+                let file = path.join(name);
+                if bytes == 0 {
+                    // The run had not begun this file: it will, and then creates it.
+                    remove_if_there(&file)?;
+                    return Ok(None);
+                }
+                Ok(Some(Series {
+                    file: AppendFile::reopen(&file, bytes)?,
+                    columns: columns as usize,
+                }))
+            };
+        let run = RunFolder {
+            path: path.to_owned(),
+            histories: series("histories.csv", marks.histories, marks.history_columns)?,
+            energy: series("energy.csv", marks.energy, marks.energy_columns)?,
+            events: AppendFile::reopen(&path.join("events.jsonl"), marks.events)?,
+            frames: marks.frames.clone(),
+        };
+        // The lists first: they must never name a file that is gone.
+        run.write_pvd()?;
+        let kept = |index: u32| marks.frames.iter().any(|f| f.index == index);
+        for (index, file) in frame_files(path)? {
+            if !kept(index) {
+                fs::remove_file(&file).at(&file)?;
+            }
+        }
+        for (step, file) in checkpoint::all(path).at(path)? {
+            if step > marks.step {
+                fs::remove_file(&file).at(&file)?;
+            }
+        }
+        Ok(run)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Frames written so far.
+    pub fn frames(&self) -> &[FrameEntry] {
+        &self.frames
+    }
+
+    /// Replaces `manifest.json`.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_manifest(&self, manifest: &Manifest) -> Result<(), OutputError> {
+        manifest.write(&self.path)
+    }
+
+    /// Writes `scenario.resolved.toml`: the scene with all overrides, runnable as it stands.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_scenario(&self, toml: &str) -> Result<(), OutputError> {
+        write_whole(&self.path.join("scenario.resolved.toml"), toml.as_bytes())
+    }
+
+    /// Writes any further whole file of the run, for example `checks.json` or `sweep.csv`.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_file(&self, name: &str, bytes: &[u8]) -> Result<(), OutputError> {
+        write_whole(&self.path.join(name), bytes)
+    }
+
+    /// Begins `histories.csv` with a head of `(name, unit)`; does nothing in a run continued after that.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn begin_histories<S: AsRef<str>>(
+        &mut self,
+        columns: &[(S, S)],
+    ) -> Result<(), OutputError> {
+        begin(
+            &mut self.histories,
+            &self.path.join("histories.csv"),
+            columns,
+        )
+    }
+
+    /// Begins `energy.csv` with a head of `(name, unit)`; does nothing in a run continued after that.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn begin_energy<S: AsRef<str>>(&mut self, columns: &[(S, S)]) -> Result<(), OutputError> {
+        begin(&mut self.energy, &self.path.join("energy.csv"), columns)
+    }
+
+    /// Appends a row to `histories.csv`; `None` leaves a cell empty (not due at this step).
+    ///
+    /// # Errors
+    /// The disk; a row without [`RunFolder::begin_histories`] or of another length is `InvalidInput`.
+    pub fn history_row(
+        &mut self,
+        step: u64,
+        time: f64,
+        row: &[Option<f64>],
+    ) -> Result<(), OutputError> {
+        append(
+            &mut self.histories,
+            &self.path.join("histories.csv"),
+            step,
+            time,
+            row,
+        )
+    }
+
+    /// Appends a row to `energy.csv`.
+    ///
+    /// # Errors
+    /// As [`RunFolder::history_row`].
+    pub fn energy_row(&mut self, step: u64, time: f64, row: &[f64]) -> Result<(), OutputError> {
+        let row: Vec<Option<f64>> = row.iter().copied().map(Some).collect();
+        append(
+            &mut self.energy,
+            &self.path.join("energy.csv"),
+            step,
+            time,
+            &row,
+        )
+    }
+
+    /// Appends an event, one JSON object, to `events.jsonl`.
+    ///
+    /// # Errors
+    /// The disk, or a value that JSON cannot hold.
+    pub fn event<T: Serialize>(&mut self, event: &T) -> Result<(), OutputError> {
+        let path = self.path.join("events.jsonl");
+        let text = serde_json::to_string(event)
+            .map_err(io::Error::from)
+            .at(&path)?;
+        self.events.line(&text)
+    }
+
+    /// Writes a frame (two `.vtu` files) and then names it in the two `.pvd` files.
+    ///
+    /// # Errors
+    /// The disk, or a frame whose parts do not fit together.
+    pub fn frame(&mut self, frame: &Frame) -> Result<&FrameEntry, OutputError> {
+        let index = self.frames.last().map_or(1, |f| f.index + 1);
+        let (blocks, contacts) = (
+            self.path.join(block_file(index)),
+            self.path.join(contact_file(index)),
+        );
+        write_whole(&blocks, &vtu::blocks(frame).at(&blocks)?)?;
+        write_whole(&contacts, &vtu::contacts(frame).at(&contacts)?)?;
+        self.frames.push(FrameEntry {
+            index,
+            step: frame.step,
+            time: frame.time,
+        });
+        self.write_pvd()?;
+        Ok(&self.frames[self.frames.len() - 1])
+    }
+
+    /// How far each file has come. Store it inside the checkpoint.
+    pub fn marks(&self, step: u64) -> Marks {
+        let bytes = |s: &Option<Series>| s.as_ref().map_or(0, |s| s.file.len());
+        // A table of 2^32 columns does not fit into a file.
+        let columns = |s: &Option<Series>| {
+            s.as_ref()
+                .map_or(0, |s| u32::try_from(s.columns).unwrap_or(u32::MAX))
+        };
+        Marks {
+            step,
+            histories: bytes(&self.histories),
+            energy: bytes(&self.energy),
+            events: self.events.len(),
+            history_columns: columns(&self.histories),
+            energy_columns: columns(&self.energy),
+            frames: self.frames.clone(),
+        }
+    }
+
+    /// Writes a checkpoint, after everything that its marks count has reached the disk, and keeps only it and the
+    /// one before it.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn checkpoint<T: Serialize>(
+        &self,
+        kind: &str,
+        step: u64,
+        state: &T,
+    ) -> Result<PathBuf, OutputError> {
+        for series in [&self.histories, &self.energy].into_iter().flatten() {
+            series.file.sync()?;
+        }
+        self.events.sync()?;
+        checkpoint::write_and_prune(&self.path, kind, step, state)
+    }
+
+    fn write_pvd(&self) -> Result<(), OutputError> {
+        for (name, file) in [
+            ("run.pvd", block_file as fn(u32) -> String),
+            ("contacts.pvd", contact_file),
+        ] {
+            let entries: Vec<PvdEntry> = self
+                .frames
+                .iter()
+                .map(|f| PvdEntry {
+                    time: f.time,
+                    file: file(f.index),
+                })
+                .collect();
+            write_whole(&self.path.join(name), vtu::write_pvd(&entries).as_bytes())?;
+        }
+        Ok(())
+    }
+}
+
+/// File of the blocks of frame `index`, relative to the run folder.
+pub fn block_file(index: u32) -> String {
+    format!("frames/frame_{index:06}.vtu")
+}
+
+/// File of the contacts of frame `index`, relative to the run folder.
+pub fn contact_file(index: u32) -> String {
+    format!("frames/contacts_{index:06}.vtu")
+}
+
+/// All frame files there are, with their numbers, in order of name.
+fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputError> {
+    let folder = path.join("frames");
+    let mut found = Vec::new();
+    for entry in fs::read_dir(&folder).at(&folder)? {
+        let file = entry.at(&folder)?.path();
+        let name = file
+            .file_name()
+            .and_then(|n| n.to_str())
+            .unwrap_or_default();
+        let number = name
+            .strip_prefix("frame_")
+            .or_else(|| name.strip_prefix("contacts_"));
+        if let Some(Ok(index)) = number.and_then(|n| n.strip_suffix(".vtu")).map(str::parse) {
+            found.push((index, file));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+fn remove_if_there(path: &Path) -> Result<(), OutputError> {
+    match fs::remove_file(path) {
+        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(OutputError {
+            path: path.to_owned(),
+            source: e,
+        }),
+        Ok(()) | Err(_) => Ok(()),
+    }
+}
+
+/// Removes the files of an earlier run and nothing else.
+fn clear(path: &Path) -> Result<(), OutputError> {
+    if path.join("frames").is_dir() {
+        for (_, file) in frame_files(path)? {
+            fs::remove_file(&file).at(&file)?;
+        }
+    }
+    for (_, file) in checkpoint::all(path).at(path)? {
+        fs::remove_file(&file).at(&file)?;
+    }
+    FILES
+        .iter()
+        .try_for_each(|name| remove_if_there(&path.join(name)))
+}
+
+fn begin<S: AsRef<str>>(
+    slot: &mut Option<Series>,
+    path: &Path,
+    columns: &[(S, S)],
+) -> Result<(), OutputError> {
+    if slot.is_some() {
+        return Ok(());
+    }
+    let mut head = String::from("step,time [s]");
+    for (name, unit) in columns {
+        head.push(',');
+        head.push_str(&cell(&with_unit(name.as_ref(), unit.as_ref())));
+    }
+    let mut file = AppendFile::create(path)?;
+    file.line(&head)?;
+    *slot = Some(Series {
+        file,
+        columns: columns.len(),
+    });
+    Ok(())
+}
+
+fn append(
+    slot: &mut Option<Series>,
+    path: &Path,
+    step: u64,
+    time: f64,
+    row: &[Option<f64>],
+) -> Result<(), OutputError> {
+    let invalid = |text: String| OutputError {
+        path: path.to_owned(),
+        source: io::Error::new(io::ErrorKind::InvalidInput, text),
+    };
+    let Some(series) = slot else {
+        return Err(invalid("a row before the head".to_owned()));
+    };
+    if row.len() != series.columns {
+        return Err(invalid(format!(
+            "a row of {} for {} columns",
+            row.len(),
+            series.columns
+        )));
+    }
+    let mut line = format!("{step},{}", number(time));
+    for value in row {
+        line.push(',');
+        if let Some(v) = value {
+            line.push_str(&number(*v));
+        }
+    }
+    series.file.line(&line)
+}
+
+/// A text cell of a CSV file: quoted if it must be.
+fn cell(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
+        format!(
+            "\"{}\"",
+            text.replace('"', "\"\"").replace(['\n', '\r'], " ")
+        )
+    } else {
+        text.to_owned()
+    }
+}
+
+/// The shortest text that reads back as the same number.
+pub(crate) fn number(v: f64) -> String {
+    let size = v.abs();
+    if v == 0.0 || !v.is_finite() || (1e-4..1e15).contains(&size) {
+        format!("{v}")
+    } else {
+        format!("{v:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::frame::tests::sample;
+    use super::super::manifest::Ended;
+    use super::super::table::Table;
+    use super::*;
+    use std::collections::BTreeMap;
+
+    /// All files with their bytes, except the manifest.
+    fn snapshot(path: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+        let mut out = BTreeMap::new();
+        for folder in [
+            path.to_owned(),
+            path.join("frames"),
+            path.join("checkpoints"),
+        ] {
+            for entry in fs::read_dir(&folder).unwrap() {
+                let file = entry.unwrap().path();
+                if file.is_file() && !file.ends_with("manifest.json") {
+                    out.insert(
+                        file.strip_prefix(path).unwrap().to_owned(),
+                        fs::read(&file).unwrap(),
+                    );
+                }
+            }
+        }
+        out
+    }
+
+    fn steps(run: &mut RunFolder, range: std::ops::Range<u64>) {
+        run.begin_histories(&[("slip", "m"), ("unbalanced", "-")])
+            .unwrap();
+        run.begin_energy(&[("kinetic", "J/m")]).unwrap();
+        for step in range {
+            let time = step as f64 * 1e-3;
+            run.history_row(
+                step,
+                time,
+                &[Some(time.sin()), (step % 2 == 0).then_some(1e-7)],
+            )
+            .unwrap();
+            run.energy_row(step, time, &[time * 3.0]).unwrap();
+            if step % 3 == 0 {
+                run.event(&serde_json::json!({"step": step, "event": "contact broken"}))
+                    .unwrap();
+                run.frame(&Frame {
+                    step,
+                    time,
+                    ..sample()
+                })
+                .unwrap();
+            }
+            if step % 4 == 0 {
+                run.checkpoint("test", step, &(step, run.marks(step)))
+                    .unwrap();
+            }
+        }
+    }
+
+    #[test]
+    fn a_continued_run_leaves_the_same_bytes() {
+        let dir = tempfile::tempdir().unwrap();
+        let (a, b) = (dir.path().join("a.run"), dir.path().join("b.run"));
+        for path in [&a, &b] {
+            let mut run = RunFolder::create(path, Existing::Refuse, &Manifest::default()).unwrap();
+            run.write_scenario("riprap = 1\n").unwrap();
+            steps(&mut run, 0..20);
+        }
+        assert_eq!(snapshot(&a), snapshot(&b));
+        // b: the newest checkpoint is broken, the process died inside a line and between frame and list.
+        fs::write(checkpoint::path_for(&b, 16), b"RIPRAPCK").unwrap();
+        let mut csv = fs::OpenOptions::new()
+            .append(true)
+            .open(b.join("histories.csv"))
+            .unwrap();
+        io::Write::write_all(&mut csv, b"20,0.0").unwrap();
+        fs::write(b.join("frames/frame_000099.vtu"), b"half").unwrap();
+        assert!(Table::read(&b.join("histories.csv")).unwrap().cut);
+
+        let found = checkpoint::latest::<(u64, Marks)>(&b, "test").unwrap();
+        assert_eq!((found.value.0, found.broken.len()), (12, 1));
+        let mut run = RunFolder::reopen(&b, &found.value.1).unwrap();
+        assert_eq!(run.frames().len(), 5);
+        steps(&mut run, 13..20);
+        assert_eq!(snapshot(&a), snapshot(&b));
+    }
+
+    #[test]
+    fn continuing_from_before_the_first_row() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.run");
+        let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
+        let marks = run.marks(0);
+        steps(&mut run, 0..5);
+        let full = snapshot(&path);
+        let mut run = RunFolder::reopen(&path, &marks).unwrap();
+        assert!(!path.join("histories.csv").exists());
+        steps(&mut run, 0..5);
+        assert_eq!(snapshot(&path), full);
+    }
+
+    #[test]
+    fn changed_folders_are_not_continued() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.run");
+        let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
+        steps(&mut run, 0..8);
+        let marks = run.marks(7);
+        let frame = path.join(block_file(2));
+        let bytes = fs::read(&frame).unwrap();
+        fs::remove_file(&frame).unwrap();
+        assert!(matches!(
+            RunFolder::reopen(&path, &marks),
+            Err(FolderError::FrameMissing { .. })
+        ));
+        fs::write(&frame, bytes).unwrap();
+        fs::write(path.join("energy.csv"), "step,time [s]\n").unwrap();
+        let error = RunFolder::reopen(&path, &marks).unwrap_err().to_string();
+        assert!(
+            error.contains("energy.csv") && error.contains("cut or replaced"),
+            "{error}"
+        );
+        assert!(RunFolder::reopen(&dir.path().join("none"), &marks).is_err());
+    }
+
+    #[test]
+    fn other_folders_are_left_alone() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("thesis");
+        let m = Manifest::default();
+        fs::create_dir(&path).unwrap();
+        RunFolder::create(&path, Existing::Refuse, &m).unwrap();
+        let again = RunFolder::create(&path, Existing::Refuse, &m);
+        assert!(matches!(again, Err(FolderError::Run { .. })));
+
+        let other = dir.path().join("other");
+        fs::create_dir(&other).unwrap();
+        fs::write(other.join("chapter.tex"), "x").unwrap();
+        for existing in [Existing::Refuse, Existing::ReplaceRun] {
+            let refused = RunFolder::create(&other, existing, &m);
+            assert!(matches!(refused, Err(FolderError::Occupied { .. })));
+        }
+        let mut run = RunFolder::create(&other, Existing::Force, &m).unwrap();
+        steps(&mut run, 0..5);
+        let run = RunFolder::create(&other, Existing::ReplaceRun, &m).unwrap();
+        assert!(other.join("chapter.tex").exists() && !other.join(block_file(1)).exists());
+        assert_eq!(run.marks(0).frames, vec![]);
+        let file = dir.path().join("file");
+        fs::write(&file, "").unwrap();
+        assert!(matches!(
+            RunFolder::create(&file, Existing::Force, &m),
+            Err(FolderError::NotAFolder { .. })
+        ));
+    }
+
+    #[test]
+    fn names_that_are_free() {
+        let dir = tempfile::tempdir().unwrap();
+        let wanted = dir.path().join("slope.run");
+        assert_eq!(RunFolder::free_name(&wanted), wanted);
+        fs::create_dir(&wanted).unwrap();
+        fs::create_dir(dir.path().join("slope-2.run")).unwrap();
+        assert_eq!(
+            RunFolder::free_name(&wanted),
+            dir.path().join("slope-3.run")
+        );
+    }
+
+    #[test]
+    fn rows_must_fit_and_numbers_read_back() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.run");
+        let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
+        assert!(run.history_row(0, 0.0, &[]).is_err());
+        run.begin_histories(&[("a, \"b\"", "m"), ("c", "-")])
+            .unwrap();
+        assert!(run.history_row(0, 0.0, &[None]).is_err());
+        let values = [
+            1e-300,
+            -0.1 - 0.2,
+            1e15,
+            123_456.789,
+            5e-5,
+            f64::MIN_POSITIVE,
+            f64::NAN,
+        ];
+        for (i, v) in values.iter().enumerate() {
+            run.history_row(i as u64, *v, &[Some(*v), None]).unwrap();
+        }
+        let table = Table::read(&path.join("histories.csv")).unwrap();
+        let back = &table.column("a, \"b\"").unwrap().values;
+        assert!(
+            back.iter()
+                .zip(values)
+                .all(|(a, b)| a.to_bits() == b.to_bits() || b.is_nan())
+        );
+        run.write_manifest(&Manifest {
+            ended: Ended::Finished,
+            ..Manifest::default()
+        })
+        .unwrap();
+        assert_eq!(Manifest::read(&path).unwrap().ended, Ended::Finished);
+    }
+
+    #[test]
+    fn each_frame_is_in_both_lists() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.run");
+        let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
+        assert_eq!(vtu::read_pvd(&path.join("run.pvd")).unwrap(), vec![]);
+        steps(&mut run, 0..7);
+        for list in ["run.pvd", "contacts.pvd"] {
+            let entries = vtu::read_pvd(&path.join(list)).unwrap();
+            assert_eq!(
+                entries.iter().map(|e| e.time).collect::<Vec<_>>(),
+                vec![0.0, 0.003, 0.006]
+            );
+            assert!(entries.iter().all(|e| path.join(&e.file).is_file()));
+        }
+        let frame =
+            vtu::read_frame(&path.join(block_file(3)), Some(&path.join(contact_file(3)))).unwrap();
+        assert_eq!(
+            frame,
+            Frame {
+                step: 6,
+                time: 0.006,
+                ..sample()
+            }
+        );
+    }
+}

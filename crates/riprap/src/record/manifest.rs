@@ -1,0 +1,338 @@
+//! `manifest.json`: what was run, with what, and how it ended.
+
+use super::disk::{OutputError, write_whole};
+use super::field::FieldInfo;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Version of the run folder; see `docs/src/run-folder.md` for what raises it.
+pub const FORMAT_VERSION: u32 = 1;
+/// Marks a manifest as ours.
+pub const FORMAT: &str = "riprap-run";
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Ended {
+    /// It has not ended, or the process died without a word.
+    #[default]
+    Running,
+    /// All phases reached their ends.
+    Finished,
+    /// A stop criterion of the user ended it early.
+    Stopped,
+    /// Ctrl-C or a signal; the last checkpoint can be resumed.
+    Interrupted,
+    /// The physics stopped it (values that are not finite, divergence).
+    Unstable,
+}
+
+/// Time spent in one stage of the step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StageTime {
+    /// Stage, for example `contact::forces`.
+    pub name: String,
+    /// Wall time in s.
+    pub seconds: f64,
+    /// How often it ran.
+    pub calls: u64,
+}
+
+/// One key changed on the way from the file to the run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Override {
+    /// Dotted key.
+    pub key: String,
+    /// Its value as text.
+    pub value: String,
+}
+
+/// The machine.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system.
+    pub os: String,
+    /// Processor architecture.
+    pub arch: String,
+    /// Processor name, empty if the system does not tell.
+    pub cpu: String,
+    /// Logical processors.
+    pub cores: usize,
+}
+
+impl Machine {
+    /// The machine this runs on.
+    pub fn this() -> Self {
+        // Linux only; elsewhere the name stays empty, which is allowed.
+        let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+        let cpu = cpu
+            .lines()
+            .find_map(|l| l.strip_prefix("model name"))
+            .unwrap_or("");
+        Machine {
+            os: std::env::consts::OS.to_owned(),
+            arch: std::env::consts::ARCH.to_owned(),
+            cpu: cpu.trim_start_matches([' ', '\t', ':']).trim().to_owned(),
+            cores: std::thread::available_parallelism().map_or(0, std::num::NonZero::get),
+        }
+    }
+}
+
+/// A field as the manifest lists it: name, unit and meaning of what stands in frames and histories.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FieldNote {
+    /// Name.
+    pub name: String,
+    /// Unit, `-` for none.
+    pub unit: String,
+    /// One sentence.
+    pub meaning: String,
+}
+
+impl From<&FieldInfo> for FieldNote {
+    fn from(f: &FieldInfo) -> Self {
+        FieldNote {
+            name: f.name.to_owned(),
+            unit: f.unit.to_owned(),
+            meaning: f.meaning.to_owned(),
+        }
+    }
+}
+
+/// Contents of `manifest.json`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Manifest {
+    /// Always [`FORMAT`].
+    pub format: String,
+    /// Version of the run folder.
+    pub format_version: u32,
+    /// Version of riprap that wrote it.
+    pub riprap: String,
+    /// Title of the scene.
+    pub title: String,
+    /// Scene file as given.
+    pub scenario: String,
+    /// blake3 of the resolved scene and all files it reads, hexadecimal.
+    pub input_hash: String,
+    /// Named variant of the scene.
+    pub variant: String,
+    /// Sweep case, for example `friction_angle=5 deg`; empty outside a sweep.
+    pub case: String,
+    /// Keys changed by variant, case and command line, in the order of application.
+    pub overrides: Vec<Override>,
+    /// Threads used.
+    pub threads: usize,
+    /// The machine.
+    pub machine: Machine,
+    /// Start, UTC, RFC 3339.
+    pub started: String,
+    /// Wall time in s.
+    pub wall_time: f64,
+    /// Last time step in s.
+    pub dt: f64,
+    /// Steps done.
+    pub steps: u64,
+    /// Model time in s.
+    pub time: f64,
+    /// blake3 of the final state, hexadecimal: equal hashes mean bitwise equal states.
+    pub state_hash: String,
+    /// How it ended.
+    pub ended: Ended,
+    /// One sentence more on how it ended.
+    pub message: String,
+    /// Warnings worth reading.
+    pub warnings: Vec<String>,
+    /// Time per stage of the step, in the order of the step.
+    pub profile: Vec<StageTime>,
+    /// Fields in frames and histories.
+    pub fields: Vec<FieldNote>,
+}
+
+impl Default for Manifest {
+    fn default() -> Self {
+        Manifest {
+            format: FORMAT.to_owned(),
+            format_version: FORMAT_VERSION,
+            riprap: env!("CARGO_PKG_VERSION").to_owned(),
+            title: String::new(),
+            scenario: String::new(),
+            input_hash: String::new(),
+            variant: String::new(),
+            case: String::new(),
+            overrides: Vec::new(),
+            threads: 0,
+            machine: Machine::default(),
+            started: String::new(),
+            wall_time: 0.0,
+            dt: 0.0,
+            steps: 0,
+            time: 0.0,
+            state_hash: String::new(),
+            ended: Ended::Running,
+            message: String::new(),
+            warnings: Vec::new(),
+            profile: Vec::new(),
+            fields: Vec::new(),
+        }
+    }
+}
+
+/// Why a manifest cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum ManifestError {
+    /// Not there or not readable.
+    #[error("could not read {}: {source}; is this a run folder?", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Not a manifest of ours.
+    #[error("{} is not a riprap manifest: {reason}", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// Written by a later riprap.
+    #[error(
+        "{} has run-folder format {found}, this riprap reads up to {FORMAT_VERSION}: use a newer riprap",
+        path.display()
+    )]
+    Newer {
+        /// The file.
+        path: PathBuf,
+        /// Its format version.
+        found: u32,
+    },
+}
+
+impl Manifest {
+    /// Reads `manifest.json` of a run folder.
+    ///
+    /// # Errors
+    /// Missing, foreign or newer manifests.
+    pub fn read(folder: &Path) -> Result<Self, ManifestError> {
+        let path = folder.join("manifest.json");
+        let text = std::fs::read_to_string(&path).map_err(|source| ManifestError::Read {
+            path: path.clone(),
+            source,
+        })?;
+        let foreign = |reason: String| ManifestError::Foreign {
+            path: path.clone(),
+            reason,
+        };
+        // Only the two marks first: a newer manifest may have another shape.
+        let value: serde_json::Value =
+            serde_json::from_str(&text).map_err(|e| foreign(e.to_string()))?;
+        if value["format"] != FORMAT {
+            return Err(foreign(format!("`format` is not \"{FORMAT}\"")));
+        }
+        let found = value["format_version"].as_u64().unwrap_or(0);
+        if found > u64::from(FORMAT_VERSION) {
+            let found = u32::try_from(found).unwrap_or(u32::MAX);
+            return Err(ManifestError::Newer {
+                path: path.clone(),
+                found,
+            });
+        }
+        serde_json::from_value(value).map_err(|e| foreign(e.to_string()))
+    }
+
+    /// Writes `manifest.json`; the old one stays until the new one is complete.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn write(&self, folder: &Path) -> Result<(), OutputError> {
+        let path = folder.join("manifest.json");
+        let mut text = serde_json::to_string_pretty(self).map_err(|e| OutputError {
+            path: path.clone(),
+            source: e.into(),
+        })?;
+        text.push('\n');
+        write_whole(&path, text.as_bytes())
+    }
+}
+
+/// A moment in UTC as RFC 3339, whole seconds: `2026-11-21T09:28:42Z`.
+pub fn utc(moment: SystemTime) -> String {
+    let seconds = moment.duration_since(UNIX_EPOCH).map_or(0, |d| d.as_secs());
+    let (days, rest) = (seconds / 86_400, seconds % 86_400);
+    // Days to civil date: Howard Hinnant, "chrono-compatible low-level date algorithms", for days >= 0.
+    let z = days + 719_468;
+    let (era, doe) = (z / 146_097, z % 146_097);
+    let yoe = (doe - doe / 1460 + doe / 36_524 - doe / 146_096) / 365;
+    let doy = doe - (365 * yoe + yoe / 4 - yoe / 100);
+    let mp = (5 * doy + 2) / 153;
+    let day = doy - (153 * mp + 2) / 5 + 1;
+    let month = if mp < 10 { mp + 3 } else { mp - 9 };
+    let year = yoe + era * 400 + u64::from(month <= 2);
+    let (h, m, s) = (rest / 3600, rest / 60 % 60, rest % 60);
+    format!("{year:04}-{month:02}-{day:02}T{h:02}:{m:02}:{s:02}Z")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn round_trip_and_refusals() {
+        let dir = tempfile::tempdir().unwrap();
+        assert!(matches!(
+            Manifest::read(dir.path()),
+            Err(ManifestError::Read { .. })
+        ));
+        let m = Manifest {
+            title: "sliding block".to_owned(),
+            ended: Ended::Interrupted,
+            overrides: vec![Override {
+                key: "a.b".to_owned(),
+                value: "5 deg".to_owned(),
+            }],
+            profile: vec![StageTime {
+                name: "gather".to_owned(),
+                seconds: 0.25,
+                calls: 7,
+            }],
+            machine: Machine::this(),
+            ..Manifest::default()
+        };
+        m.write(dir.path()).unwrap();
+        assert_eq!(Manifest::read(dir.path()).unwrap(), m);
+        let path = dir.path().join("manifest.json");
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains("\"ended\": \"interrupted\""), "{text}");
+        std::fs::write(
+            &path,
+            text.replace("\"format_version\": 1", "\"format_version\": 7"),
+        )
+        .unwrap();
+        assert!(matches!(
+            Manifest::read(dir.path()),
+            Err(ManifestError::Newer { found: 7, .. })
+        ));
+        std::fs::write(&path, "{\"name\": \"npm\"}").unwrap();
+        assert!(matches!(
+            Manifest::read(dir.path()),
+            Err(ManifestError::Foreign { .. })
+        ));
+        std::fs::write(&path, &text[..40]).unwrap();
+        assert!(matches!(
+            Manifest::read(dir.path()),
+            Err(ManifestError::Foreign { .. })
+        ));
+    }
+
+    #[test]
+    fn dates() {
+        let at = |s| utc(UNIX_EPOCH + Duration::from_secs(s));
+        assert_eq!(at(0), "1970-01-01T00:00:00Z");
+        assert_eq!(at(951_827_696), "2000-02-29T12:34:56Z");
+        assert_eq!(at(1_795_253_322), "2026-11-21T09:28:42Z");
+    }
+}

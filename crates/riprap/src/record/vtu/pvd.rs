@@ -1,0 +1,64 @@
+//! `.pvd`: which file belongs to which time.
+
+use super::read::{ReadError, Tag, tags};
+use super::write::escape;
+use std::path::Path;
+
+/// One time of a `.pvd`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PvdEntry {
+    /// Model time in s.
+    pub time: f64,
+    /// File, relative to the `.pvd`.
+    pub file: String,
+}
+
+/// The text of a `.pvd`.
+pub fn write_pvd(entries: &[PvdEntry]) -> String {
+    let mut out = String::from(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
+    );
+    for e in entries {
+        out.push_str(&format!(
+            "<DataSet timestep=\"{:?}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
+            e.time,
+            escape(&e.file)
+        ));
+    }
+    out.push_str("</Collection>\n</VTKFile>\n");
+    out
+}
+
+/// Reads a `.pvd` of ours.
+///
+/// # Errors
+/// Missing, foreign or damaged files.
+pub fn read_pvd(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
+    let text = std::fs::read_to_string(path).map_err(|source| ReadError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    let damaged = |reason: &str| ReadError::Damaged {
+        path: path.to_owned(),
+        reason: reason.to_owned(),
+    };
+    let tags: Vec<Tag> = tags(&text).ok_or_else(|| damaged("it is not well-formed XML"))?;
+    if !tags.iter().any(|t| t.name == "Collection") {
+        return Err(ReadError::Foreign {
+            path: path.to_owned(),
+        });
+    }
+    if !tags.iter().any(|t| t.name == "/VTKFile") {
+        return Err(damaged("it is cut off"));
+    }
+    tags.iter()
+        .filter(|t| t.name == "DataSet")
+        .map(|t| {
+            let time = t.attribute("timestep").and_then(|v| v.parse().ok());
+            match (time, t.attribute("file")) {
+                (Some(time), Some(file)) => Ok(PvdEntry { time, file }),
+                (_, _) => Err(damaged("a DataSet lacks its time or file")),
+            }
+        })
+        .collect()
+}
