@@ -1,5 +1,29 @@
 //! Geometry for blocky rock: polygons, clipping, mass properties, Voronoi cells and joint-set
 //! cutting. No mechanics, no units, no files: numbers in, numbers out.
+//!
+//! `polygon` knows one outline, `clip` two of them, `arrangement` a region cut by many segments.
+//! `cut` (joint sets) and `voronoi` both make segments for `arrangement`, so that neighbouring
+//! blocks share their vertices bit for bit; `heal` merges what is too small. `shapes` and `pack`
+//! place ready-made blocks.
+//!
+//! Random numbers come from one seeded generator and elementary functions from `libm`, so the same
+//! input gives the same bits on every machine.
+
+pub mod arrangement;
+pub mod clip;
+pub mod cut;
+mod error;
+pub mod heal;
+pub mod measure;
+pub mod pack;
+pub mod pairs;
+pub mod polygon;
+mod random;
+pub mod shapes;
+pub mod tol;
+pub mod voronoi;
 
 /// Vector in the plane, f64. Re-exported so that the version of the vector crate is named here only.
 pub use glam::DVec2 as Vec2;
+
+pub use error::GeomError;

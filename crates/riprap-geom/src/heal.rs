@@ -1,0 +1,279 @@
+//! Merging of blocks that are too small for their neighbours.
+//!
+//! A block is a *sliver* if its width (twice the area over the diameter) is below the smallest edge;
+//! it is *notched* if one of its edges is shorter. Slivers, and notched blocks less wide than four
+//! smallest edges, are merged with the neighbour with the longest shared edge, those first with which
+//! the result is sound. Wide notched blocks stay and are reported: three joints that cross nearly at
+//! one point must not weld the large blocks round that point into one.
+//! No vertex is moved, so joints stay straight and the area stays what it was.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::Vec2;
+use crate::arrangement::{Removed, Subdivision};
+use crate::measure::{Shape, SliverReport, shape};
+use crate::polygon;
+
+/// Finished blocks of a region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Blocks {
+    /// Outlines, anticlockwise, from bottom to top and left to right.
+    pub polygons: Vec<Vec<Vec2>>,
+    /// Cracks that separate nothing and were left out.
+    pub removed: Removed,
+    /// Blocks merged into a neighbour; `block` numbers count before merging.
+    pub merged: Vec<SliverReport>,
+    /// Bad blocks that stayed; `block` numbers are those of `polygons`.
+    pub left: Vec<SliverReport>,
+}
+
+/// Merge bad blocks of a subdivision; `smallest_edge` 0 merges nothing.
+pub(crate) fn heal(mut parts: Subdivision, smallest_edge: f64) -> Blocks {
+    let mut merged = Vec::new();
+    if smallest_edge > 0.0 {
+        let reports = Merging::new(&parts, smallest_edge).run();
+        merged = reports.1;
+        parts.faces = reports.0;
+        parts.sort();
+    }
+    let polygons = parts.polygons();
+    let shapes: Vec<Shape> = polygons.iter().map(|p| shape(p)).collect();
+    let median = median_width(&shapes);
+    let left = shapes
+        .iter()
+        .enumerate()
+        .filter(|(_, s)| s.width.min(s.shortest_edge) < smallest_edge)
+        .map(|(block, s)| report(block, s, median, &polygons[block]))
+        .collect();
+    Blocks {
+        polygons,
+        removed: parts.removed,
+        merged,
+        left,
+    }
+}
+
+fn median_width(shapes: &[Shape]) -> f64 {
+    let mut widths: Vec<f64> = shapes.iter().map(|s| s.width).collect();
+    widths.sort_by(f64::total_cmp);
+    widths.get(widths.len() / 2).copied().unwrap_or(1.0)
+}
+
+fn report(block: usize, s: &Shape, median: f64, outline: &[Vec2]) -> SliverReport {
+    SliverReport {
+        block,
+        edge: s.shortest_edge,
+        ratio: s.width.min(s.shortest_edge) / median,
+        at: polygon::centroid(outline).into(),
+    }
+}
+
+struct Merging<'a> {
+    parts: &'a Subdivision,
+    smallest: f64,
+    /// Emptied when merged into another.
+    faces: Vec<Vec<u32>>,
+    /// Face to the left of a directed edge.
+    left_of: BTreeMap<(u32, u32), u32>,
+}
+
+impl<'a> Merging<'a> {
+    fn new(parts: &'a Subdivision, smallest: f64) -> Self {
+        let faces = parts.faces.clone();
+        let mut left_of = BTreeMap::new();
+        for (f, face) in faces.iter().enumerate() {
+            left_of.extend(sides(face).map(|side| (side, f as u32)));
+        }
+        Merging {
+            parts,
+            smallest,
+            faces,
+            left_of,
+        }
+    }
+
+    fn shape_of(&self, face: &[u32]) -> Shape {
+        shape(&self.parts.corners(face))
+    }
+
+    fn is_sound(&self, s: &Shape) -> bool {
+        s.width.min(s.shortest_edge) >= self.smallest
+    }
+
+    fn is_small(&self, s: &Shape) -> bool {
+        s.width < self.smallest
+            || (s.shortest_edge < self.smallest && s.width < 4.0 * self.smallest)
+    }
+
+    /// Remaining faces and reports, smallest block first.
+    fn run(mut self) -> (Vec<Vec<u32>>, Vec<SliverReport>) {
+        let shapes: Vec<Shape> = self.faces.iter().map(|f| self.shape_of(f)).collect();
+        let median = median_width(&shapes);
+        // Widths are not negative, so their bits sort like the numbers.
+        let key = |s: &Shape| s.width.to_bits();
+        let mut bad: BTreeSet<(u64, u32)> = shapes
+            .iter()
+            .enumerate()
+            .filter(|(_, s)| self.is_small(s))
+            .map(|(f, s)| (key(s), f as u32))
+            .collect();
+        let mut reports = Vec::new();
+        while let Some((_, f)) = bad.pop_first() {
+            if self.faces[f as usize].is_empty() {
+                continue;
+            }
+            let s = self.shape_of(&self.faces[f as usize]);
+            let Some((into, union)) = self.partner(f) else {
+                continue;
+            };
+            let outline = self.parts.corners(&self.faces[f as usize]);
+            reports.push(report(f as usize, &s, median, &outline));
+            self.replace(f, into, union);
+            let s = self.shape_of(&self.faces[into as usize]);
+            if self.is_small(&s) {
+                bad.insert((key(&s), into));
+            }
+        }
+        (
+            self.faces.into_iter().filter(|f| !f.is_empty()).collect(),
+            reports,
+        )
+    }
+
+    /// The neighbour to merge with, and the outline of both.
+    fn partner(&self, f: u32) -> Option<(u32, Vec<u32>)> {
+        let mut shared: BTreeMap<u32, f64> = BTreeMap::new();
+        for (a, b) in sides(&self.faces[f as usize]) {
+            if let Some(&other) = self.left_of.get(&(b, a)) {
+                let p = &self.parts.points;
+                *shared.entry(other).or_insert(0.0) += p[a as usize].distance(p[b as usize]);
+            }
+        }
+        let mut order: Vec<(u32, f64)> = shared.into_iter().collect();
+        order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        let mut second = None;
+        for (other, _) in order {
+            let Some(union) = union(&self.faces[f as usize], &self.faces[other as usize]) else {
+                continue;
+            };
+            if self.is_sound(&self.shape_of(&union)) {
+                return Some((other, union));
+            }
+            if second.is_none() {
+                second = Some((other, union));
+            }
+        }
+        second
+    }
+
+    fn replace(&mut self, gone: u32, into: u32, union: Vec<u32>) {
+        for f in [gone, into] {
+            for side in sides(&std::mem::take(&mut self.faces[f as usize])) {
+                self.left_of.remove(&side);
+            }
+        }
+        self.left_of.extend(sides(&union).map(|side| (side, into)));
+        self.faces[into as usize] = union;
+    }
+}
+
+fn sides(face: &[u32]) -> impl Iterator<Item = (u32, u32)> + '_ {
+    (0..face.len()).map(|k| (face[k], face[(k + 1) % face.len()]))
+}
+
+/// One loop round two neighbouring faces; `None` if they would enclose a third one or pinch.
+fn union(a: &[u32], b: &[u32]) -> Option<Vec<u32>> {
+    let of_a: BTreeSet<(u32, u32)> = sides(a).collect();
+    let of_b: BTreeSet<(u32, u32)> = sides(b).collect();
+    let mut next = BTreeMap::new();
+    let outer_a = sides(a).filter(|&(p, q)| !of_b.contains(&(q, p)));
+    let outer_b = sides(b).filter(|&(p, q)| !of_a.contains(&(q, p)));
+    for (p, q) in outer_a.chain(outer_b) {
+        if next.insert(p, q).is_some() {
+            return None;
+        }
+    }
+    let (&start, _) = next.first_key_value()?;
+    let mut outline = vec![start];
+    let mut at = *next.get(&start)?;
+    while at != start {
+        outline.push(at);
+        at = *next.get(&at)?;
+    }
+    (outline.len() == next.len()).then_some(outline)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arrangement::{Cut, cut_region};
+    use crate::shapes::rectangle;
+
+    fn lines(list: &[(f64, f64, f64, f64)]) -> Vec<Cut> {
+        let cut = |&(a, b, c, d): &(f64, f64, f64, f64)| Cut {
+            from: Vec2::new(a, b),
+            to: Vec2::new(c, d),
+            family: None,
+        };
+        list.iter().map(cut).collect()
+    }
+
+    fn area(blocks: &Blocks) -> f64 {
+        blocks
+            .polygons
+            .iter()
+            .map(|p| polygon::signed_area(p))
+            .sum()
+    }
+
+    #[test]
+    fn thin_strips_go_to_a_neighbour() {
+        let cuts = lines(&[(-1., 2., 9., 2.), (-1., 2.01, 9., 2.01), (2., -1., 2., 9.)]);
+        let parts = cut_region(&rectangle(Vec2::ZERO, Vec2::splat(4.0)), &cuts).unwrap();
+        assert_eq!(parts.faces.len(), 6);
+        let plain = heal(parts.clone(), 0.0);
+        assert_eq!(
+            (plain.polygons.len(), plain.merged.len(), plain.left.len()),
+            (6, 0, 0)
+        );
+        let healed = heal(parts, 0.05);
+        assert_eq!(
+            (
+                healed.polygons.len(),
+                healed.merged.len(),
+                healed.left.len()
+            ),
+            (4, 2, 0)
+        );
+        assert!(healed.polygons.iter().all(|p| p.len() == 4));
+        assert_eq!(area(&healed), 16.0);
+    }
+
+    #[test]
+    fn three_nearly_concurrent_joints_weld_nothing_large() {
+        let cuts = lines(&[(-1., 2., 9., 2.), (2., -1., 2., 9.), (-1., -1.02, 9., 8.98)]);
+        let parts = cut_region(&rectangle(Vec2::ZERO, Vec2::splat(4.0)), &cuts).unwrap();
+        assert_eq!(parts.faces.len(), 7);
+        let healed = heal(parts, 0.05);
+        assert_eq!(
+            (
+                healed.merged.len(),
+                healed.polygons.len(),
+                healed.left.len()
+            ),
+            (1, 6, 2)
+        );
+        assert!((area(&healed) - 16.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn unions_that_would_enclose_are_refused() {
+        // Two halves of a frame 0..7 round a hole: merging both would leave a hole.
+        assert_eq!(
+            union(&[0, 1, 5, 4], &[1, 2, 6, 5]),
+            Some(vec![0, 1, 2, 6, 5, 4])
+        );
+        let (half, rest) = ([0, 1, 2, 6, 5, 4], [2, 3, 0, 4, 7, 6]);
+        assert_eq!(union(&half, &rest), None);
+    }
+}

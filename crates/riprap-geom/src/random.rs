@@ -1,0 +1,36 @@
+//! The one source of chance: PCG-64 with a seed, and the two distributions needed.
+
+use rand::{Rng as _, SeedableRng as _};
+use rand_pcg::Pcg64;
+
+/// A seeded stream of numbers, the same on every machine.
+pub(crate) struct Chance(Pcg64);
+
+impl Chance {
+    pub(crate) fn new(seed: u64) -> Self {
+        Chance(Pcg64::seed_from_u64(seed))
+    }
+
+    /// Uniform in [0, 1), from the upper 53 bits.
+    pub(crate) fn unit(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
+    }
+
+    /// Uniform in [low, high).
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Normal with mean 0 and deviation 1 (Box and Muller's cosine half; two draws each).
+    pub(crate) fn normal(&mut self) -> f64 {
+        let u = 1.0 - self.unit();
+        let v = self.unit();
+        libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
+    }
+
+    /// Uniform whole number from low to high, both included.
+    pub(crate) fn whole(&mut self, low: usize, high: usize) -> usize {
+        let span = (high - low + 1) as u128;
+        low + ((u128::from(self.0.next_u64()) * span) >> 64) as usize
+    }
+}
