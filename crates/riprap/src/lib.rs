@@ -4,9 +4,12 @@
 //! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
 
 pub mod dynamics;
+pub mod exec;
 pub mod laws;
+pub mod ledger;
 pub mod model;
 pub mod planar;
+pub mod profile;
 pub mod record;
 pub mod run;
 pub mod scenario;

@@ -1,5 +1,6 @@
 //! Clock, integrators, damping, time functions, convergence.
 
+pub mod damping;
 pub mod formula;
 pub mod time_function;
 

@@ -1,1 +1,7 @@
 //! Pure functions on numbers, each citing its source. They know no world.
+
+pub mod coulomb;
+pub mod damping;
+pub mod mohr_coulomb;
+pub mod parameters;
+pub mod potential;

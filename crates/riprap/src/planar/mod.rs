@@ -1,3 +1,17 @@
 //! The 2D engine: rigid polygons with mutual-potential contact.
 
+pub mod bond;
+pub mod contact;
+pub mod convex;
+pub mod energy;
+pub mod fields;
+pub mod loads;
+pub mod pieces;
+pub mod potential;
+pub mod profile;
+pub mod search;
 pub mod setup;
+pub mod shapes;
+pub mod stable;
+pub mod step;
+pub mod world;

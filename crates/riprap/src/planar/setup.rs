@@ -8,6 +8,7 @@ use riprap_geom::Vec2;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
+pub use crate::laws::parameters::{BondLaw, ContactLaw, FrictionLaw, NormalLaw, Reflex};
 
 /// A complete 2D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -69,85 +70,6 @@ pub struct Interface {
     pub contact: ContactLaw,
     /// Law of the patches built along edges shared at the start; `None` builds none.
     pub bond: Option<BondLaw>,
-}
-
-/// Normal law of a found contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum NormalLaw {
-    /// Pressure proportional to the true distance to the other block's whole boundary (conservative).
-    DistancePotential,
-    /// The source's mutual penetration potentials, linear between vertices (local, not conservative).
-    PenetrationPotential {
-        /// How the depth at a reflex corner is read.
-        reflex: Reflex,
-    },
-}
-
-/// Depth of a point behind a reflex corner, for the penetration-potential law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Reflex {
-    /// The smaller of the distances to the two edge lines (uniform with convex corners).
-    Min,
-    /// The larger of the two.
-    Max,
-    /// The true distance to the boundary.
-    True,
-}
-
-/// Friction law of a found contact.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum FrictionLaw {
-    /// Incremental shear spring with a Coulomb slider and a sticking dashpot.
-    ShearSpring,
-    /// The source's law: mu times the normal force, against the sliding direction of each piece.
-    RateSign,
-    /// As `RateSign`, smoothed to `v / speed` below `speed` (m/s).
-    Clip {
-        /// Sliding speed at which full friction is reached, m/s.
-        speed: f64,
-    },
-}
-
-/// Law of contacts found from geometry.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ContactLaw {
-    /// Normal law.
-    pub normal: NormalLaw,
-    /// Normal stiffness kn (pn in the source), Pa/m.
-    pub normal_stiffness: f64,
-    /// Shear stiffness ks, Pa/m.
-    pub shear_stiffness: f64,
-    /// Friction coefficient, tan(phi).
-    pub friction: f64,
-    /// Cohesion on the contact length, Pa.
-    pub cohesion: f64,
-    /// Friction law.
-    pub friction_law: FrictionLaw,
-    /// Dashpots, as a share of critical damping for the contact's stiffness and the pair's mass.
-    pub damping_ratio: f64,
-}
-
-/// Law of a patch built along an edge shared at the start.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct BondLaw {
-    /// Normal stiffness, Pa/m.
-    pub normal_stiffness: f64,
-    /// Shear stiffness, Pa/m.
-    pub shear_stiffness: f64,
-    /// Tensile strength, Pa.
-    pub tension: f64,
-    /// Cohesion before failure, Pa.
-    pub cohesion: f64,
-    /// Friction coefficient before failure, tan(phi).
-    pub friction: f64,
-    /// Friction coefficient after failure.
-    pub residual_friction: f64,
-    /// Cohesion after failure, Pa.
-    pub residual_cohesion: f64,
-    /// Share of critical damping.
-    pub damping_ratio: f64,
-    /// Number of points along the edge (Gauss points), 1 to 5.
-    pub points: u8,
 }
 
 /// Fixes or drives some blocks.

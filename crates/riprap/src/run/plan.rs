@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+pub use crate::dynamics::damping::Damping;
 use crate::planar::setup::ContactLaw;
 
 /// Everything the loop needs besides the model itself.
@@ -87,17 +88,6 @@ pub enum TimeStep {
         /// Time step, s.
         dt: f64,
     },
-}
-
-/// Damping that is not part of the contact law.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Damping {
-    /// Mass-proportional: force = -mass * m * v, 1/s.
-    pub mass: f64,
-    /// Stiffness-proportional part added to the contact dashpots, s.
-    pub stiffness: f64,
-    /// Local non-viscous: share of the unbalanced force, against the velocity.
-    pub local: f64,
 }
 
 /// One recorded history.

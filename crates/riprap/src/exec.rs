@@ -1,0 +1,159 @@
+//! The one place that names the thread pool.
+//!
+//! Work is split in chunks of a fixed size that does not depend on the number of threads, and
+//! partial sums are added in chunk order, so that results are the same bits for any thread count.
+
+use rayon::prelude::*;
+
+/// Items per chunk in every parallel stage.
+pub const CHUNK: usize = 512;
+
+/// Runs chunked loops, serially or on a pool of its own.
+pub struct Exec {
+    pool: Option<rayon::ThreadPool>,
+    threads: usize,
+}
+
+impl std::fmt::Debug for Exec {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Exec").field("threads", &self.threads).finish_non_exhaustive()
+    }
+}
+
+/// The operating system refused to start the threads.
+#[derive(Debug, thiserror::Error)]
+#[error("could not start {threads} threads: {reason}")]
+pub struct ExecError {
+    threads: usize,
+    reason: String,
+}
+
+impl Exec {
+    /// Runs everything on the calling thread.
+    #[must_use]
+    pub fn serial() -> Self {
+        Self { pool: None, threads: 1 }
+    }
+
+    /// A pool of `threads` threads; 0 and 1 run on the calling thread.
+    ///
+    /// # Errors
+    /// When the threads cannot be started.
+    pub fn new(threads: usize) -> Result<Self, ExecError> {
+        if threads <= 1 {
+            return Ok(Self::serial());
+        }
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|e| ExecError { threads, reason: e.to_string() })?;
+        Ok(Self { pool: Some(pool), threads })
+    }
+
+    /// Number of threads.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Calls `f(first_index, chunk_of_a, chunk_of_b, partial)` for each chunk of two slices of equal
+    /// length, with one `partial` per chunk.
+    ///
+    /// # Panics
+    /// When the slices differ in length.
+    pub fn chunks2<A: Send, B: Send, P: Send>(
+        &self,
+        a: &mut [A],
+        b: &mut [B],
+        partials: &mut [P],
+        f: impl Fn(usize, &mut [A], &mut [B], &mut P) + Sync,
+    ) {
+        assert_eq!(a.len(), b.len(), "chunked slices differ in length");
+        match &self.pool {
+            Some(pool) if a.len() > CHUNK => pool.install(|| {
+                a.par_chunks_mut(CHUNK)
+                    .zip(b.par_chunks_mut(CHUNK))
+                    .zip(partials.par_iter_mut())
+                    .enumerate()
+                    .for_each(|(k, ((a, b), p))| f(k * CHUNK, a, b, p));
+            }),
+            _ => a
+                .chunks_mut(CHUNK)
+                .zip(b.chunks_mut(CHUNK))
+                .zip(partials.iter_mut())
+                .enumerate()
+                .for_each(|(k, ((a, b), p))| f(k * CHUNK, a, b, p)),
+        }
+    }
+
+    /// As [`Exec::chunks2`], where item `k` of `a` owns the items `first[k]..first[k + 1]` of `b`.
+    pub fn ragged<A: Send, B: Send, P: Send>(
+        &self,
+        a: &mut [A],
+        b: &mut [B],
+        first: &[u32],
+        partials: &mut [P],
+        f: impl Fn(usize, &mut [A], &mut [B], &mut P) + Sync,
+    ) {
+        match &self.pool {
+            Some(pool) if a.len() > CHUNK => pool.install(|| split(0, a, b, first, partials, &f, true)),
+            _ => split(0, a, b, first, partials, &f, false),
+        }
+    }
+}
+
+/// Halves the work at chunk boundaries until one chunk is left.
+fn split<A: Send, B: Send, P: Send>(
+    at: usize,
+    a: &mut [A],
+    b: &mut [B],
+    first: &[u32],
+    partials: &mut [P],
+    f: &(impl Fn(usize, &mut [A], &mut [B], &mut P) + Sync),
+    parallel: bool,
+) {
+    if a.len() <= CHUNK {
+        if let (false, Some(partial)) = (a.is_empty(), partials.first_mut()) {
+            f(at, a, b, partial);
+        }
+        return;
+    }
+    let chunks = a.len().div_ceil(CHUNK) / 2;
+    let middle = chunks * CHUNK;
+    let (a0, a1) = a.split_at_mut(middle);
+    let (b0, b1) = b.split_at_mut((first[at + middle] - first[at]) as usize);
+    let (p0, p1) = partials.split_at_mut(chunks);
+    if parallel {
+        rayon::join(
+            || split(at, a0, b0, first, p0, f, true),
+            || split(at + middle, a1, b1, first, p1, f, true),
+        );
+    } else {
+        split(at, a0, b0, first, p0, f, false);
+        split(at + middle, a1, b1, first, p1, f, false);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chunk_sums_do_not_depend_on_threads() {
+        let run = |threads| {
+            let exec = Exec::new(threads).unwrap();
+            let mut a: Vec<f64> = (0..5000).map(|k| 1.0 / (1.0 + f64::from(k))).collect();
+            let mut b = a.clone();
+            let mut sums = vec![0.0; a.len().div_ceil(CHUNK)];
+            exec.chunks2(&mut a, &mut b, &mut sums, |_, a, b, sum| {
+                for (x, y) in a.iter_mut().zip(b) {
+                    *x *= 3.0;
+                    *sum += *x * *y;
+                }
+            });
+            sums.iter().sum::<f64>().to_bits()
+        };
+        assert_eq!(run(1), run(2));
+        assert_eq!(run(1), run(5));
+    }
+}

@@ -1,0 +1,108 @@
+//! The energy ledger: where every joule is, came from and went, J per metre of thickness in 2D.
+//!
+//! Stored: kinetic, gravity (minus the work of gravity), contact normal and shear, bonds.
+//! Put in: work of loads and supports. Taken out: friction, damping, fracture. Booked apart: the
+//! energy a non-conservative contact law makes or loses (`law_defect`), and what edits of the
+//! model add (`edit_defect`). What is left over is the **residual**.
+//!
+//! Works are trapezoidal over each step, with the half-step velocity of the leapfrog: the sum over
+//! all forces is then exactly the change of the time-centred kinetic energy `m v(n-1/2)·v(n+1/2)/2`,
+//! so that the residual measures contact energies against their true potential, and nothing else.
+
+use serde::{Deserialize, Serialize};
+
+/// Running sums of work and dissipation since the start, J/m.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Works {
+    /// Work of gravity.
+    pub gravity: f64,
+    /// Work of external loads.
+    pub loads: f64,
+    /// Work of supports (prescribed motion).
+    pub supports: f64,
+    /// Elastic normal work of found contacts that have no potential (penetration-potential law).
+    pub contact_path: f64,
+    /// Dissipated by friction, the sticking dashpot included.
+    pub friction: f64,
+    /// Dissipated by contact, bond, mass and local damping.
+    pub damping: f64,
+    /// Released by bond failure.
+    pub fracture: f64,
+    /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends.
+    pub law_defect: f64,
+    /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
+    pub edit_defect: f64,
+}
+
+impl Works {
+    /// Adds another set of sums.
+    pub fn add(&mut self, other: &Self) {
+        self.gravity += other.gravity;
+        self.loads += other.loads;
+        self.supports += other.supports;
+        self.contact_path += other.contact_path;
+        self.friction += other.friction;
+        self.damping += other.damping;
+        self.fracture += other.fracture;
+        self.law_defect += other.law_defect;
+        self.edit_defect += other.edit_defect;
+    }
+}
+
+/// The ledger at one instant, J/m.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Balance {
+    /// Kinetic energy, time-centred.
+    pub kinetic: f64,
+    /// Potential energy of gravity, relative to the start.
+    pub gravity: f64,
+    /// Elastic energy in the normal direction of found contacts.
+    pub contact_normal: f64,
+    /// Elastic energy of the shear springs.
+    pub contact_shear: f64,
+    /// Elastic energy of bonds.
+    pub bond: f64,
+    /// The running sums.
+    pub works: Works,
+    /// Kinetic + stored energy at the start.
+    pub start: f64,
+}
+
+impl Balance {
+    /// Kinetic and all stored energy.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.gravity + self.contact_normal + self.contact_shear + self.bond
+    }
+
+    /// What the books do not explain: positive means energy came from nowhere.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        let w = &self.works;
+        let expected = self.start + w.loads + w.supports + w.law_defect + w.edit_defect
+            - w.friction
+            - w.damping
+            - w.fracture;
+        self.total() - expected
+    }
+
+    /// The residual over the largest energy that moved, so that it can be judged; 0 when nothing moved.
+    #[must_use]
+    pub fn residual_relative(&self) -> f64 {
+        let w = &self.works;
+        let scale = [
+            self.kinetic,
+            self.contact_normal + self.contact_shear + self.bond,
+            self.start,
+            w.gravity,
+            w.loads,
+            w.supports,
+            w.friction,
+            w.damping,
+            w.fracture,
+        ]
+        .into_iter()
+        .fold(0.0_f64, |m, x| m.max(x.abs()));
+        if scale > 0.0 { self.residual() / scale } else { 0.0 }
+    }
+}

@@ -1,0 +1,260 @@
+//! Built patches: joints along edges that two blocks share at the start.
+//!
+//! Each point remembers a place on either block. Its opening and shear are the relative displacement
+//! of the two places, measured along the mean rotation of the blocks, and its force acts at their
+//! middle: with the mean frame exactly that point makes force and moments the gradient of the stored
+//! energy, also for finite rotation.
+
+use riprap_geom::Vec2;
+use serde::{Deserialize, Serialize};
+
+use super::contact::Relative;
+use super::search::{is_driven, row_of};
+use super::setup::{BondLaw, Setup};
+use super::shapes::Shapes;
+use super::world::{Body, World, Wrench};
+use crate::laws::{damping, mohr_coulomb};
+use crate::ledger::Works;
+
+/// A joint between two blocks along one shared edge.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Bond {
+    /// First block; the smaller index.
+    pub i: u32,
+    /// Second block.
+    pub j: u32,
+    /// Row of the interface table.
+    pub row: u16,
+    /// Normal from i to j in the initial frame.
+    pub normal: Vec2,
+    /// Length of the shared edge, m.
+    pub length: f64,
+    /// Effective mass of the pair, kg/m.
+    pub mass: f64,
+    /// The points.
+    pub points: Vec<BondPoint>,
+    /// Whether it still acts; a joint that has slid or opened hands over to found contact.
+    pub active: bool,
+    /// Elastic and frictional part at the last evaluation.
+    pub stress: Wrench,
+    /// Damping part at the last evaluation.
+    pub damping: Wrench,
+    /// Stored elastic energy, J/m.
+    pub energy: f64,
+}
+
+/// A point of a joint.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BondPoint {
+    /// Place on the first block, body frame, m.
+    pub on_i: Vec2,
+    /// Place on the second block, body frame, m.
+    pub on_j: Vec2,
+    /// Length it stands for, m.
+    pub weight: f64,
+    /// Plastic shear displacement, m.
+    pub slip: f64,
+    /// Opening at the last evaluation, m.
+    pub opening: f64,
+    /// Normal stress, Pa, tension positive.
+    pub sigma: f64,
+    /// Shear stress, Pa.
+    pub tau: f64,
+    /// Whether it has failed.
+    pub failed: bool,
+}
+
+/// Share of the length that a failed joint slides or opens before found contact takes over.
+const HAND_OVER: f64 = 0.01;
+
+/// Gauss points and weights on 0..1.
+fn gauss(n: u8) -> &'static [(f64, f64)] {
+    match n {
+        0 | 1 => &[(0.5, 1.0)],
+        2 => &[(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)],
+        3 => &[
+            (0.112_701_665_379_258_3, 5.0 / 18.0),
+            (0.5, 8.0 / 18.0),
+            (0.887_298_334_620_741_7, 5.0 / 18.0),
+        ],
+        4 => &[
+            (0.069_431_844_202_973_71, 0.173_927_422_568_726_9),
+            (0.330_009_478_207_571_9, 0.326_072_577_431_273_1),
+            (0.669_990_521_792_428_1, 0.326_072_577_431_273_1),
+            (0.930_568_155_797_026_3, 0.173_927_422_568_726_9),
+        ],
+        _ => &[
+            (0.046_910_077_030_668, 0.118_463_442_528_094_5),
+            (0.230_765_344_947_158_5, 0.239_314_335_249_683_2),
+            (0.5, 0.284_444_444_444_444_4),
+            (0.769_234_655_052_841_5, 0.239_314_335_249_683_2),
+            (0.953_089_922_969_332, 0.118_463_442_528_094_5),
+        ],
+    }
+}
+
+/// Builds joints along all shared edges of the pairs whose interface has a bond law. `close` lists
+/// candidate pairs, sorted.
+#[must_use]
+pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> {
+    let mut bonds = Vec::new();
+    for &(i, j) in close {
+        let (a, b) = (i as usize, j as usize);
+        let row = row_of(setup, a, b);
+        let Some(law) = setup.interfaces[row as usize].bond else { continue };
+        let tolerance = 1e-6 * shapes.radius[a].min(shapes.radius[b]);
+        for ea in shapes.of(a) {
+            for eb in shapes.of(b) {
+                let start_a = ea.start + shapes.centroid[a];
+                let start_b = eb.start + shapes.centroid[b];
+                let (dir, opposite) = (ea.normal.perp(), eb.normal.dot(ea.normal) < -1.0 + 1e-9);
+                if !opposite || ea.normal.dot(start_b - start_a).abs() > tolerance {
+                    continue;
+                }
+                // Edge b runs backwards along edge a.
+                let s1 = dir.dot(start_b - start_a);
+                let (low, high) = ((s1 - eb.length).max(0.0), s1.min(ea.length));
+                if high - low <= tolerance {
+                    continue;
+                }
+                let points = gauss(law.points)
+                    .iter()
+                    .map(|&(x, w)| {
+                        let at = start_a + (low + x * (high - low)) * dir;
+                        BondPoint {
+                            on_i: at - shapes.centroid[a],
+                            on_j: at - shapes.centroid[b],
+                            weight: w * (high - low),
+                            ..BondPoint::default()
+                        }
+                    })
+                    .collect();
+                bonds.push(Bond {
+                    i,
+                    j,
+                    row,
+                    normal: ea.normal,
+                    length: high - low,
+                    mass: 0.0,
+                    points,
+                    active: true,
+                    stress: Wrench::default(),
+                    damping: Wrench::default(),
+                    energy: 0.0,
+                });
+            }
+        }
+    }
+    bonds
+}
+
+/// Sets the effective masses after supports have changed.
+pub fn set_masses(world: &mut World, shapes: &Shapes) {
+    let inverse = |motion: &Option<super::setup::Motion>, b: usize| {
+        if is_driven(motion.as_ref()) { 0.0 } else { 1.0 / shapes.mass[b] }
+    };
+    for bond in &mut world.bonds {
+        let (i, j) = (bond.i as usize, bond.j as usize);
+        let sum = inverse(&world.motion[i], i) + inverse(&world.motion[j], j);
+        bond.mass = if sum > 0.0 { 1.0 / sum } else { shapes.mass[i].min(shapes.mass[j]) };
+    }
+}
+
+/// Force of one joint. `elapsed` is the time moved since the last evaluation; books the works.
+pub fn force(
+    bond: &mut Bond,
+    law: &BondLaw,
+    bodies: &[Body],
+    stiffness_damping: f64,
+    elapsed: f64,
+    works: &mut Works,
+) -> Wrench {
+    if !bond.active {
+        return Wrench::default();
+    }
+    let (i, j) = (&bodies[bond.i as usize], &bodies[bond.j as usize]);
+    let relative = Relative {
+        shift: i.position - j.position,
+        velocity: i.velocity - j.velocity,
+        spin_i: i.spin,
+        spin_j: j.spin,
+    };
+    let turn = |angle: f64| {
+        let (s, c) = libm::sincos(angle);
+        move |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
+    };
+    let (turn_i, turn_j) = (turn(i.angle), turn(j.angle));
+    let normal = turn(0.5 * (i.angle + j.angle))(bond.normal);
+    let tangent = normal.perp();
+    let (mut stress, mut damp, mut energy) = (Wrench::default(), Wrench::default(), 0.0);
+    let mut failing = false;
+    for point in &mut bond.points {
+        let (arm_i, arm_j) = (turn_i(point.on_i), turn_j(point.on_j));
+        let u = arm_j - arm_i - relative.shift;
+        let (opening, shear) = (u.dot(normal), u.dot(tangent));
+        let r = mohr_coulomb::joint_point(law, opening, shear, point.slip, point.failed);
+        failing |= r.failed && !point.failed;
+        point.failed = r.failed;
+        point.slip = r.slip;
+        point.opening = opening;
+        (point.sigma, point.tau) = (r.sigma, r.tau);
+        // Tension pulls i towards j; the force acts at the middle of the two places.
+        let x = arm_i + 0.5 * u;
+        let pull = point.weight * (r.sigma * normal + r.tau * tangent);
+        stress = stress.plus(&Wrench::at(pull, x, x + relative.shift));
+        if r.sigma != 0.0 || r.tau != 0.0 {
+            energy += 0.5
+                * point.weight
+                * (r.sigma * r.sigma / law.normal_stiffness + r.tau * r.tau / law.shear_stiffness);
+            let rate = relative.velocity + relative.spin_i * x.perp()
+                - relative.spin_j * (x + relative.shift).perp();
+            let dash = |stiffness: f64| {
+                let k = stiffness * point.weight;
+                damping::dashpot(law.damping_ratio, k, bond.mass * point.weight / bond.length)
+                    + stiffness_damping * k
+            };
+            let cn = dash(law.normal_stiffness);
+            let cs = if r.failed { 0.0 } else { dash(law.shear_stiffness) };
+            let f = -cn * rate.dot(normal) * normal - cs * rate.dot(tangent) * tangent;
+            damp = damp.plus(&Wrench::at(f, x, x + relative.shift));
+        }
+    }
+    let half = 0.5 * elapsed;
+    let lost = -half * relative.power_of(&bond.stress.plus(&stress)) + bond.energy - energy;
+    if failing {
+        works.fracture += lost;
+    } else {
+        works.friction += lost;
+    }
+    works.damping -= half * relative.power_of(&bond.damping.plus(&damp));
+    (bond.stress, bond.damping, bond.energy) = (stress, damp, energy);
+    stress.plus(&damp)
+}
+
+impl Bond {
+    /// Whether all points have failed.
+    #[must_use]
+    pub fn broken(&self) -> bool {
+        self.points.iter().all(|p| p.failed)
+    }
+
+    /// Whether found contact should take over: all failed, and slid or opened enough.
+    #[must_use]
+    pub fn gives_way(&self) -> bool {
+        let far = HAND_OVER * self.length;
+        self.active
+            && self.points.iter().all(|p| p.failed && (p.slip.abs() > far || p.opening > far))
+    }
+
+    /// Shear force on the first block along the left-hand side of the normal, N/m.
+    #[must_use]
+    pub fn shear(&self) -> f64 {
+        self.points.iter().map(|p| p.weight * p.tau).sum()
+    }
+
+    /// Normal force, N/m, compression positive.
+    #[must_use]
+    pub fn compression(&self) -> f64 {
+        -self.points.iter().map(|p| p.weight * p.sigma).sum::<f64>()
+    }
+}

@@ -1,0 +1,446 @@
+//! Forces of found contacts: geometry -> law -> slots.
+//!
+//! The normal force is the resultant of the pressures of the region. Dashpots and friction act on
+//! the region as a whole, along and across that resultant, at its centre of pressure: dashpots on
+//! each boundary piece would plough (the tiny side pieces are as steep as the block is tall).
+
+use riprap_geom::Vec2;
+
+use super::convex::{self, Side, Turned};
+use super::pieces::{self, Piece};
+use super::potential;
+use super::profile;
+use super::search::Candidate;
+use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
+use super::shapes::Shapes;
+use super::world::{Body, Contact, GeneralState, PairState, Region, World, Wrench};
+use crate::laws::{coulomb, damping, potential as closed};
+use crate::ledger::Works;
+
+/// What the pair kernels read.
+pub struct Context<'a> {
+    /// Body geometry.
+    pub shapes: &'a Shapes,
+    /// Edges at the present angles.
+    pub turned: &'a [Turned],
+    /// Present motion.
+    pub bodies: &'a [Body],
+    /// Laws by row.
+    pub laws: &'a [ContactLaw],
+    /// Edge lists of the candidates.
+    pub lists: &'a [u16],
+    /// Time moved since the last evaluation, s.
+    pub elapsed: f64,
+    /// Stiffness-proportional damping of the phase, s.
+    pub stiffness_damping: f64,
+}
+
+impl<'a> Context<'a> {
+    /// Context of a world and its scratch data.
+    pub fn new(
+        world: &'a World,
+        shapes: &'a Shapes,
+        turned: &'a [Turned],
+        laws: &'a [ContactLaw],
+        lists: &'a [u16],
+        stiffness_damping: f64,
+    ) -> Self {
+        Self {
+            shapes,
+            turned,
+            bodies: &world.bodies,
+            laws,
+            lists,
+            elapsed: world.pending,
+            stiffness_damping,
+        }
+    }
+
+    fn sides(&self, candidate: &Candidate) -> (Side<'a>, Side<'a>) {
+        let (i, j) = (candidate.i as usize, candidate.j as usize);
+        let [edges_i, nearest_j, edges_j, nearest_i] = candidate.lists(self.lists);
+        let side = |b: usize, active: &'a [u16], nearest: &'a [u16]| Side {
+            edges: self.shapes.of(b),
+            turned: &self.turned[self.shapes.range(b)],
+            active,
+            nearest,
+        };
+        (side(i, edges_i, nearest_i), side(j, edges_j, nearest_j))
+    }
+
+    fn motion(&self, candidate: &Candidate) -> Relative {
+        let (i, j) = (&self.bodies[candidate.i as usize], &self.bodies[candidate.j as usize]);
+        Relative {
+            shift: i.position - j.position,
+            velocity: i.velocity - j.velocity,
+            spin_i: i.spin,
+            spin_j: j.spin,
+        }
+    }
+}
+
+/// Relative placement and motion of a pair.
+#[derive(Clone, Copy, Debug)]
+pub struct Relative {
+    /// Centroid of i minus centroid of j, m.
+    pub shift: Vec2,
+    /// Velocity of i's centroid minus that of j's, m/s.
+    pub velocity: Vec2,
+    /// Spin of i, rad/s.
+    pub spin_i: f64,
+    /// Spin of j, rad/s.
+    pub spin_j: f64,
+}
+
+impl Relative {
+    /// Velocity of i relative to j at a point `x` from i's centroid, m/s.
+    fn at(&self, x: Vec2) -> Vec2 {
+        self.velocity + self.spin_i * x.perp() - self.spin_j * (x + self.shift).perp()
+    }
+
+    /// Power of a wrench, W/m.
+    pub fn power_of(&self, w: &Wrench) -> f64 {
+        w.power(self.velocity, self.spin_i, self.spin_j)
+    }
+}
+
+/// Geometry of a region in force units, ready for the law.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pressed {
+    /// Elastic normal wrench.
+    pub normal: Wrench,
+    /// Centre of pressure from i's centroid, m.
+    pub centre: Vec2,
+    /// Contact length, m.
+    pub length: f64,
+    /// Largest depth, m.
+    pub depth: f64,
+    /// Friction already found piece by piece (source's law); replaces the shear spring.
+    pub friction: Option<Wrench>,
+}
+
+/// Forces of the convex pairs in one chunk.
+pub fn convex_chunk(
+    context: &Context<'_>,
+    candidates: &[Candidate],
+    states: &mut [PairState],
+    slots: &mut [Wrench],
+    works: &mut Works,
+) {
+    for ((candidate, state), slot) in candidates.iter().zip(states).zip(slots) {
+        let (i, j) = context.sides(candidate);
+        let relative = context.motion(candidate);
+        let overlap = convex::overlap(i, j, relative.shift);
+        if overlap.weight == 0.0 {
+            if state.contact != Contact::default() {
+                let law = &context.laws[candidate.row as usize];
+                end(law, &relative, context.elapsed, &mut state.contact, works);
+            }
+            *slot = Wrench::default();
+            continue;
+        }
+        let law = &context.laws[candidate.row as usize];
+        let half = 0.5 * law.normal_stiffness;
+        let force = half * overlap.force;
+        let moment_i = half * overlap.moment;
+        let pressed = Pressed {
+            // Same points for both: the moment about j's centroid follows from that about i's.
+            normal: Wrench { force, moment_i, moment_j: -moment_i - relative.shift.perp_dot(force) },
+            centre: overlap.weighted / overlap.weight,
+            length: 0.5 * overlap.chord.length(),
+            depth: overlap.depth,
+            friction: None,
+        };
+        *slot = apply(law, candidate.mass, context, &relative, &pressed, &mut state.contact, works);
+    }
+}
+
+/// Room that the general kernel works in.
+#[derive(Clone, Debug, Default)]
+pub struct Workspace {
+    pieces: Vec<Piece>,
+    cuts: Vec<(f64, Option<u16>)>,
+    kinks: Vec<f64>,
+    local: [Vec<u16>; 2],
+    old: Vec<Region>,
+    /// Works of the chunk, collected by the caller.
+    pub works: Works,
+}
+
+/// Forces of the general pairs in one chunk.
+pub fn general_chunk(
+    context: &Context<'_>,
+    candidates: &[Candidate],
+    states: &mut [GeneralState],
+    slots: &mut [Wrench],
+    room: &mut Workspace,
+) {
+    let mut works = Works::default();
+    for ((candidate, state), slot) in candidates.iter().zip(states).zip(slots) {
+        *slot = general_pair(context, candidate, state, room, &mut works);
+    }
+    room.works = works;
+}
+
+fn general_pair(
+    context: &Context<'_>,
+    candidate: &Candidate,
+    state: &mut GeneralState,
+    room: &mut Workspace,
+    works: &mut Works,
+) -> Wrench {
+    let (i, j) = context.sides(candidate);
+    let relative = context.motion(candidate);
+    let law = &context.laws[candidate.row as usize];
+    pieces::find(i, j, relative.shift, &mut room.pieces, &mut room.cuts);
+    let count = pieces::regions(&mut room.pieces, i.edges.len(), j.edges.len());
+    room.old.clear();
+    room.old.append(&mut state.regions);
+    let mut total = Wrench::default();
+    for region in 0..count as u16 {
+        let (pressed, edges) = press(law, i, j, &relative, region, room);
+        if pressed.normal.force == Vec2::ZERO {
+            continue;
+        }
+        let mut contact = take_matching(&mut room.old, edges);
+        let wrench =
+            apply(law, candidate.mass, context, &relative, &pressed, &mut contact, works);
+        total = total.plus(&wrench);
+        state.regions.push(Region { edges, contact });
+    }
+    for region in &mut room.old {
+        end(law, &relative, context.elapsed, &mut region.contact, works);
+    }
+    total
+}
+
+/// The old region with most edges in common, taken out of the list; a new contact if none has any.
+fn take_matching(old: &mut Vec<Region>, edges: u64) -> Contact {
+    let mut best = None;
+    let mut most = 0;
+    for (k, region) in old.iter().enumerate() {
+        let common = (region.edges & edges).count_ones();
+        if common > most {
+            (best, most) = (Some(k), common);
+        }
+    }
+    best.map_or_else(Contact::default, |k| old.remove(k).contact)
+}
+
+/// Pressure resultant of one region and the bits of its edges.
+fn press(
+    law: &ContactLaw,
+    i: Side<'_>,
+    j: Side<'_>,
+    relative: &Relative,
+    region: u16,
+    room: &mut Workspace,
+) -> (Pressed, u64) {
+    let mut out = Pressed::default();
+    let (mut weight, mut weighted, mut chord, mut edges) = (0.0, Vec2::ZERO, Vec2::ZERO, 0u64);
+    let mut friction = Wrench::default();
+    if let NormalLaw::PenetrationPotential { .. } = law.normal {
+        potential::local_edges(&room.pieces, region, &mut room.local);
+    }
+    for piece in room.pieces.iter().filter(|p| p.region == region) {
+        let bit = u32::from(piece.edge % 32) + if piece.second { 32 } else { 0 };
+        edges |= 1 << bit;
+        let sign = if piece.second { -1.0 } else { 1.0 };
+        chord += sign * (piece.ends[1] - piece.ends[0]);
+        let (own, other) = if piece.second { (j, i) } else { (i, j) };
+        // From the first centroid to the centroid of the block the piece is inside of.
+        let shift = if piece.second { Vec2::ZERO } else { relative.shift };
+        let normal = own.turned[piece.edge as usize].normal;
+        let mut add = |force: f64, x: Vec2, p: Vec2, q: Vec2| {
+            let push = -sign * force * normal;
+            out.normal = out.normal.plus(&Wrench::at(push, x, x + relative.shift));
+            weight += force;
+            weighted += force * x;
+            if let Some(share) = sliding_share(law, relative, p, q) {
+                let drag = share * law.friction * force * (q - p).normalize_or_zero();
+                friction = friction.plus(&Wrench::at(drag, x, x + relative.shift));
+            }
+        };
+        match law.normal {
+            NormalLaw::DistancePotential => {
+                let [p, q] = piece.ends;
+                let d = profile::depths(other, p + shift, q + shift, &mut room.kinks);
+                if d.integral > 0.0 {
+                    let xi = d.first_moment / d.integral;
+                    let force = 0.5 * law.normal_stiffness * (q - p).length() * d.integral;
+                    add(force, p + xi * (q - p), p, q);
+                    out.depth = out.depth.max(d.peak);
+                }
+            }
+            NormalLaw::PenetrationPotential { reflex } => {
+                let local = &room.local[usize::from(!piece.second)];
+                let (parts, n) = potential::parts(piece, other, local, reflex, shift);
+                for part in &parts[..n] {
+                    let length = (part.q - part.p).length();
+                    let (area, xi) = closed::linear_piece(length, part.at_p, part.at_q);
+                    let force = law.normal_stiffness * area;
+                    add(force, part.p + xi * (part.q - part.p), part.p, part.q);
+                    out.depth = out.depth.max(part.at_p).max(part.at_q);
+                }
+            }
+        }
+    }
+    if weight > 0.0 {
+        out.centre = weighted / weight;
+    }
+    out.length = 0.5 * chord.length();
+    out.friction = (law.friction_law != FrictionLaw::ShearSpring).then_some(friction);
+    (out, edges)
+}
+
+/// Share of full friction on the first block along the piece `p q` under the rate laws: minus the
+/// sign of its sliding velocity. `None` for the shear spring.
+///
+/// Source: mutual penetration potentials, S45 (direction from the velocity of the middle of the
+/// piece; nothing is said for zero velocity, taken as no friction).
+fn sliding_share(law: &ContactLaw, relative: &Relative, p: Vec2, q: Vec2) -> Option<f64> {
+    let rate = || relative.at(0.5 * (p + q)).dot((q - p).normalize_or_zero());
+    match law.friction_law {
+        FrictionLaw::ShearSpring => None,
+        FrictionLaw::RateSign => {
+            let v = rate();
+            Some(if v > 0.0 {
+                -1.0
+            } else if v < 0.0 {
+                1.0
+            } else {
+                0.0
+            })
+        }
+        FrictionLaw::Clip { speed } => Some((-rate() / speed).clamp(-1.0, 1.0)),
+    }
+}
+
+/// Applies dashpots and friction to a pressed region; returns the total wrench and books the works.
+fn apply(
+    law: &ContactLaw,
+    mass: f64,
+    context: &Context<'_>,
+    relative: &Relative,
+    pressed: &Pressed,
+    contact: &mut Contact,
+    works: &mut Works,
+) -> Wrench {
+    let (x, length) = (pressed.centre, pressed.length);
+    let arm_j = x + relative.shift;
+    let elastic = pressed.normal.force.length();
+    let fresh = !contact.touches();
+    if elastic == 0.0 {
+        // Opposite pressures that cancel: no direction to press or slide along.
+        end(law, relative, context.elapsed, contact, works);
+        return pressed.normal;
+    }
+    let normal = pressed.normal.force / elastic;
+    let tangent = normal.perp();
+    let velocity = relative.at(x);
+
+    // Dashpots: along the resultant, and against relative rotation of the contact length.
+    let stiffness = law.normal_stiffness * length;
+    let c = damping::dashpot(law.damping_ratio, stiffness, mass)
+        + context.stiffness_damping * stiffness;
+    let total_normal = (elastic - c * velocity.dot(normal)).max(0.0);
+    let mut damp = Wrench::at((total_normal - elastic) * normal, x, arm_j);
+    let most = 0.5 * total_normal * length;
+    let twist =
+        (-c * length * length / 12.0 * (relative.spin_i - relative.spin_j)).clamp(-most, most);
+    damp.moment_i += twist;
+    damp.moment_j -= twist;
+
+    let (shear, slipping) = match pressed.friction {
+        Some(wrench) => (wrench, true),
+        None => {
+            let stiffness = law.shear_stiffness * length;
+            let limit = law.friction * total_normal + law.cohesion * length;
+            let rate = velocity.dot(tangent);
+            let slid =
+                coulomb::shear_spring(contact.shear, stiffness, rate * context.elapsed, limit);
+            contact.shear = slid.force;
+            let mut force = slid.force;
+            if !slid.slipping {
+                let c = damping::dashpot(law.damping_ratio, stiffness, mass)
+                    + context.stiffness_damping * stiffness;
+                force = (force - c * rate).clamp(-limit, limit);
+            }
+            (Wrench::at(force * tangent, x, arm_j), slid.slipping)
+        }
+    };
+
+    book(law, relative, context.elapsed, contact, &pressed.normal, &shear, &damp, works);
+    let energy = if contact.shear == 0.0 {
+        0.0
+    } else {
+        0.5 * contact.shear * contact.shear / (law.shear_stiffness * length)
+    };
+    works.friction += contact.shear_energy - energy;
+    contact.shear_energy = energy;
+    contact.length = length;
+    contact.depth = pressed.depth;
+    contact.centre = x;
+    contact.slipping = slipping;
+    let total = pressed.normal.plus(&shear).plus(&damp);
+    if contact.offset == 0.0 {
+        return total;
+    }
+    if fresh {
+        contact.offset -= elastic;
+    }
+    let slip = (velocity.dot(tangent) * context.elapsed).abs();
+    let handed = fade_offset(contact, slip, normal, x, arm_j);
+    works.edit_defect += context.elapsed * relative.power_of(&handed);
+    total.plus(&handed)
+}
+
+/// The force kept continuous at a hand-over from a bond, fading with slip.
+fn fade_offset(contact: &mut Contact, slip: f64, normal: Vec2, x: Vec2, arm_j: Vec2) -> Wrench {
+    let left = (contact.offset_left - slip).max(0.0);
+    contact.offset *= if contact.offset_left > 0.0 { left / contact.offset_left } else { 0.0 };
+    contact.offset_left = left;
+    Wrench::at(contact.offset * normal, x, arm_j)
+}
+
+/// Books the trapezoidal works of the three parts over the elapsed time and remembers the parts.
+#[expect(clippy::too_many_arguments, reason = "the three parts of one contact and what moves them")]
+fn book(
+    law: &ContactLaw,
+    relative: &Relative,
+    elapsed: f64,
+    contact: &mut Contact,
+    normal: &Wrench,
+    shear: &Wrench,
+    damp: &Wrench,
+    works: &mut Works,
+) {
+    let half = 0.5 * elapsed;
+    works.friction -= half * relative.power_of(&contact.tangential.plus(shear));
+    works.damping -= half * relative.power_of(&contact.damping.plus(damp));
+    if let NormalLaw::PenetrationPotential { .. } = law.normal {
+        let stored = -half * relative.power_of(&contact.normal.plus(normal));
+        contact.path_energy += stored;
+        works.contact_path += stored;
+    }
+    contact.normal = *normal;
+    contact.tangential = *shear;
+    contact.damping = *damp;
+}
+
+/// Ends a contact: its shear energy is dissipated, what a law without potential still holds is a
+/// defect of the law.
+fn end(
+    law: &ContactLaw,
+    relative: &Relative,
+    elapsed: f64,
+    contact: &mut Contact,
+    works: &mut Works,
+) {
+    let zero = Wrench::default();
+    book(law, relative, elapsed, contact, &zero, &zero, &zero, works);
+    works.friction += contact.shear_energy;
+    works.law_defect -= contact.path_energy;
+    works.contact_path -= contact.path_energy;
+    *contact = Contact::default();
+}

@@ -1,0 +1,62 @@
+//! External loads: forces and moments on blocks, per step.
+
+use riprap_geom::Vec2;
+
+use super::setup::LoadKind;
+use super::shapes::Shapes;
+use super::world::World;
+
+/// External force and moment on a block.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Applied {
+    /// Force, N/m.
+    pub force: Vec2,
+    /// Moment about the centroid, N.
+    pub moment: f64,
+}
+
+/// Sums all loads at the world's present time into `applied` (one entry per block).
+pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
+    applied.fill(Applied::default());
+    for load in &world.setup.loads {
+        let factor = load.time.at(world.time);
+        for &b in &load.blocks {
+            let b = b as usize;
+            if !world.alive[b] {
+                continue;
+            }
+            let (s, c) = libm::sincos(world.bodies[b].angle);
+            let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
+            let body = |p: Vec2| p - shapes.centroid[b];
+            let slot = &mut applied[b];
+            match &load.kind {
+                LoadKind::Point { force, at, follows } => {
+                    let force = factor * if *follows { turn(*force) } else { *force };
+                    slot.force += force;
+                    if let Some(at) = at {
+                        slot.moment += turn(body(*at)).perp_dot(force);
+                    }
+                }
+                LoadKind::Edge { from, to, traction, pressure } => {
+                    let (p, q) = (turn(body(*from)), turn(body(*to)));
+                    let along = q - p;
+                    // Into the block: the side of the segment on which the centroid lies.
+                    let mut inward = along.perp();
+                    if inward.dot(-0.5 * (p + q)) < 0.0 {
+                        inward = -inward;
+                    }
+                    let [p0, p1] = pressure.map(|x| x * factor);
+                    let push = 0.5 * (p0 + p1) * inward + factor * along.length() * *traction;
+                    // Moment of a linear pressure: mean part at the middle, slope about it.
+                    let slope = (p1 - p0) / 12.0 * along.perp_dot(inward);
+                    slot.force += push;
+                    slot.moment += (0.5 * (p + q)).perp_dot(push) + slope;
+                }
+                LoadKind::Moment { moment } => slot.moment += factor * moment,
+                LoadKind::BodyForce { acceleration } => {
+                    slot.force += factor * shapes.mass[b] * *acceleration;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Boundary pieces of one block inside another, for any simple polygons, and their regions.
+//!
+//! Inside or outside is decided by the nearest feature of the other boundary: inside means behind
+//! the nearest edge, or nearest to a reflex corner. So only nearby edges are ever looked at. A point
+//! on the wrong side by round-off has a depth of round-off and carries no force; vertex on vertex
+//! and collinear edges need no special case.
+
+use riprap_geom::Vec2;
+
+use super::convex::Side;
+
+/// A part of an edge that lies inside the other block.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Piece {
+    /// Whether the edge belongs to the second block.
+    pub second: bool,
+    /// The edge.
+    pub edge: u16,
+    /// Start and end as parameters on the edge.
+    pub t: [f64; 2],
+    /// Start and end, relative to the centroid of the first block, m.
+    pub ends: [Vec2; 2],
+    /// Edge of the other block that cuts the piece off at its start and end; `None` at a corner.
+    pub cut: [Option<u16>; 2],
+    /// Region number.
+    pub region: u16,
+}
+
+/// Where a point is relative to a block, by the nearest feature of its boundary.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest {
+    /// Distance from the boundary, positive inside, m.
+    pub depth: f64,
+    /// The nearest edge.
+    pub edge: u16,
+}
+
+/// Nearest feature of the listed edges to `x` (relative to the block's centroid).
+#[must_use]
+pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
+    let n = block.turned.len();
+    let mut best = Nearest { depth: f64::NEG_INFINITY, edge: 0 };
+    let mut least = f64::INFINITY;
+    for &m in block.nearest {
+        let m = m as usize;
+        let (p, normal) = (block.turned[m].start, block.turned[m].normal);
+        let length = block.edges[m].length;
+        let along = normal.perp().dot(x - p);
+        let (distance, sign) = if along <= 0.0 {
+            ((x - p).length(), if block.edges[m].reflex { 1.0 } else { -1.0 })
+        } else if along >= length {
+            let next = (m + 1) % n;
+            let corner = block.turned[next].start;
+            ((x - corner).length(), if block.edges[next].reflex { 1.0 } else { -1.0 })
+        } else {
+            let depth = normal.dot(p - x);
+            (depth.abs(), if depth >= 0.0 { 1.0 } else { -1.0 })
+        };
+        if distance < least {
+            least = distance;
+            best = Nearest { depth: sign * distance, edge: m as u16 };
+        }
+    }
+    best
+}
+
+/// Finds all pieces of both boundaries; `shift` is the centroid of i minus that of j. `cuts` is
+/// scratch. The pieces come in a fixed order: edges of i, then edges of j, along each edge.
+pub fn find(
+    i: Side<'_>,
+    j: Side<'_>,
+    shift: Vec2,
+    pieces: &mut Vec<Piece>,
+    cuts: &mut Vec<(f64, Option<u16>)>,
+) {
+    pieces.clear();
+    collect(i, j, shift, false, pieces, cuts);
+    collect(j, i, -shift, true, pieces, cuts);
+}
+
+fn collect(
+    own: Side<'_>,
+    other: Side<'_>,
+    shift: Vec2,
+    second: bool,
+    pieces: &mut Vec<Piece>,
+    cuts: &mut Vec<(f64, Option<u16>)>,
+) {
+    let (n, m) = (own.turned.len(), other.turned.len());
+    for &k in own.active {
+        let (p, q) = (own.turned[k as usize].start, own.turned[(k as usize + 1) % n].start);
+        // Ends relative to the other centroid.
+        let (p, q) = (p + shift, q + shift);
+        cuts.clear();
+        cuts.push((0.0, None));
+        for &e in other.nearest {
+            let (a, b) =
+                (other.turned[e as usize].start, other.turned[(e as usize + 1) % m].start);
+            let normal = other.turned[e as usize].normal;
+            let (dp, dq) = (normal.dot(p - a), normal.dot(q - a));
+            if (dp > 0.0) == (dq > 0.0) {
+                continue;
+            }
+            let t = dp / (dp - dq);
+            let x = p + t * (q - p);
+            let along = normal.perp().dot(x - a);
+            // A little more than the edge: a crossing at a corner is found at least once.
+            let slack = 1e-12 * (b - a).length();
+            if along >= -slack && along <= (b - a).length() + slack {
+                cuts.push((t, Some(e)));
+            }
+        }
+        cuts.push((1.0, None));
+        let last = cuts.len() - 1;
+        cuts[1..last].sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        for w in cuts.windows(2) {
+            let ((t0, c0), (t1, c1)) = (w[0], w[1]);
+            if t1 <= t0 {
+                continue;
+            }
+            let (x0, x1) = (p + t0 * (q - p), p + t1 * (q - p));
+            if nearest(other, 0.5 * (x0 + x1)).depth <= 0.0 {
+                continue;
+            }
+            // Positions relative to the first block's centroid.
+            let back = if second { Vec2::ZERO } else { -shift };
+            pieces.push(Piece {
+                second,
+                edge: k,
+                t: [t0, t1],
+                ends: [x0 + back, x1 + back],
+                cut: [c0, c1],
+                region: 0,
+            });
+        }
+    }
+}
+
+/// Numbers the regions by the order of their first piece; returns how many there are.
+///
+/// Pieces belong together when they meet in a crossing of the two boundaries or in a corner.
+pub fn regions(pieces: &mut [Piece], edges_i: usize, edges_j: usize) -> usize {
+    for (k, piece) in pieces.iter_mut().enumerate() {
+        piece.region = k as u16;
+    }
+    // Union by relabelling: pieces are few.
+    for a in 0..pieces.len() {
+        for b in a + 1..pieces.len() {
+            let (ra, rb) = (pieces[a].region, pieces[b].region);
+            if ra != rb && joined(&pieces[a], &pieces[b], edges_i, edges_j) {
+                let (low, high) = (ra.min(rb), ra.max(rb));
+                for piece in pieces.iter_mut() {
+                    if piece.region == high {
+                        piece.region = low;
+                    }
+                }
+            }
+        }
+    }
+    let mut count = 0u16;
+    for k in 0..pieces.len() {
+        if pieces[k].region == k as u16 {
+            for piece in &mut pieces[k..] {
+                if piece.region == k as u16 {
+                    piece.region = count;
+                }
+            }
+            count += 1;
+        }
+    }
+    count as usize
+}
+
+fn joined(a: &Piece, b: &Piece, edges_i: usize, edges_j: usize) -> bool {
+    if a.second == b.second {
+        let n = if a.second { edges_j } else { edges_i };
+        let follows = |x: &Piece, y: &Piece| {
+            (x.edge as usize + 1) % n == y.edge as usize
+                && x.cut[1].is_none()
+                && y.cut[0].is_none()
+        };
+        return follows(a, b) || follows(b, a);
+    }
+    a.cut.iter().flatten().any(|&e| e == b.edge) && b.cut.iter().flatten().any(|&e| e == a.edge)
+}

@@ -1,0 +1,418 @@
+//! Which pairs can touch, and with which edges: the candidate list.
+//!
+//! The list is built from the poses in `World::search_pose` alone, so that it can be dropped and
+//! rebuilt at any time. It stays valid while no block has moved (or turned, at its radius) by more
+//! than its margin. Blocks go into grids of doubling cell size by their own size; each block looks
+//! into the grids of its own level and above, so that cost grows linearly however mixed the sizes.
+//!
+//! For every pair the edges that can reach the other block's margin box are listed, and of the
+//! other block the edges that can be the nearest boundary anywhere in that box. The lists are
+//! conservative: leaving an edge out never changes a result.
+
+use riprap_geom::Vec2;
+
+use super::convex::MAX_NEAREST;
+use super::setup::{FrictionLaw, Motion, NormalLaw, Setup};
+use super::shapes::{Edge, Shapes};
+use super::world::{GeneralState, PairState, World};
+
+/// Margin of a block over its size (the smaller of its radius and twice the median radius).
+const MARGIN: f64 = 0.08;
+
+/// A pair that can touch, with the ranges of its edge lists in [`Candidates::lists`].
+#[derive(Clone, Copy, Debug)]
+pub struct Candidate {
+    /// First block; the smaller index.
+    pub i: u32,
+    /// Second block.
+    pub j: u32,
+    /// Row of the interface table.
+    pub row: u16,
+    /// Numbers of: edges of i, nearest edges of j, edges of j, nearest edges of i.
+    counts: [u16; 4],
+    start: u32,
+    /// Effective mass of the pair, kg/m.
+    pub mass: f64,
+    /// Upper bound of the contact length, m.
+    pub longest: f64,
+}
+
+impl Candidate {
+    /// The four edge lists: edges of i, nearest edges of j, edges of j, nearest edges of i.
+    #[must_use]
+    pub fn lists<'a>(&self, all: &'a [u16]) -> [&'a [u16]; 4] {
+        let mut at = self.start as usize;
+        self.counts.map(|n| {
+            let list = &all[at..at + n as usize];
+            at += n as usize;
+            list
+        })
+    }
+}
+
+/// All candidate pairs.
+#[derive(Clone, Debug, Default)]
+pub struct Candidates {
+    /// Pairs of convex blocks under the distance potential, sorted by (i, j).
+    pub convex: Vec<Candidate>,
+    /// All other pairs, sorted by (i, j).
+    pub general: Vec<Candidate>,
+    /// Edge lists.
+    pub lists: Vec<u16>,
+    /// Margin of each block, m.
+    pub margin: Vec<f64>,
+    /// The smallest inradius of each block and its partners, m.
+    pub reach: Vec<f64>,
+}
+
+/// Whether a block's translation is prescribed in both directions.
+#[must_use]
+pub fn is_driven(motion: Option<&Motion>) -> bool {
+    match motion {
+        None => false,
+        Some(Motion::Fixed { x, y, .. }) => *x && *y,
+        Some(Motion::Velocity { x, y, .. } | Motion::Acceleration { x, y, .. }) => {
+            x.is_some() && y.is_some()
+        }
+    }
+}
+
+/// Whether all three freedoms of a block are prescribed.
+#[must_use]
+pub fn is_held(motion: Option<&Motion>) -> bool {
+    is_driven(motion)
+        && match motion {
+            None => false,
+            Some(Motion::Fixed { rotation, .. }) => *rotation,
+            Some(Motion::Velocity { spin, .. } | Motion::Acceleration { spin, .. }) => {
+                spin.is_some()
+            }
+        }
+}
+
+#[derive(Clone, Copy)]
+struct Box2 {
+    low: Vec2,
+    high: Vec2,
+}
+
+impl Box2 {
+    fn meets(&self, other: &Self) -> bool {
+        self.low.x <= other.high.x
+            && other.low.x <= self.high.x
+            && self.low.y <= other.high.y
+            && other.low.y <= self.high.y
+    }
+
+    fn corners(&self) -> [Vec2; 4] {
+        [
+            self.low,
+            Vec2::new(self.high.x, self.low.y),
+            self.high,
+            Vec2::new(self.low.x, self.high.y),
+        ]
+    }
+}
+
+/// Corners and normals of a block at a pose, relative to `origin`.
+struct Placed {
+    start: Vec<Vec2>,
+    normal: Vec<Vec2>,
+    offset: Vec<f64>,
+}
+
+fn place(edges: &[Edge], pose: (Vec2, f64), origin: Vec2) -> Placed {
+    let (s, c) = libm::sincos(pose.1);
+    let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
+    let shift = pose.0 - origin;
+    let normal: Vec<Vec2> = edges.iter().map(|e| turn(e.normal)).collect();
+    Placed {
+        start: edges.iter().map(|e| turn(e.start) + shift).collect(),
+        offset: edges.iter().zip(&normal).map(|(e, n)| e.offset + n.dot(shift)).collect(),
+        normal,
+    }
+}
+
+/// Builds the list from `world.search_pose` and moves the contact states over to it.
+pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) {
+    let n = shapes.len();
+    let mut radii: Vec<f64> = (0..n).filter(|&b| world.alive[b]).map(|b| shapes.radius[b]).collect();
+    radii.sort_by(f64::total_cmp);
+    let median = radii.get(radii.len() / 2).copied().unwrap_or(0.0);
+    candidates.margin = (0..n).map(|b| MARGIN * shapes.radius[b].min(2.0 * median)).collect();
+    candidates.reach.clone_from(&shapes.inradius);
+    candidates.convex.clear();
+    candidates.general.clear();
+    candidates.lists.clear();
+
+    let boxes = boxes(world, shapes, &candidates.margin);
+    let bonded = bonded_pairs(world);
+    for (i, j) in close_pairs(&boxes, &world.alive, shapes) {
+        if bonded.binary_search(&(i, j)).is_ok() {
+            continue;
+        }
+        let (a, b) = (i as usize, j as usize);
+        if is_held(world.motion[a].as_ref()) && is_held(world.motion[b].as_ref()) {
+            continue;
+        }
+        add_pair(world, shapes, candidates, &boxes, a, b);
+    }
+    carry_states(world, candidates);
+}
+
+fn boxes(world: &World, shapes: &Shapes, margin: &[f64]) -> Vec<Box2> {
+    (0..shapes.len())
+        .map(|b| {
+            let (position, angle) = world.search_pose[b];
+            let (s, c) = libm::sincos(angle);
+            let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+            for e in shapes.of(b) {
+                let v = Vec2::new(c * e.start.x - s * e.start.y, s * e.start.x + c * e.start.y);
+                low = low.min(v);
+                high = high.max(v);
+            }
+            let grow = Vec2::splat(margin[b]);
+            Box2 { low: position + low - grow, high: position + high + grow }
+        })
+        .collect()
+}
+
+fn bonded_pairs(world: &World) -> Vec<(u32, u32)> {
+    let mut pairs: Vec<(u32, u32)> =
+        world.bonds.iter().filter(|b| b.active).map(|b| (b.i, b.j)).collect();
+    pairs.sort_unstable();
+    pairs.dedup();
+    pairs
+}
+
+/// Pairs of living blocks whose boxes meet, sorted.
+fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32)> {
+    let size = |b: usize| {
+        let d = boxes[b].high - boxes[b].low;
+        d.x.max(d.y)
+    };
+    let living: Vec<usize> = (0..shapes.len()).filter(|&b| alive[b]).collect();
+    let smallest = living.iter().map(|&b| size(b)).fold(f64::INFINITY, f64::min);
+    if !smallest.is_finite() || smallest <= 0.0 {
+        return Vec::new();
+    }
+    let level_of = |b: usize| (size(b) / smallest).log2().ceil().max(0.0) as usize;
+    let levels = living.iter().map(|&b| level_of(b)).max().unwrap_or(0) + 1;
+    // Entry: cell row, cell column, block; sorted, so that a row of cells is one range.
+    let mut grids: Vec<Vec<(i64, i64, u32)>> = vec![Vec::new(); levels];
+    let cell = |level: usize| smallest * (1u64 << level.min(60)) as f64;
+    for &b in &living {
+        let level = level_of(b);
+        let centre = 0.5 * (boxes[b].low + boxes[b].high) / cell(level);
+        grids[level].push((centre.y.floor() as i64, centre.x.floor() as i64, b as u32));
+    }
+    for grid in &mut grids {
+        grid.sort_unstable();
+    }
+    let mut pairs = Vec::new();
+    for &b in &living {
+        let own = level_of(b);
+        for (level, grid) in grids.iter().enumerate().skip(own) {
+            if grid.is_empty() {
+                continue;
+            }
+            // A block of this level reaches at most half a cell from its centre.
+            let half = Vec2::splat(0.5 * cell(level));
+            let low = (boxes[b].low - half) / cell(level);
+            let high = (boxes[b].high + half) / cell(level);
+            let (x0, x1) = (low.x.floor() as i64, high.x.floor() as i64);
+            for y in low.y.floor() as i64..=high.y.floor() as i64 {
+                let from = grid.partition_point(|&(gy, gx, _)| (gy, gx) < (y, x0));
+                for &(_, _, other) in
+                    grid[from..].iter().take_while(|&&(gy, gx, _)| gy == y && gx <= x1)
+                {
+                    let o = other as usize;
+                    if (level == own && o <= b) || !boxes[b].meets(&boxes[o]) {
+                        continue;
+                    }
+                    pairs.push(((b as u32).min(other), (b as u32).max(other)));
+                }
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+fn add_pair(
+    world: &World,
+    shapes: &Shapes,
+    candidates: &mut Candidates,
+    boxes: &[Box2],
+    a: usize,
+    b: usize,
+) {
+    let origin = world.search_pose[a].0;
+    let pa = place(shapes.of(a), world.search_pose[a], origin);
+    let pb = place(shapes.of(b), world.search_pose[b], origin);
+    let gap = candidates.margin[a] + candidates.margin[b];
+    if separated(&pa, &pb, shapes.convex[b], gap) || separated(&pb, &pa, shapes.convex[a], gap) {
+        return;
+    }
+    let region = Box2 {
+        low: boxes[a].low.max(boxes[b].low) - origin,
+        high: boxes[a].high.min(boxes[b].high) - origin,
+    };
+    let start = candidates.lists.len();
+    let mut counts = [0u16; 4];
+    let mut longest = [0.0_f64; 2];
+    for (side, (own, other, own_block, other_block)) in
+        [(&pa, &pb, a, b), (&pb, &pa, b, a)].into_iter().enumerate()
+    {
+        let before = candidates.lists.len();
+        let edges = shapes.of(own_block);
+        for k in 0..edges.len() {
+            let (p, q) = (own.start[k], own.start[(k + 1) % edges.len()]);
+            if segment_meets(p, q, &region, candidates.margin[own_block]) {
+                candidates.lists.push(k as u16);
+                longest[side] = longest[side].max(edges[k].length);
+            }
+        }
+        counts[2 * side] = (candidates.lists.len() - before) as u16;
+        let before = candidates.lists.len();
+        nearest_edges(other, shapes.convex[other_block], &region, gap, &mut candidates.lists);
+        counts[2 * side + 1] = (candidates.lists.len() - before) as u16;
+    }
+    if counts[0] == 0 || counts[2] == 0 {
+        candidates.lists.truncate(start);
+        return;
+    }
+    let inverse = |block: usize| {
+        if is_driven(world.motion[block].as_ref()) { 0.0 } else { 1.0 / shapes.mass[block] }
+    };
+    let (row, inverse_mass) = (row_of(&world.setup, a, b), inverse(a) + inverse(b));
+    let candidate = Candidate {
+        i: a as u32,
+        j: b as u32,
+        row,
+        counts,
+        start: start as u32,
+        mass: if inverse_mass > 0.0 { 1.0 / inverse_mass } else { shapes.mass[a].min(shapes.mass[b]) },
+        longest: longest[0].min(longest[1]).min((region.high - region.low).length()),
+    };
+    let law = &world.setup.interfaces[row as usize].contact;
+    let fast = shapes.convex[a]
+        && shapes.convex[b]
+        && counts[1] as usize <= MAX_NEAREST
+        && counts[3] as usize <= MAX_NEAREST
+        && law.normal == NormalLaw::DistancePotential
+        && law.friction_law == FrictionLaw::ShearSpring;
+    if fast { candidates.convex.push(candidate) } else { candidates.general.push(candidate) }
+    let reach = shapes.inradius[a].min(shapes.inradius[b]);
+    for block in [a, b] {
+        candidates.reach[block] = candidates.reach[block].min(reach);
+    }
+}
+
+/// Row of the interface table for two blocks.
+#[must_use]
+pub fn row_of(setup: &Setup, a: usize, b: usize) -> u16 {
+    let (ma, mb) = (setup.blocks[a].material as usize, setup.blocks[b].material as usize);
+    setup.pair_table[ma * setup.materials.len() + mb]
+}
+
+/// Whether an edge line of a convex `wall` has all of `block` beyond it by more than `gap`.
+fn separated(block: &Placed, wall: &Placed, convex: bool, gap: f64) -> bool {
+    convex
+        && wall.normal.iter().zip(&wall.offset).any(|(n, d)| {
+            block.start.iter().all(|p| d - n.dot(*p) < -gap)
+        })
+}
+
+/// Whether the segment comes within `margin` of the box (conservative).
+fn segment_meets(p: Vec2, q: Vec2, region: &Box2, margin: f64) -> bool {
+    let grow = Vec2::splat(margin);
+    let (low, high) = (region.low - grow, region.high + grow);
+    if p.max(q).cmplt(low).any() || p.min(q).cmpgt(high).any() {
+        return false;
+    }
+    // All corners of the grown box on one side of the line?
+    let normal = (q - p).perp();
+    let side = |c: Vec2| normal.dot(c - p);
+    let corners = Box2 { low, high }.corners().map(side);
+    !(corners.iter().all(|&s| s > 0.0) || corners.iter().all(|&s| s < 0.0))
+}
+
+/// Edges of `wall` that can be the nearest boundary somewhere in `region`, also after both blocks
+/// have moved by their margins (`gap` is the sum).
+fn nearest_edges(wall: &Placed, convex: bool, region: &Box2, gap: f64, list: &mut Vec<u16>) {
+    let corners = region.corners();
+    let n = wall.start.len();
+    if convex {
+        let depth = |m: usize, x: Vec2| wall.offset[m] - wall.normal[m].dot(x);
+        for m in 0..n {
+            let never = (0..n).any(|k| {
+                k != m && corners.iter().all(|&x| depth(k, x) - depth(m, x) < -2.0 * gap)
+            });
+            if !never {
+                list.push(m as u16);
+            }
+        }
+        return;
+    }
+    let distance = |m: usize, x: Vec2| segment_distance(wall.start[m], wall.start[(m + 1) % n], x);
+    // The distance to a segment is convex, so its largest value in the box is at a corner.
+    let bound = (0..n)
+        .map(|m| corners.iter().map(|&x| distance(m, x)).fold(0.0, f64::max))
+        .fold(f64::INFINITY, f64::min)
+        + 2.0 * gap;
+    for m in 0..n {
+        if segment_box_distance(wall.start[m], wall.start[(m + 1) % n], region) <= bound {
+            list.push(m as u16);
+        }
+    }
+}
+
+/// Distance of `x` from the segment `p q`.
+#[must_use]
+pub fn segment_distance(p: Vec2, q: Vec2, x: Vec2) -> f64 {
+    let d = q - p;
+    let t = ((x - p).dot(d) / d.dot(d)).clamp(0.0, 1.0);
+    (x - p - t * d).length()
+}
+
+/// A lower bound of the distance of a segment from a box.
+fn segment_box_distance(p: Vec2, q: Vec2, region: &Box2) -> f64 {
+    let centre = 0.5 * (region.low + region.high);
+    let half = 0.5 * (region.high - region.low).length();
+    (segment_distance(p, q, centre) - half).max(0.0)
+}
+
+/// Moves the states of touching contacts to the new list; the others start empty.
+fn carry_states(world: &mut World, candidates: &Candidates) {
+    let old = std::mem::take(&mut world.pairs);
+    let mut at = 0;
+    world.pairs = candidates
+        .convex
+        .iter()
+        .map(|c| {
+            while at < old.len() && (old[at].i, old[at].j) < (c.i, c.j) {
+                at += 1;
+            }
+            match old.get(at) {
+                Some(state) if (state.i, state.j) == (c.i, c.j) => *state,
+                _ => PairState { i: c.i, j: c.j, ..PairState::default() },
+            }
+        })
+        .collect();
+    let mut old = std::mem::take(&mut world.general);
+    let mut at = 0;
+    world.general = candidates
+        .general
+        .iter()
+        .map(|c| {
+            while at < old.len() && (old[at].i, old[at].j) < (c.i, c.j) {
+                at += 1;
+            }
+            match old.get_mut(at) {
+                Some(state) if (state.i, state.j) == (c.i, c.j) => std::mem::take(state),
+                _ => GeneralState { i: c.i, j: c.j, ..GeneralState::default() },
+            }
+        })
+        .collect();
+}

@@ -1,0 +1,647 @@
+//! One step of the planar engine.
+//!
+//! Leapfrog in two halves, so that a caller can look at the state in between, when positions and
+//! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
+//! make, [`advance`] applies them and moves the blocks.
+
+use riprap_geom::Vec2;
+
+use super::bond;
+use super::contact::{self, Context, Workspace};
+use super::convex::Turned;
+use super::loads::{self, Applied};
+use super::search::{self, Candidates};
+use super::setup::{ContactLaw, Motion, Setup};
+use super::shapes::Shapes;
+use super::world::{Body, PairState, Region, World, Wrench};
+use crate::exec::{CHUNK, Exec};
+use crate::ledger::Works;
+use crate::profile::Profile;
+
+/// Damping of a phase besides that of the contacts; see [`crate::run::plan::Damping`].
+pub use crate::dynamics::damping::Damping;
+
+/// Everything that can be dropped and rebuilt without changing a result.
+#[derive(Debug)]
+pub struct Scratch {
+    /// Body geometry.
+    pub shapes: Shapes,
+    /// Thread pool.
+    pub exec: Exec,
+    /// Stage timers.
+    pub profile: Profile,
+    /// Candidate pairs.
+    pub candidates: Candidates,
+    /// Edges at the present angles.
+    pub turned: Vec<Turned>,
+    /// Wrench of each convex pair, then each general pair, then each bond.
+    pub slots: Vec<Wrench>,
+    /// For block `b` the entries `incidence[first_entry[b]..first_entry[b + 1]]`.
+    first_entry: Vec<u32>,
+    /// Slot number times two, plus one for the second block of the pair.
+    incidence: Vec<u32>,
+    /// Velocity changes of the coming kick.
+    pub changes: Vec<Change>,
+    /// Sums of forces, without damping and supports.
+    pub net: Vec<Net>,
+    /// External loads.
+    pub applied: Vec<Applied>,
+    /// Works of the half step after the present time, booked by `advance`.
+    departure: Works,
+    laws: Vec<ContactLaw>,
+    partial: Vec<Partial>,
+    rooms: Vec<Workspace>,
+    stale: bool,
+    /// Candidate lists built since the start.
+    pub rebuilds: u64,
+    /// Smallest time in which a block crosses the reach of its neighbourhood, s.
+    pub transit: f64,
+}
+
+/// Velocity change of one block in the coming kick.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Change {
+    /// m/s.
+    pub velocity: Vec2,
+    /// rad/s.
+    pub spin: f64,
+}
+
+/// Sum of all forces on a block but damping and the reaction of supports.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Net {
+    /// N/m.
+    pub force: Vec2,
+    /// About the centroid, N.
+    pub moment: f64,
+}
+
+/// Sums of one chunk.
+#[derive(Clone, Copy, Debug)]
+struct Partial {
+    arrival: Works,
+    departure: Works,
+    bad: Option<u32>,
+    moved: bool,
+    transit: f64,
+}
+
+impl Default for Partial {
+    fn default() -> Self {
+        Self {
+            arrival: Works::default(),
+            departure: Works::default(),
+            bad: None,
+            moved: false,
+            transit: f64::INFINITY,
+        }
+    }
+}
+
+/// A block whose state is no longer finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the forces on block {block} are not finite")]
+pub struct NonFinite {
+    /// Index of the block.
+    pub block: u32,
+}
+
+impl World {
+    /// A world at rest at time zero, with joints built; the scratch data come with it.
+    #[must_use]
+    pub fn new(setup: Setup, exec: Exec) -> (Self, Scratch) {
+        let shapes = Shapes::new(&setup);
+        let n = shapes.len();
+        let bodies: Vec<Body> = setup
+            .blocks
+            .iter()
+            .zip(&shapes.centroid)
+            .map(|(b, &position)| Body { position, velocity: b.velocity, angle: 0.0, spin: b.spin })
+            .collect();
+        let mut motion = vec![None; n];
+        for support in &setup.supports {
+            for &b in &support.blocks {
+                motion[b as usize] = Some(support.motion.clone());
+            }
+        }
+        let mut world = Self {
+            gravity: Vec2::from(setup.gravity),
+            time: 0.0,
+            step: 0,
+            last_dt: 0.0,
+            pending: 0.0,
+            reference: bodies.iter().map(|b| b.position).collect(),
+            reference_angle: vec![0.0; n],
+            search_pose: bodies.iter().map(|b| (b.position, b.angle)).collect(),
+            bodies,
+            alive: vec![true; n],
+            motion,
+            pairs: Vec::new(),
+            general: Vec::new(),
+            bonds: Vec::new(),
+            works: Works::default(),
+            start_energy: None,
+            setup,
+        };
+        hold_driven(&mut world);
+        let mut candidates = Candidates::default();
+        search::rebuild(&mut world, &shapes, &mut candidates);
+        let mut close: Vec<(u32, u32)> =
+            candidates.convex.iter().chain(&candidates.general).map(|c| (c.i, c.j)).collect();
+        close.sort_unstable();
+        world.bonds = bond::build(&world.setup, &shapes, &close);
+        let scratch = Scratch::new(&mut world, exec);
+        (world, scratch)
+    }
+}
+
+/// Gives driven blocks their prescribed velocity at the present time.
+pub fn hold_driven(world: &mut World) {
+    let t = world.time;
+    for (body, motion) in world.bodies.iter_mut().zip(&world.motion) {
+        match motion {
+            None | Some(Motion::Acceleration { .. }) => {}
+            Some(Motion::Fixed { x, y, rotation }) => {
+                if *x {
+                    body.velocity.x = 0.0;
+                }
+                if *y {
+                    body.velocity.y = 0.0;
+                }
+                if *rotation {
+                    body.spin = 0.0;
+                }
+            }
+            Some(Motion::Velocity { x, y, spin }) => {
+                if let Some(f) = x {
+                    body.velocity.x = f.at(t);
+                }
+                if let Some(f) = y {
+                    body.velocity.y = f.at(t);
+                }
+                if let Some(f) = spin {
+                    body.spin = f.at(t);
+                }
+            }
+        }
+    }
+}
+
+impl Scratch {
+    /// Scratch data for a world, as new or as read from a checkpoint.
+    #[must_use]
+    pub fn new(world: &mut World, exec: Exec) -> Self {
+        let shapes = Shapes::new(&world.setup);
+        let n = shapes.len();
+        let mut scratch = Self {
+            exec,
+            profile: Profile::default(),
+            candidates: Candidates::default(),
+            turned: vec![Turned::default(); shapes.edges.len()],
+            slots: Vec::new(),
+            first_entry: Vec::new(),
+            incidence: Vec::new(),
+            changes: vec![Change::default(); n],
+            net: vec![Net::default(); n],
+            applied: vec![Applied::default(); n],
+            departure: Works::default(),
+            laws: Vec::new(),
+            partial: Vec::new(),
+            rooms: Vec::new(),
+            stale: false,
+            rebuilds: 0,
+            transit: f64::INFINITY,
+            shapes,
+        };
+        for b in 0..n {
+            let range = scratch.shapes.range(b);
+            turn(scratch.shapes.of(b), world.bodies[b].angle, &mut scratch.turned[range]);
+        }
+        scratch.rebuild(world);
+        scratch
+    }
+
+    /// Marks the candidate list as out of date: blocks removed, supports or laws changed.
+    pub fn invalidate(&mut self, world: &mut World) {
+        world.search_pose = world.bodies.iter().map(|b| (b.position, b.angle)).collect();
+        self.rebuild(world);
+    }
+
+    /// Rebuilds the candidate list from the world's search poses, and all that depends on it.
+    fn rebuild(&mut self, world: &mut World) {
+        search::rebuild(world, &self.shapes, &mut self.candidates);
+        bond::set_masses(world, &self.shapes);
+        self.laws = world.setup.interfaces.iter().map(|i| i.contact).collect();
+        let (c, g, b) =
+            (self.candidates.convex.len(), self.candidates.general.len(), world.bonds.len());
+        self.slots = vec![Wrench::default(); c + g + b];
+        let ends = self
+            .candidates
+            .convex
+            .iter()
+            .chain(&self.candidates.general)
+            .map(|c| (c.i, c.j))
+            .chain(world.bonds.iter().map(|b| (b.i, b.j)));
+        (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
+        let chunks = [c, g, b, self.shapes.len()].into_iter().max().unwrap_or(0).div_ceil(CHUNK);
+        self.partial = vec![Partial::default(); chunks.max(1)];
+        self.rooms.resize_with(g.div_ceil(CHUNK).max(1), Workspace::default);
+        self.stale = false;
+        self.rebuilds += 1;
+    }
+}
+
+/// Compressed rows of (slot, side) per block, slots ascending.
+fn incidence(blocks: usize, ends: impl Iterator<Item = (u32, u32)> + Clone) -> (Vec<u32>, Vec<u32>) {
+    let mut first = vec![0u32; blocks + 1];
+    for (i, j) in ends.clone() {
+        first[i as usize + 1] += 1;
+        first[j as usize + 1] += 1;
+    }
+    for b in 0..blocks {
+        first[b + 1] += first[b];
+    }
+    let mut next = first.clone();
+    let mut entries = vec![0u32; first[blocks] as usize];
+    for (slot, (i, j)) in ends.enumerate() {
+        for (side, b) in [(0, i), (1, j)] {
+            entries[next[b as usize] as usize] = 2 * slot as u32 + side;
+            next[b as usize] += 1;
+        }
+    }
+    (first, entries)
+}
+
+fn turn(edges: &[super::shapes::Edge], angle: f64, turned: &mut [Turned]) {
+    let (s, c) = libm::sincos(angle);
+    let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
+    for (edge, out) in edges.iter().zip(turned) {
+        *out = Turned { start: turn(edge.start), normal: turn(edge.normal) };
+    }
+}
+
+/// Finds all forces at the present positions and the velocity changes for a step of `dt`.
+///
+/// Calling it again without moving changes nothing.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn evaluate(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+) -> Result<(), NonFinite> {
+    let mut profile = std::mem::take(&mut scratch.profile);
+    profile.stage("loads", || {
+        if !world.setup.loads.is_empty() {
+            loads::apply(world, &scratch.shapes, &mut scratch.applied);
+        }
+    });
+    profile.stage("search", || refresh(world, scratch));
+    profile.stage("contacts", || found_contacts(world, scratch, damping));
+    profile.stage("bonds", || bonds(world, scratch, damping));
+    let result = profile.stage("gather", || kicks(world, scratch, damping, dt));
+    world.pending = 0.0;
+    scratch.profile = profile;
+    result
+}
+
+/// Applies the velocity changes and moves the blocks by `dt`.
+pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let mut profile = std::mem::take(&mut scratch.profile);
+    profile.stage("integrate", || integrate(world, scratch, dt));
+    let departure = std::mem::take(&mut scratch.departure);
+    world.works.add(&departure);
+    world.time += dt;
+    world.step += 1;
+    world.last_dt = dt;
+    world.pending = dt;
+    scratch.profile = profile;
+}
+
+/// Rebuilds the candidate list when a block has moved more than its margin, or a joint gives way.
+fn refresh(world: &mut World, scratch: &mut Scratch) {
+    if world.bonds.iter().any(bond::Bond::gives_way) {
+        hand_over(world, scratch);
+    }
+    if scratch.stale {
+        scratch.invalidate(world);
+    }
+}
+
+/// Lets found contact take over from joints that have given way, with continuous force.
+fn hand_over(world: &mut World, scratch: &mut Scratch) {
+    let mut handed = Vec::new();
+    for bond in &mut world.bonds {
+        if bond.gives_way() {
+            bond.active = false;
+            handed.push((bond.i, bond.j, bond.compression(), bond.shear(), bond.length));
+            world.works.edit_defect -= bond.energy;
+            bond.energy = 0.0;
+        }
+    }
+    scratch.invalidate(world);
+    for (i, j, compression, shear, length) in handed {
+        // Still joined elsewhere: found contact starts when the last joint of the pair gives way.
+        let Some(law) = world
+            .setup
+            .interfaces
+            .get(search::row_of(&world.setup, i as usize, j as usize) as usize)
+            .map(|r| r.contact)
+        else {
+            continue;
+        };
+        let contact = super::world::Contact {
+            shear: -shear,
+            shear_energy: 0.5 * shear * shear / (law.shear_stiffness * length),
+            offset: compression,
+            offset_left: 0.1 * length,
+            ..Default::default()
+        };
+        if compression <= 0.0 {
+            continue;
+        }
+        let key = (i, j);
+        if let Ok(k) = world.pairs.binary_search_by_key(&key, |p: &PairState| (p.i, p.j)) {
+            world.pairs[k].contact = contact;
+        } else if let Ok(k) = world.general.binary_search_by_key(&key, |g| (g.i, g.j)) {
+            world.general[k].regions.push(Region { edges: u64::MAX, contact });
+        } else {
+            continue;
+        }
+        world.works.edit_defect += contact.shear_energy + super::fields::pair_energy(world, scratch, key);
+    }
+}
+
+fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
+    let mut pairs = std::mem::take(&mut world.pairs);
+    let mut general = std::mem::take(&mut world.general);
+    let c = pairs.len();
+    let (convex_slots, rest) = scratch.slots.split_at_mut(c);
+    let general_slots = &mut rest[..general.len()];
+    let context = Context::new(
+        world,
+        &scratch.shapes,
+        &scratch.turned,
+        &scratch.laws,
+        &scratch.candidates.lists,
+        damping.stiffness,
+    );
+    scratch.partial.fill(Partial::default());
+    let candidates = &scratch.candidates;
+    scratch.exec.chunks2(&mut pairs, convex_slots, &mut scratch.partial, |at, p, s, partial| {
+        let list = &candidates.convex[at..at + p.len()];
+        contact::convex_chunk(&context, list, p, s, &mut partial.arrival);
+    });
+    let mut works = Works::default();
+    for partial in &mut scratch.partial {
+        works.add(&partial.arrival);
+        *partial = Partial::default();
+    }
+    if !general.is_empty() {
+        let rooms = &mut scratch.rooms;
+        scratch.exec.chunks2(&mut general, general_slots, rooms, |at, g, s, room| {
+            contact::general_chunk(&context, &candidates.general[at..at + g.len()], g, s, room);
+        });
+        for room in rooms {
+            works.add(&room.works);
+        }
+    }
+    world.works.add(&works);
+    world.pairs = pairs;
+    world.general = general;
+}
+
+fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
+    if world.bonds.is_empty() {
+        return;
+    }
+    let mut bonds = std::mem::take(&mut world.bonds);
+    let (bodies, setup, elapsed) = (&world.bodies, &world.setup, world.pending);
+    let first = world.pairs.len() + world.general.len();
+    let slots = &mut scratch.slots[first..];
+    scratch.partial.fill(Partial::default());
+    scratch.exec.chunks2(&mut bonds, slots, &mut scratch.partial, |_, b, s, partial| {
+        for (bond, slot) in b.iter_mut().zip(s) {
+            *slot = match &setup.interfaces[bond.row as usize].bond {
+                Some(law) => {
+                    let works = &mut partial.arrival;
+                    bond::force(bond, law, bodies, damping.stiffness, elapsed, works)
+                }
+                None => Wrench::default(),
+            };
+        }
+    });
+    for partial in &scratch.partial {
+        world.works.add(&partial.arrival);
+    }
+    world.bonds = bonds;
+}
+
+/// Gathers the slots of each block and finds its velocity change.
+fn kicks(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+) -> Result<(), NonFinite> {
+    scratch.partial.fill(Partial::default());
+    let kick = Kick {
+        world,
+        shapes: &scratch.shapes,
+        slots: &scratch.slots,
+        first_entry: &scratch.first_entry,
+        incidence: &scratch.incidence,
+        applied: &scratch.applied,
+        damping,
+        half: [0.5 * world.pending, 0.5 * dt],
+        span: 0.5 * (world.last_dt + dt),
+    };
+    scratch.exec.chunks2(
+        &mut scratch.changes,
+        &mut scratch.net,
+        &mut scratch.partial,
+        |at, changes, net, partial| {
+            for (k, (change, net)) in changes.iter_mut().zip(net).enumerate() {
+                kick.block(at + k, change, net, partial);
+            }
+        },
+    );
+    let (mut arrival, mut departure, mut bad) = (Works::default(), Works::default(), None);
+    for partial in &scratch.partial {
+        arrival.add(&partial.arrival);
+        departure.add(&partial.departure);
+        bad = bad.or(partial.bad);
+    }
+    world.works.add(&arrival);
+    scratch.departure = departure;
+    bad.map_or(Ok(()), |block| Err(NonFinite { block }))
+}
+
+/// What the kick of one block reads.
+struct Kick<'a> {
+    world: &'a World,
+    shapes: &'a Shapes,
+    slots: &'a [Wrench],
+    first_entry: &'a [u32],
+    incidence: &'a [u32],
+    applied: &'a [Applied],
+    damping: &'a Damping,
+    /// Halves of the step before and after the present time, s.
+    half: [f64; 2],
+    /// Time between the two half-step velocities, s.
+    span: f64,
+}
+
+impl Kick<'_> {
+    fn block(&self, b: usize, change: &mut Change, net: &mut Net, partial: &mut Partial) {
+        if !self.world.alive[b] {
+            *change = Change::default();
+            return;
+        }
+        let (mut force, mut moment) = (Vec2::ZERO, 0.0);
+        for &entry in
+            &self.incidence[self.first_entry[b] as usize..self.first_entry[b + 1] as usize]
+        {
+            let slot = &self.slots[(entry >> 1) as usize];
+            if entry & 1 == 0 {
+                force += slot.force;
+                moment += slot.moment_i;
+            } else {
+                force -= slot.force;
+                moment += slot.moment_j;
+            }
+        }
+        let (mass, inertia) = (self.shapes.mass[b], self.shapes.inertia[b]);
+        let (weight, load) = (mass * self.world.gravity, self.applied[b]);
+        force += weight + load.force;
+        moment += load.moment;
+        *net = Net { force, moment };
+        if !(force.x + force.y + moment).is_finite() && partial.bad.is_none() {
+            partial.bad = Some(b as u32);
+        }
+        let body = &self.world.bodies[b];
+        let motion = self.world.motion[b].as_ref();
+
+        // Local damping: a share of the unbalanced force, against the motion.
+        let local = self.damping.local;
+        let against = |f: f64, v: f64| if v == 0.0 { 0.0 } else { -local * f.abs() * v.signum() };
+        let drag = Vec2::new(against(force.x, body.velocity.x), against(force.y, body.velocity.y));
+        let twist = against(moment, body.spin);
+        // Mass damping acts on the mean of the velocities before and after (implicit, stable).
+        let fade = 0.5 * self.damping.mass * self.span;
+        let kicked = |v: f64, f: f64, m: f64| {
+            ((v * (1.0 - fade) + self.span * f / m) / (1.0 + fade)) - v
+        };
+        let mut dv = Vec2::new(
+            kicked(body.velocity.x, force.x + drag.x, mass),
+            kicked(body.velocity.y, force.y + drag.y, mass),
+        );
+        let mut dw = kicked(body.spin, moment + twist, inertia);
+        let free = (dv, dw);
+        if let Some(motion) = motion {
+            (dv, dw) = prescribed(motion, body, self.world.time, self.half[1], self.span, dv, dw);
+        }
+        *change = Change { velocity: dv, spin: dw };
+
+        // Works before and after the present time, with the velocity of each half.
+        let reaction = if self.span > 0.0 {
+            (mass * (dv - free.0) / self.span, inertia * (dw - free.1) / self.span)
+        } else {
+            (Vec2::ZERO, 0.0)
+        };
+        let mean = (body.velocity + 0.5 * dv, body.spin + 0.5 * dw);
+        let slow = (-self.damping.mass * mass * mean.0, -self.damping.mass * inertia * mean.1);
+        for (half, v, w, works) in [
+            (self.half[0], body.velocity, body.spin, &mut partial.arrival),
+            (self.half[1], body.velocity + dv, body.spin + dw, &mut partial.departure),
+        ] {
+            works.gravity += half * weight.dot(v);
+            works.loads += half * (load.force.dot(v) + load.moment * w);
+            works.damping -= half * ((drag + slow.0).dot(v) + (twist + slow.1) * w);
+            if motion.is_some() {
+                works.supports += half * (reaction.0.dot(v) + reaction.1 * w);
+            }
+        }
+    }
+}
+
+/// Velocity change of a block whose motion is prescribed in some freedoms.
+///
+/// `half` is half the coming step: a prescribed velocity is met in the middle of the step.
+fn prescribed(
+    motion: &Motion,
+    body: &Body,
+    time: f64,
+    half: f64,
+    span: f64,
+    dv: Vec2,
+    dw: f64,
+) -> (Vec2, f64) {
+    match motion {
+        Motion::Fixed { x, y, rotation } => (
+            Vec2::new(
+                if *x { -body.velocity.x } else { dv.x },
+                if *y { -body.velocity.y } else { dv.y },
+            ),
+            if *rotation { -body.spin } else { dw },
+        ),
+        Motion::Velocity { x, y, spin } => {
+            let t = time + half;
+            (
+                Vec2::new(
+                    x.as_ref().map_or(dv.x, |f| f.at(t) - body.velocity.x),
+                    y.as_ref().map_or(dv.y, |f| f.at(t) - body.velocity.y),
+                ),
+                spin.as_ref().map_or(dw, |f| f.at(t) - body.spin),
+            )
+        }
+        Motion::Acceleration { x, y, spin } => (
+            Vec2::new(
+                x.as_ref().map_or(dv.x, |f| span * f.at(time)),
+                y.as_ref().map_or(dv.y, |f| span * f.at(time)),
+            ),
+            spin.as_ref().map_or(dw, |f| span * f.at(time)),
+        ),
+    }
+}
+
+fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    scratch.partial.fill(Partial::default());
+    let (shapes, changes, candidates) = (&scratch.shapes, &scratch.changes, &scratch.candidates);
+    let (alive, poses) = (&world.alive, &world.search_pose);
+    scratch.exec.ragged(
+        &mut world.bodies,
+        &mut scratch.turned,
+        &shapes.first,
+        &mut scratch.partial,
+        |at, bodies, turned, partial| {
+            let base = shapes.first[at] as usize;
+            for (k, body) in bodies.iter_mut().enumerate() {
+                let b = at + k;
+                if !alive[b] {
+                    continue;
+                }
+                body.velocity += changes[b].velocity;
+                body.spin += changes[b].spin;
+                body.position += dt * body.velocity;
+                let turning = dt * body.spin;
+                body.angle += turning;
+                let range = shapes.range(b);
+                if turning != 0.0 {
+                    let own = range.start - base..range.end - base;
+                    turn(&shapes.edges[range], body.angle, &mut turned[own]);
+                }
+                let (position, angle) = poses[b];
+                let moved = (body.position - position).length()
+                    + (body.angle - angle).abs() * shapes.radius[b];
+                partial.moved |= moved > candidates.margin[b];
+                let speed = body.velocity.length() + body.spin.abs() * shapes.radius[b];
+                partial.transit = partial.transit.min(candidates.reach[b] / speed);
+            }
+        },
+    );
+    scratch.transit = scratch.partial.iter().fold(f64::INFINITY, |t, p| t.min(p.transit));
+    scratch.stale |= scratch.partial.iter().any(|p| p.moved);
+}

@@ -1,0 +1,166 @@
+//! State of the 2D engine: what a checkpoint holds.
+//!
+//! Leapfrog: velocities and spins belong to half a step before `time`, except before the first
+//! step, when they belong to `time` itself (`last_dt` is 0).
+
+use riprap_geom::Vec2;
+use serde::{Deserialize, Serialize};
+
+use super::bond::Bond;
+use super::setup::{Motion, Setup};
+use crate::ledger::Works;
+
+/// Whole state of a planar model.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct World {
+    /// The model as built (interfaces and supports as changed by phases since).
+    pub setup: Setup,
+    /// Model time, s.
+    pub time: f64,
+    /// Steps done.
+    pub step: u64,
+    /// Length of the last step, s; 0 before the first.
+    pub last_dt: f64,
+    /// Time moved since the forces were last evaluated, s.
+    pub pending: f64,
+    /// Motion of the blocks.
+    pub bodies: Vec<Body>,
+    /// Positions that displacements are measured from, m.
+    pub reference: Vec<Vec2>,
+    /// Angles that rotations are measured from, rad.
+    pub reference_angle: Vec<f64>,
+    /// Removed blocks stay in the list, so that numbers keep their meaning.
+    pub alive: Vec<bool>,
+    /// Prescribed motion of each block, if any.
+    pub motion: Vec<Option<Motion>>,
+    /// Gravity now, m/s².
+    pub gravity: Vec2,
+    /// Poses at the last rebuild of the candidate list: the list is a function of these alone.
+    pub search_pose: Vec<(Vec2, f64)>,
+    /// State of found contacts between convex blocks, in candidate order.
+    pub pairs: Vec<PairState>,
+    /// State of found contacts where a block is concave or the law works piece by piece.
+    pub general: Vec<GeneralState>,
+    /// Built patches.
+    pub bonds: Vec<Bond>,
+    /// Running sums of the energy ledger.
+    pub works: Works,
+    /// Kinetic and stored energy at the start, J/m; set by the first evaluation.
+    pub start_energy: Option<f64>,
+}
+
+/// Motion of one block.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    /// Centroid, m.
+    pub position: Vec2,
+    /// Velocity of the centroid, m/s.
+    pub velocity: Vec2,
+    /// Angle since the start, rad.
+    pub angle: f64,
+    /// Angular velocity, rad/s.
+    pub spin: f64,
+}
+
+/// Force on the first block of a pair and moments on both about their centroids.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Wrench {
+    /// Force on the first block (the second gets the opposite), N/m.
+    pub force: Vec2,
+    /// Moment on the first block, N.
+    pub moment_i: f64,
+    /// Moment on the second block, N.
+    pub moment_j: f64,
+}
+
+impl Wrench {
+    /// Force `force` on the first block at `arm_i` from its centroid and `arm_j` from the second's.
+    #[must_use]
+    pub fn at(force: Vec2, arm_i: Vec2, arm_j: Vec2) -> Self {
+        Self { force, moment_i: arm_i.perp_dot(force), moment_j: -arm_j.perp_dot(force) }
+    }
+
+    /// Sum of two wrenches.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            force: self.force + other.force,
+            moment_i: self.moment_i + other.moment_i,
+            moment_j: self.moment_j + other.moment_j,
+        }
+    }
+
+    /// Power (W/m) for relative velocity `dv` of the centroids (first minus second) and both spins.
+    #[must_use]
+    pub fn power(&self, dv: Vec2, spin_i: f64, spin_j: f64) -> f64 {
+        self.force.dot(dv) + self.moment_i * spin_i + self.moment_j * spin_j
+    }
+}
+
+/// One found contact region: everything its law remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Contact {
+    /// Elastic shear force on the first block along its tangent, N/m.
+    pub shear: f64,
+    /// Elastic energy in the shear spring, J/m.
+    pub shear_energy: f64,
+    /// Elastic normal energy by path, J/m (only for laws without potential).
+    pub path_energy: f64,
+    /// Normal force kept continuous at a hand-over from a bond, N/m; fades with slip.
+    pub offset: f64,
+    /// Slip over which the offset still fades, m.
+    pub offset_left: f64,
+    /// Elastic normal part at the last evaluation.
+    pub normal: Wrench,
+    /// Shear part at the last evaluation.
+    pub tangential: Wrench,
+    /// Damping part at the last evaluation.
+    pub damping: Wrench,
+    /// Contact length (chord), m.
+    pub length: f64,
+    /// Largest depth of a boundary point, m.
+    pub depth: f64,
+    /// Centre of pressure relative to the first block's centroid, m.
+    pub centre: Vec2,
+    /// Whether it slid in the last step.
+    pub slipping: bool,
+}
+
+impl Contact {
+    /// Whether the blocks touch in this region.
+    #[must_use]
+    pub fn touches(&self) -> bool {
+        self.normal.force != Vec2::ZERO
+    }
+}
+
+/// Found contact between two convex blocks: one region at most.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PairState {
+    /// First block; the smaller index.
+    pub i: u32,
+    /// Second block.
+    pub j: u32,
+    /// The contact.
+    pub contact: Contact,
+}
+
+/// Found contacts of a pair with any number of regions.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct GeneralState {
+    /// First block; the smaller index.
+    pub i: u32,
+    /// Second block.
+    pub j: u32,
+    /// Regions, in the order of their first piece.
+    pub regions: Vec<Region>,
+}
+
+/// One region of a general pair.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Region {
+    /// Edges that have a piece in the region, as bits (edge number modulo 32; first block low).
+    pub edges: u64,
+    /// The contact.
+    pub contact: Contact,
+}

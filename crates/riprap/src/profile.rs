@@ -1,0 +1,29 @@
+//! Stage timers, always on: two clock readings a stage and step.
+
+use std::time::{Duration, Instant};
+
+/// Accumulated time per named stage.
+#[derive(Clone, Debug, Default)]
+pub struct Profile {
+    stages: Vec<(&'static str, Duration)>,
+}
+
+impl Profile {
+    /// Runs `work` and books its time under `name`.
+    pub fn stage<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = work();
+        let spent = start.elapsed();
+        match self.stages.iter_mut().find(|(n, _)| *n == name) {
+            Some((_, total)) => *total += spent,
+            None => self.stages.push((name, spent)),
+        }
+        result
+    }
+
+    /// Stages in the order of first use, with seconds spent.
+    #[must_use]
+    pub fn seconds(&self) -> Vec<(String, f64)> {
+        self.stages.iter().map(|(name, time)| ((*name).to_owned(), time.as_secs_f64())).collect()
+    }
+}
