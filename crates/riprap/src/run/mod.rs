@@ -2,4 +2,5 @@
 
 pub mod bisect;
 pub mod checks;
+pub mod compare;
 pub mod plan;
