@@ -64,7 +64,7 @@ const ARROWS: [(&str, &[&str], &str); 8] = [
 const ENGINES: [&str; 4] = ["laws", "dynamics", "planar", "spatial"];
 
 /// Word, rooms in which it is forbidden (empty: all), files that may, and why.
-const FORBIDDEN: [(&str, &[&str], &[&str], &str); 8] = [
+const FORBIDDEN: [(&str, &[&str], &[&str], &str); 10] = [
     (
         "mul_add",
         &[],
@@ -90,7 +90,19 @@ const FORBIDDEN: [(&str, &[&str], &[&str], &str); 8] = [
         "only exec.rs names the thread pool",
     ),
     (
-        "std::thread",
+        "thread::spawn",
+        &[],
+        &["exec.rs"],
+        "only exec.rs names the thread pool",
+    ),
+    (
+        "thread::scope",
+        &[],
+        &["exec.rs"],
+        "only exec.rs names the thread pool",
+    ),
+    (
+        "thread::Builder",
         &[],
         &["exec.rs"],
         "only exec.rs names the thread pool",

@@ -16,7 +16,9 @@ pub struct Exec {
 
 impl std::fmt::Debug for Exec {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Exec").field("threads", &self.threads).finish_non_exhaustive()
+        f.debug_struct("Exec")
+            .field("threads", &self.threads)
+            .finish_non_exhaustive()
     }
 }
 
@@ -32,7 +34,10 @@ impl Exec {
     /// Runs everything on the calling thread.
     #[must_use]
     pub fn serial() -> Self {
-        Self { pool: None, threads: 1 }
+        Self {
+            pool: None,
+            threads: 1,
+        }
     }
 
     /// A pool of `threads` threads; 0 and 1 run on the calling thread.
@@ -46,8 +51,14 @@ impl Exec {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|e| ExecError { threads, reason: e.to_string() })?;
-        Ok(Self { pool: Some(pool), threads })
+            .map_err(|e| ExecError {
+                threads,
+                reason: e.to_string(),
+            })?;
+        Ok(Self {
+            pool: Some(pool),
+            threads,
+        })
     }
 
     /// Number of threads.
@@ -96,7 +107,9 @@ impl Exec {
         f: impl Fn(usize, &mut [A], &mut [B], &mut P) + Sync,
     ) {
         match &self.pool {
-            Some(pool) if a.len() > CHUNK => pool.install(|| split(0, a, b, first, partials, &f, true)),
+            Some(pool) if a.len() > CHUNK => {
+                pool.install(|| split(0, a, b, first, partials, &f, true))
+            }
             _ => split(0, a, b, first, partials, &f, false),
         }
     }

@@ -103,6 +103,10 @@ impl Balance {
         ]
         .into_iter()
         .fold(0.0_f64, |m, x| m.max(x.abs()));
-        if scale > 0.0 { self.residual() / scale } else { 0.0 }
+        if scale > 0.0 {
+            self.residual() / scale
+        } else {
+            0.0
+        }
     }
 }

@@ -24,7 +24,12 @@ mod tests {
 
     #[test]
     fn restitution_matches_the_catalogue() {
-        for (ratio, e) in [(0.05, 0.858_758), (0.1, 0.744_079), (0.2, 0.571_740), (0.3, 0.450_975)] {
+        for (ratio, e) in [
+            (0.05, 0.858_758),
+            (0.1, 0.744_079),
+            (0.2, 0.571_740),
+            (0.3, 0.450_975),
+        ] {
             assert!((restitution(ratio) - e).abs() < 1e-6, "{ratio}");
         }
     }

@@ -30,14 +30,29 @@ pub fn joint_point(law: &BondLaw, un: f64, us: f64, slip: f64, failed: bool) -> 
         && sigma <= law.tension
         && tau.abs() <= (law.cohesion - sigma * law.friction).max(0.0);
     if intact {
-        return Response { sigma, tau, slip, failed: false };
+        return Response {
+            sigma,
+            tau,
+            slip,
+            failed: false,
+        };
     }
     if sigma >= 0.0 {
-        return Response { sigma: 0.0, tau: 0.0, slip: us, failed: true };
+        return Response {
+            sigma: 0.0,
+            tau: 0.0,
+            slip: us,
+            failed: true,
+        };
     }
     let limit = law.residual_cohesion - sigma * law.residual_friction;
     let tau = tau.clamp(-limit, limit);
-    Response { sigma, tau, slip: us - tau / law.shear_stiffness, failed: true }
+    Response {
+        sigma,
+        tau,
+        slip: us - tau / law.shear_stiffness,
+        failed: true,
+    }
 }
 
 #[cfg(test)]

@@ -71,7 +71,10 @@ const HAND_OVER: f64 = 0.01;
 fn gauss(n: u8) -> &'static [(f64, f64)] {
     match n {
         0 | 1 => &[(0.5, 1.0)],
-        2 => &[(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)],
+        2 => &[
+            (0.211_324_865_405_187_1, 0.5),
+            (0.788_675_134_594_812_9, 0.5),
+        ],
         3 => &[
             (0.112_701_665_379_258_3, 5.0 / 18.0),
             (0.5, 8.0 / 18.0),
@@ -101,7 +104,9 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
     for &(i, j) in close {
         let (a, b) = (i as usize, j as usize);
         let row = row_of(setup, a, b);
-        let Some(law) = setup.interfaces[row as usize].bond else { continue };
+        let Some(law) = setup.interfaces[row as usize].bond else {
+            continue;
+        };
         let tolerance = 1e-6 * shapes.radius[a].min(shapes.radius[b]);
         for ea in shapes.of(a) {
             for eb in shapes.of(b) {
@@ -151,12 +156,20 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
 /// Sets the effective masses after supports have changed.
 pub fn set_masses(world: &mut World, shapes: &Shapes) {
     let inverse = |motion: &Option<super::setup::Motion>, b: usize| {
-        if is_driven(motion.as_ref()) { 0.0 } else { 1.0 / shapes.mass[b] }
+        if is_driven(motion.as_ref()) {
+            0.0
+        } else {
+            1.0 / shapes.mass[b]
+        }
     };
     for bond in &mut world.bonds {
         let (i, j) = (bond.i as usize, bond.j as usize);
         let sum = inverse(&world.motion[i], i) + inverse(&world.motion[j], j);
-        bond.mass = if sum > 0.0 { 1.0 / sum } else { shapes.mass[i].min(shapes.mass[j]) };
+        bond.mass = if sum > 0.0 {
+            1.0 / sum
+        } else {
+            shapes.mass[i].min(shapes.mass[j])
+        };
     }
 }
 
@@ -214,7 +227,11 @@ pub fn force(
                     + stiffness_damping * k
             };
             let cn = dash(law.normal_stiffness);
-            let cs = if r.failed { 0.0 } else { dash(law.shear_stiffness) };
+            let cs = if r.failed {
+                0.0
+            } else {
+                dash(law.shear_stiffness)
+            };
             let f = -cn * rate.dot(normal) * normal - cs * rate.dot(tangent) * tangent;
             damp = damp.plus(&Wrench::at(f, x, x + relative.shift));
         }
@@ -243,7 +260,10 @@ impl Bond {
     pub fn gives_way(&self) -> bool {
         let far = HAND_OVER * self.length;
         self.active
-            && self.points.iter().all(|p| p.failed && (p.slip.abs() > far || p.opening > far))
+            && self
+                .points
+                .iter()
+                .all(|p| p.failed && (p.slip.abs() > far || p.opening > far))
     }
 
     /// Shear force on the first block along the left-hand side of the normal, N/m.

@@ -69,7 +69,10 @@ impl<'a> Context<'a> {
     }
 
     fn motion(&self, candidate: &Candidate) -> Relative {
-        let (i, j) = (&self.bodies[candidate.i as usize], &self.bodies[candidate.j as usize]);
+        let (i, j) = (
+            &self.bodies[candidate.i as usize],
+            &self.bodies[candidate.j as usize],
+        );
         Relative {
             shift: i.position - j.position,
             velocity: i.velocity - j.velocity,
@@ -145,13 +148,25 @@ pub fn convex_chunk(
         let moment_i = half * overlap.moment;
         let pressed = Pressed {
             // Same points for both: the moment about j's centroid follows from that about i's.
-            normal: Wrench { force, moment_i, moment_j: -moment_i - relative.shift.perp_dot(force) },
+            normal: Wrench {
+                force,
+                moment_i,
+                moment_j: -moment_i - relative.shift.perp_dot(force),
+            },
             centre: overlap.weighted / overlap.weight,
             length: 0.5 * overlap.chord.length(),
             depth: overlap.depth,
             friction: None,
         };
-        *slot = apply(law, candidate.mass, context, &relative, &pressed, &mut state.contact, works);
+        *slot = apply(
+            law,
+            candidate.mass,
+            context,
+            &relative,
+            &pressed,
+            &mut state.contact,
+            works,
+        );
     }
 }
 
@@ -203,8 +218,15 @@ fn general_pair(
             continue;
         }
         let mut contact = take_matching(&mut room.old, edges);
-        let wrench =
-            apply(law, candidate.mass, context, &relative, &pressed, &mut contact, works);
+        let wrench = apply(
+            law,
+            candidate.mass,
+            context,
+            &relative,
+            &pressed,
+            &mut contact,
+            works,
+        );
         total = total.plus(&wrench);
         state.regions.push(Region { edges, contact });
     }
@@ -249,7 +271,11 @@ fn press(
         chord += sign * (piece.ends[1] - piece.ends[0]);
         let (own, other) = if piece.second { (j, i) } else { (i, j) };
         // From the first centroid to the centroid of the block the piece is inside of.
-        let shift = if piece.second { Vec2::ZERO } else { relative.shift };
+        let shift = if piece.second {
+            Vec2::ZERO
+        } else {
+            relative.shift
+        };
         let normal = own.turned[piece.edge as usize].normal;
         let mut add = |force: f64, x: Vec2, p: Vec2, q: Vec2| {
             let push = -sign * force * normal;
@@ -370,7 +396,16 @@ fn apply(
         }
     };
 
-    book(law, relative, context.elapsed, contact, &pressed.normal, &shear, &damp, works);
+    book(
+        law,
+        relative,
+        context.elapsed,
+        contact,
+        &pressed.normal,
+        &shear,
+        &damp,
+        works,
+    );
     let energy = if contact.shear == 0.0 {
         0.0
     } else {
@@ -398,13 +433,20 @@ fn apply(
 /// The force kept continuous at a hand-over from a bond, fading with slip.
 fn fade_offset(contact: &mut Contact, slip: f64, normal: Vec2, x: Vec2, arm_j: Vec2) -> Wrench {
     let left = (contact.offset_left - slip).max(0.0);
-    contact.offset *= if contact.offset_left > 0.0 { left / contact.offset_left } else { 0.0 };
+    contact.offset *= if contact.offset_left > 0.0 {
+        left / contact.offset_left
+    } else {
+        0.0
+    };
     contact.offset_left = left;
     Wrench::at(contact.offset * normal, x, arm_j)
 }
 
 /// Books the trapezoidal works of the three parts over the elapsed time and remembers the parts.
-#[expect(clippy::too_many_arguments, reason = "the three parts of one contact and what moves them")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the three parts of one contact and what moves them"
+)]
 fn book(
     law: &ContactLaw,
     relative: &Relative,

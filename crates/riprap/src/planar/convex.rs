@@ -85,7 +85,9 @@ fn pieces(own: Side<'_>, other: Side<'_>, shift: Vec2) -> Overlap {
         let k = k as usize;
         let next = if k + 1 == own.turned.len() { 0 } else { k + 1 };
         let (p, q) = (own.turned[k].start, own.turned[next].start);
-        let Some(profile) = envelope(&lines[..count], p, q) else { continue };
+        let Some(profile) = envelope(&lines[..count], p, q) else {
+            continue;
+        };
         if profile.integral <= 0.0 {
             continue;
         }
@@ -169,7 +171,13 @@ fn envelope(lines: &[(f64, Vec2)], p: Vec2, q: Vec2) -> Option<Profile> {
         }
         now = next;
     }
-    Some(Profile { start, end, integral, first_moment, peak })
+    Some(Profile {
+        start,
+        end,
+        integral,
+        first_moment,
+        peak,
+    })
 }
 
 #[cfg(test)]
@@ -198,8 +206,14 @@ mod tests {
 
     fn run(a: Vec<Vec2>, b: Vec<Vec2>) -> Overlap {
         let s = shapes(&[a, b]);
-        let turned: Vec<Turned> =
-            s.edges.iter().map(|e| Turned { start: e.start, normal: e.normal }).collect();
+        let turned: Vec<Turned> = s
+            .edges
+            .iter()
+            .map(|e| Turned {
+                start: e.start,
+                normal: e.normal,
+            })
+            .collect();
         let all: Vec<u16> = (0..8).collect();
         let side = |b: usize| Side {
             edges: s.of(b),
@@ -211,14 +225,22 @@ mod tests {
     }
 
     fn rectangle(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<Vec2> {
-        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec2::new(x, y)).to_vec()
+        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+            .map(|(x, y)| Vec2::new(x, y))
+            .to_vec()
     }
 
     #[test]
     fn flat_contact_has_the_closed_form() {
         let d = 1e-3;
-        let o = run(rectangle(0.0, -d, 1.0, 1.0), rectangle(-5.0, -3.0, 6.0, 0.0));
-        assert!((0.5 * o.force.y - flat_force(1.0, 1.0, d)).abs() < 1e-15, "{o:?}");
+        let o = run(
+            rectangle(0.0, -d, 1.0, 1.0),
+            rectangle(-5.0, -3.0, 6.0, 0.0),
+        );
+        assert!(
+            (0.5 * o.force.y - flat_force(1.0, 1.0, d)).abs() < 1e-15,
+            "{o:?}"
+        );
         assert!(o.force.x.abs() < 1e-15 && o.moment.abs() < 1e-15);
         assert!((o.chord.length() - 2.0).abs() < 1e-2 && (o.depth - d).abs() < 1e-15);
     }
@@ -226,15 +248,27 @@ mod tests {
     #[test]
     fn corner_has_the_closed_form() {
         let (d, h) = (1e-3, 0.5);
-        let corner = vec![Vec2::new(0.0, -d), Vec2::new(h, h - d), Vec2::new(-h, h - d)];
+        let corner = vec![
+            Vec2::new(0.0, -d),
+            Vec2::new(h, h - d),
+            Vec2::new(-h, h - d),
+        ];
         let o = run(corner, rectangle(-5.0, -3.0, 5.0, 0.0));
         let exact = corner_force(1.0, std::f64::consts::FRAC_PI_4, d);
-        assert!((0.5 * o.force.y / exact - 1.0).abs() < 1e-12, "{} {exact}", 0.5 * o.force.y);
+        assert!(
+            (0.5 * o.force.y / exact - 1.0).abs() < 1e-12,
+            "{} {exact}",
+            0.5 * o.force.y
+        );
     }
 
     #[test]
     fn swapping_the_blocks_turns_the_force() {
-        let a = vec![Vec2::new(0.1, -0.02), Vec2::new(0.9, 0.3), Vec2::new(0.2, 0.7)];
+        let a = vec![
+            Vec2::new(0.1, -0.02),
+            Vec2::new(0.9, 0.3),
+            Vec2::new(0.2, 0.7),
+        ];
         let b = rectangle(-0.4, -1.0, 0.6, 0.03);
         let (ab, ba) = (run(a.clone(), b.clone()), run(b, a));
         assert!((ab.force + ba.force).length() <= 1e-15 * ab.force.length());

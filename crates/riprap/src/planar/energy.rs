@@ -23,7 +23,9 @@ pub fn overlap_potential(i: Side<'_>, j: Side<'_>, shift: Vec2, convex: [bool; 2
 }
 
 fn depth_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2, convex: bool) -> f64 {
-    let Some(first) = pieces.first() else { return 0.0 };
+    let Some(first) = pieces.first() else {
+        return 0.0;
+    };
     let apex = first.ends[0] + shift;
     pieces
         .iter()
@@ -44,7 +46,9 @@ fn depth_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2, convex: bool) 
 /// Integral of the smallest depth below the listed lines over a triangle of either orientation.
 fn lowest_line_integral(block: Side<'_>, triangle: &[Vec2; 3]) -> f64 {
     let depth = |m: u16, x: Vec2| {
-        block.turned[m as usize].normal.dot(block.turned[m as usize].start - x)
+        block.turned[m as usize]
+            .normal
+            .dot(block.turned[m as usize].start - x)
     };
     let mut sum = 0.0;
     for (rank, &m) in block.nearest.iter().enumerate() {
@@ -91,7 +95,11 @@ fn clip(polygon: &[Vec2], keep: impl Fn(Vec2) -> f64) -> Vec<Vec2> {
 /// Mean of the signed depth over a triangle, by halving until the rule agrees with itself.
 fn mean_depth(block: Side<'_>, t: &[Vec2; 3], level: u32) -> f64 {
     let at = |x: Vec2| nearest(block, x).depth;
-    let mids = [0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0])];
+    let mids = [
+        0.5 * (t[0] + t[1]),
+        0.5 * (t[1] + t[2]),
+        0.5 * (t[2] + t[0]),
+    ];
     let inner = [
         [t[0], mids[0], mids[2]],
         [mids[0], t[1], mids[1]],
@@ -108,5 +116,9 @@ fn mean_depth(block: Side<'_>, t: &[Vec2; 3], level: u32) -> f64 {
     if level >= 9 || (fine - rule(t)).abs() <= 1e-9 * size {
         return fine;
     }
-    inner.iter().map(|part| mean_depth(block, part, level + 1)).sum::<f64>() / 4.0
+    inner
+        .iter()
+        .map(|part| mean_depth(block, part, level + 1))
+        .sum::<f64>()
+        / 4.0
 }

@@ -24,14 +24,22 @@ impl View<'_> {
     #[must_use]
     pub fn velocity(&self, b: usize) -> Vec2 {
         let v = self.world.bodies[b].velocity;
-        if self.world.last_dt == 0.0 { v } else { v + 0.5 * self.scratch.changes[b].velocity }
+        if self.world.last_dt == 0.0 {
+            v
+        } else {
+            v + 0.5 * self.scratch.changes[b].velocity
+        }
     }
 
     /// Angular velocity of block `b` at the present time, rad/s.
     #[must_use]
     pub fn spin(&self, b: usize) -> f64 {
         let w = self.world.bodies[b].spin;
-        if self.world.last_dt == 0.0 { w } else { w + 0.5 * self.scratch.changes[b].spin }
+        if self.world.last_dt == 0.0 {
+            w
+        } else {
+            w + 0.5 * self.scratch.changes[b].spin
+        }
     }
 
     /// Displacement of the centroid, m.
@@ -87,7 +95,9 @@ impl View<'_> {
     fn ends(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
         let pairs = self.world.pairs.iter().map(|p| (p.i, p.j));
         let general = self.world.general.iter().map(|p| (p.i, p.j));
-        pairs.chain(general).chain(self.world.bonds.iter().map(|b| (b.i, b.j)))
+        pairs
+            .chain(general)
+            .chain(self.world.bonds.iter().map(|b| (b.i, b.j)))
     }
 
     /// Touching found contacts: blocks and state, in slot order.
@@ -106,7 +116,13 @@ impl View<'_> {
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
         let inradius = &self.scratch.shapes.inradius;
         self.contacts()
-            .map(|(i, j, c)| (c.depth / inradius[i as usize].min(inradius[j as usize]), i, j))
+            .map(|(i, j, c)| {
+                (
+                    c.depth / inradius[i as usize].min(inradius[j as usize]),
+                    i,
+                    j,
+                )
+            })
             .max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
@@ -131,7 +147,10 @@ impl View<'_> {
     /// The energy ledger at the present time.
     #[must_use]
     pub fn balance(&self) -> Balance {
-        let mut out = Balance { works: self.world.works, ..Balance::default() };
+        let mut out = Balance {
+            works: self.world.works,
+            ..Balance::default()
+        };
         out.kinetic = self.living().map(|b| self.kinetic(b)).sum();
         out.gravity = -self.world.works.gravity;
         for (_, _, c) in self.contacts() {

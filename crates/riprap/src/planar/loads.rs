@@ -37,7 +37,12 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
                         slot.moment += turn(body(*at)).perp_dot(force);
                     }
                 }
-                LoadKind::Edge { from, to, traction, pressure } => {
+                LoadKind::Edge {
+                    from,
+                    to,
+                    traction,
+                    pressure,
+                } => {
                     let (p, q) = (turn(body(*from)), turn(body(*to)));
                     let along = q - p;
                     // Into the block: the side of the segment on which the centroid lies.

@@ -39,7 +39,10 @@ pub struct Nearest {
 #[must_use]
 pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
     let n = block.turned.len();
-    let mut best = Nearest { depth: f64::NEG_INFINITY, edge: 0 };
+    let mut best = Nearest {
+        depth: f64::NEG_INFINITY,
+        edge: 0,
+    };
     let mut least = f64::INFINITY;
     for &m in block.nearest {
         let m = m as usize;
@@ -47,18 +50,27 @@ pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
         let length = block.edges[m].length;
         let along = normal.perp().dot(x - p);
         let (distance, sign) = if along <= 0.0 {
-            ((x - p).length(), if block.edges[m].reflex { 1.0 } else { -1.0 })
+            (
+                (x - p).length(),
+                if block.edges[m].reflex { 1.0 } else { -1.0 },
+            )
         } else if along >= length {
             let next = (m + 1) % n;
             let corner = block.turned[next].start;
-            ((x - corner).length(), if block.edges[next].reflex { 1.0 } else { -1.0 })
+            (
+                (x - corner).length(),
+                if block.edges[next].reflex { 1.0 } else { -1.0 },
+            )
         } else {
             let depth = normal.dot(p - x);
             (depth.abs(), if depth >= 0.0 { 1.0 } else { -1.0 })
         };
         if distance < least {
             least = distance;
-            best = Nearest { depth: sign * distance, edge: m as u16 };
+            best = Nearest {
+                depth: sign * distance,
+                edge: m as u16,
+            };
         }
     }
     best
@@ -88,14 +100,19 @@ fn collect(
 ) {
     let (n, m) = (own.turned.len(), other.turned.len());
     for &k in own.active {
-        let (p, q) = (own.turned[k as usize].start, own.turned[(k as usize + 1) % n].start);
+        let (p, q) = (
+            own.turned[k as usize].start,
+            own.turned[(k as usize + 1) % n].start,
+        );
         // Ends relative to the other centroid.
         let (p, q) = (p + shift, q + shift);
         cuts.clear();
         cuts.push((0.0, None));
         for &e in other.nearest {
-            let (a, b) =
-                (other.turned[e as usize].start, other.turned[(e as usize + 1) % m].start);
+            let (a, b) = (
+                other.turned[e as usize].start,
+                other.turned[(e as usize + 1) % m].start,
+            );
             let normal = other.turned[e as usize].normal;
             let (dp, dq) = (normal.dot(p - a), normal.dot(q - a));
             if (dp > 0.0) == (dq > 0.0) {
@@ -175,9 +192,7 @@ fn joined(a: &Piece, b: &Piece, edges_i: usize, edges_j: usize) -> bool {
     if a.second == b.second {
         let n = if a.second { edges_j } else { edges_i };
         let follows = |x: &Piece, y: &Piece| {
-            (x.edge as usize + 1) % n == y.edge as usize
-                && x.cut[1].is_none()
-                && y.cut[0].is_none()
+            (x.edge as usize + 1) % n == y.edge as usize && x.cut[1].is_none() && y.cut[0].is_none()
         };
         return follows(a, b) || follows(b, a);
     }

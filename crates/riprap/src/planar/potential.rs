@@ -57,15 +57,36 @@ pub fn parts(
 ) -> ([Linear; 2], usize) {
     let value = |x: Vec2| depth(other, local, reflex, x + shift);
     let [p, q] = piece.ends;
-    let end = |k: usize| if piece.cut[k].is_some() { 0.0 } else { value(piece.ends[k]) };
-    let whole = Linear { p, q, at_p: end(0), at_q: end(1) };
+    let end = |k: usize| {
+        if piece.cut[k].is_some() {
+            0.0
+        } else {
+            value(piece.ends[k])
+        }
+    };
+    let whole = Linear {
+        p,
+        q,
+        at_p: end(0),
+        at_q: end(1),
+    };
     if piece.cut[0].is_some() && piece.cut[1].is_some() {
         let middle = 0.5 * (p + q);
         let at = value(middle);
         return (
             [
-                Linear { p, q: middle, at_p: 0.0, at_q: at },
-                Linear { p: middle, q, at_p: at, at_q: 0.0 },
+                Linear {
+                    p,
+                    q: middle,
+                    at_p: 0.0,
+                    at_q: at,
+                },
+                Linear {
+                    p: middle,
+                    q,
+                    at_p: at,
+                    at_q: 0.0,
+                },
             ],
             2,
         );
@@ -97,5 +118,9 @@ fn depth(block: Side<'_>, local: &[u16], reflex: Reflex, x: Vec2) -> f64 {
         }
         least = least.min(d);
     }
-    if least.is_finite() { least } else { nearest(block, x).depth.max(0.0) }
+    if least.is_finite() {
+        least
+    } else {
+        nearest(block, x).depth.max(0.0)
+    }
 }

@@ -128,7 +128,11 @@ fn place(edges: &[Edge], pose: (Vec2, f64), origin: Vec2) -> Placed {
     let normal: Vec<Vec2> = edges.iter().map(|e| turn(e.normal)).collect();
     Placed {
         start: edges.iter().map(|e| turn(e.start) + shift).collect(),
-        offset: edges.iter().zip(&normal).map(|(e, n)| e.offset + n.dot(shift)).collect(),
+        offset: edges
+            .iter()
+            .zip(&normal)
+            .map(|(e, n)| e.offset + n.dot(shift))
+            .collect(),
         normal,
     }
 }
@@ -136,10 +140,15 @@ fn place(edges: &[Edge], pose: (Vec2, f64), origin: Vec2) -> Placed {
 /// Builds the list from `world.search_pose` and moves the contact states over to it.
 pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) {
     let n = shapes.len();
-    let mut radii: Vec<f64> = (0..n).filter(|&b| world.alive[b]).map(|b| shapes.radius[b]).collect();
+    let mut radii: Vec<f64> = (0..n)
+        .filter(|&b| world.alive[b])
+        .map(|b| shapes.radius[b])
+        .collect();
     radii.sort_by(f64::total_cmp);
     let median = radii.get(radii.len() / 2).copied().unwrap_or(0.0);
-    candidates.margin = (0..n).map(|b| MARGIN * shapes.radius[b].min(2.0 * median)).collect();
+    candidates.margin = (0..n)
+        .map(|b| MARGIN * shapes.radius[b].min(2.0 * median))
+        .collect();
     candidates.reach.clone_from(&shapes.inradius);
     candidates.convex.clear();
     candidates.general.clear();
@@ -172,14 +181,21 @@ fn boxes(world: &World, shapes: &Shapes, margin: &[f64]) -> Vec<Box2> {
                 high = high.max(v);
             }
             let grow = Vec2::splat(margin[b]);
-            Box2 { low: position + low - grow, high: position + high + grow }
+            Box2 {
+                low: position + low - grow,
+                high: position + high + grow,
+            }
         })
         .collect()
 }
 
 fn bonded_pairs(world: &World) -> Vec<(u32, u32)> {
-    let mut pairs: Vec<(u32, u32)> =
-        world.bonds.iter().filter(|b| b.active).map(|b| (b.i, b.j)).collect();
+    let mut pairs: Vec<(u32, u32)> = world
+        .bonds
+        .iter()
+        .filter(|b| b.active)
+        .map(|b| (b.i, b.j))
+        .collect();
     pairs.sort_unstable();
     pairs.dedup();
     pairs
@@ -192,7 +208,10 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
         d.x.max(d.y)
     };
     let living: Vec<usize> = (0..shapes.len()).filter(|&b| alive[b]).collect();
-    let smallest = living.iter().map(|&b| size(b)).fold(f64::INFINITY, f64::min);
+    let smallest = living
+        .iter()
+        .map(|&b| size(b))
+        .fold(f64::INFINITY, f64::min);
     if !smallest.is_finite() || smallest <= 0.0 {
         return Vec::new();
     }
@@ -223,8 +242,9 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
             let (x0, x1) = (low.x.floor() as i64, high.x.floor() as i64);
             for y in low.y.floor() as i64..=high.y.floor() as i64 {
                 let from = grid.partition_point(|&(gy, gx, _)| (gy, gx) < (y, x0));
-                for &(_, _, other) in
-                    grid[from..].iter().take_while(|&&(gy, gx, _)| gy == y && gx <= x1)
+                for &(_, _, other) in grid[from..]
+                    .iter()
+                    .take_while(|&&(gy, gx, _)| gy == y && gx <= x1)
                 {
                     let o = other as usize;
                     if (level == own && o <= b) || !boxes[b].meets(&boxes[o]) {
@@ -275,7 +295,13 @@ fn add_pair(
         }
         counts[2 * side] = (candidates.lists.len() - before) as u16;
         let before = candidates.lists.len();
-        nearest_edges(other, shapes.convex[other_block], &region, gap, &mut candidates.lists);
+        nearest_edges(
+            other,
+            shapes.convex[other_block],
+            &region,
+            gap,
+            &mut candidates.lists,
+        );
         counts[2 * side + 1] = (candidates.lists.len() - before) as u16;
     }
     if counts[0] == 0 || counts[2] == 0 {
@@ -283,7 +309,11 @@ fn add_pair(
         return;
     }
     let inverse = |block: usize| {
-        if is_driven(world.motion[block].as_ref()) { 0.0 } else { 1.0 / shapes.mass[block] }
+        if is_driven(world.motion[block].as_ref()) {
+            0.0
+        } else {
+            1.0 / shapes.mass[block]
+        }
     };
     let (row, inverse_mass) = (row_of(&world.setup, a, b), inverse(a) + inverse(b));
     let candidate = Candidate {
@@ -292,8 +322,14 @@ fn add_pair(
         row,
         counts,
         start: start as u32,
-        mass: if inverse_mass > 0.0 { 1.0 / inverse_mass } else { shapes.mass[a].min(shapes.mass[b]) },
-        longest: longest[0].min(longest[1]).min((region.high - region.low).length()),
+        mass: if inverse_mass > 0.0 {
+            1.0 / inverse_mass
+        } else {
+            shapes.mass[a].min(shapes.mass[b])
+        },
+        longest: longest[0]
+            .min(longest[1])
+            .min((region.high - region.low).length()),
     };
     let law = &world.setup.interfaces[row as usize].contact;
     let fast = shapes.convex[a]
@@ -302,7 +338,11 @@ fn add_pair(
         && counts[3] as usize <= MAX_NEAREST
         && law.normal == NormalLaw::DistancePotential
         && law.friction_law == FrictionLaw::ShearSpring;
-    if fast { candidates.convex.push(candidate) } else { candidates.general.push(candidate) }
+    if fast {
+        candidates.convex.push(candidate)
+    } else {
+        candidates.general.push(candidate)
+    }
     let reach = shapes.inradius[a].min(shapes.inradius[b]);
     for block in [a, b] {
         candidates.reach[block] = candidates.reach[block].min(reach);
@@ -312,16 +352,21 @@ fn add_pair(
 /// Row of the interface table for two blocks.
 #[must_use]
 pub fn row_of(setup: &Setup, a: usize, b: usize) -> u16 {
-    let (ma, mb) = (setup.blocks[a].material as usize, setup.blocks[b].material as usize);
+    let (ma, mb) = (
+        setup.blocks[a].material as usize,
+        setup.blocks[b].material as usize,
+    );
     setup.pair_table[ma * setup.materials.len() + mb]
 }
 
 /// Whether an edge line of a convex `wall` has all of `block` beyond it by more than `gap`.
 fn separated(block: &Placed, wall: &Placed, convex: bool, gap: f64) -> bool {
     convex
-        && wall.normal.iter().zip(&wall.offset).any(|(n, d)| {
-            block.start.iter().all(|p| d - n.dot(*p) < -gap)
-        })
+        && wall
+            .normal
+            .iter()
+            .zip(&wall.offset)
+            .any(|(n, d)| block.start.iter().all(|p| d - n.dot(*p) < -gap))
 }
 
 /// Whether the segment comes within `margin` of the box (conservative).
@@ -347,7 +392,10 @@ fn nearest_edges(wall: &Placed, convex: bool, region: &Box2, gap: f64, list: &mu
         let depth = |m: usize, x: Vec2| wall.offset[m] - wall.normal[m].dot(x);
         for m in 0..n {
             let never = (0..n).any(|k| {
-                k != m && corners.iter().all(|&x| depth(k, x) - depth(m, x) < -2.0 * gap)
+                k != m
+                    && corners
+                        .iter()
+                        .all(|&x| depth(k, x) - depth(m, x) < -2.0 * gap)
             });
             if !never {
                 list.push(m as u16);
@@ -396,7 +444,11 @@ fn carry_states(world: &mut World, candidates: &Candidates) {
             }
             match old.get(at) {
                 Some(state) if (state.i, state.j) == (c.i, c.j) => *state,
-                _ => PairState { i: c.i, j: c.j, ..PairState::default() },
+                _ => PairState {
+                    i: c.i,
+                    j: c.j,
+                    ..PairState::default()
+                },
             }
         })
         .collect();
@@ -411,7 +463,11 @@ fn carry_states(world: &mut World, candidates: &Candidates) {
             }
             match old.get_mut(at) {
                 Some(state) if (state.i, state.j) == (c.i, c.j) => std::mem::take(state),
-                _ => GeneralState { i: c.i, j: c.j, ..GeneralState::default() },
+                _ => GeneralState {
+                    i: c.i,
+                    j: c.j,
+                    ..GeneralState::default()
+                },
             }
         })
         .collect();

@@ -31,7 +31,12 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
         translation[block] += k;
         rotation[block] += k * (arm * arm + length * length / 12.0);
     };
-    let sum = |i: &Interface| (i.contact.normal_stiffness + i.contact.shear_stiffness, i.contact);
+    let sum = |i: &Interface| {
+        (
+            i.contact.normal_stiffness + i.contact.shear_stiffness,
+            i.contact,
+        )
+    };
     for c in candidates.convex.iter().chain(&candidates.general) {
         let (stiffness, law) = sum(&world.setup.interfaces[c.row as usize]);
         let k = stiffness * c.longest * source_factor(&law);
@@ -42,7 +47,9 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
         }
     }
     for bond in world.bonds.iter().filter(|b| b.active) {
-        let Some(law) = &world.setup.interfaces[bond.row as usize].bond else { continue };
+        let Some(law) = &world.setup.interfaces[bond.row as usize].bond else {
+            continue;
+        };
         damping = damping.max(law.damping_ratio);
         for point in &bond.points {
             let k = (law.normal_stiffness + law.shear_stiffness) * point.weight;
@@ -50,7 +57,10 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
             add(bond.j as usize, k, point.on_j.length(), 0.0);
         }
     }
-    let mut worst = Stable { dt: f64::INFINITY, block: None };
+    let mut worst = Stable {
+        dt: f64::INFINITY,
+        block: None,
+    };
     let factor = (1.0 + damping * damping).sqrt() - damping;
     for b in 0..n {
         if !world.alive[b] || is_held(world.motion[b].as_ref()) {
@@ -60,7 +70,10 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
         if squared > 0.0 {
             let dt = 2.0 / squared.sqrt() * factor;
             if dt < worst.dt {
-                worst = Stable { dt, block: Some(b as u32) };
+                worst = Stable {
+                    dt,
+                    block: Some(b as u32),
+                };
             }
         }
     }
@@ -81,5 +94,7 @@ fn arm(world: &World, shapes: &Shapes, c: &Candidate, block: usize) -> f64 {
     let low = |k: usize| world.search_pose[k].0 - Vec2::splat(shapes.radius[k]);
     let high = |k: usize| world.search_pose[k].0 + Vec2::splat(shapes.radius[k]);
     let middle = 0.5 * (low(a).max(low(b)) + high(a).min(high(b)));
-    (middle - world.search_pose[block].0).length().min(shapes.radius[block])
+    (middle - world.search_pose[block].0)
+        .length()
+        .min(shapes.radius[block])
 }

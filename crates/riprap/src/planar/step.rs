@@ -116,7 +116,12 @@ impl World {
             .blocks
             .iter()
             .zip(&shapes.centroid)
-            .map(|(b, &position)| Body { position, velocity: b.velocity, angle: 0.0, spin: b.spin })
+            .map(|(b, &position)| Body {
+                position,
+                velocity: b.velocity,
+                angle: 0.0,
+                spin: b.spin,
+            })
             .collect();
         let mut motion = vec![None; n];
         for support in &setup.supports {
@@ -146,8 +151,12 @@ impl World {
         hold_driven(&mut world);
         let mut candidates = Candidates::default();
         search::rebuild(&mut world, &shapes, &mut candidates);
-        let mut close: Vec<(u32, u32)> =
-            candidates.convex.iter().chain(&candidates.general).map(|c| (c.i, c.j)).collect();
+        let mut close: Vec<(u32, u32)> = candidates
+            .convex
+            .iter()
+            .chain(&candidates.general)
+            .map(|c| (c.i, c.j))
+            .collect();
         close.sort_unstable();
         world.bonds = bond::build(&world.setup, &shapes, &close);
         let scratch = Scratch::new(&mut world, exec);
@@ -215,7 +224,11 @@ impl Scratch {
         };
         for b in 0..n {
             let range = scratch.shapes.range(b);
-            turn(scratch.shapes.of(b), world.bodies[b].angle, &mut scratch.turned[range]);
+            turn(
+                scratch.shapes.of(b),
+                world.bodies[b].angle,
+                &mut scratch.turned[range],
+            );
         }
         scratch.rebuild(world);
         scratch
@@ -232,8 +245,11 @@ impl Scratch {
         search::rebuild(world, &self.shapes, &mut self.candidates);
         bond::set_masses(world, &self.shapes);
         self.laws = world.setup.interfaces.iter().map(|i| i.contact).collect();
-        let (c, g, b) =
-            (self.candidates.convex.len(), self.candidates.general.len(), world.bonds.len());
+        let (c, g, b) = (
+            self.candidates.convex.len(),
+            self.candidates.general.len(),
+            world.bonds.len(),
+        );
         self.slots = vec![Wrench::default(); c + g + b];
         let ends = self
             .candidates
@@ -243,16 +259,24 @@ impl Scratch {
             .map(|c| (c.i, c.j))
             .chain(world.bonds.iter().map(|b| (b.i, b.j)));
         (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
-        let chunks = [c, g, b, self.shapes.len()].into_iter().max().unwrap_or(0).div_ceil(CHUNK);
+        let chunks = [c, g, b, self.shapes.len()]
+            .into_iter()
+            .max()
+            .unwrap_or(0)
+            .div_ceil(CHUNK);
         self.partial = vec![Partial::default(); chunks.max(1)];
-        self.rooms.resize_with(g.div_ceil(CHUNK).max(1), Workspace::default);
+        self.rooms
+            .resize_with(g.div_ceil(CHUNK).max(1), Workspace::default);
         self.stale = false;
         self.rebuilds += 1;
     }
 }
 
 /// Compressed rows of (slot, side) per block, slots ascending.
-fn incidence(blocks: usize, ends: impl Iterator<Item = (u32, u32)> + Clone) -> (Vec<u32>, Vec<u32>) {
+fn incidence(
+    blocks: usize,
+    ends: impl Iterator<Item = (u32, u32)> + Clone,
+) -> (Vec<u32>, Vec<u32>) {
     let mut first = vec![0u32; blocks + 1];
     for (i, j) in ends.clone() {
         first[i as usize + 1] += 1;
@@ -276,7 +300,10 @@ fn turn(edges: &[super::shapes::Edge], angle: f64, turned: &mut [Turned]) {
     let (s, c) = libm::sincos(angle);
     let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
     for (edge, out) in edges.iter().zip(turned) {
-        *out = Turned { start: turn(edge.start), normal: turn(edge.normal) };
+        *out = Turned {
+            start: turn(edge.start),
+            normal: turn(edge.normal),
+        };
     }
 }
 
@@ -336,7 +363,13 @@ fn hand_over(world: &mut World, scratch: &mut Scratch) {
     for bond in &mut world.bonds {
         if bond.gives_way() {
             bond.active = false;
-            handed.push((bond.i, bond.j, bond.compression(), bond.shear(), bond.length));
+            handed.push((
+                bond.i,
+                bond.j,
+                bond.compression(),
+                bond.shear(),
+                bond.length,
+            ));
             world.works.edit_defect -= bond.energy;
             bond.energy = 0.0;
         }
@@ -363,14 +396,21 @@ fn hand_over(world: &mut World, scratch: &mut Scratch) {
             continue;
         }
         let key = (i, j);
-        if let Ok(k) = world.pairs.binary_search_by_key(&key, |p: &PairState| (p.i, p.j)) {
+        if let Ok(k) = world
+            .pairs
+            .binary_search_by_key(&key, |p: &PairState| (p.i, p.j))
+        {
             world.pairs[k].contact = contact;
         } else if let Ok(k) = world.general.binary_search_by_key(&key, |g| (g.i, g.j)) {
-            world.general[k].regions.push(Region { edges: u64::MAX, contact });
+            world.general[k].regions.push(Region {
+                edges: u64::MAX,
+                contact,
+            });
         } else {
             continue;
         }
-        world.works.edit_defect += contact.shear_energy + super::fields::pair_energy(world, scratch, key);
+        world.works.edit_defect +=
+            contact.shear_energy + super::fields::pair_energy(world, scratch, key);
     }
 }
 
@@ -390,10 +430,15 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     );
     scratch.partial.fill(Partial::default());
     let candidates = &scratch.candidates;
-    scratch.exec.chunks2(&mut pairs, convex_slots, &mut scratch.partial, |at, p, s, partial| {
-        let list = &candidates.convex[at..at + p.len()];
-        contact::convex_chunk(&context, list, p, s, &mut partial.arrival);
-    });
+    scratch.exec.chunks2(
+        &mut pairs,
+        convex_slots,
+        &mut scratch.partial,
+        |at, p, s, partial| {
+            let list = &candidates.convex[at..at + p.len()];
+            contact::convex_chunk(&context, list, p, s, &mut partial.arrival);
+        },
+    );
     let mut works = Works::default();
     for partial in &mut scratch.partial {
         works.add(&partial.arrival);
@@ -401,9 +446,11 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     }
     if !general.is_empty() {
         let rooms = &mut scratch.rooms;
-        scratch.exec.chunks2(&mut general, general_slots, rooms, |at, g, s, room| {
-            contact::general_chunk(&context, &candidates.general[at..at + g.len()], g, s, room);
-        });
+        scratch
+            .exec
+            .chunks2(&mut general, general_slots, rooms, |at, g, s, room| {
+                contact::general_chunk(&context, &candidates.general[at..at + g.len()], g, s, room);
+            });
         for room in rooms {
             works.add(&room.works);
         }
@@ -422,17 +469,22 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     let first = world.pairs.len() + world.general.len();
     let slots = &mut scratch.slots[first..];
     scratch.partial.fill(Partial::default());
-    scratch.exec.chunks2(&mut bonds, slots, &mut scratch.partial, |_, b, s, partial| {
-        for (bond, slot) in b.iter_mut().zip(s) {
-            *slot = match &setup.interfaces[bond.row as usize].bond {
-                Some(law) => {
-                    let works = &mut partial.arrival;
-                    bond::force(bond, law, bodies, damping.stiffness, elapsed, works)
-                }
-                None => Wrench::default(),
-            };
-        }
-    });
+    scratch.exec.chunks2(
+        &mut bonds,
+        slots,
+        &mut scratch.partial,
+        |_, b, s, partial| {
+            for (bond, slot) in b.iter_mut().zip(s) {
+                *slot = match &setup.interfaces[bond.row as usize].bond {
+                    Some(law) => {
+                        let works = &mut partial.arrival;
+                        bond::force(bond, law, bodies, damping.stiffness, elapsed, works)
+                    }
+                    None => Wrench::default(),
+                };
+            }
+        },
+    );
     for partial in &scratch.partial {
         world.works.add(&partial.arrival);
     }
@@ -526,14 +578,22 @@ impl Kick<'_> {
 
         // Local damping: a share of the unbalanced force, against the motion.
         let local = self.damping.local;
-        let against = |f: f64, v: f64| if v == 0.0 { 0.0 } else { -local * f.abs() * v.signum() };
-        let drag = Vec2::new(against(force.x, body.velocity.x), against(force.y, body.velocity.y));
+        let against = |f: f64, v: f64| {
+            if v == 0.0 {
+                0.0
+            } else {
+                -local * f.abs() * v.signum()
+            }
+        };
+        let drag = Vec2::new(
+            against(force.x, body.velocity.x),
+            against(force.y, body.velocity.y),
+        );
         let twist = against(moment, body.spin);
         // Mass damping acts on the mean of the velocities before and after (implicit, stable).
         let fade = 0.5 * self.damping.mass * self.span;
-        let kicked = |v: f64, f: f64, m: f64| {
-            ((v * (1.0 - fade) + self.span * f / m) / (1.0 + fade)) - v
-        };
+        let kicked =
+            |v: f64, f: f64, m: f64| ((v * (1.0 - fade) + self.span * f / m) / (1.0 + fade)) - v;
         let mut dv = Vec2::new(
             kicked(body.velocity.x, force.x + drag.x, mass),
             kicked(body.velocity.y, force.y + drag.y, mass),
@@ -541,21 +601,43 @@ impl Kick<'_> {
         let mut dw = kicked(body.spin, moment + twist, inertia);
         let free = (dv, dw);
         if let Some(motion) = motion {
-            (dv, dw) = prescribed(motion, body, self.world.time, self.half[1], self.span, dv, dw);
+            (dv, dw) = prescribed(
+                motion,
+                body,
+                self.world.time,
+                self.half[1],
+                self.span,
+                dv,
+                dw,
+            );
         }
-        *change = Change { velocity: dv, spin: dw };
+        *change = Change {
+            velocity: dv,
+            spin: dw,
+        };
 
         // Works before and after the present time, with the velocity of each half.
         let reaction = if self.span > 0.0 {
-            (mass * (dv - free.0) / self.span, inertia * (dw - free.1) / self.span)
+            (
+                mass * (dv - free.0) / self.span,
+                inertia * (dw - free.1) / self.span,
+            )
         } else {
             (Vec2::ZERO, 0.0)
         };
         let mean = (body.velocity + 0.5 * dv, body.spin + 0.5 * dw);
-        let slow = (-self.damping.mass * mass * mean.0, -self.damping.mass * inertia * mean.1);
+        let slow = (
+            -self.damping.mass * mass * mean.0,
+            -self.damping.mass * inertia * mean.1,
+        );
         for (half, v, w, works) in [
             (self.half[0], body.velocity, body.spin, &mut partial.arrival),
-            (self.half[1], body.velocity + dv, body.spin + dw, &mut partial.departure),
+            (
+                self.half[1],
+                body.velocity + dv,
+                body.spin + dw,
+                &mut partial.departure,
+            ),
         ] {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.force.dot(v) + load.moment * w);
@@ -642,6 +724,9 @@ fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
             }
         },
     );
-    scratch.transit = scratch.partial.iter().fold(f64::INFINITY, |t, p| t.min(p.transit));
+    scratch.transit = scratch
+        .partial
+        .iter()
+        .fold(f64::INFINITY, |t, p| t.min(p.transit));
     scratch.stale |= scratch.partial.iter().any(|p| p.moved);
 }

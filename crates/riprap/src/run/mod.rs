@@ -4,3 +4,4 @@ pub mod bisect;
 pub mod checks;
 pub mod compare;
 pub mod plan;
+pub mod probe;

@@ -1,0 +1,139 @@
+//! Contact forces of a model at its start, without a step.
+
+use serde::Serialize;
+
+use crate::Vec2;
+use crate::dynamics::damping::Damping;
+use crate::exec::Exec;
+use crate::planar::fields::View;
+use crate::planar::setup::Setup;
+use crate::planar::step::{self, NonFinite};
+use crate::planar::world::{World, Wrench};
+
+/// One contact region. Forces are per metre of thickness and act on the first block.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Touch {
+    /// First block.
+    pub first: String,
+    /// Second block.
+    pub second: String,
+    /// Largest depth of a boundary point, m.
+    pub overlap: f64,
+    /// Length of the contact, m.
+    pub length: f64,
+    /// Centre of pressure, global, m.
+    pub centre: [f64; 2],
+    /// Whole force on the first block, N/m.
+    pub force: [f64; 2],
+    /// Size of the normal part, N/m.
+    pub normal_force: f64,
+    /// Size of the rest (friction and damping), N/m.
+    pub other_force: f64,
+    /// Moment on the first block about its centroid, N.
+    pub moment_first: f64,
+    /// Moment on the second block about its centroid, N.
+    pub moment_second: f64,
+}
+
+/// All touching contacts in a fixed order. Joints built with the model carry no force at the
+/// start and are not listed.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn touches(setup: &Setup) -> Result<Vec<Touch>, NonFinite> {
+    let (mut world, mut scratch) = World::new(setup.clone(), Exec::serial());
+    // The forces do not depend on the step; a small one keeps the unused velocity changes finite.
+    step::evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9)?;
+    let view = View {
+        world: &world,
+        scratch: &scratch,
+    };
+    let name = |block: u32| setup.blocks[block as usize].name.clone();
+    let touches = view.contacts().map(|(i, j, contact)| {
+        let other = contact.tangential.plus(&contact.damping);
+        let all: Wrench = contact.normal.plus(&other);
+        let centre: Vec2 =
+            Vec2::from(setup.origin) + world.bodies[i as usize].position + contact.centre;
+        Touch {
+            first: name(i),
+            second: name(j),
+            overlap: contact.depth,
+            length: contact.length,
+            centre: centre.into(),
+            force: all.force.into(),
+            normal_force: contact.normal.force.length(),
+            other_force: other.force.length(),
+            moment_first: all.moment_i,
+            moment_second: all.moment_j,
+        }
+    });
+    Ok(touches.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw};
+    use crate::planar::setup::{BlockSpec, Interface};
+
+    fn square(name: &str, y: f64) -> BlockSpec {
+        let corner = |dx: f64, dy: f64| Vec2::new(dx, y + dy);
+        BlockSpec {
+            name: name.to_owned(),
+            vertices: vec![
+                corner(0.0, 0.0),
+                corner(1.0, 0.0),
+                corner(1.0, 1.0),
+                corner(0.0, 1.0),
+            ],
+            material: 0,
+            density: 1000.0,
+            velocity: Vec2::ZERO,
+            spin: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_block_pressed_into_another_is_pushed_out() {
+        let contact = ContactLaw {
+            normal: NormalLaw::DistancePotential,
+            normal_stiffness: 1e9,
+            shear_stiffness: 5e8,
+            friction: 0.5,
+            cohesion: 0.0,
+            friction_law: FrictionLaw::ShearSpring,
+            damping_ratio: 0.2,
+        };
+        let setup = Setup {
+            origin: [100.0, 0.0],
+            materials: vec!["rock".to_owned()],
+            blocks: vec![
+                square("low", 0.0),
+                square("high", 0.999),
+                square("far", 5.0),
+            ],
+            interfaces: vec![Interface {
+                name: "default".to_owned(),
+                contact,
+                bond: None,
+            }],
+            pair_table: vec![0],
+            ..Setup::default()
+        };
+        let found = touches(&setup).unwrap();
+        assert_eq!(found.len(), 1);
+        let one = &found[0];
+        assert_eq!((one.first.as_str(), one.second.as_str()), ("low", "high"));
+        assert!(
+            (one.overlap - 1e-3).abs() < 1e-12 && (one.length - 1.0).abs() < 1e-3,
+            "{one:?}"
+        );
+        assert!(
+            one.force[1] < 0.0 && one.force[0].abs() < 1e-9 * one.force[1].abs(),
+            "{one:?}"
+        );
+        assert!((one.normal_force + one.force[1]).abs() < 1e-9 * one.normal_force);
+        assert!((one.centre[0] - 100.5).abs() < 1e-6 && (one.centre[1] - 1.0).abs() < 1e-3);
+        assert_eq!(one.other_force, 0.0);
+    }
+}
