@@ -13,10 +13,11 @@ use serde::Deserialize;
 
 use super::quantity::{
     Acceleration, Angle, Any, Density, EnergyPerLength, ForcePerLength, FrictionAngle, HalfAngle,
-    Kind, Length, Modulus, MomentPerLength, Name, Names, NotNegativeAngle, NotNegativeLength,
-    NotNegativePlain, NotNegativeTime, Plain, Poisson, PositiveLength, PositivePlain, PositiveTime,
-    Pressure, Quantity, Rate, Share, ShareBelowOne, Speed, Spin, SpinAcceleration,
-    StiffnessPerArea, Strength, Table, Velocity,
+    Interval, Kind, Length, Modulus, MomentPerLength, Name, Names, NotNegativeAngle,
+    NotNegativeLength, NotNegativePlain, NotNegativeTime, NumberOrKey, Plain, Poisson,
+    PositiveLength, PositivePlain, PositiveTime, Pressure, Quantity, Rate, Raw, Share,
+    ShareBelowOne, Span, Speed, Spin, SpinAcceleration, StiffnessPerArea, Strength, Table,
+    Velocity, When,
 };
 use super::time_function::{CsvFunction, TimeFunction};
 
@@ -745,14 +746,62 @@ pub struct Schedule {
 }
 
 /// An interval: model time (`"1 ms"`), steps (`"10 steps"`), `"1 phase"` or `"never"`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(transparent)]
-pub struct Every(pub Quantity<PositiveTime>);
+#[derive(Debug, Clone, PartialEq)]
+pub struct Every {
+    /// What was written.
+    pub raw: Raw,
+    /// Where.
+    pub span: Span,
+}
+
+impl Every {
+    /// The interval; `Never` where a check reports an error.
+    pub fn read(&self) -> Interval {
+        Interval::read(&self.raw).unwrap_or(Interval::Never)
+    }
+}
 
 /// A moment: model time (`"1.5 s"`), `"start"` or `"end"`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(transparent)]
-pub struct Moment(pub Quantity<NotNegativeTime>);
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moment {
+    /// What was written.
+    pub raw: Raw,
+    /// Where.
+    pub span: Span,
+}
+
+impl Moment {
+    /// The moment; `End` where a check reports an error.
+    pub fn read(&self) -> When {
+        When::read(&self.raw, true).unwrap_or(When::End)
+    }
+}
+
+macro_rules! raw_with_place {
+    ($name:ident, $description:literal) => {
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let raw = toml::Spanned::<Raw>::deserialize(deserializer)?;
+                let span = raw.span();
+                Ok($name { raw: raw.into_inner(), span })
+            }
+        }
+        impl JsonSchema for $name {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({ "type": ["string", "number"], "description": $description })
+            }
+        }
+    };
+}
+
+raw_with_place!(
+    Every,
+    "A time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"."
+);
+raw_with_place!(Moment, "A time (\"1.5 s\"), \"start\" or \"end\".");
 
 /// Search for the value of a key at which the scene begins to fail.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -820,7 +869,7 @@ pub struct Check {
     /// Names for the formula: a number, a value with unit, or a key of the scenario whose SI
     /// value is taken, for example `{ phi = "interfaces.default.friction_angle", g = 9.81 }`.
     #[serde(default, rename = "let")]
-    pub names: Table<Quantity<Any>>,
+    pub names: Table<Quantity<NumberOrKey>>,
     /// Allowed difference as a share of the expected number. With `absolute`, either is enough.
     pub relative: Option<Quantity<NotNegativePlain>>,
     /// Allowed difference, in the unit of the field.

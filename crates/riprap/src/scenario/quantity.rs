@@ -12,7 +12,7 @@ use std::ops::Range;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
 
-use super::units::{self, Dim};
+use super::units::{self, Dim, UnitError};
 
 /// Bytes of the source text.
 pub type Span = Range<usize>;
@@ -117,6 +117,38 @@ const NOT_NEGATIVE: Bounds = Bounds {
 };
 const RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 
+/// The constants of a [`Kind`] as data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KindInfo {
+    /// [`Kind::NAME`]
+    pub name: &'static str,
+    /// [`Kind::DIM`]
+    pub dim: Option<Dim>,
+    /// [`Kind::BOUNDS`]
+    pub bounds: Bounds,
+    /// [`Kind::WHAT`]
+    pub what: &'static str,
+    /// [`Kind::EXAMPLE`]
+    pub example: &'static str,
+}
+
+impl KindInfo {
+    const fn of<K: Kind>() -> Self {
+        KindInfo {
+            name: K::NAME,
+            dim: K::DIM,
+            bounds: K::BOUNDS,
+            what: K::WHAT,
+            example: K::EXAMPLE,
+        }
+    }
+
+    /// The kind of that name.
+    pub fn named(name: &str) -> Option<&'static KindInfo> {
+        KINDS.iter().find(|kind| kind.name == name)
+    }
+}
+
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident: $dim:expr, $bounds:expr, $what:literal, $example:literal;)*) => {$(
         $(#[$doc])*
@@ -137,12 +169,17 @@ macro_rules! kinds {
                 quantity_schema::<$name>()
             }
         }
-    )*};
+    )*
+    /// All kinds.
+    pub const KINDS: &[KindInfo] = &[$(KindInfo::of::<$name>()),*];
+    };
 }
 
 kinds! {
     /// Any dimension; compared later with the unit of a field or key.
     Any: None, ALL, "a quantity", "0.1 m";
+    /// A number, a quantity, or a key of the scenario whose SI value is taken.
+    NumberOrKey: None, ALL, "a number, a value with unit or a key", "9.81";
     /// A number without unit.
     Plain: Some(Dim::NONE), ALL, "a number without unit", "1.0";
     /// A number > 0 without unit.
@@ -229,7 +266,7 @@ impl<K: Kind> Quantity<K> {
 
     /// SI value and dimension without looking at the range. A bare number has dimension `None`:
     /// it is whatever the key expects (allowed when the file says `units = "SI"`).
-    pub fn read(&self) -> Result<(f64, Option<Dim>), units::UnitError> {
+    pub fn read(&self) -> Result<(f64, Option<Dim>), UnitError> {
         match &self.raw {
             Raw::Number(value) => Ok((*value, None)),
             Raw::Text(text) => units::parse(text).map(|(value, dim)| (value, Some(dim))),
@@ -500,6 +537,48 @@ pub enum Interval {
     Never,
 }
 
+impl Interval {
+    /// Reads `"1 ms"`, `"10 steps"`, `"1 phase"` or `"never"`.
+    ///
+    /// # Errors
+    /// Anything else; a time that is not greater than zero.
+    pub fn read(raw: &Raw) -> Result<Self, UnitError> {
+        let help =
+            "write a time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"";
+        let wrong = |message: &str| UnitError {
+            message: message.to_owned(),
+            help: Some(help.to_owned()),
+        };
+        let Raw::Text(text) = raw else {
+            return Err(wrong("a bare number: is it a time or a number of steps?"));
+        };
+        let words: Vec<&str> = text.split_whitespace().collect();
+        match words[..] {
+            ["never"] => Ok(Interval::Never),
+            ["phase"] | ["1", "phase"] => Ok(Interval::Phase),
+            [count, "step" | "steps"] => match count.parse::<u64>() {
+                Ok(count) if count > 0 => Ok(Interval::Steps(count)),
+                _ => Err(wrong(
+                    "the number of steps must be a whole number of at least 1",
+                )),
+            },
+            _ => match units::parse(text) {
+                Ok((time, Dim::TIME)) if time > 0.0 => Ok(Interval::Time(time)),
+                Ok((_, Dim::TIME)) => {
+                    Err(wrong("the time between outputs must be greater than zero"))
+                }
+                Ok((_, Dim::NONE)) => Err(wrong("the unit is missing")),
+                Ok((_, dim)) => Err(wrong(&format!(
+                    "this is {}, an interval is expected",
+                    dim.describe()
+                ))),
+                Err(error) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(error),
+                Err(_) => Err(wrong("this is no interval")),
+            },
+        }
+    }
+}
+
 /// What [`super::language::Moment`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum When {
@@ -509,4 +588,44 @@ pub enum When {
     Start,
     /// After the last step.
     End,
+}
+
+impl When {
+    /// Reads `"1.5 s"`, `"start"` or `"end"`.
+    ///
+    /// # Errors
+    /// Anything else; a negative time.
+    pub fn read(raw: &Raw, bare_is_si: bool) -> Result<Self, UnitError> {
+        let wrong = |message: &str| UnitError {
+            message: message.to_owned(),
+            help: Some("write a time (\"1.5 s\"), \"start\" or \"end\"".to_owned()),
+        };
+        let (time, dim) = match raw {
+            Raw::Number(time) if bare_is_si => (*time, Dim::TIME),
+            Raw::Number(_) => return Err(wrong("the unit is missing")),
+            Raw::Text(text) => match text.trim() {
+                "start" => return Ok(When::Start),
+                "end" => return Ok(When::End),
+                other => units::parse(other).map_err(|error| {
+                    if other.starts_with(|c: char| c.is_ascii_digit()) {
+                        error
+                    } else {
+                        wrong("this is no moment of the run")
+                    }
+                })?,
+            },
+        };
+        if dim == Dim::NONE {
+            Err(wrong("the unit is missing"))
+        } else if dim != Dim::TIME {
+            Err(wrong(&format!(
+                "this is {}, a time is expected",
+                dim.describe()
+            )))
+        } else if !time.is_finite() || time < 0.0 {
+            Err(wrong("a moment of the run is zero or more"))
+        } else {
+            Ok(When::Time(time))
+        }
+    }
 }

@@ -1,4 +1,8 @@
 //! Numbers with units: text -> SI value and dimension.
+//!
+//! A text is a number and a unit expression: factors joined by a space, `*` or `/`, each with an
+//! optional power (`m2`, `m^2`, `m²`, `s^-1`). A `/` divides by the one factor that follows it.
+//! Angles have a dimension of their own, so that an angle is never mistaken for a number.
 
 /// Exponents of kilogram, metre, second and radian.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -7,8 +11,14 @@ pub struct Dim(pub [i8; 4]);
 impl Dim {
     /// Pure number.
     pub const NONE: Dim = Dim([0, 0, 0, 0]);
+    /// kg
+    pub const MASS: Dim = Dim([1, 0, 0, 0]);
     /// m
     pub const LENGTH: Dim = Dim([0, 1, 0, 0]);
+    /// m2
+    pub const AREA: Dim = Dim([0, 2, 0, 0]);
+    /// m3
+    pub const VOLUME: Dim = Dim([0, 3, 0, 0]);
     /// rad
     pub const ANGLE: Dim = Dim([0, 0, 0, 1]);
     /// kg/m3
@@ -31,12 +41,79 @@ impl Dim {
     pub const FORCE: Dim = Dim([1, 1, -2, 0]);
     /// N/m
     pub const FORCE_PER_LENGTH: Dim = Dim([1, 0, -2, 0]);
+    /// J, also N m
+    pub const ENERGY: Dim = Dim([1, 2, -2, 0]);
+    /// W
+    pub const POWER: Dim = Dim([1, 2, -3, 0]);
     /// 1/s
     pub const RATE: Dim = Dim([0, 0, -1, 0]);
+    /// kg m/s
+    pub const MOMENTUM: Dim = Dim([1, 1, -1, 0]);
+
+    /// "a pressure", or the base units of a dimension without a name.
+    pub fn describe(self) -> String {
+        let named = [
+            (Dim::NONE, "a number without unit"),
+            (Dim::MASS, "a mass"),
+            (Dim::LENGTH, "a length"),
+            (Dim::AREA, "an area"),
+            (Dim::VOLUME, "a volume"),
+            (Dim::ANGLE, "an angle"),
+            (Dim::DENSITY, "a density (mass per volume)"),
+            (Dim::PRESSURE, "a pressure (force per area)"),
+            (
+                Dim::STIFFNESS_PER_AREA,
+                "a pressure per length (or unit weight)",
+            ),
+            (Dim::TIME, "a time"),
+            (Dim::VELOCITY, "a velocity"),
+            (Dim::ACCELERATION, "an acceleration"),
+            (Dim::SPIN, "a spin (angle per time)"),
+            (Dim::SPIN_ACCELERATION, "an angular acceleration"),
+            (Dim::FORCE, "a force"),
+            (Dim::FORCE_PER_LENGTH, "a force per length"),
+            (Dim::ENERGY, "an energy or moment"),
+            (Dim::POWER, "a power"),
+            (Dim::RATE, "a rate (1 per time)"),
+            (Dim::MOMENTUM, "a momentum"),
+        ];
+        match named.iter().find(|(dim, _)| *dim == self) {
+            Some((_, name)) => (*name).to_owned(),
+            None => format!("a quantity in {self}"),
+        }
+    }
+
+    fn times(self, other: Dim, power: i32) -> Option<Dim> {
+        let mut exponents = self.0;
+        for (exponent, factor) in exponents.iter_mut().zip(other.0) {
+            let sum = i32::from(*exponent) + i32::from(factor) * power;
+            *exponent = i8::try_from(sum).ok()?;
+        }
+        Some(Dim(exponents))
+    }
+}
+
+impl std::fmt::Display for Dim {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut first = true;
+        for (exponent, unit) in self.0.iter().zip(["kg", "m", "s", "rad"]) {
+            if *exponent != 0 {
+                if !first {
+                    f.write_str(" ")?;
+                }
+                f.write_str(unit)?;
+                if *exponent != 1 {
+                    write!(f, "^{exponent}")?;
+                }
+                first = false;
+            }
+        }
+        if first { f.write_str("1") } else { Ok(()) }
+    }
 }
 
 /// Why a text is no quantity.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnitError {
     /// What is wrong.
     pub message: String,
@@ -44,11 +121,490 @@ pub struct UnitError {
     pub help: Option<String>,
 }
 
+impl UnitError {
+    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
+        UnitError {
+            message: message.into(),
+            help: Some(help.into()),
+        }
+    }
+}
+
+impl std::fmt::Display for UnitError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for UnitError {}
+
+/// A named unit.
+#[derive(Debug, Clone, Copy)]
+pub struct Unit {
+    /// As written.
+    pub name: &'static str,
+    /// SI value of 1.
+    pub factor: f64,
+    /// Dimension.
+    pub dim: Dim,
+    /// Prefixes that may stand before it.
+    prefixes: &'static str,
+}
+
+const DEG: f64 = std::f64::consts::PI / 180.0;
+const TURN: f64 = std::f64::consts::TAU;
+
+const fn unit(name: &'static str, factor: f64, dim: Dim, prefixes: &'static str) -> Unit {
+    Unit {
+        name,
+        factor,
+        dim,
+        prefixes,
+    }
+}
+
+/// Units without prefixes; a prefix is one of `n u µ m c d k M G T` where the unit allows it.
+pub const UNITS: &[Unit] = &[
+    unit("m", 1.0, Dim::LENGTH, "nuµmcdk"),
+    unit("in", 0.0254, Dim::LENGTH, ""),
+    unit("ft", 0.3048, Dim::LENGTH, ""),
+    unit("g", 1e-3, Dim::MASS, "uµmkM"),
+    unit("t", 1e3, Dim::MASS, "k"),
+    unit("lb", 0.453_592_37, Dim::MASS, ""),
+    unit("s", 1.0, Dim::TIME, "nuµm"),
+    unit("min", 60.0, Dim::TIME, ""),
+    unit("h", 3600.0, Dim::TIME, ""),
+    unit("d", 86_400.0, Dim::TIME, ""),
+    unit("day", 86_400.0, Dim::TIME, ""),
+    unit("rad", 1.0, Dim::ANGLE, "umµ"),
+    unit("deg", DEG, Dim::ANGLE, ""),
+    unit("°", DEG, Dim::ANGLE, ""),
+    unit("gon", TURN / 400.0, Dim::ANGLE, ""),
+    unit("turn", TURN, Dim::ANGLE, ""),
+    unit("rev", TURN, Dim::ANGLE, ""),
+    unit("rpm", TURN / 60.0, Dim::SPIN, ""),
+    unit("Hz", 1.0, Dim::RATE, "mkM"),
+    unit("N", 1.0, Dim::FORCE, "uµmkMG"),
+    unit("kgf", 9.806_65, Dim::FORCE, ""),
+    unit("tf", 9_806.65, Dim::FORCE, ""),
+    unit("lbf", 4.448_221_615_260_5, Dim::FORCE, ""),
+    unit("Pa", 1.0, Dim::PRESSURE, "kMGT"),
+    unit("bar", 1e5, Dim::PRESSURE, "mkM"),
+    unit("atm", 101_325.0, Dim::PRESSURE, ""),
+    unit("psi", 6_894.757_293_168_361, Dim::PRESSURE, ""),
+    unit("ksi", 6_894_757.293_168_361, Dim::PRESSURE, ""),
+    unit("J", 1.0, Dim::ENERGY, "uµmkMG"),
+    unit("W", 1.0, Dim::POWER, "mkMG"),
+    unit("l", 1e-3, Dim::VOLUME, "m"),
+    unit("L", 1e-3, Dim::VOLUME, "m"),
+    unit("%", 0.01, Dim::NONE, ""),
+];
+
+fn prefix_factor(prefix: char) -> f64 {
+    match prefix {
+        'n' => 1e-9,
+        'u' | 'µ' => 1e-6,
+        'm' => 1e-3,
+        'c' => 1e-2,
+        'd' => 1e-1,
+        'k' => 1e3,
+        'M' => 1e6,
+        'G' => 1e9,
+        'T' => 1e12,
+        _ => 1.0,
+    }
+}
+
+/// Every unit as it can be written, prefix included.
+pub fn all_names() -> Vec<String> {
+    let mut names = Vec::new();
+    for unit in UNITS {
+        names.push(unit.name.to_owned());
+        names.extend(
+            unit.prefixes
+                .chars()
+                .map(|prefix| format!("{prefix}{}", unit.name)),
+        );
+    }
+    names
+}
+
+fn find_unit(name: &str) -> Option<(f64, Dim)> {
+    if let Some(unit) = UNITS.iter().find(|unit| unit.name == name) {
+        return Some((unit.factor, unit.dim));
+    }
+    let first = name.chars().next()?;
+    let rest = &name[first.len_utf8()..];
+    // The other letter that Unicode has for "micro".
+    let prefix = if first == 'μ' { 'µ' } else { first };
+    UNITS
+        .iter()
+        .find(|unit| unit.name == rest && unit.prefixes.contains(prefix))
+        .map(|unit| (prefix_factor(prefix) * unit.factor, unit.dim))
+}
+
+fn unknown_unit(name: &str) -> UnitError {
+    let names = all_names();
+    let lower = name.to_lowercase();
+    let same_letters = names.iter().find(|known| known.to_lowercase() == lower);
+    let long_form = [
+        ("metre", "m"),
+        ("meter", "m"),
+        ("metres", "m"),
+        ("meters", "m"),
+        ("second", "s"),
+        ("seconds", "s"),
+        ("sec", "s"),
+        ("degree", "deg"),
+        ("degrees", "deg"),
+        ("radian", "rad"),
+        ("radians", "rad"),
+        ("newton", "N"),
+        ("pascal", "Pa"),
+        ("joule", "J"),
+        ("hertz", "Hz"),
+        ("hour", "h"),
+        ("hours", "h"),
+        ("minute", "min"),
+        ("minutes", "min"),
+        ("days", "day"),
+        ("tonne", "t"),
+        ("micron", "um"),
+        ("cps", "Hz"),
+    ]
+    .iter()
+    .find(|(long, _)| *long == lower)
+    .map(|(_, short)| (*short).to_owned());
+    let suggestion = same_letters
+        .cloned()
+        .or(long_form)
+        .or_else(|| super::diagnostic::closest(name, names.iter().map(String::as_str)));
+    match suggestion {
+        Some(known) => UnitError::new(
+            format!("unknown unit `{name}`"),
+            format!("did you mean `{known}`?"),
+        ),
+        None => UnitError::new(
+            format!("unknown unit `{name}`"),
+            "known units are m, mm, kg, t, s, ms, us, deg, rad, N, kN, MN, Pa, kPa, MPa, GPa, J, \
+             Hz, rpm, ... and products such as kg/m3, GPa/m, m/s2",
+        ),
+    }
+}
+
 /// SI value and dimension of a text such as `"16 GPa"`.
+///
+/// # Errors
+/// No number, a number that is not finite, or an unknown or unreadable unit.
 pub fn parse(text: &str) -> Result<(f64, Dim), UnitError> {
-    let _ = text;
-    Err(UnitError {
-        message: "not yet".to_owned(),
-        help: None,
-    })
+    let text = text.trim();
+    if text.len() > 100 {
+        return Err(UnitError::new(
+            "this is too long for a number with a unit",
+            "write for example \"10 MPa\"",
+        ));
+    }
+    let (number, rest) = split_number(text)?;
+    let (factor, dim) = parse_unit(rest.trim())?;
+    let value = number * factor;
+    if value.is_finite() {
+        Ok((value, dim))
+    } else {
+        Err(UnitError::new(
+            "this is not a finite number",
+            "write a finite number",
+        ))
+    }
+}
+
+/// Dimension of a unit expression such as `"N/m"`; `"-"` and the empty text are pure numbers.
+///
+/// # Errors
+/// An unknown or unreadable unit.
+pub fn dimension(unit: &str) -> Result<Dim, UnitError> {
+    if unit == "-" {
+        Ok(Dim::NONE)
+    } else {
+        parse_unit(unit).map(|(_, dim)| dim)
+    }
+}
+
+fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
+    let bytes = text.as_bytes();
+    let digits = |mut at: usize| {
+        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+            at += 1;
+        }
+        at
+    };
+    let start = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let mut end = digits(start);
+    let mut count = end - start;
+    if bytes.get(end) == Some(&b'.') {
+        let fraction = digits(end + 1);
+        count += fraction - end - 1;
+        end = fraction;
+    }
+    if count == 0 {
+        let word: String = text[start..]
+            .chars()
+            .take_while(|c| c.is_alphabetic())
+            .collect::<String>();
+        let lower = word.to_lowercase();
+        if ["nan", "inf", "infinity"].contains(&lower.as_str()) {
+            return Err(UnitError::new(
+                "this is not a finite number",
+                "write a finite number",
+            ));
+        }
+        return Err(UnitError::new(
+            "this does not begin with a number",
+            "a value is a number and a unit, for example \"10 MPa\"",
+        ));
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits(end + 1 + sign);
+        if exponent > end + 1 + sign {
+            end = exponent;
+        }
+    }
+    if bytes.get(end) == Some(&b',') {
+        return Err(UnitError::new(
+            "a comma in a number",
+            "write a decimal point: 1.5, not 1,5",
+        ));
+    }
+    match text[..end].parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok((number, &text[end..])),
+        Ok(_) => Err(UnitError::new(
+            "this is not a finite number",
+            "write a finite number",
+        )),
+        Err(_) => Err(UnitError::new(
+            "this is not a number",
+            "write for example \"10 MPa\"",
+        )),
+    }
+}
+
+fn parse_unit(text: &str) -> Result<(f64, Dim), UnitError> {
+    let mut factor = 1.0;
+    let mut dim = Dim::NONE;
+    let mut rest = text;
+    let mut divide = false;
+    let mut open = false; // an operator waits for its factor
+    loop {
+        rest = rest.trim_start_matches(' ');
+        let Some(first) = rest.chars().next() else {
+            break;
+        };
+        match first {
+            '/' | '*' | '·' => {
+                if open || (first != '/' && rest.len() == text.len()) {
+                    return Err(bad_expression(text));
+                }
+                divide = first == '/';
+                open = true;
+                rest = &rest[first.len_utf8()..];
+                continue;
+            }
+            '1' if !rest[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
+                // "1/s": the one is a factor like any other.
+                rest = &rest[1..];
+                (divide, open) = (false, false);
+                continue;
+            }
+            _ => {}
+        }
+        let end = rest
+            .find(|c: char| !(c.is_alphabetic() || c == '°' || c == '%'))
+            .unwrap_or(rest.len());
+        if end == 0 {
+            return Err(bad_expression(text));
+        }
+        let name = &rest[..end];
+        let (power, after) = split_power(&rest[end..]).ok_or_else(|| bad_expression(text))?;
+        let (unit_factor, unit_dim) = find_unit(name).ok_or_else(|| unknown_unit(name))?;
+        let power = if divide { -power } else { power };
+        factor *= unit_factor.powi(power);
+        dim = dim
+            .times(unit_dim, power)
+            .ok_or_else(|| bad_expression(text))?;
+        (divide, open) = (false, false);
+        rest = after;
+    }
+    if open {
+        Err(bad_expression(text))
+    } else {
+        Ok((factor, dim))
+    }
+}
+
+fn bad_expression(text: &str) -> UnitError {
+    UnitError::new(
+        format!("`{text}` is not a unit"),
+        "a unit is written like \"kg/m3\", \"m/s^2\" or \"kN/m\"; no brackets",
+    )
+}
+
+/// Power after a unit name: `2`, `^2`, `^-2`, `-1`, `²`, `³`; 1 if there is none.
+fn split_power(text: &str) -> Option<(i32, &str)> {
+    for (sign, power) in [("²", 2), ("³", 3), ("⁻¹", -1), ("⁻²", -2)] {
+        if let Some(rest) = text.strip_prefix(sign) {
+            return Some((power, rest));
+        }
+    }
+    let (caret, rest) = match text.strip_prefix('^').or_else(|| text.strip_prefix("**")) {
+        Some(rest) => (true, rest),
+        None => (false, text),
+    };
+    let length = usize::from(rest.starts_with('-'));
+    let digits = rest[length..]
+        .bytes()
+        .take_while(u8::is_ascii_digit)
+        .count();
+    if digits == 0 {
+        return if caret || length == 1 {
+            None
+        } else {
+            Some((1, rest))
+        };
+    }
+    let end = length + digits;
+    let power: i32 = rest[..end].parse().ok()?;
+    (-9..=9).contains(&power).then_some((power, &rest[end..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn converts_a_table_of_values() {
+        let table: &[(&str, f64, Dim)] = &[
+            ("16 GPa", 16e9, Dim::PRESSURE),
+            ("2400 kg/m3", 2400.0, Dim::DENSITY),
+            ("2.4 g/cm3", 2400.0, Dim::DENSITY),
+            ("2.4 t/m^3", 2400.0, Dim::DENSITY),
+            ("2400 kg m-3", 2400.0, Dim::DENSITY),
+            ("300 GPa/m", 300e9, Dim::STIFFNESS_PER_AREA),
+            ("1 MPa/mm", 1e9, Dim::STIFFNESS_PER_AREA),
+            ("26 kN/m3", 26e3, Dim::STIFFNESS_PER_AREA),
+            ("9.81 m/s2", 9.81, Dim::ACCELERATION),
+            ("9.81 m/s^2", 9.81, Dim::ACCELERATION),
+            ("9.81 m/s²", 9.81, Dim::ACCELERATION),
+            ("9.81 m s^-2", 9.81, Dim::ACCELERATION),
+            ("-10 kN/m", -1e4, Dim::FORCE_PER_LENGTH),
+            ("10 us", 1e-5, Dim::TIME),
+            ("10 µs", 1e-5, Dim::TIME),
+            ("10 μs", 1e-5, Dim::TIME),
+            ("10us", 1e-5, Dim::TIME),
+            ("2 min", 120.0, Dim::TIME),
+            ("1 h", 3600.0, Dim::TIME),
+            ("180 deg", std::f64::consts::PI, Dim::ANGLE),
+            ("90°", std::f64::consts::FRAC_PI_2, Dim::ANGLE),
+            ("200 gon", std::f64::consts::PI, Dim::ANGLE),
+            ("5 mrad", 5e-3, Dim::ANGLE),
+            ("60 rpm", TURN, Dim::SPIN),
+            ("1 deg/s", DEG, Dim::SPIN),
+            ("1 rad/s2", 1.0, Dim::SPIN_ACCELERATION),
+            ("5 1/s", 5.0, Dim::RATE),
+            ("5 /s", 5.0, Dim::RATE),
+            ("5 s^-1", 5.0, Dim::RATE),
+            ("2 kHz", 2e3, Dim::RATE),
+            ("1e-5", 1e-5, Dim::NONE),
+            ("5 %", 0.05, Dim::NONE),
+            ("1 J/m", 1.0, Dim::FORCE),
+            ("3 N", 3.0, Dim::FORCE),
+            ("3 N m/m", 3.0, Dim::FORCE),
+            ("3 N*m", 3.0, Dim::ENERGY),
+            ("3 N·m", 3.0, Dim::ENERGY),
+            ("1 kPa", 1e3, Dim::PRESSURE),
+            ("1 bar", 1e5, Dim::PRESSURE),
+            ("1 psi", 6_894.757_293_168_361, Dim::PRESSURE),
+            ("1 N/mm2", 1e6, Dim::PRESSURE),
+            ("1 mm", 1e-3, Dim::LENGTH),
+            ("1 cm", 1e-2, Dim::LENGTH),
+            ("1 ft", 0.3048, Dim::LENGTH),
+            ("1e3 in", 25.4, Dim::LENGTH),
+            ("1E3 m", 1e3, Dim::LENGTH),
+            (".5 m", 0.5, Dim::LENGTH),
+            ("5. m", 5.0, Dim::LENGTH),
+            ("+5 m", 5.0, Dim::LENGTH),
+            ("  5   m  ", 5.0, Dim::LENGTH),
+            ("1 kg m/s", 1.0, Dim::MOMENTUM),
+            ("1 kg*m/s", 1.0, Dim::MOMENTUM),
+            ("3 kW", 3e3, Dim::POWER),
+            ("1 m3", 1.0, Dim::VOLUME),
+            ("1 l", 1e-3, Dim::VOLUME),
+            ("2 cm2", 2e-4, Dim::AREA),
+            ("1 MN/m2", 1e6, Dim::PRESSURE),
+            ("1 kgf/cm2", 98_066.5, Dim::PRESSURE),
+            ("0.5 m/s/s", 0.5, Dim::ACCELERATION),
+            ("4180 kJ/kg", 4.18e6, Dim([0, 2, -2, 0])),
+        ];
+        for (text, value, dim) in table {
+            let (got, got_dim) = parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+            assert_eq!(got_dim, *dim, "{text}");
+            // One or two roundings of the factor.
+            assert!(
+                (got - value).abs() <= 4.0 * f64::EPSILON * value.abs(),
+                "{text}: {got}"
+            );
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_quantity() {
+        let table = [
+            ("", "does not begin with a number"),
+            ("m", "does not begin with a number"),
+            ("--5 m", "does not begin with a number"),
+            ("nan m", "not a finite number"),
+            ("-inf", "not a finite number"),
+            ("1e999 m", "not a finite number"),
+            ("1e308 GPa", "not a finite number"),
+            ("1,5 m", "a comma in a number"),
+            ("1.5.3 m", "is not a unit"),
+            ("5 (m/s)", "is not a unit"),
+            ("5 m/", "is not a unit"),
+            ("5 m//s", "is not a unit"),
+            ("5 *m", "is not a unit"),
+            ("5 m^", "is not a unit"),
+            ("5 m99", "is not a unit"),
+            (
+                "5 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9",
+                "is not a unit",
+            ),
+            ("5 furlong", "unknown unit `furlong`"),
+            ("5 Mpa", "unknown unit `Mpa`"),
+            ("5 6 m", "is not a unit"),
+            ("5 m\0", "is not a unit"),
+        ];
+        for (text, message) in table {
+            let error = parse(text).expect_err(text);
+            assert!(error.message.contains(message), "{text}: {error}");
+        }
+        assert!(parse(&"9".repeat(1000)).is_err());
+    }
+
+    #[test]
+    fn suggests_units() {
+        let help = |text| parse(text).expect_err("unknown").help.unwrap_or_default();
+        assert_eq!(help("5 Mpa"), "did you mean `MPa`?");
+        assert_eq!(help("5 seconds"), "did you mean `s`?");
+        assert_eq!(help("5 degs"), "did you mean `deg`?");
+        assert_eq!(help("5 Gpa/m"), "did you mean `GPa`?");
+        assert!(help("5 furlong").starts_with("known units"));
+    }
+
+    #[test]
+    fn describes_dimensions() {
+        assert_eq!(dimension("N/m").unwrap().describe(), "a force per length");
+        assert_eq!(dimension("-").unwrap(), Dim::NONE);
+        assert_eq!(dimension("kg m").unwrap().describe(), "a quantity in kg m");
+        assert_eq!(dimension("m-4").unwrap().to_string(), "m^-4");
+        assert!(all_names().len() >= 60, "{}", all_names().len());
+    }
 }

@@ -1,0 +1,186 @@
+//! Columns of numbers from a CSV file, with errors that say where and what.
+
+use std::io::Read;
+use std::path::Path;
+
+use super::diagnostic::suggest;
+
+/// Largest CSV file accepted, bytes.
+pub const MAX_CSV_SIZE: u64 = 64 << 20;
+
+/// Columns in the order in which they were asked for; all of the same, non-zero length.
+pub type Columns = Vec<Vec<f64>>;
+
+/// Reads the named columns. The first line that is not empty and does not begin with `#` is the
+/// header.
+///
+/// # Errors
+/// A text for the user: no file, too large, no such column, a cell that is no finite number.
+pub fn csv_columns(path: &Path, names: &[&str]) -> Result<Columns, CsvError> {
+    let shown = path.display();
+    let fail = |message: String, help: Option<String>| CsvError { message, help };
+    let io = |error: std::io::Error| {
+        let help = (error.kind() == std::io::ErrorKind::NotFound)
+            .then(|| "paths are seen from the folder of the scenario file".to_owned());
+        fail(format!("cannot read `{shown}`: {error}"), help)
+    };
+    if path.is_dir() {
+        return Err(fail(format!("`{shown}` is a folder, not a CSV file"), None));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(io)?;
+    if file.metadata().map_err(io)?.len() > MAX_CSV_SIZE {
+        let size = MAX_CSV_SIZE >> 20;
+        return Err(fail(format!("`{shown}` is larger than {size} MiB"), None));
+    }
+    file.take(MAX_CSV_SIZE + 1)
+        .read_to_end(&mut bytes)
+        .map_err(io)?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        fail(
+            format!("`{shown}` is not a text file"),
+            Some("save it as CSV in UTF-8".to_owned()),
+        )
+    })?;
+    read_columns(text.trim_start_matches('\u{feff}'), names)
+        .map_err(|error| fail(format!("`{shown}`: {}", error.message), error.help))
+}
+
+/// Why a CSV file could not be used.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct CsvError {
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+/// Reads the named columns of a text.
+///
+/// # Errors
+/// As [`csv_columns`].
+pub fn read_columns(text: &str, names: &[&str]) -> Result<Columns, CsvError> {
+    let fail = |message: String, help: Option<&str>| CsvError {
+        message,
+        help: help.map(str::to_owned),
+    };
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let header = reader
+        .headers()
+        .map_err(|error| fail(error.to_string(), None))?
+        .clone();
+    if header.is_empty() || header.iter().all(str::is_empty) {
+        return Err(fail(
+            "the file is empty".to_owned(),
+            Some("the first line names the columns, for example `t_s,a_m_s2`"),
+        ));
+    }
+    let mut at = Vec::new();
+    for name in names {
+        match header.iter().position(|column| column == *name) {
+            Some(index) => at.push(index),
+            None => {
+                let only: Vec<&str> = header.iter().collect();
+                let help = if only.len() == 1 && (only[0].contains(';') || only[0].contains('\t')) {
+                    Some("separate the columns with commas".to_owned())
+                } else if only.iter().all(|cell| cell.parse::<f64>().is_ok()) {
+                    Some("the first line must name the columns".to_owned())
+                } else {
+                    let known = super::values::short(&only.join(", "));
+                    suggest(name, only.iter().copied().filter(|c| c.len() < 60)).map(|help| {
+                        if help.starts_with("did") {
+                            format!("{help} the columns are {known}")
+                        } else {
+                            help
+                        }
+                    })
+                };
+                return Err(CsvError {
+                    message: format!("there is no column `{name}`"),
+                    help,
+                });
+            }
+        }
+    }
+    let mut columns: Columns = vec![Vec::new(); names.len()];
+    for record in reader.records() {
+        let record = record.map_err(|error| {
+            let line = error.position().map_or(0, csv::Position::line);
+            fail(
+                format!("line {line} does not have as many cells as the header"),
+                Some("every line needs one cell for each column"),
+            )
+        })?;
+        let line = record.position().map_or(0, csv::Position::line);
+        for ((column, index), name) in columns.iter_mut().zip(&at).zip(names) {
+            let cell = record.get(*index).unwrap_or_default();
+            let bad = |what: &str| {
+                let cell = super::values::short(cell);
+                fail(
+                    format!("line {line}, column `{name}`: \"{cell}\" is not {what}"),
+                    None,
+                )
+            };
+            let number: f64 = cell.parse().map_err(|_| bad("a number"))?;
+            if !number.is_finite() {
+                return Err(bad("a finite number"));
+            }
+            column.push(number);
+        }
+    }
+    if columns.iter().any(Vec::is_empty) {
+        return Err(fail(
+            "there are no lines of numbers under the header".to_owned(),
+            None,
+        ));
+    }
+    Ok(columns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(text: &str) -> String {
+        let error = read_columns(text, &["t_s", "a"]).unwrap_err();
+        format!("{error} | {}", error.help.clone().unwrap_or_default())
+    }
+
+    #[test]
+    fn reads_columns_in_order() {
+        let text = "# recorded somewhere\n\na, t_s ,x\n1,0,z\n2,1e-1,z\n";
+        assert_eq!(
+            read_columns(text, &["t_s", "a"]).unwrap(),
+            [[0.0, 0.1], [1.0, 2.0]]
+        );
+    }
+
+    #[test]
+    fn says_what_is_wrong() {
+        assert!(error("").contains("empty"));
+        assert!(error("# only a comment\n").contains("empty"));
+        assert!(error("t_s,b\n1,2\n").contains("no column `a`"));
+        assert!(error("t_s;a\n1;2\n").contains("separate the columns with commas"));
+        assert!(error("0,1\n1,2\n").contains("must name the columns"));
+        assert!(error("t_s,a\n").contains("no lines"));
+        assert!(error("t_s,a\n1,x\n").contains("line 2, column `a`: \"x\" is not a number"));
+        assert!(
+            error("t_s,a\n1,2\n1,nan\n").contains("line 3"),
+            "{}",
+            error("t_s,a\n1,2\n1,nan\n")
+        );
+        assert!(error("t_s,a\n1\n").contains("line 2"));
+        assert!(error("t_s,a\n\"1,2\n").contains("line 2"));
+    }
+
+    #[test]
+    fn names_a_missing_file() {
+        let error = csv_columns(Path::new("/nowhere/x.csv"), &["a"]).unwrap_err();
+        assert!(error.message.contains("/nowhere/x.csv"));
+        assert!(csv_columns(&std::env::temp_dir(), &["a"]).is_err());
+    }
+}

@@ -1,0 +1,258 @@
+//! Names that refer to something: materials, blocks, groups, interfaces, variants, keys.
+
+use std::collections::BTreeMap;
+
+use toml::de::DeTable;
+
+use super::diagnostic::{Diagnostic, suggest};
+use super::language::{Block, Geometry, Output, Scenario, Target};
+use super::load::key_si;
+use super::quantity::{Name, Names, Raw};
+use super::values::short;
+
+/// What stands for nothing, or twice.
+pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Diagnostic>) {
+    let mut references = References {
+        scenario,
+        groups: Vec::new(),
+        found,
+    };
+    references.unique();
+    references.materials();
+    references.targets();
+    references.checks(root);
+}
+
+struct References<'a> {
+    scenario: &'a Scenario,
+    groups: Vec<&'a str>,
+    found: &'a mut Vec<Diagnostic>,
+}
+
+/// Whether a `[[blocks]]` entry makes blocks called name.1, name.2, ...
+pub fn is_generator(block: &Block) -> bool {
+    block.copies.is_some()
+        || match block.geometry() {
+            Some(Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_)) | None => {
+                false
+            }
+            Some(
+                Geometry::Wall(_)
+                | Geometry::Arch(_)
+                | Geometry::Cut(_)
+                | Geometry::Voronoi(_)
+                | Geometry::Pour(_),
+            ) => true,
+        }
+}
+
+impl<'a> References<'a> {
+    fn unknown<'b>(
+        &mut self,
+        what: &str,
+        name: &Name,
+        known: impl IntoIterator<Item = &'b str> + Clone,
+    ) {
+        let mut diagnostic = Diagnostic::error(
+            "name.unknown",
+            format!("there is no {what} `{}`", short(&name.text)),
+        )
+        .at(name.span.clone());
+        diagnostic.help = suggest(&name.text, known);
+        self.found.push(diagnostic);
+    }
+
+    fn twice<'b>(&mut self, what: &str, names: impl Iterator<Item = &'b Name>) {
+        let mut seen: BTreeMap<&str, ()> = BTreeMap::new();
+        for name in names {
+            if seen.insert(name.as_str(), ()).is_some() {
+                let message = format!("there are two {what} called `{}`", short(&name.text));
+                self.found.push(
+                    Diagnostic::error("name.twice", message)
+                        .at(name.span.clone())
+                        .help("give each its own name"),
+                );
+            }
+        }
+    }
+
+    fn unique(&mut self) {
+        let scenario = self.scenario;
+        self.twice("blocks", scenario.blocks.iter().map(|block| &block.name));
+        self.twice("phases", scenario.phases.iter().map(|phase| &phase.name));
+        self.twice("checks", scenario.checks.iter().map(|check| &check.name));
+        let histories = scenario.outputs.iter().filter_map(|output| match output {
+            Output::History(history) => Some(&history.name),
+            Output::Frames(_) | Output::Checkpoints(_) => None,
+        });
+        self.twice("histories", histories);
+        let mut pairs: Vec<(&Name, [&str; 2])> = Vec::new();
+        for (name, interface) in scenario.interfaces.iter() {
+            let Some([a, b]) = &interface.between else {
+                continue;
+            };
+            let mut pair = [a.as_str(), b.as_str()];
+            pair.sort_unstable();
+            if let Some((first, _)) = pairs.iter().find(|(_, other)| *other == pair) {
+                let message = format!(
+                    "interfaces.{first} and interfaces.{name} are between the same materials"
+                );
+                self.found.push(
+                    Diagnostic::error("name.twice", message)
+                        .at(name.span.clone())
+                        .help("keep one of them"),
+                );
+            }
+            pairs.push((name, pair));
+        }
+    }
+
+    fn materials(&mut self) {
+        let scenario = self.scenario;
+        let known: Vec<&str> = scenario.materials.names().collect();
+        let between = scenario
+            .interfaces
+            .iter()
+            .filter_map(|(_, one)| one.between.as_ref());
+        let used = scenario
+            .blocks
+            .iter()
+            .map(|block| &block.material)
+            .chain(between.flatten());
+        for name in used {
+            if !known.contains(&name.as_str()) {
+                self.unknown("material", name, known.iter().copied());
+            }
+        }
+    }
+
+    /// Names of blocks as written; generated ones are known by their generator.
+    fn is_block(&self, name: &str) -> bool {
+        self.scenario.blocks.iter().any(|block| {
+            block.name.text == name
+                || (is_generator(block)
+                    && name
+                        .strip_prefix(block.name.as_str())
+                        .and_then(|rest| rest.strip_prefix('.'))
+                        .is_some_and(|number| number.parse::<u32>().is_ok_and(|n| n > 0)))
+        })
+    }
+
+    fn is_group(&self, name: &str) -> bool {
+        self.groups.contains(&name)
+    }
+
+    fn block(&mut self, name: &Name) {
+        if !self.is_block(name.as_str()) {
+            let known: Vec<&str> = self
+                .scenario
+                .blocks
+                .iter()
+                .map(|block| block.name.as_str())
+                .collect();
+            self.unknown("block", name, known);
+        }
+    }
+
+    fn block_or_group(&mut self, name: &Name) {
+        if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
+            let mut known: Vec<&str> = self
+                .scenario
+                .blocks
+                .iter()
+                .map(|block| block.name.as_str())
+                .collect();
+            known.extend(self.groups.iter().copied());
+            known.dedup();
+            self.unknown("block or group", name, known);
+        }
+    }
+
+    fn target(&mut self, target: &Target) {
+        match target {
+            Target::Block(name) => self.block(name),
+            Target::Blocks(names) => {
+                for name in names {
+                    self.block(name);
+                }
+            }
+            Target::Group(name) => {
+                if !self.is_group(name.as_str()) && !self.is_block(name.as_str()) {
+                    let known = self.groups.clone();
+                    self.unknown("group", name, known);
+                }
+            }
+        }
+    }
+
+    fn of(&mut self, names: Option<&Names>) {
+        for name in names.iter().flat_map(|names| &names.0) {
+            self.block_or_group(name);
+        }
+    }
+
+    fn targets(&mut self) {
+        let scenario = self.scenario;
+        for block in &scenario.blocks {
+            self.groups.push(block.name.as_str());
+            self.groups.extend(block.groups.iter().map(Name::as_str));
+        }
+        self.groups.sort_unstable();
+        self.groups.dedup();
+        for support in &scenario.supports {
+            self.target(&support.on);
+        }
+        for load in &scenario.loads {
+            self.target(&load.on);
+        }
+        let interfaces: Vec<&str> = scenario.interfaces.names().collect();
+        for phase in &scenario.phases {
+            for name in phase.remove.iter().chain(&phase.fix).chain(&phase.release) {
+                self.block_or_group(name);
+            }
+            for (name, _) in phase.interfaces.iter() {
+                if !interfaces.contains(&name.as_str()) {
+                    self.unknown("interface", name, interfaces.iter().copied());
+                }
+            }
+        }
+        for output in &scenario.outputs {
+            match output {
+                Output::History(history) => self.of(history.of.as_ref()),
+                Output::Frames(_) | Output::Checkpoints(_) => {}
+            }
+        }
+        if let Some(bisect) = &scenario.bisect {
+            self.of(bisect.fails_when.of.as_ref());
+        }
+    }
+
+    fn checks(&mut self, root: &DeTable<'_>) {
+        let scenario = self.scenario;
+        for check in &scenario.checks {
+            self.of(check.of.as_ref());
+            for name in &check.only {
+                if name.as_str() != "default" && scenario.variants.get(name.as_str()).is_none() {
+                    let known: Vec<&str> = scenario
+                        .variants
+                        .names()
+                        .chain(std::iter::once("default"))
+                        .collect();
+                    self.unknown("variant", name, known);
+                }
+            }
+            for (name, value) in check.names.iter() {
+                let Raw::Text(key) = &value.raw else { continue };
+                let is_key = key.starts_with(|c: char| c.is_alphabetic()) && key.contains('.');
+                if is_key && let Err(reason) = key_si(root, key) {
+                    let message = format!("`{name}` in `let`: {reason}");
+                    self.found.push(
+                        Diagnostic::error("key.path", message)
+                            .at(value.span.clone())
+                            .help("name a key of this file whose value is a number"),
+                    );
+                }
+            }
+        }
+    }
+}

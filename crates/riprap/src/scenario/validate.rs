@@ -1,0 +1,444 @@
+//! The text against the schema: unknown and missing keys, wrong types, wrong words, and every
+//! quantity with its unit and range. Collects everything that is wrong, with its place.
+//!
+//! The parser's own errors stop at the first; here the user sees all of them at once. What the
+//! schema cannot say (one of several keys, references between tables) is in [`super::rules`].
+
+use serde_json::Value;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use super::diagnostic::{Diagnostic, list, suggest};
+use super::path::resolve;
+use super::quantity::{Interval, KindInfo, Raw, Span, When};
+use super::schema::{Node, description, takes};
+use super::units;
+use super::values::{assignment, check_quantity, short};
+
+/// More remarks than this help nobody.
+const MOST: usize = 50;
+
+/// Everything that is wrong with a parsed text.
+pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> Vec<Diagnostic> {
+    let table = root.get_ref();
+    let si = table
+        .get("units")
+        .and_then(|units| units.get_ref().as_str())
+        == Some("SI");
+    let mut walk = Walk {
+        si,
+        path: Vec::new(),
+        found: Vec::new(),
+    };
+    let place = 0..0;
+    walk.object(table, &place, Node::root());
+    walk.changes(table);
+    walk.found
+}
+
+struct Walk {
+    si: bool,
+    path: Vec<String>,
+    found: Vec<Diagnostic>,
+}
+
+impl Walk {
+    fn report(&mut self, diagnostic: Diagnostic) {
+        if self.found.len() < MOST {
+            self.found.push(diagnostic);
+        }
+    }
+
+    /// The innermost key with a name, for "write for example key = ...".
+    fn key(&self) -> &str {
+        self.path
+            .iter()
+            .rev()
+            .map(String::as_str)
+            .find(|word| !word.starts_with(|c: char| c.is_ascii_digit()))
+            .unwrap_or("value")
+    }
+
+    fn here(&self) -> String {
+        if self.path.is_empty() {
+            "the scenario".to_owned()
+        } else {
+            self.path.join(".")
+        }
+    }
+
+    /// Keys and values of `sweep`, `variants`, `bisect` and `when`.
+    fn changes(&mut self, root: &DeTable<'_>) {
+        let table = |name: &str| root.get(name).and_then(|value| value.get_ref().as_table());
+        for (key, values) in table("sweep").into_iter().flatten() {
+            let values = values.get_ref().as_array();
+            if values.is_some_and(|values| values.is_empty()) {
+                let message = format!("the sweep over `{}` has no values", short(key.get_ref()));
+                self.report(Diagnostic::error("sweep.empty", message).at(key.span()));
+            }
+            self.change(root, key, values.into_iter().flatten());
+        }
+        for (_, variant) in table("variants").into_iter().flatten() {
+            for (key, value) in variant.get_ref().as_table().into_iter().flatten() {
+                self.change(root, key, std::iter::once(value));
+            }
+        }
+        if let Some(bisect) = table("bisect") {
+            let ends = ["low", "high"].iter().filter_map(|end| bisect.get(*end));
+            if let Some(key) = bisect.get("key")
+                && let Some(text) = key.get_ref().as_str()
+            {
+                let key = Spanned::new(key.span(), text.into());
+                self.change(root, &key, ends);
+            }
+        }
+        let checks = root
+            .get("checks")
+            .and_then(|checks| checks.get_ref().as_array());
+        for check in checks.into_iter().flatten() {
+            let when = check
+                .get_ref()
+                .get("when")
+                .and_then(|when| when.get_ref().as_table());
+            for (key, values) in when.into_iter().flatten() {
+                let values = values.get_ref().as_array();
+                self.change(root, key, values.into_iter().flatten());
+            }
+        }
+    }
+
+    fn change<'a, 'i: 'a>(
+        &mut self,
+        root: &DeTable<'_>,
+        key: &Spanned<DeString<'_>>,
+        values: impl Iterator<Item = &'a Spanned<DeValue<'i>>>,
+    ) {
+        let path = key.get_ref().as_ref();
+        match resolve(root, path) {
+            Ok(place) => {
+                let outer = std::mem::replace(&mut self.path, vec![path.to_owned()]);
+                for value in values {
+                    self.node(value, place.node);
+                }
+                self.path = outer;
+            }
+            Err(error) => {
+                let mut diagnostic = Diagnostic::error("key.path", error.message).at(key.span());
+                diagnostic.help = error.help;
+                self.report(diagnostic);
+            }
+        }
+    }
+
+    fn value(&mut self, value: &Spanned<DeValue<'_>>, schema: &'static Value) {
+        self.node(value, Node::resolve(schema));
+    }
+
+    fn node(&mut self, value: &Spanned<DeValue<'_>>, node: Node) {
+        let span = value.span();
+        if node.value.is_boolean() {
+            return; // any value
+        }
+        if let Some(kind) = node.kind() {
+            return self.quantity(value, kind);
+        }
+        match node.type_name {
+            Some("Every") => return self.interval(value),
+            Some("Moment") => return self.moment(value),
+            _ => {}
+        }
+        if let Some(alternatives) = node.value.get("anyOf").and_then(Value::as_array) {
+            let json_type = json_type(value.get_ref());
+            let fitting = alternatives.iter().find(|one| {
+                Node::resolve(one).allows(json_type) // by the outer type only
+            });
+            return match fitting {
+                Some(one) => self.value(value, one),
+                None => self.wrong_type(value, node),
+            };
+        }
+        let words = node.words();
+        if !words.is_empty() {
+            let words: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+            return self.word(value, &words, node);
+        }
+        let variants = node.variants();
+        if !variants.is_empty() {
+            return self.variant(value, node);
+        }
+        match value.get_ref() {
+            DeValue::Table(table) if node.allows("object") => self.object(table, &span, node),
+            DeValue::Array(items) if node.allows("array") => {
+                self.count(items.len(), &span, node);
+                if let Some(schema) = node.value.get("items") {
+                    for (index, item) in items.iter().enumerate() {
+                        let name = item
+                            .get_ref()
+                            .get("name")
+                            .and_then(|n| n.get_ref().as_str());
+                        self.path
+                            .push(name.map_or_else(|| index.to_string(), str::to_owned));
+                        self.value(item, schema);
+                        self.path.pop();
+                    }
+                }
+            }
+            DeValue::Integer(_) if node.allows("integer") => self.integer(value, node),
+            other => {
+                if !node.allows(json_type(other)) {
+                    self.wrong_type(value, node);
+                }
+            }
+        }
+    }
+
+    fn object(&mut self, table: &DeTable<'_>, span: &Span, node: Node) {
+        let free = node.free_values();
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            let fixed = node.properties().find(|(known, _)| *known == name);
+            match fixed.map(|(_, schema)| schema).or(free) {
+                Some(schema) => {
+                    self.path.push(name.to_owned());
+                    self.value(value, schema);
+                    self.path.pop();
+                }
+                None => {
+                    let help = suggest(name, node.properties().map(|(known, _)| known));
+                    let mut diagnostic = Diagnostic::error(
+                        "key.unknown",
+                        format!("unknown key `{}` in {}", short(name), self.here()),
+                    )
+                    .at(key.span())
+                    .label("not a key of this table");
+                    diagnostic.help = help;
+                    self.report(diagnostic);
+                }
+            }
+        }
+        for key in node.required().filter(|key| !table.contains_key(*key)) {
+            let schema = node.properties().find(|(known, _)| *known == key);
+            let target = schema.map(|(_, schema)| Node::resolve(schema));
+            let meaning = schema.map(|(_, schema)| first_sentence(description(schema)));
+            let help = match (target.and_then(Node::kind), meaning) {
+                (Some(kind), _) => format!("write for example {}", assignment(key, kind.example)),
+                (None, Some(meaning)) if !meaning.is_empty() => format!("{key}: {meaning}"),
+                _ => format!("add `{key}`"),
+            };
+            let diagnostic = Diagnostic::error(
+                "key.missing",
+                format!("the key `{key}` is missing in {}", self.here()),
+            )
+            .at(span.clone())
+            .help(help);
+            self.report(diagnostic);
+        }
+    }
+
+    fn count(&mut self, count: usize, span: &Span, node: Node) {
+        let bound = |key: &str| node.value.get(key).and_then(Value::as_u64);
+        let low = bound("minItems").unwrap_or(0);
+        let high = bound("maxItems").unwrap_or(u64::MAX);
+        let count = count as u64;
+        if count < low || count > high {
+            let message = format!("`{}` is a list of {low}, this one has {count}", self.key());
+            let help = format!("write {}", takes(node));
+            self.report(
+                Diagnostic::error("value.count", message)
+                    .at(span.clone())
+                    .help(help),
+            );
+        }
+    }
+
+    fn integer(&mut self, value: &Spanned<DeValue<'_>>, node: Node) {
+        let DeValue::Integer(written) = value.get_ref() else {
+            return;
+        };
+        let bound = |key: &str| node.value.get(key).and_then(Value::as_f64);
+        let number = i64::from_str_radix(written.as_str(), written.radix()).ok();
+        let low = bound("minimum").unwrap_or(i64::MIN as f64);
+        let format_high = match node.value.get("format").and_then(Value::as_str) {
+            Some("uint32") => f64::from(u32::MAX),
+            _ => i64::MAX as f64,
+        };
+        let high = bound("maximum").unwrap_or(format_high);
+        if number.is_none_or(|number| (number as f64) < low || number as f64 > high) {
+            let message = format!("`{}` is out of range", self.key());
+            let help = format!("a whole number from {low} to {high} is expected");
+            self.report(
+                Diagnostic::error("value.range", message)
+                    .at(value.span())
+                    .help(help),
+            );
+        }
+    }
+
+    fn word(&mut self, value: &Spanned<DeValue<'_>>, words: &[&'static str], node: Node) {
+        let Some(word) = value.get_ref().as_str() else {
+            return self.wrong_type(value, node);
+        };
+        if !words.contains(&word) {
+            let message = format!("`{}` cannot be \"{}\"", self.key(), short(word));
+            let mut diagnostic = Diagnostic::error("value.word", message)
+                .at(value.span())
+                .label(format!("one of {} is expected", list(words)));
+            diagnostic.help = suggest(word, words.iter().copied());
+            self.report(diagnostic);
+        }
+    }
+
+    fn variant(&mut self, value: &Spanned<DeValue<'_>>, node: Node) {
+        let variants = node.variants();
+        let keys: Vec<&'static str> = variants.iter().map(|(key, _, _)| *key).collect();
+        let DeValue::Table(table) = value.get_ref() else {
+            return self.wrong_type(value, node);
+        };
+        let mut known = 0;
+        for (key, inner) in table {
+            let name = key.get_ref().as_ref();
+            if let Some((_, schema, _)) = variants.iter().find(|(known, _, _)| *known == name) {
+                known += 1;
+                if known == 2 {
+                    let message = format!("{} takes only one of {}", self.here(), list(&keys));
+                    self.report(
+                        Diagnostic::error("key.one_of", message)
+                            .at(key.span())
+                            .label("one too many")
+                            .help("keep one and remove the others"),
+                    );
+                }
+                self.path.push(name.to_owned());
+                self.value(inner, schema);
+                self.path.pop();
+            } else {
+                known += 2; // said enough about this table
+                let message = format!("unknown key `{}` in {}", short(name), self.here());
+                let mut diagnostic = Diagnostic::error("key.unknown", message)
+                    .at(key.span())
+                    .label(format!("one of {} is expected", list(&keys)));
+                diagnostic.help = suggest(name, keys.iter().copied());
+                self.report(diagnostic);
+            }
+        }
+        if table.is_empty() {
+            let message = format!("{} is empty", self.here());
+            self.report(
+                Diagnostic::error("key.one_of", message)
+                    .at(value.span())
+                    .help(format!("give one of {}", list(&keys))),
+            );
+        }
+    }
+
+    fn wrong_type(&mut self, value: &Spanned<DeValue<'_>>, node: Node) {
+        let message = format!("`{}` cannot be {}", self.key(), type_text(value.get_ref()));
+        let expected = takes(node);
+        let mut diagnostic = Diagnostic::error("value.type", message)
+            .at(value.span())
+            .label(format!(
+                "{} is expected",
+                expected.split(", for example").next().unwrap_or("")
+            ));
+        if let Some((_, example)) = expected.split_once("for example ") {
+            diagnostic.help = Some(format!("write for example {} = {example}", self.key()));
+        }
+        self.report(diagnostic);
+    }
+
+    fn raw(value: &DeValue<'_>) -> Option<Raw> {
+        match value {
+            DeValue::String(text) => Some(Raw::Text(text.to_string())),
+            DeValue::Integer(number) => {
+                // Too many digits: reported as not finite.
+                let number = i64::from_str_radix(number.as_str(), number.radix())
+                    .map_or(f64::INFINITY, |number| number as f64);
+                Some(Raw::Number(number))
+            }
+            DeValue::Float(number) => number.as_str().parse().ok().map(Raw::Number),
+            DeValue::Boolean(_) | DeValue::Datetime(_) | DeValue::Array(_) | DeValue::Table(_) => {
+                None
+            }
+        }
+    }
+
+    fn quantity(&mut self, value: &Spanned<DeValue<'_>>, kind: &KindInfo) {
+        let Some(raw) = Self::raw(value.get_ref()) else {
+            let message = format!("`{}` cannot be {}", self.key(), type_text(value.get_ref()));
+            let help = format!("write for example {}", assignment(self.key(), kind.example));
+            return self.report(
+                Diagnostic::error("value.type", message)
+                    .at(value.span())
+                    .label(format!("{} is expected", kind.what))
+                    .help(help),
+            );
+        };
+        if let Some(diagnostic) = check_quantity(&raw, value.span(), kind, self.key(), self.si) {
+            self.report(diagnostic);
+        }
+    }
+
+    fn interval(&mut self, value: &Spanned<DeValue<'_>>) {
+        let result = Self::raw(value.get_ref()).map(|raw| Interval::read(&raw));
+        self.text_with_time(value, result.map(Result::err));
+    }
+
+    fn moment(&mut self, value: &Spanned<DeValue<'_>>) {
+        let result = Self::raw(value.get_ref()).map(|raw| When::read(&raw, self.si));
+        self.text_with_time(value, result.map(Result::err));
+    }
+
+    fn text_with_time(
+        &mut self,
+        value: &Spanned<DeValue<'_>>,
+        error: Option<Option<units::UnitError>>,
+    ) {
+        let key = self.key();
+        let diagnostic = match error {
+            Some(None) => return,
+            Some(Some(error)) => {
+                let mut diagnostic =
+                    Diagnostic::error("value.time", format!("`{key}`: {}", error.message));
+                diagnostic.help = error.help;
+                diagnostic
+            }
+            None => Diagnostic::error(
+                "value.type",
+                format!("`{key}` cannot be {}", type_text(value.get_ref())),
+            )
+            .help("write for example \"1 ms\""),
+        };
+        self.report(diagnostic.at(value.span()));
+    }
+}
+
+fn first_sentence(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match text.split_once(". ") {
+        Some((first, _)) => first.to_owned(),
+        None => text.trim_end_matches('.').to_owned(),
+    }
+}
+
+fn json_type(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "string",
+        DeValue::Datetime(_) => "date",
+        DeValue::Integer(_) => "integer",
+        DeValue::Float(_) => "number",
+        DeValue::Boolean(_) => "boolean",
+        DeValue::Array(_) => "array",
+        DeValue::Table(_) => "object",
+    }
+}
+
+fn type_text(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

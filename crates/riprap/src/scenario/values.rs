@@ -1,0 +1,165 @@
+//! One value against what its key expects: unit, dimension, range, and what to write instead.
+
+use super::diagnostic::Diagnostic;
+use super::quantity::{KindInfo, Raw, Span};
+use super::units::{self, Dim};
+
+/// What is wrong with a value of a kind, if anything.
+pub(super) fn check_quantity(
+    raw: &Raw,
+    span: Span,
+    kind: &KindInfo,
+    key: &str,
+    si: bool,
+) -> Option<Diagnostic> {
+    let example = assignment(key, kind.example);
+    let (value, dim) = match raw {
+        Raw::Number(number) => {
+            let bare_allowed = si || kind.dim.is_none() || kind.dim == Some(Dim::NONE);
+            if !bare_allowed {
+                return Some(missing_unit(&number.to_string(), span, kind, key));
+            }
+            (*number, kind.dim.unwrap_or(Dim::NONE))
+        }
+        Raw::Text(text) => {
+            let is_key = text.starts_with(|c: char| c.is_alphabetic());
+            if kind.name == "NumberOrKey" && is_key && text.contains('.') {
+                return None; // rules look it up
+            }
+            match units::parse(text) {
+                Ok((_, Dim::NONE)) if kind.dim.is_some_and(|dim| dim != Dim::NONE) => {
+                    return Some(missing_unit(text.trim(), span, kind, key));
+                }
+                Ok(read) => read,
+                Err(error) => {
+                    let code = if error.message.starts_with("unknown unit") {
+                        "unit.unknown"
+                    } else {
+                        "value.number"
+                    };
+                    let message = format!("`{key}` = \"{}\": {}", short(text), error.message);
+                    return Some(
+                        Diagnostic::error(code, message)
+                            .at(span)
+                            .label(format!("{} is expected", kind.what))
+                            .help(error.help.unwrap_or(format!("write for example {example}"))),
+                    );
+                }
+            }
+        }
+    };
+    if let Some(expected) = kind.dim
+        && expected != dim
+    {
+        let (label, help) = wrong_dimension(raw, value, dim, kind, key);
+        return Some(
+            Diagnostic::error("unit.dimension", format!("`{key}` has the wrong dimension"))
+                .at(span)
+                .label(label)
+                .help(help),
+        );
+    }
+    if !value.is_finite() {
+        return Some(
+            Diagnostic::error("value.finite", format!("`{key}` is not a finite number"))
+                .at(span)
+                .help(format!("write for example {example}")),
+        );
+    }
+    if !kind.bounds.contains(value) {
+        return Some(
+            Diagnostic::error("value.range", format!("`{key}` is out of range"))
+                .at(span)
+                .label(format!("must be {}", kind.bounds.text))
+                .help(format!("write for example {example}")),
+        );
+    }
+    None
+}
+
+fn missing_unit(number: &str, span: Span, kind: &KindInfo, key: &str) -> Diagnostic {
+    let unit = kind.example.split_once(' ').map_or("", |(_, unit)| unit);
+    Diagnostic::error("unit.missing", format!("`{key}` has no unit"))
+        .at(span)
+        .label(format!("bare number, {} is expected", kind.what))
+        .help(format!(
+            "write {key} = \"{} {unit}\" (or set `units = \"SI\"` at the top of the file)",
+            short(number)
+        ))
+}
+
+/// Label and help for a value of the wrong dimension.
+fn wrong_dimension(
+    raw: &Raw,
+    value: f64,
+    dim: Dim,
+    kind: &KindInfo,
+    key: &str,
+) -> (String, String) {
+    let text = raw.to_string();
+    let unit = text.trim_start_matches(|c: char| !c.is_alphabetic()).trim();
+    let expected = kind.dim.unwrap_or(Dim::NONE);
+    let label = |is: &str| format!("this is {is}, {} is expected", kind.what);
+    let example = format!("write for example {}", assignment(key, kind.example));
+    match (expected, dim) {
+        // Force per volume has the dimension of pressure per length.
+        (Dim::DENSITY, Dim::STIFFNESS_PER_AREA) => (
+            label("a unit weight (force per volume)"),
+            format!(
+                "divide it by 9.81 m/s2: {key} = \"{:.0} kg/m3\"",
+                value / 9.81
+            ),
+        ),
+        (Dim::STIFFNESS_PER_AREA, Dim::PRESSURE) => (
+            label("a modulus or pressure"),
+            format!("a joint stiffness is a pressure per metre of closure: {example}"),
+        ),
+        (Dim::STIFFNESS_PER_AREA, Dim::FORCE_PER_LENGTH) => (
+            label("the stiffness of a single spring (force per length)"),
+            format!("divide it by the area on which the spring acts: {example}"),
+        ),
+        (Dim::PRESSURE, Dim::STIFFNESS_PER_AREA) => (
+            label("a pressure per length"),
+            format!("without the \"/m\": {example}"),
+        ),
+        (Dim::FORCE_PER_LENGTH, Dim::FORCE) => (
+            label("a force"),
+            format!("in two dimensions forces are per metre of thickness: {example}"),
+        ),
+        (Dim::FORCE, Dim::ENERGY) => (
+            label("an energy or moment"),
+            format!("in two dimensions it is per metre of thickness: {example}"),
+        ),
+        (Dim::ACCELERATION, Dim::MASS) if unit == "g" => (
+            label("a mass: g is gram"),
+            format!("write the acceleration of gravity in m/s2: {example}"),
+        ),
+        (Dim::SPIN, Dim::RATE) => (
+            label("a rate (1 per time)"),
+            format!("say which angle: {example}"),
+        ),
+        (Dim::RATE, Dim::SPIN) => (
+            label("a spin (angle per time)"),
+            format!("count full waves: {example}"),
+        ),
+        _ => (label(&dim.describe()), example),
+    }
+}
+
+/// `key = "10 MPa"`, or without quotes if it is a bare number.
+pub(super) fn assignment(key: &str, example: &str) -> String {
+    if example.parse::<f64>().is_ok() {
+        format!("{key} = {example}")
+    } else {
+        format!("{key} = \"{example}\"")
+    }
+}
+
+/// The beginning of a long word, without control characters.
+pub(super) fn short(word: &str) -> String {
+    let mut text: String = word.chars().filter(|c| !c.is_control()).take(40).collect();
+    if word.chars().nth(40).is_some() {
+        text.push_str("...");
+    }
+    text
+}
