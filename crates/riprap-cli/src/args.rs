@@ -85,7 +85,7 @@ pub struct Change {
     ///   --set blocks.slope.shift.0='1 m'
     #[arg(long = "set", value_name = "KEY=VALUE", verbatim_doc_comment, value_parser = key_value)]
     pub set: Vec<(String, String)>,
-    /// Take one variant of the scene by its name
+    /// Take one case of the scene: a variant, or values of its sweep; a wrong name lists them
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
 }

@@ -1,74 +1,19 @@
-//! Messages with a place in a file: drawn by miette on a terminal, as plain lines elsewhere.
-//!
-//! The plain form begins like a compiler message, so that editors and log readers find
-//! `file:line:column`.
+//! Messages to the user: with a place in a file, drawn by miette on a terminal and as plain lines
+//! elsewhere (the library's own form, which begins like a compiler message).
 
-use std::fmt::Write as _;
 use std::io::IsTerminal;
 
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report,
 };
+use riprap::scenario::{Diagnostic, Diagnostics, Severity};
 
 use crate::args::ColorChoice;
 
-/// How serious a note is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Severity {
-    Error,
-    Warning,
-    Remark,
-}
+/// Longest line that is drawn; longer ones (rubbish, data) would flood the screen.
+const LONGEST_DRAWN_LINE: usize = 200;
 
-/// A part of a text: its file, the whole text and the bytes meant.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// File as the user named it.
-    pub file: String,
-    /// All of its text.
-    pub text: String,
-    /// First byte.
-    pub start: usize,
-    /// Number of bytes.
-    pub length: usize,
-    /// What is said right at the place; may be empty.
-    pub label: String,
-}
-
-/// One message to the user.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Note {
-    pub severity: Severity,
-    /// Short name of the rule, such as `units::dimension`; may be empty.
-    pub code: String,
-    pub message: String,
-    pub place: Option<Place>,
-    pub help: Option<String>,
-}
-
-impl Note {
-    /// An error without a place.
-    pub fn error(message: String) -> Self {
-        let severity = Severity::Error;
-        Note {
-            severity,
-            code: String::new(),
-            message,
-            place: None,
-            help: None,
-        }
-    }
-
-    /// A remark without a place.
-    pub fn remark(message: String) -> Self {
-        Note {
-            severity: Severity::Remark,
-            ..Note::error(message)
-        }
-    }
-}
-
-/// How notes are printed.
+/// How messages are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     /// Drawn, with colours.
@@ -93,174 +38,150 @@ impl Style {
     }
 }
 
-/// Prints `notes` to stderr.
-pub fn print(notes: &[Note], style: Style) {
-    for note in notes {
-        eprintln!("{}", rendered(note, style).trim_end());
+/// Prints one line without a place to stderr: `error: …`.
+pub fn print_line(word: &str, text: &str) {
+    eprintln!("{word}: {text}");
+}
+
+/// Prints `diagnostics` to stderr, and how many there are when there are several.
+pub fn print(diagnostics: &Diagnostics, style: Style) {
+    eprintln!("{}", rendered(diagnostics, style).trim_end());
+    let (errors, warnings) = (diagnostics.errors(), diagnostics.warnings());
+    if errors + warnings > 1 {
+        eprintln!(
+            "\n{}: {}",
+            diagnostics.source.name,
+            counted(errors, warnings)
+        );
     }
 }
 
-/// One note as text.
-pub fn rendered(note: &Note, style: Style) -> String {
+/// `2 errors, 1 warning`.
+fn counted(errors: usize, warnings: usize) -> String {
+    let plural = |n: usize, word: &str| match n {
+        1 => format!("1 {word}"),
+        n => format!("{n} {word}s"),
+    };
+    match (errors, warnings) {
+        (e, 0) => plural(e, "error"),
+        (0, w) => plural(w, "warning"),
+        (e, w) => format!("{}, {}", plural(e, "error"), plural(w, "warning")),
+    }
+}
+
+/// All messages as text.
+pub fn rendered(diagnostics: &Diagnostics, style: Style) -> String {
+    let text = &diagnostics.source.text;
+    let strange = |line: &str| {
+        line.len() > LONGEST_DRAWN_LINE || line.chars().any(|c| c.is_control() && c != '\t')
+    };
     let theme = match style {
         Style::Coloured => GraphicalTheme::unicode(),
         Style::Drawn => GraphicalTheme::unicode_nocolor(),
-        Style::Plain => return plain(note),
+        Style::Plain => return diagnostics.render(),
     };
-    let mut text = String::new();
+    if text.lines().any(strange) {
+        return diagnostics.render();
+    }
     let handler = GraphicalReportHandler::new_themed(theme);
-    match handler.render_report(&mut text, report(note).as_ref()) {
-        Ok(()) => text,
-        Err(std::fmt::Error) => plain(note),
-    }
-}
-
-fn report(note: &Note) -> Report {
-    let severity = match note.severity {
-        Severity::Error => miette::Severity::Error,
-        Severity::Warning => miette::Severity::Warning,
-        Severity::Remark => miette::Severity::Advice,
-    };
-    let mut diagnostic = MietteDiagnostic::new(note.message.clone()).with_severity(severity);
-    if !note.code.is_empty() {
-        diagnostic = diagnostic.with_code(note.code.clone());
-    }
-    if let Some(help) = &note.help {
-        diagnostic = diagnostic.with_help(help.clone());
-    }
-    let Some(place) = &note.place else {
-        return Report::new(diagnostic);
-    };
-    let label = if place.label.is_empty() {
-        None
-    } else {
-        Some(place.label.clone())
-    };
-    diagnostic = diagnostic.with_label(LabeledSpan::new(label, place.start, place.length));
-    Report::new(diagnostic).with_source_code(NamedSource::new(&place.file, place.text.clone()))
-}
-
-/// Line and column (from 1, columns in characters) of byte `at`.
-pub fn line_column(text: &str, at: usize) -> (usize, usize) {
-    let mut at = at.min(text.len());
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    let before = &text[..at];
-    let line_start = before.rfind('\n').map_or(0, |p| p + 1);
-    (
-        before.matches('\n').count() + 1,
-        before[line_start..].chars().count() + 1,
-    )
-}
-
-fn plain(note: &Note) -> String {
-    let word = match note.severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Remark => "note",
-    };
     let mut out = String::new();
-    let code = if note.code.is_empty() {
-        String::new()
-    } else {
-        format!(" [{}]", note.code)
-    };
-    // Writing to a String cannot fail.
-    let _ = writeln!(out, "{word}: {}{code}", note.message);
-    if let Some(place) = &note.place {
-        let (line, column) = line_column(&place.text, place.start);
-        let _ = writeln!(out, "  --> {}:{line}:{column}", place.file);
-        if let Some(source) = place.text.lines().nth(line - 1) {
-            // Very long lines (rubbish, minified data) would drown the message.
-            let shown: String = source.chars().take(160).collect();
-            let number = line.to_string();
-            let room = shown.chars().count().saturating_sub(column - 1).max(1);
-            let length = place.text.get(place.start..place.start + place.length);
-            let length = length.map_or(1, |t| t.lines().next().unwrap_or("").chars().count());
-            let marks = "^".repeat(length.clamp(1, room));
-            let _ = writeln!(out, " {number} | {shown}");
-            if column <= 160 {
-                let before: String = shown
-                    .chars()
-                    .take(column - 1)
-                    .map(|c| if c == '\t' { c } else { ' ' })
-                    .collect();
-                let gap = " ".repeat(number.len());
-                let _ = writeln!(out, " {gap} | {before}{marks} {}", place.label);
-            }
+    for diagnostic in &diagnostics.list {
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        let report = report(diagnostic, diagnostics);
+        if handler.render_report(&mut out, report.as_ref()).is_err() {
+            return diagnostics.render();
         }
     }
-    if let Some(help) = &note.help {
-        let _ = writeln!(out, "  help: {help}");
+    out
+}
+
+fn report(diagnostic: &Diagnostic, all: &Diagnostics) -> Report {
+    let severity = match diagnostic.severity {
+        Severity::Error => miette::Severity::Error,
+        Severity::Warning => miette::Severity::Warning,
+    };
+    let mut report = MietteDiagnostic::new(diagnostic.message.clone())
+        .with_code(diagnostic.code)
+        .with_severity(severity);
+    if let Some(help) = &diagnostic.help {
+        report = report.with_help(help.clone());
     }
-    out.lines().map(|l| format!("{}\n", l.trim_end())).collect()
+    let Some(span) = &diagnostic.span else {
+        report.message = format!("{}: {}", all.source.name, report.message);
+        return Report::new(report);
+    };
+    let length = all.source.text.len();
+    let start = span.start.min(length);
+    let end = span.end.clamp(start, length);
+    report = report.with_label(LabeledSpan::new(
+        diagnostic.label.clone(),
+        start,
+        end - start,
+    ));
+    Report::new(report)
+        .with_source_code(NamedSource::new(&all.source.name, all.source.text.clone()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use riprap::scenario::Source;
 
-    fn note() -> Note {
-        let text = "[materials.rock]\ndensity = \"30 deg\"\n".to_owned();
-        let start = text.find("\"30").unwrap();
-        let label = "an angle".to_owned();
-        let place = Place {
-            file: "slope.toml".to_owned(),
-            text,
-            start,
-            length: 8,
-            label,
-        };
-        Note {
-            severity: Severity::Error,
-            code: "units::dimension".to_owned(),
-            message: "this is an angle, a density is expected".to_owned(),
-            place: Some(place),
-            help: Some("write for example \"2600 kg/m3\"".to_owned()),
-        }
+    fn dimension_error() -> Diagnostics {
+        let source = Source::new("slope.toml", "[materials.rock]\ndensity = \"30 deg\"\n");
+        let diagnostic = Diagnostic::error("unit.dimension", "a density is expected")
+            .at(27..35)
+            .label("an angle")
+            .help("write for example \"2600 kg/m3\"");
+        Diagnostics::new(source, vec![diagnostic])
     }
 
     #[test]
-    fn plain_notes_read_like_a_compiler() {
-        let expected = "\
-error: this is an angle, a density is expected [units::dimension]
-  --> slope.toml:2:11
- 2 | density = \"30 deg\"
-   |           ^^^^^^^^ an angle
-  help: write for example \"2600 kg/m3\"
-";
-        assert_eq!(rendered(&note(), Style::Plain), expected);
-    }
-
-    #[test]
-    fn drawn_notes_show_the_source_without_colours() {
-        let text = rendered(&note(), Style::Drawn);
+    fn drawn_messages_show_the_source_without_colours() {
+        let text = rendered(&dimension_error(), Style::Drawn);
         assert!(
             text.contains("slope.toml:2:11") && text.contains("an angle"),
             "{text}"
         );
         assert!(!text.contains('\u{1b}'), "{text:?}");
-        assert!(rendered(&note(), Style::Coloured).contains('\u{1b}'));
+        assert!(rendered(&dimension_error(), Style::Coloured).contains('\u{1b}'));
     }
 
     #[test]
-    fn strange_places_do_no_harm() {
-        for (text, start, length) in [("", 0, 0), ("é\n", 1, 5), ("abc", 3, 9), ("a\n", 2, 0)] {
-            let place = Place {
-                file: "x".to_owned(),
-                text: text.to_owned(),
-                start,
-                length,
-                label: String::new(),
-            };
-            let odd = Note {
-                place: Some(place),
-                ..note()
-            };
-            for style in [Style::Plain, Style::Drawn] {
-                assert!(rendered(&odd, style).contains("this is an angle"));
+    fn plain_messages_begin_like_a_compiler() {
+        let text = rendered(&dimension_error(), Style::Plain);
+        assert!(
+            text.starts_with("error[unit.dimension]: a density is expected"),
+            "{text}"
+        );
+        assert!(text.contains("--> slope.toml:2:11"), "{text}");
+    }
+
+    #[test]
+    fn strange_texts_and_places_do_no_harm() {
+        let texts = ["", "é\n", "abc", "a\n", "\u{7}bell", &"x".repeat(100_000)];
+        for text in texts {
+            for span in [0..0, 1..2, 2..1, 3..900] {
+                let source = Source::new("x", text);
+                let list = vec![Diagnostic::error("a", "wrong here").at(span)];
+                let odd = Diagnostics::new(source, list);
+                for style in [Style::Plain, Style::Drawn] {
+                    let shown = rendered(&odd, style);
+                    assert!(
+                        shown.contains("wrong here") && shown.len() < 2000,
+                        "{shown}"
+                    );
+                }
             }
         }
+    }
+
+    #[test]
+    fn counts_are_in_words() {
+        assert_eq!(counted(1, 0), "1 error");
+        assert_eq!(counted(2, 1), "2 errors, 1 warning");
+        assert_eq!(counted(0, 3), "3 warnings");
     }
 }

@@ -1,6 +1,8 @@
 //! Why a command did not do what was asked, and the exit code that says so.
 
-use crate::diagnostics::Note;
+use riprap::scenario::Diagnostics;
+
+use crate::diagnostics::{self, Style};
 
 /// Exit code: the physics stopped the run, or a check failed.
 pub const STOPPED: u8 = 1;
@@ -20,8 +22,8 @@ pub enum Failure {
     Checks,
     /// Bad input, in one sentence.
     Input(String),
-    /// Bad input, with places in files.
-    Notes(Vec<Note>),
+    /// Bad input, with places in a file.
+    Scene(Diagnostics),
     /// Results could not be written.
     Output(String),
     /// Stopped by the user.
@@ -33,21 +35,27 @@ impl Failure {
     pub fn code(&self) -> u8 {
         match self {
             Failure::Physics(_) | Failure::Checks => STOPPED,
-            Failure::Input(_) | Failure::Notes(_) => BAD_INPUT,
+            Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,
             Failure::Output(_) => NOT_WRITTEN,
             Failure::Interrupted(_) => INTERRUPTED,
         }
     }
 
-    /// What to print besides what has been printed already.
-    pub fn notes(self) -> Vec<Note> {
+    /// Says on stderr what has not been said yet.
+    pub fn print(&self, style: Style) {
         match self {
-            Failure::Checks => Vec::new(),
-            Failure::Notes(notes) => notes,
+            Failure::Checks => {}
+            Failure::Scene(all) => diagnostics::print(all, style),
             Failure::Physics(text) | Failure::Input(text) | Failure::Output(text) => {
-                vec![Note::error(text)]
+                diagnostics::print_line("error", text);
             }
-            Failure::Interrupted(text) => vec![Note::remark(text)],
+            Failure::Interrupted(text) => diagnostics::print_line("stopped", text),
         }
+    }
+}
+
+impl From<Diagnostics> for Failure {
+    fn from(all: Diagnostics) -> Self {
+        Failure::Scene(all)
     }
 }

@@ -13,6 +13,7 @@ mod failure;
 mod interrupt;
 mod numbers;
 mod progress;
+mod scenes;
 mod screen;
 mod templates;
 
@@ -30,7 +31,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             let code = failure.code();
-            diagnostics::print(&failure.notes(), style);
+            failure.print(style);
             ExitCode::from(code)
         }
     }
@@ -40,6 +41,8 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
     match verb {
         Verb::New(args) => commands::new::run(&args),
         Verb::Doctor(_) => commands::doctor::run(),
+        Verb::Explain(args) => commands::language::explain(&args),
+        Verb::Schema(args) => commands::language::schema(&args),
         Verb::Check(_)
         | Verb::Run(_)
         | Verb::Resume(_)
@@ -50,8 +53,6 @@ fn dispatch(verb: Verb) -> Result<(), Failure> {
         | Verb::Verify(_)
         | Verb::Plot(_)
         | Verb::Fields(_)
-        | Verb::Explain(_)
-        | Verb::Schema(_)
         | Verb::Hash(_) => Err(Failure::Input("this verb is not built in yet".to_owned())),
     }
 }

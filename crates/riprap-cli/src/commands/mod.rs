@@ -1,6 +1,7 @@
 //! One file a verb. Each turns arguments into calls of the library and answers into text.
 
 pub mod doctor;
+pub mod language;
 pub mod new;
 
 use std::path::{Path, PathBuf};
