@@ -41,6 +41,8 @@ pub struct Bond {
     pub damping: Wrench,
     /// Stored elastic energy, J/m.
     pub energy: f64,
+    /// Step at which its last point failed.
+    pub broken_at: Option<u64>,
 }
 
 /// A point of a joint.
@@ -146,6 +148,7 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
                     stress: Wrench::default(),
                     damping: Wrench::default(),
                     energy: 0.0,
+                    broken_at: None,
                 });
             }
         }

@@ -68,6 +68,29 @@ impl View<'_> {
             + 0.5 * inertia * body.spin * (body.spin + dw)
     }
 
+    /// Acceleration (m/s²) and angular acceleration (rad/s²) of block `b`.
+    #[must_use]
+    pub fn acceleration(&self, b: usize) -> (Vec2, f64) {
+        let net = &self.scratch.net[b];
+        if self.world.motion[b].is_some() {
+            return (Vec2::ZERO, 0.0);
+        }
+        let shapes = &self.scratch.shapes;
+        (net.force / shapes.mass[b], net.moment / shapes.inertia[b])
+    }
+
+    /// Angular momentum of all blocks about the origin, N s (N m s per m).
+    #[must_use]
+    pub fn angular_momentum(&self) -> f64 {
+        let shapes = &self.scratch.shapes;
+        self.living()
+            .map(|b| {
+                let orbit = self.world.bodies[b].position.perp_dot(self.velocity(b));
+                shapes.mass[b] * orbit + shapes.inertia[b] * self.spin(b)
+            })
+            .sum()
+    }
+
     /// Living blocks.
     pub fn living(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.world.alive.len()).filter(|&b| self.world.alive[b])

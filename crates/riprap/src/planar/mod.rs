@@ -9,6 +9,7 @@ pub mod loads;
 pub mod pieces;
 pub mod potential;
 pub mod profile;
+pub mod readings;
 pub mod search;
 pub mod setup;
 pub mod shapes;

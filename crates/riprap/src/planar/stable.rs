@@ -57,6 +57,17 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
             add(bond.j as usize, k, point.on_j.length(), 0.0);
         }
     }
+    // A block may come into contact along its longest edge between two looks at the list.
+    let stiffest = world
+        .setup
+        .interfaces
+        .iter()
+        .map(|i| sum(i).0 * source_factor(&i.contact));
+    let stiffest = stiffest.fold(0.0, f64::max);
+    for b in 0..n {
+        let longest = shapes.of(b).iter().map(|e| e.length).fold(0.0, f64::max);
+        translation[b] = translation[b].max(stiffest * longest);
+    }
     let mut worst = Stable {
         dt: f64::INFINITY,
         block: None,

@@ -231,7 +231,29 @@ impl Scratch {
             );
         }
         scratch.rebuild(world);
+        // What the last step would have left behind.
+        for (b, body) in world
+            .bodies
+            .iter()
+            .enumerate()
+            .filter(|(b, _)| world.alive[*b])
+        {
+            let (moved, transit) = scratch.travel(world, b, body);
+            scratch.stale |= moved;
+            scratch.transit = scratch.transit.min(transit);
+        }
         scratch
+    }
+
+    /// Whether a block has left its margin, and the time it takes to cross its reach, s.
+    fn travel(&self, world: &World, b: usize, body: &Body) -> (bool, f64) {
+        travel(
+            &self.shapes,
+            &self.candidates,
+            world.search_pose[b],
+            b,
+            body,
+        )
     }
 
     /// Marks the candidate list as out of date: blocks removed, supports or laws changed.
@@ -465,7 +487,8 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
         return;
     }
     let mut bonds = std::mem::take(&mut world.bonds);
-    let (bodies, setup, elapsed) = (&world.bodies, &world.setup, world.pending);
+    let (bodies, setup) = (&world.bodies, &world.setup);
+    let (elapsed, step) = (world.pending, world.step);
     let first = world.pairs.len() + world.general.len();
     let slots = &mut scratch.slots[first..];
     scratch.partial.fill(Partial::default());
@@ -478,7 +501,12 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
                 *slot = match &setup.interfaces[bond.row as usize].bond {
                     Some(law) => {
                         let works = &mut partial.arrival;
-                        bond::force(bond, law, bodies, damping.stiffness, elapsed, works)
+                        let wrench =
+                            bond::force(bond, law, bodies, damping.stiffness, elapsed, works);
+                        if bond.broken_at.is_none() && bond.broken() {
+                            bond.broken_at = Some(step);
+                        }
+                        wrench
                     }
                     None => Wrench::default(),
                 };
@@ -715,12 +743,9 @@ fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
                     let own = range.start - base..range.end - base;
                     turn(&shapes.edges[range], body.angle, &mut turned[own]);
                 }
-                let (position, angle) = poses[b];
-                let moved = (body.position - position).length()
-                    + (body.angle - angle).abs() * shapes.radius[b];
-                partial.moved |= moved > candidates.margin[b];
-                let speed = body.velocity.length() + body.spin.abs() * shapes.radius[b];
-                partial.transit = partial.transit.min(candidates.reach[b] / speed);
+                let (moved, transit) = travel(shapes, candidates, poses[b], b, body);
+                partial.moved |= moved;
+                partial.transit = partial.transit.min(transit);
             }
         },
     );
@@ -729,4 +754,17 @@ fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
         .iter()
         .fold(f64::INFINITY, |t, p| t.min(p.transit));
     scratch.stale |= scratch.partial.iter().any(|p| p.moved);
+}
+
+/// Whether block `b` has left its margin since `pose`, and the time it takes to cross its reach, s.
+fn travel(
+    shapes: &Shapes,
+    candidates: &Candidates,
+    pose: (Vec2, f64),
+    b: usize,
+    body: &Body,
+) -> (bool, f64) {
+    let moved = (body.position - pose.0).length() + (body.angle - pose.1).abs() * shapes.radius[b];
+    let speed = body.velocity.length() + body.spin.abs() * shapes.radius[b];
+    (moved > candidates.margin[b], candidates.reach[b] / speed)
 }

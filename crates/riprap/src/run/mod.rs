@@ -3,5 +3,8 @@
 pub mod bisect;
 pub mod checks;
 pub mod compare;
+pub mod drive;
 pub mod plan;
 pub mod probe;
+pub mod recorder;
+pub mod simulation;

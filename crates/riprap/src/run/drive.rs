@@ -1,0 +1,294 @@
+//! Drives a simulation to its end: records, watches checks, reports progress, can be stopped.
+
+use std::time::{Duration, Instant};
+
+use thiserror::Error;
+
+use super::checks::{Watch, Window};
+use super::recorder::{RecordError, Recorder};
+use super::simulation::{RunError, Simulation, Stage};
+use crate::planar::readings::Reading;
+use crate::record::{FieldError, OutputError};
+
+/// A look at a run, for progress displays.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Name of the phase.
+    pub phase: String,
+    /// Number of the phase, from 1.
+    pub phase_number: usize,
+    /// Number of phases.
+    pub phases: usize,
+    /// Share of the phase that is done, 0..1, where its end is known.
+    pub share: Option<f64>,
+    /// Steps done.
+    pub step: u64,
+    /// Model time, s.
+    pub time: f64,
+    /// Time step, s.
+    pub dt: f64,
+    /// Steps per second of wall time since the last look.
+    pub steps_per_second: f64,
+    /// Expected wall time to the end of the phase, s.
+    pub remaining: Option<f64>,
+    /// Kinetic energy, J/m.
+    pub kinetic: f64,
+    /// Energy residual over the largest energy that moved.
+    pub residual: f64,
+    /// Unbalanced-force ratio.
+    pub unbalanced: f64,
+    /// Number of contacts.
+    pub contacts: usize,
+    /// Largest overlap over the smaller inscribed radius of its pair.
+    pub worst_overlap: f64,
+    /// Largest speed, m/s, and the block that has it.
+    pub fastest: Option<(String, f64)>,
+}
+
+/// What the caller wants after a look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Control {
+    /// Go on.
+    Continue,
+    /// Stop cleanly with a checkpoint.
+    Stop,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// All phases are done.
+    Finished,
+    /// The caller stopped it.
+    Stopped,
+    /// The physics stopped it.
+    Unstable(RunError),
+}
+
+/// Why a run could not be carried out.
+#[derive(Debug, Error)]
+pub enum DriveError {
+    /// Something could not be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// Recording could not start.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    /// A check asks for a field that is not there.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+}
+
+/// Time between two looks.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// A check with its field.
+struct Watched<'a> {
+    watch: &'a mut Watch,
+    reading: Reading,
+    /// For costly fields over an interval: model time between two readings, s.
+    rhythm: f64,
+    next: f64,
+}
+
+impl Watched<'_> {
+    /// Feeds the value at the present state if it can matter.
+    fn look(&mut self, simulation: &Simulation, last: bool) {
+        let view = simulation.view();
+        let (time, dt) = (view.world.time, simulation.dt());
+        let near = match self.watch.check().window {
+            Window::Start => view.world.step == 0,
+            Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
+            Window::End => last,
+            Window::Over { .. } => last || time >= self.next,
+        };
+        if near && self.watch.wants(time) {
+            self.watch.observe(time, self.reading.value(&view));
+            self.next = time + self.rhythm;
+        }
+    }
+}
+
+/// Runs to the end of the plan, until stopped, or until the physics gives up.
+///
+/// `look` is called about ten times a second and at the end. With a recorder a checkpoint is
+/// written at the end of each phase, when stopped, and when the physics stops the run.
+///
+/// # Errors
+/// The disk, or fields that do not exist.
+pub fn drive(
+    simulation: &mut Simulation,
+    mut recorder: Option<&mut Recorder>,
+    watches: &mut [Watch],
+    look: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<Ending, DriveError> {
+    let mut watched = watch_list(simulation, watches)?;
+    let mut clock = Clock::new(simulation.view().world.step);
+    loop {
+        let stage = match simulation.prepare() {
+            Ok(stage) => stage,
+            Err(error) => {
+                if let Some(r) = recorder.as_deref_mut() {
+                    r.checkpoint(simulation)?;
+                }
+                return Ok(Ending::Unstable(error));
+            }
+        };
+        let last_phase = simulation.cursor().phase + 1 >= simulation.plan().phases.len();
+        let last = stage == Stage::Done || (stage == Stage::PhaseEnd && last_phase);
+        for w in &mut watched {
+            w.look(simulation, last);
+        }
+        if let Some(r) = recorder.as_deref_mut() {
+            if simulation.view().world.step == simulation.cursor().start_step
+                && stage == Stage::Within
+            {
+                r.phase_event(simulation, "phase_started")?;
+            }
+            r.record(simulation, stage != Stage::Within)?;
+        }
+        match stage {
+            Stage::Within => simulation.step(),
+            Stage::PhaseEnd => {
+                if let Some(r) = recorder.as_deref_mut() {
+                    r.phase_event(simulation, "phase_ended")?;
+                }
+                if last {
+                    look(&clock.progress(simulation));
+                }
+                simulation.next_phase();
+                if let Some(r) = recorder.as_deref_mut() {
+                    r.checkpoint(simulation)?;
+                }
+                if last {
+                    return Ok(Ending::Finished);
+                }
+                continue;
+            }
+            Stage::Done => {
+                look(&clock.progress(simulation));
+                return Ok(Ending::Finished);
+            }
+        }
+        if let Some(r) = recorder.as_deref_mut()
+            && r.checkpoint_due(simulation)
+        {
+            r.checkpoint(simulation)?;
+        }
+        if clock.due(simulation.view().world.step) {
+            let progress = clock.progress(simulation);
+            if look(&progress) == Control::Stop {
+                if let Some(r) = recorder.as_deref_mut() {
+                    r.checkpoint(simulation)?;
+                }
+                return Ok(Ending::Stopped);
+            }
+        }
+    }
+}
+
+fn watch_list<'a>(
+    simulation: &Simulation,
+    watches: &'a mut [Watch],
+) -> Result<Vec<Watched<'a>>, FieldError> {
+    let total: f64 = simulation
+        .plan()
+        .phases
+        .iter()
+        .filter_map(|p| p.until.time)
+        .sum();
+    watches
+        .iter_mut()
+        .map(|watch| {
+            let check = watch.check();
+            let reading = Reading::new(&check.field, &check.of, check.along)?;
+            let rhythm = match check.window {
+                Window::Over { from, to, .. } if reading.costly() => {
+                    (to.min(total.max(from)) - from).max(0.0) / 500.0
+                }
+                Window::Start | Window::At(_) | Window::End | Window::Over { .. } => 0.0,
+            };
+            Ok(Watched {
+                watch,
+                reading,
+                rhythm,
+                next: 0.0,
+            })
+        })
+        .collect()
+}
+
+/// Wall clock of a run; asks the operating system for the time only every few steps.
+struct Clock {
+    last: Instant,
+    step: u64,
+    stride: u64,
+    next: u64,
+    rate: f64,
+}
+
+impl Clock {
+    fn new(step: u64) -> Self {
+        Self {
+            last: Instant::now(),
+            step,
+            stride: 1,
+            next: step,
+            rate: 0.0,
+        }
+    }
+
+    fn due(&mut self, step: u64) -> bool {
+        if step < self.next {
+            return false;
+        }
+        let spent = self.last.elapsed();
+        let steps = step - self.step;
+        if spent < LOOK {
+            self.stride = (self.stride * 2).min(1 << 16);
+            self.next = step + self.stride;
+            return false;
+        }
+        self.rate = steps as f64 / spent.as_secs_f64();
+        self.stride = ((self.rate * LOOK.as_secs_f64() / 8.0) as u64).max(1);
+        self.next = step + self.stride;
+        self.last = Instant::now();
+        self.step = step;
+        true
+    }
+
+    fn progress(&self, simulation: &Simulation) -> Progress {
+        let view = simulation.view();
+        let share = simulation.progress();
+        let done = view.world.step - simulation.cursor().start_step;
+        let remaining = share.filter(|s| *s > 0.0 && self.rate > 0.0).map(|s| {
+            let left = (done as f64 * (1.0 - s) / s).max(0.0);
+            left / self.rate
+        });
+        let fastest = view
+            .living()
+            .map(|b| (b, view.velocity(b).length()))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(b, v)| (view.world.setup.blocks[b].name.clone(), v));
+        let balance = view.balance();
+        Progress {
+            phase: simulation
+                .phase()
+                .map_or_else(String::new, |p| p.name.clone()),
+            phase_number: simulation.cursor().phase + 1,
+            phases: simulation.plan().phases.len(),
+            share,
+            step: view.world.step,
+            time: view.world.time,
+            dt: simulation.dt(),
+            steps_per_second: self.rate,
+            remaining,
+            kinetic: balance.kinetic,
+            residual: balance.residual_relative(),
+            unbalanced: view.unbalanced(),
+            contacts: view.contacts().count(),
+            worst_overlap: view.worst_overlap().map_or(0.0, |(x, _, _)| x),
+            fastest,
+        }
+    }
+}
