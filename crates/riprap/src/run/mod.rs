@@ -7,4 +7,5 @@ pub mod drive;
 pub mod plan;
 pub mod probe;
 pub mod recorder;
+pub mod resolve;
 pub mod simulation;
