@@ -1,9 +1,11 @@
-//! Writes a run folder of made-up numbers: `cargo run -p riprap --example record_sample -- FOLDER`.
+//! Writes a run folder of made-up numbers: `cargo run -p riprap --example record_sample -- FOLDER [PLOTS]`.
 //!
 //! A row of blocks topples along a circle, with a triangle and an L-shaped block beside it. The checks of the
 //! VTK files (`tests/python/check_vtk.py`) and of the plots use it, since it needs no engine. `expected.json`
-//! holds what a reader of the frames must find.
+//! holds what a reader of the frames must find. With a second folder, plots of each kind are drawn into it.
 
+use riprap::record::plot::{self, BlockOptions, Labels, Line, Which};
+use riprap::record::table::Table;
 use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
 use std::error::Error;
 use std::path::Path;
@@ -88,7 +90,7 @@ fn frame(step: u64, time: f64, blocks: usize) -> Frame {
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args()
         .nth(1)
-        .ok_or("usage: record_sample FOLDER")?;
+        .ok_or("usage: record_sample FOLDER [PLOTS]")?;
     let mut manifest = Manifest {
         title: "made-up numbers".to_owned(),
         dt: 1e-3,
@@ -157,5 +159,64 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     (manifest.ended, manifest.steps, manifest.time) = (Ended::Finished, 1500, 1.5);
     run.write_manifest(&manifest)?;
+    if let Some(plots) = std::env::args().nth(2) {
+        draw(Path::new(&folder), Path::new(&plots))?;
+    }
+    Ok(())
+}
+
+fn draw(folder: &Path, plots: &Path) -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all(plots)?;
+    let contacts = BlockOptions { contacts: true };
+    let mut files = plot::histories(folder, &[], &plots.join("histories"))?;
+    files.extend(plot::histories(
+        folder,
+        &["slip".to_owned()],
+        &plots.join("slip"),
+    )?);
+    files.extend(plot::energy(folder, &plots.join("energy"))?);
+    files.extend(plot::blocks(
+        folder,
+        Which::Last,
+        "velocity",
+        contacts,
+        &plots.join("blocks"),
+    )?);
+    let all: Vec<Which> = (1..=4).map(Which::Index).collect();
+    files.extend(plot::strip(
+        folder,
+        &all,
+        "block.rotation",
+        contacts,
+        &plots.join("strip"),
+    )?);
+    let table = Table::read(&folder.join("histories.csv"))?;
+    let time = table.column("time")?.values.clone();
+    let exact = time.iter().map(|t| 0.5 * 4.7 * t * t).collect();
+    let reference = Line {
+        name: "formula".to_owned(),
+        x: time.clone(),
+        y: exact,
+    };
+    let computed = Line {
+        name: "computed".to_owned(),
+        x: time,
+        y: table.column("slip")?.values.clone(),
+    };
+    let word = |name: &str, unit: &str| (name.to_owned(), unit.to_owned());
+    let labels = Labels {
+        title: "slip".to_owned(),
+        x: word("time", "s"),
+        y: word("slip", "m"),
+    };
+    files.extend(plot::compare(
+        &computed,
+        &reference,
+        &labels,
+        &plots.join("compare"),
+    )?);
+    for file in files {
+        println!("{}", file.display());
+    }
     Ok(())
 }

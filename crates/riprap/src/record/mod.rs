@@ -10,7 +10,7 @@
 //! - [`checkpoint`]: the state to resume from, guarded against every kind of damage;
 //! - [`vtu`]: VTK files for ParaView, written and read back;
 //! - [`table`]: reader of the CSV files;
-//! - `plot`: SVG and PNG figures with the numbers behind them.
+//! - [`plot`]: SVG and PNG figures with the numbers behind them.
 //!
 //! Invariant: whatever moment the process dies, each file is either the last complete version (written
 //! aside, synced and renamed) or an append-only file of which all but the last line is complete.
@@ -20,7 +20,7 @@ pub mod field;
 pub mod folder;
 pub mod frame;
 pub mod manifest;
-// pub mod plot;
+pub mod plot;
 pub mod table;
 pub mod vtu;
 

@@ -22,6 +22,7 @@ mod write;
 
 pub use pvd::{PvdEntry, read_pvd, write_pvd};
 pub use read::{ReadError, Vtu, parse, read};
+pub(crate) use write::escape;
 pub use write::{blocks, contacts};
 
 use super::frame::Frame;

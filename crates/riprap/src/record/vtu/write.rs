@@ -204,7 +204,7 @@ fn append(out: &mut Vec<u8>, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Text inside XML, attributes included. Control characters, which XML cannot hold, become blanks.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
