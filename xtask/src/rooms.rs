@@ -26,13 +26,13 @@ const ARROWS: [(&str, &[&str], &str); 8] = [
     ),
     (
         "planar",
-        &["laws", "dynamics"],
-        "an engine knows neither files, nor scenarios, nor the other",
+        &["laws", "dynamics", "record::field", "record::frame"],
+        "an engine knows neither files nor scenarios nor the other engine",
     ),
     (
         "spatial",
-        &["laws", "dynamics"],
-        "an engine knows neither files, nor scenarios, nor the other",
+        &["laws", "dynamics", "record::field", "record::frame"],
+        "an engine knows neither files nor scenarios nor the other engine",
     ),
     (
         "record",

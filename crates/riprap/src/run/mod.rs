@@ -4,6 +4,7 @@ pub mod bisect;
 pub mod checks;
 pub mod compare;
 pub mod drive;
+pub mod job;
 pub mod plan;
 pub mod probe;
 pub mod recorder;

@@ -1,0 +1,433 @@
+//! One run with everything around it: the folder, the manifest, the checks, how it ended.
+//!
+//! [`run`] begins in a new folder, [`resume`] goes on in an old one, [`watch_only`] leaves no files.
+
+use std::path::{Path, PathBuf};
+use std::time::{Instant, SystemTime};
+
+use thiserror::Error;
+
+use super::checks::{Check, CheckResult, Watch};
+use super::drive::{Control, DriveError, Ending, Progress, drive};
+use super::plan::Plan;
+use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
+use super::simulation::{RunError, Simulation, state_hash};
+use crate::exec::{Exec, ExecError};
+use crate::planar::readings::INFOS;
+use crate::planar::setup::Setup;
+use crate::record::checkpoint::{self, CheckpointError};
+use crate::record::folder::{Existing, FolderError};
+use crate::record::manifest::{Machine, ManifestError, StageTime, utc};
+use crate::record::{Ended, Manifest, OutputError, RunFolder};
+
+/// What is run.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The model.
+    pub setup: Setup,
+    /// The plan.
+    pub plan: Plan,
+    /// Checks to watch.
+    pub checks: Vec<Check>,
+    /// The scene with all changes made, as it is written into the folder.
+    pub resolved: String,
+    /// What the manifest says of the input: scenario, hash, variant, case, overrides, warnings.
+    pub manifest: Manifest,
+}
+
+/// How a run came out.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// How it ended.
+    pub ending: Ending,
+    /// The manifest at the end.
+    pub manifest: Manifest,
+    /// One result a check, in the order of the scene; empty after a resume.
+    pub checks: Vec<CheckResult>,
+}
+
+/// Why a run could not be carried out.
+#[derive(Debug, Error)]
+pub enum JobError {
+    /// The folder cannot be used.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
+    /// The manifest of a run to go on with.
+    #[error(transparent)]
+    Manifest(#[from] ManifestError),
+    /// No checkpoint to go on from.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+    /// Nothing is left to do.
+    #[error("{} has ended already: {ended}", path.display())]
+    Ended {
+        /// The folder.
+        path: PathBuf,
+        /// How.
+        ended: String,
+    },
+    /// Writing or reading fields failed.
+    #[error(transparent)]
+    Drive(#[from] DriveError),
+    /// Recording could not start.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    /// The disk.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// No threads.
+    #[error(transparent)]
+    Exec(#[from] ExecError),
+}
+
+impl JobError {
+    /// Whether results could not be written, as opposed to input that cannot be used.
+    #[must_use]
+    pub fn is_output(&self) -> bool {
+        match self {
+            JobError::Output(_)
+            | JobError::Folder(FolderError::Output(_))
+            | JobError::Drive(DriveError::Output(_) | DriveError::Record(RecordError::Output(_)))
+            | JobError::Record(RecordError::Output(_)) => true,
+            JobError::Folder(_)
+            | JobError::Manifest(_)
+            | JobError::Checkpoint(_)
+            | JobError::Ended { .. }
+            | JobError::Drive(DriveError::Record(RecordError::Field(_)) | DriveError::Field(_))
+            | JobError::Record(RecordError::Field(_))
+            | JobError::Exec(_) => false,
+        }
+    }
+}
+
+/// Runs a job in `folder`.
+///
+/// # Errors
+/// A folder that `existing` does not allow, the disk, unknown fields.
+pub fn run(
+    job: Job,
+    folder: &Path,
+    existing: Existing,
+    threads: usize,
+    look: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<Outcome, JobError> {
+    let exec = Exec::new(threads)?;
+    let mut manifest = job.manifest;
+    manifest.threads = exec.threads();
+    manifest.machine = Machine::this();
+    manifest.started = utc(SystemTime::now());
+    manifest.title.clone_from(&job.plan.title);
+    manifest.fields = INFOS.iter().map(Into::into).collect();
+    manifest.ended = Ended::Running;
+    let folder = RunFolder::create(folder, existing, &manifest)?;
+    folder.write_scenario(&job.resolved)?;
+    let mut recorder = Recorder::new(folder, &job.plan, None)?;
+    let mut simulation = Simulation::new(job.setup, job.plan, exec);
+    // Whatever happens from now on, there is something to resume from.
+    recorder.checkpoint(&simulation)?;
+    let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
+    go_on(&mut simulation, &mut recorder, &mut watches, manifest, look)
+}
+
+/// Goes on with the run in `folder` from its last good checkpoint.
+///
+/// # Errors
+/// A folder without a run or a checkpoint, a run that has ended, the disk.
+pub fn resume(
+    folder: &Path,
+    threads: usize,
+    look: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<Outcome, JobError> {
+    let mut manifest = Manifest::read(folder)?;
+    let ended = match manifest.ended {
+        Ended::Running | Ended::Interrupted => None,
+        Ended::Finished => Some("all its phases are done".to_owned()),
+        Ended::Stopped | Ended::Unstable => Some(manifest.message.clone()),
+    };
+    if let Some(ended) = ended {
+        return Err(JobError::Ended {
+            path: folder.to_owned(),
+            ended,
+        });
+    }
+    let latest = checkpoint::latest::<Checkpoint>(folder, KIND)?;
+    let broken = latest
+        .broken
+        .iter()
+        .map(|why| format!("skipped a checkpoint: {why}"));
+    manifest.warnings.extend(broken);
+    let exec = Exec::new(threads)?;
+    manifest.threads = exec.threads();
+    let Checkpoint {
+        snapshot,
+        marks,
+        counts,
+    } = latest.value;
+    let folder = RunFolder::reopen(folder, &marks)?;
+    let mut recorder = Recorder::new(folder, &snapshot.plan, Some(counts))?;
+    let mut simulation = Simulation::resume(snapshot, exec);
+    go_on(&mut simulation, &mut recorder, &mut [], manifest, look)
+}
+
+/// Runs a job for its checks alone; nothing is written.
+///
+/// # Errors
+/// Unknown fields.
+pub fn watch_only(
+    job: Job,
+    threads: usize,
+    look: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<Outcome, JobError> {
+    let exec = Exec::new(threads)?;
+    let begun = Instant::now();
+    let mut simulation = Simulation::new(job.setup, job.plan, exec);
+    let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
+    let ending = drive(&mut simulation, None, &mut watches, look)?;
+    let mut manifest = job.manifest;
+    close(&mut manifest, &simulation, &ending, begun);
+    let checks = results(&watches, &manifest);
+    Ok(Outcome {
+        ending,
+        manifest,
+        checks,
+    })
+}
+
+fn go_on(
+    simulation: &mut Simulation,
+    recorder: &mut Recorder,
+    watches: &mut [Watch],
+    mut manifest: Manifest,
+    look: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<Outcome, JobError> {
+    let begun = Instant::now();
+    manifest.ended = Ended::Running;
+    recorder.folder.write_manifest(&manifest)?;
+    let ending = drive(simulation, Some(recorder), watches, look)?;
+    close(&mut manifest, simulation, &ending, begun);
+    let checks = results(watches, &manifest);
+    if !checks.is_empty() {
+        let lines: Result<Vec<String>, _> = checks.iter().map(serde_json::to_string).collect();
+        let text = lines.unwrap_or_default().join("\n") + "\n";
+        recorder
+            .folder
+            .write_file("checks.jsonl", text.as_bytes())?;
+    }
+    recorder.folder.write_manifest(&manifest)?;
+    Ok(Outcome {
+        ending,
+        manifest,
+        checks,
+    })
+}
+
+fn results(watches: &[Watch], manifest: &Manifest) -> Vec<CheckResult> {
+    let result = |watch: &Watch| watch.finish(&manifest.scenario, &manifest.case, false);
+    watches.iter().map(result).collect()
+}
+
+/// Writes into the manifest how the run ended.
+fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending, begun: Instant) {
+    let view = simulation.view();
+    (manifest.ended, manifest.message) = match ending {
+        Ending::Finished => (Ended::Finished, String::new()),
+        Ending::Stopped => (
+            Ended::Interrupted,
+            "stopped by the user; it can be resumed".to_owned(),
+        ),
+        Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
+    };
+    manifest.wall_time += begun.elapsed().as_secs_f64();
+    manifest.dt = view.world.last_dt;
+    manifest.steps = view.world.step;
+    manifest.time = view.world.time;
+    manifest.state_hash = state_hash(view.world);
+    let stage = |(name, seconds): (String, f64)| StageTime {
+        name,
+        seconds,
+        calls: view.world.step,
+    };
+    manifest.profile = view
+        .scratch
+        .profile
+        .seconds()
+        .into_iter()
+        .map(stage)
+        .collect();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Vec2;
+    use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw};
+    use crate::planar::setup::{BlockSpec, Interface, Motion, Support};
+    use crate::run::checks::{Expected, Status, Window};
+    use crate::run::plan::{Damping, Every, History, Phase, PhaseKind, TimeStep, Until};
+
+    /// A block that falls onto a fixed one.
+    fn falling() -> Job {
+        let square = |name: &str, y: f64| BlockSpec {
+            name: name.to_owned(),
+            vertices: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+                .map(|[x, dy]| Vec2::new(x, y + dy))
+                .to_vec(),
+            material: 0,
+            density: 2000.0,
+            velocity: Vec2::ZERO,
+            spin: 0.0,
+        };
+        let contact = ContactLaw {
+            normal: NormalLaw::DistancePotential,
+            normal_stiffness: 1e8,
+            shear_stiffness: 5e7,
+            friction: 0.5,
+            cohesion: 0.0,
+            friction_law: FrictionLaw::ShearSpring,
+            damping_ratio: 0.2,
+        };
+        let setup = Setup {
+            gravity: [0.0, -10.0],
+            materials: vec!["rock".to_owned()],
+            blocks: vec![square("base", 0.0), square("top", 1.02)],
+            interfaces: vec![Interface {
+                name: "default".to_owned(),
+                contact,
+                bond: None,
+            }],
+            pair_table: vec![0],
+            supports: vec![Support {
+                blocks: vec![0],
+                motion: Motion::Fixed {
+                    x: true,
+                    y: true,
+                    rotation: true,
+                },
+            }],
+            ..Setup::default()
+        };
+        let phase = Phase {
+            name: "fall".to_owned(),
+            kind: PhaseKind::Dynamic,
+            until: Until {
+                time: Some(0.2),
+                ..Until::default()
+            },
+            time_step: TimeStep::Given { dt: 1e-4 },
+            damping: Damping::default(),
+            remove: Vec::new(),
+            fix: Vec::new(),
+            release: Vec::new(),
+            gravity: None,
+            gravity_ramp: None,
+            contacts: Vec::new(),
+            zero_velocities: false,
+            zero_displacements: false,
+        };
+        let history = History {
+            name: "drop".to_owned(),
+            field: "block.displacement.y".to_owned(),
+            of: vec![1],
+            along: None,
+            every: Every::Time(1e-2),
+        };
+        let check = Check {
+            name: "falls freely at first".to_owned(),
+            field: "block.displacement.y".to_owned(),
+            of: vec![1],
+            along: None,
+            unit: "m".to_owned(),
+            window: Window::At(0.05),
+            expected: Expected::Value(-0.0125),
+            relative: Some(1e-9),
+            absolute: None,
+            known: None,
+        };
+        Job {
+            setup,
+            plan: Plan {
+                title: "falling".to_owned(),
+                phases: vec![phase],
+                histories: vec![history],
+                ..Plan::default()
+            },
+            checks: vec![check],
+            resolved: "riprap = 1\n".to_owned(),
+            manifest: Manifest::default(),
+        }
+    }
+
+    fn go(_: &Progress) -> Control {
+        Control::Continue
+    }
+
+    #[test]
+    fn a_run_leaves_a_folder_and_its_checks() {
+        let dir = tempfile::tempdir().unwrap();
+        let folder = dir.path().join("a.run");
+        let outcome = run(falling(), &folder, Existing::Refuse, 1, &mut go).unwrap();
+        assert_eq!(outcome.ending, Ending::Finished);
+        assert_eq!(
+            outcome.checks[0].status,
+            Status::Passed,
+            "{:?}",
+            outcome.checks
+        );
+        assert_eq!(
+            (outcome.manifest.ended, outcome.manifest.steps),
+            (Ended::Finished, 2000)
+        );
+        assert_eq!(Manifest::read(&folder).unwrap(), outcome.manifest);
+        for file in [
+            "histories.csv",
+            "energy.csv",
+            "checks.jsonl",
+            "scenario.resolved.toml",
+        ] {
+            assert!(folder.join(file).is_file(), "{file}");
+        }
+        let again = run(falling(), &folder, Existing::Refuse, 1, &mut go).unwrap_err();
+        assert!(matches!(again, JobError::Folder(FolderError::Run { .. })) && !again.is_output());
+        let done = resume(&folder, 1, &mut go).unwrap_err();
+        assert!(matches!(done, JobError::Ended { .. }), "{done}");
+        let alone = watch_only(falling(), 2, &mut go).unwrap();
+        assert_eq!(alone.manifest.state_hash, outcome.manifest.state_hash);
+    }
+
+    #[test]
+    fn a_run_that_died_goes_on_to_the_same_bits() {
+        let dir = tempfile::tempdir().unwrap();
+        let (whole, died) = (dir.path().join("whole.run"), dir.path().join("died.run"));
+        let wanted = run(falling(), &whole, Existing::Refuse, 1, &mut go).unwrap();
+        // What is on disk after a kill: the checkpoint of the start and half-written files.
+        let mut half = falling();
+        half.plan.phases[0].until.time = Some(0.1);
+        run(half, &died, Existing::Refuse, 1, &mut go).unwrap();
+        for (_, file) in checkpoint::all(&died).unwrap().into_iter().skip(1) {
+            std::fs::remove_file(file).unwrap();
+        }
+        let mut manifest = Manifest::read(&died).unwrap();
+        manifest.ended = Ended::Running;
+        manifest.write(&died).unwrap();
+        let mut start: Checkpoint = checkpoint::latest(&died, KIND).unwrap().value;
+        start.snapshot.plan = falling().plan;
+        checkpoint::write(&checkpoint::path_for(&died, 0), KIND, &start).unwrap();
+        let resumed = resume(&died, 1, &mut go).unwrap();
+        assert_eq!(resumed.manifest.state_hash, wanted.manifest.state_hash);
+        for file in ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"] {
+            let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+            assert_eq!(bytes(&whole), bytes(&died), "{file}");
+        }
+    }
+
+    #[test]
+    fn a_run_without_a_place_to_write_says_so() {
+        let dir = tempfile::tempdir().unwrap();
+        let file = dir.path().join("file");
+        std::fs::write(&file, "x").unwrap();
+        let wrong = run(falling(), &file.join("a.run"), Existing::Refuse, 1, &mut go).unwrap_err();
+        assert!(wrong.is_output(), "{wrong}");
+        let none = resume(dir.path(), 1, &mut go).unwrap_err();
+        assert!(matches!(none, JobError::Manifest(_)) && !none.is_output());
+    }
+}
