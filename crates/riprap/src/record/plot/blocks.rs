@@ -15,7 +15,7 @@ const BAR: f64 = 16.0;
 /// What is drawn besides the blocks.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct BlockOptions {
-    /// Contact points, and contact forces if the frame has a vector column `force`.
+    /// Contact points, and contact forces if the frame has a vector column with `force` in its name.
     pub contacts: bool,
 }
 
@@ -317,7 +317,7 @@ fn force_column(frame: &Frame) -> Option<&Column> {
     frame
         .contact_columns
         .iter()
-        .find(|c| c.components == 2 && c.name.rsplit('.').next() == Some("force"))
+        .find(|c| c.components == 2 && c.name.contains("force"))
 }
 
 fn largest_force(frame: &Frame) -> f64 {

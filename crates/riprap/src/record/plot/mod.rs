@@ -240,10 +240,17 @@ pub fn strip(
         .map_or_else(String::new, |f| with_unit(&f.name, &f.unit));
     let mut csv = format!("time [s],block,x [m],y [m],\"{name}\"\n");
     for (frame, field) in loaded.iter().zip(&fields) {
+        // Removed blocks leave no gap in a frame, so the place in it is not always the block's number.
+        let ids = frame
+            .block_columns
+            .iter()
+            .find(|c| c.name == "block" && c.components == 1);
         for (i, value) in field.values.iter().enumerate() {
+            let id = ids.map_or(i as f64, |c| c.data[i]);
             let [x, y] = middle(frame.outline(i));
-            let cells = [x, y, *value].map(number).join(",");
-            csv.push_str(&format!("{},{i},{cells}\n", number(frame.time)));
+            let cells = [frame.time, id, x, y, *value].map(number).join(",");
+            csv.push_str(&cells);
+            csv.push('\n');
         }
     }
     write(&page, &csv, out)
