@@ -217,6 +217,29 @@ fn long_lines_are_refused_with_short_messages() {
 }
 
 #[test]
+fn many_blocks_take_no_time_beyond_their_number() {
+    let mut text = slope();
+    for index in 0..20_000 {
+        text += &format!(
+            "[[blocks]]\nname = \"b{index}\"\nmaterial = \"rock\"\n\
+             rectangle = {{ size = [\"1 m\", \"0.5 m\"], corner = [\"2 m\", \"5 m\"] }}\n\
+             [[supports]]\non = {{ block = \"b{index}\" }}\nfixed = {{}}\n"
+        );
+    }
+    let start = Instant::now();
+    let parsed = parse(Source::new("a.toml", text)).unwrap();
+    assert_eq!(parsed.scenario.blocks.len(), 20_002);
+    // Seconds at most; a search through all names for each name would take minutes.
+    assert!(
+        start.elapsed() < Duration::from_secs(20),
+        "{:?}",
+        start.elapsed()
+    );
+    let message = refused("[".repeat(8 << 20).as_bytes());
+    assert!(message.contains("too many values"), "{message}");
+}
+
+#[test]
 fn a_long_formula_is_refused() {
     let text = |formula: &str| {
         slope()

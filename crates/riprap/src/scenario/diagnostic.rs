@@ -270,6 +270,15 @@ pub fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Clone)
     }
 }
 
+/// "one of `a`, `b`", or "`a`" if there is only one.
+pub fn one_of(words: &[&str]) -> String {
+    if words.len() == 1 {
+        list(words)
+    } else {
+        format!("one of {}", list(words))
+    }
+}
+
 /// `a`, `b`, `c`
 pub fn list(words: &[&str]) -> String {
     words

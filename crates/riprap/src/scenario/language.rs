@@ -17,7 +17,7 @@ use super::quantity::{
     NotNegativeLength, NotNegativePlain, NotNegativeTime, NumberOrKey, Plain, Poisson,
     PositiveLength, PositivePlain, PositiveTime, Pressure, Quantity, Rate, Raw, Share,
     ShareBelowOne, Span, Speed, Spin, SpinAcceleration, StiffnessPerArea, Strength, Table,
-    Velocity, When,
+    TimeStep, Velocity, When,
 };
 use super::time_function::{CsvFunction, TimeFunction};
 
@@ -296,6 +296,23 @@ impl Block {
         .into_iter()
         .flatten()
         .collect()
+    }
+
+    /// Whether it makes blocks called name.1, name.2, ... instead of one called name.
+    pub fn is_generator(&self) -> bool {
+        let many = match self.geometry() {
+            Some(Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_)) | None => {
+                false
+            }
+            Some(
+                Geometry::Wall(_)
+                | Geometry::Arch(_)
+                | Geometry::Cut(_)
+                | Geometry::Voronoi(_)
+                | Geometry::Pour(_),
+            ) => true,
+        };
+        many || self.copies.is_some()
     }
 
     /// The geometry, if exactly one was given.
@@ -608,7 +625,7 @@ pub struct Phase {
     /// When the phase ends: the first condition that is reached.
     pub until: Until,
     /// Time step, s. Default automatic: `safety` times the stable one.
-    pub time_step: Option<Quantity<PositiveTime>>,
+    pub time_step: Option<Quantity<TimeStep>>,
     /// Share of the stable time step that is used when `time_step` is not given, greater than 0
     /// and at most 1. Default 0.2.
     pub safety: Option<Quantity<Share>>,

@@ -18,6 +18,10 @@ use super::{rules, validate};
 /// Largest scenario file accepted, bytes. Generators and CSV files keep scenarios short.
 pub const MAX_SIZE: u64 = 16 << 20;
 
+/// Most brackets, commas, equals signs and line ends in a scenario: each costs the parser some
+/// fifty bytes of memory.
+pub const MAX_MARKS: usize = 6_000_000;
+
 /// A scenario that follows the language: every quantity has its dimension and range, every name
 /// stands for something. Geometry and physics are checked when the model is built.
 #[derive(Debug, Clone)]
@@ -115,6 +119,15 @@ pub fn parse(mut source: Source) -> Result<Parsed, Diagnostics> {
     }
     let text = source.text.as_str();
     let fail = |list| Err(Diagnostics::new(source.clone(), list));
+    let marks = text
+        .bytes()
+        .filter(|byte| b"[]{},=.\n".contains(byte))
+        .count();
+    if marks > MAX_MARKS {
+        let diagnostic = Diagnostic::error("file.size", "the scenario has too many values")
+            .help("put long lists of points into CSV files, or let a generator make the blocks");
+        return fail(vec![diagnostic]);
+    }
     if let Some(at) = text.find('\0') {
         let diagnostic = Diagnostic::error("file.text", "this is not a text: it has a zero byte")
             .at(at..at + 1)
@@ -182,6 +195,12 @@ pub(super) fn syntax_error(text: &str, message: &str, span: Option<Span>) -> Dia
     }
     let place = text.get(span.start..).unwrap_or_default();
     let line = place.lines().next().unwrap_or_default();
+    let before = text.get(..span.start).unwrap_or_default();
+    if line.trim().is_empty() && before.trim_end_matches([' ', '\t']).ends_with('=') {
+        return Diagnostic::error("toml.syntax", "there is no value after the equals sign")
+            .at(span)
+            .help("write key = value, for example density = \"2600 kg/m3\"");
+    }
     let help = if line.contains('“') || line.contains('”') {
         "use straight quotes: \""
     } else if message.contains("string") || message.contains("quote") {

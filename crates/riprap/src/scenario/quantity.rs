@@ -12,6 +12,7 @@ use std::ops::Range;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
 
+use super::diagnostic::Diagnostic;
 use super::units::{self, Dim, UnitError};
 
 /// Bytes of the source text.
@@ -219,7 +220,9 @@ kinds! {
     /// A time, s.
     Time: Some(Dim::TIME), ALL, "a time", "1.5 s";
     /// A time > 0, s.
-    PositiveTime: Some(Dim::TIME), POSITIVE, "a time", "10 us";
+    PositiveTime: Some(Dim::TIME), POSITIVE, "a time", "1.5 s";
+    /// A time step > 0, s.
+    TimeStep: Some(Dim::TIME), POSITIVE, "a time", "10 us";
     /// A time >= 0, s.
     NotNegativeTime: Some(Dim::TIME), NOT_NEGATIVE, "a time", "0.5 s";
     /// A velocity, m/s.
@@ -270,6 +273,36 @@ impl<K: Kind> Quantity<K> {
         match &self.raw {
             Raw::Number(value) => Ok((*value, None)),
             Raw::Text(text) => units::parse(text).map(|(value, dim)| (value, Some(dim))),
+        }
+    }
+
+    /// SI value as a number in the unit of a field, for example `"N/m"` (`"-"` for none).
+    /// `bare_is_si`: the file says `units = "SI"`.
+    ///
+    /// # Errors
+    /// Another dimension, with the place and what to write.
+    pub fn in_unit(&self, unit: &str, bare_is_si: bool) -> Result<f64, Diagnostic> {
+        let expected = units::dimension(unit).unwrap_or(Dim::NONE);
+        let wrong = |label: String| {
+            Diagnostic::error("unit.dimension", "the unit does not suit the field")
+                .at(self.span.clone())
+                .label(label)
+                .help(if expected == Dim::NONE {
+                    "write a number without unit".to_owned()
+                } else {
+                    format!("the unit of the field is {unit}: write for example \"0.1 {unit}\"")
+                })
+        };
+        match self.read() {
+            Ok((value, None)) if bare_is_si || expected == Dim::NONE => Ok(value),
+            Ok((_, None)) => Err(wrong("the unit is missing".to_owned())),
+            Ok((value, Some(dim))) if dim == expected => Ok(value),
+            Ok((_, Some(dim))) => Err(wrong(format!(
+                "this is {}, {} is expected",
+                dim.describe(),
+                expected.describe()
+            ))),
+            Err(error) => Err(wrong(error.message)),
         }
     }
 

@@ -1,20 +1,34 @@
 //! Names that refer to something: materials, blocks, groups, interfaces, variants, keys.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use toml::de::DeTable;
 
 use super::diagnostic::{Diagnostic, suggest};
-use super::language::{Block, Geometry, Output, Scenario, Target};
+use super::language::{Output, Scenario, Target};
 use super::load::key_si;
 use super::quantity::{Name, Names, Raw};
 use super::values::short;
 
 /// What stands for nothing, or twice.
 pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Diagnostic>) {
+    let blocks: BTreeMap<&str, bool> = scenario
+        .blocks
+        .iter()
+        .map(|block| (block.name.as_str(), block.is_generator()))
+        .collect();
+    let mut groups: BTreeSet<&str> = blocks.keys().copied().collect();
+    groups.extend(
+        scenario
+            .blocks
+            .iter()
+            .flat_map(|block| &block.groups)
+            .map(Name::as_str),
+    );
     let mut references = References {
         scenario,
-        groups: Vec::new(),
+        blocks,
+        groups,
         found,
     };
     references.unique();
@@ -25,25 +39,10 @@ pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Dia
 
 struct References<'a> {
     scenario: &'a Scenario,
-    groups: Vec<&'a str>,
+    /// Names as written, and whether each stands for many blocks.
+    blocks: BTreeMap<&'a str, bool>,
+    groups: BTreeSet<&'a str>,
     found: &'a mut Vec<Diagnostic>,
-}
-
-/// Whether a `[[blocks]]` entry makes blocks called name.1, name.2, ...
-pub fn is_generator(block: &Block) -> bool {
-    block.copies.is_some()
-        || match block.geometry() {
-            Some(Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_)) | None => {
-                false
-            }
-            Some(
-                Geometry::Wall(_)
-                | Geometry::Arch(_)
-                | Geometry::Cut(_)
-                | Geometry::Voronoi(_)
-                | Geometry::Pour(_),
-            ) => true,
-        }
 }
 
 impl<'a> References<'a> {
@@ -63,9 +62,9 @@ impl<'a> References<'a> {
     }
 
     fn twice<'b>(&mut self, what: &str, names: impl Iterator<Item = &'b Name>) {
-        let mut seen: BTreeMap<&str, ()> = BTreeMap::new();
+        let mut seen = BTreeSet::new();
         for name in names {
-            if seen.insert(name.as_str(), ()).is_some() {
+            if !seen.insert(name.as_str()) {
                 let message = format!("there are two {what} called `{}`", short(&name.text));
                 self.found.push(
                     Diagnostic::error("name.twice", message)
@@ -86,14 +85,14 @@ impl<'a> References<'a> {
             Output::Frames(_) | Output::Checkpoints(_) => None,
         });
         self.twice("histories", histories);
-        let mut pairs: Vec<(&Name, [&str; 2])> = Vec::new();
+        let mut pairs: BTreeMap<[&str; 2], &Name> = BTreeMap::new();
         for (name, interface) in scenario.interfaces.iter() {
             let Some([a, b]) = &interface.between else {
                 continue;
             };
             let mut pair = [a.as_str(), b.as_str()];
             pair.sort_unstable();
-            if let Some((first, _)) = pairs.iter().find(|(_, other)| *other == pair) {
+            if let Some(first) = pairs.insert(pair, name) {
                 let message = format!(
                     "interfaces.{first} and interfaces.{name} are between the same materials"
                 );
@@ -103,13 +102,12 @@ impl<'a> References<'a> {
                         .help("keep one of them"),
                 );
             }
-            pairs.push((name, pair));
         }
     }
 
     fn materials(&mut self) {
         let scenario = self.scenario;
-        let known: Vec<&str> = scenario.materials.names().collect();
+        let known: BTreeSet<&str> = scenario.materials.names().collect();
         let between = scenario
             .interfaces
             .iter()
@@ -120,7 +118,7 @@ impl<'a> References<'a> {
             .map(|block| &block.material)
             .chain(between.flatten());
         for name in used {
-            if !known.contains(&name.as_str()) {
+            if !known.contains(name.as_str()) {
                 self.unknown("material", name, known.iter().copied());
             }
         }
@@ -128,42 +126,23 @@ impl<'a> References<'a> {
 
     /// Names of blocks as written; generated ones are known by their generator.
     fn is_block(&self, name: &str) -> bool {
-        self.scenario.blocks.iter().any(|block| {
-            block.name.text == name
-                || (is_generator(block)
-                    && name
-                        .strip_prefix(block.name.as_str())
-                        .and_then(|rest| rest.strip_prefix('.'))
-                        .is_some_and(|number| number.parse::<u32>().is_ok_and(|n| n > 0)))
-        })
-    }
-
-    fn is_group(&self, name: &str) -> bool {
-        self.groups.contains(&name)
+        self.blocks.contains_key(name)
+            || name.rsplit_once('.').is_some_and(|(generator, number)| {
+                self.blocks.get(generator) == Some(&true)
+                    && number.parse::<u32>().is_ok_and(|number| number > 0)
+            })
     }
 
     fn block(&mut self, name: &Name) {
         if !self.is_block(name.as_str()) {
-            let known: Vec<&str> = self
-                .scenario
-                .blocks
-                .iter()
-                .map(|block| block.name.as_str())
-                .collect();
+            let known: Vec<&str> = self.blocks.keys().copied().collect();
             self.unknown("block", name, known);
         }
     }
 
     fn block_or_group(&mut self, name: &Name) {
-        if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
-            let mut known: Vec<&str> = self
-                .scenario
-                .blocks
-                .iter()
-                .map(|block| block.name.as_str())
-                .collect();
-            known.extend(self.groups.iter().copied());
-            known.dedup();
+        if !self.is_block(name.as_str()) && !self.groups.contains(name.as_str()) {
+            let known: Vec<&str> = self.groups.iter().copied().collect();
             self.unknown("block or group", name, known);
         }
     }
@@ -177,8 +156,8 @@ impl<'a> References<'a> {
                 }
             }
             Target::Group(name) => {
-                if !self.is_group(name.as_str()) && !self.is_block(name.as_str()) {
-                    let known = self.groups.clone();
+                if !self.is_block(name.as_str()) && !self.groups.contains(name.as_str()) {
+                    let known: Vec<&str> = self.groups.iter().copied().collect();
                     self.unknown("group", name, known);
                 }
             }
@@ -193,12 +172,6 @@ impl<'a> References<'a> {
 
     fn targets(&mut self) {
         let scenario = self.scenario;
-        for block in &scenario.blocks {
-            self.groups.push(block.name.as_str());
-            self.groups.extend(block.groups.iter().map(Name::as_str));
-        }
-        self.groups.sort_unstable();
-        self.groups.dedup();
         for support in &scenario.supports {
             self.target(&support.on);
         }

@@ -28,6 +28,7 @@ pub(super) fn check(
         found: Vec::new(),
         values_sound,
     };
+    rules.head(scenario, root);
     rules.scenario(scenario);
     references::check(scenario, root, &mut rules.found);
     rules.found
@@ -84,18 +85,24 @@ impl Rules {
         }
     }
 
-    fn scenario(&mut self, scenario: &Scenario) {
+    fn head(&mut self, scenario: &Scenario, root: &DeTable<'_>) {
+        let place = |key: &str| root.get(key).map_or(0..0, toml::Spanned::span);
         if scenario.riprap != 1 {
             let message = format!("language version {} is not known", scenario.riprap);
-            self.found
-                .push(Diagnostic::error("version", message).help("write riprap = 1"));
+            self.error("version", &place("riprap"), message, "write riprap = 1");
         }
         if scenario.title.trim().is_empty() {
-            self.found.push(
-                Diagnostic::error("title", "the title is empty")
-                    .help("say in one line what the scene shows"),
+            let help = "say in one line what the scene shows";
+            self.error(
+                "title",
+                &place("title"),
+                "the title is empty".to_owned(),
+                help,
             );
         }
+    }
+
+    fn scenario(&mut self, scenario: &Scenario) {
         if scenario.materials.is_empty() {
             self.found.push(
                 Diagnostic::error("model.empty", "there is no material")
@@ -151,7 +158,9 @@ impl Rules {
                 let help = "`low` and `high` must differ and `tolerance` be greater than zero";
                 self.error("value.order", span, message, help);
             }
-            self.same_dimension(&[&bisect.low, &bisect.high, &bisect.tolerance], "bisect");
+            if self.values_sound {
+                self.same_dimension(&[&bisect.low, &bisect.high, &bisect.tolerance], "bisect");
+            }
             self.criterion(&bisect.fails_when);
         }
         for check in &scenario.checks {
@@ -414,7 +423,12 @@ impl Rules {
     ) {
         let (first, second) = (low.si(), high.si());
         if self.values_sound && (first > second || (first == second && !may_be_equal)) {
-            let message = format!("\"{}\" does not come before \"{}\"", low.raw, high.raw);
+            let than = if may_be_equal {
+                "is larger than"
+            } else {
+                "is not less than"
+            };
+            let message = format!("\"{}\" {than} \"{}\"", low.raw, high.raw);
             self.error("value.order", &high.span, message, help);
         }
     }

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::diagnostic::{closest, list};
+use super::diagnostic::closest;
 use super::language::Scenario;
 use super::quantity::KindInfo;
 
@@ -238,8 +238,13 @@ fn add(
     let text = match (own.is_empty(), of_type.is_empty() || of_type == own) {
         (true, _) => of_type,
         (false, true) => own,
-        (false, false) if node.kind().is_some() => own,
-        (false, false) => format!("{own} {of_type}"),
+        // Only what the text of the key cannot know: "Exactly one of ...".
+        (false, false) => match of_type.split_once(". ") {
+            Some((_, more)) if node.kind().is_none() && !own.contains(more) => {
+                format!("{own} {more}")
+            }
+            _ => own,
+        },
     };
     let words = node.words();
     // A free name without text of its own is documented by the key above it.
@@ -262,6 +267,27 @@ fn add(
             collect(items, &format!("{path}.*"), out);
         }
     }
+}
+
+/// A value to copy, if one can be made up.
+pub(super) fn example(node: Node) -> Option<String> {
+    if let Some(kind) = node.kind() {
+        let bare = kind.example.parse::<f64>().is_ok();
+        return Some(if bare {
+            kind.example.to_owned()
+        } else {
+            format!("\"{}\"", kind.example)
+        });
+    }
+    if let Some((word, _)) = node.words().first() {
+        return Some(format!("\"{word}\""));
+    }
+    let count = node.value.get("minItems").and_then(Value::as_u64)?;
+    let item = example(Node::resolve(node.value.get("items")?))?;
+    Some(format!(
+        "[{}]",
+        vec![item; count.min(3) as usize].join(", ")
+    ))
 }
 
 /// What a value may be, in a few words.
@@ -292,12 +318,12 @@ pub(super) fn takes(node: Node) -> String {
     let words = node.words();
     if !words.is_empty() {
         let words: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
-        return format!("one of {}", list(&words));
+        return super::diagnostic::one_of(&words);
     }
     let variants = node.variants();
     if !variants.is_empty() {
         let keys: Vec<&str> = variants.iter().map(|(key, _, _)| *key).collect();
-        return format!("a table with one of {}", list(&keys));
+        return format!("a table with {}", super::diagnostic::one_of(&keys));
     }
     if node.allows("array") {
         let items = node.value.get("items").map(Node::resolve);

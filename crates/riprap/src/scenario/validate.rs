@@ -8,10 +8,10 @@ use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::diagnostic::{Diagnostic, list, suggest};
+use super::diagnostic::{Diagnostic, closest, list, one_of, suggest};
 use super::path::resolve;
 use super::quantity::{Interval, KindInfo, Raw, Span, When};
-use super::schema::{Node, description, takes};
+use super::schema::{Node, description, example, takes};
 use super::units;
 use super::values::{assignment, check_quantity, short};
 
@@ -43,8 +43,13 @@ struct Walk {
 }
 
 impl Walk {
+    /// Enough was found; looking on would only cost time.
+    fn full(&self) -> bool {
+        self.found.len() >= MOST
+    }
+
     fn report(&mut self, diagnostic: Diagnostic) {
-        if self.found.len() < MOST {
+        if !self.full() {
             self.found.push(diagnostic);
         }
     }
@@ -135,6 +140,9 @@ impl Walk {
     }
 
     fn node(&mut self, value: &Spanned<DeValue<'_>>, node: Node) {
+        if self.full() {
+            return;
+        }
         let span = value.span();
         if node.value.is_boolean() {
             return; // any value
@@ -194,7 +202,11 @@ impl Walk {
 
     fn object(&mut self, table: &DeTable<'_>, span: &Span, node: Node) {
         let free = node.free_values();
+        let mut mistyped: Vec<String> = Vec::new();
         for (key, value) in table {
+            if self.full() {
+                return;
+            }
             let name = key.get_ref().as_ref();
             let fixed = node.properties().find(|(known, _)| *known == name);
             match fixed.map(|(_, schema)| schema).or(free) {
@@ -204,7 +216,9 @@ impl Walk {
                     self.path.pop();
                 }
                 None => {
-                    let help = suggest(name, node.properties().map(|(known, _)| known));
+                    let known = node.properties().map(|(known, _)| known);
+                    let help = suggest(name, known.clone());
+                    mistyped.extend(closest(name, known));
                     let mut diagnostic = Diagnostic::error(
                         "key.unknown",
                         format!("unknown key `{}` in {}", short(name), self.here()),
@@ -217,9 +231,13 @@ impl Walk {
             }
         }
         for key in node.required().filter(|key| !table.contains_key(*key)) {
+            // Said already: "did you mean ...".
+            if mistyped.iter().any(|one| one == key) {
+                continue;
+            }
             let schema = node.properties().find(|(known, _)| *known == key);
             let target = schema.map(|(_, schema)| Node::resolve(schema));
-            let meaning = schema.map(|(_, schema)| first_sentence(description(schema)));
+            let meaning = schema.map(|(_, schema)| description(schema).replace('\n', " "));
             let help = match (target.and_then(Node::kind), meaning) {
                 (Some(kind), _) => format!("write for example {}", assignment(key, kind.example)),
                 (None, Some(meaning)) if !meaning.is_empty() => format!("{key}: {meaning}"),
@@ -282,8 +300,9 @@ impl Walk {
             let message = format!("`{}` cannot be \"{}\"", self.key(), short(word));
             let mut diagnostic = Diagnostic::error("value.word", message)
                 .at(value.span())
-                .label(format!("one of {} is expected", list(words)));
-            diagnostic.help = suggest(word, words.iter().copied());
+                .label(format!("{} is expected", one_of(words)));
+            diagnostic.help =
+                closest(word, words.iter().copied()).map(|word| format!("did you mean `{word}`?"));
             self.report(diagnostic);
         }
     }
@@ -296,6 +315,9 @@ impl Walk {
         };
         let mut known = 0;
         for (key, inner) in table {
+            if self.full() {
+                return;
+            }
             let name = key.get_ref().as_ref();
             if let Some((_, schema, _)) = variants.iter().find(|(known, _, _)| *known == name) {
                 known += 1;
@@ -316,8 +338,9 @@ impl Walk {
                 let message = format!("unknown key `{}` in {}", short(name), self.here());
                 let mut diagnostic = Diagnostic::error("key.unknown", message)
                     .at(key.span())
-                    .label(format!("one of {} is expected", list(&keys)));
-                diagnostic.help = suggest(name, keys.iter().copied());
+                    .label(format!("{} is expected", one_of(&keys)));
+                diagnostic.help =
+                    closest(name, keys.iter().copied()).map(|key| format!("did you mean `{key}`?"));
                 self.report(diagnostic);
             }
         }
@@ -326,7 +349,7 @@ impl Walk {
             self.report(
                 Diagnostic::error("key.one_of", message)
                     .at(value.span())
-                    .help(format!("give one of {}", list(&keys))),
+                    .help(format!("give {}", one_of(&keys))),
             );
         }
     }
@@ -340,9 +363,8 @@ impl Walk {
                 "{} is expected",
                 expected.split(", for example").next().unwrap_or("")
             ));
-        if let Some((_, example)) = expected.split_once("for example ") {
-            diagnostic.help = Some(format!("write for example {} = {example}", self.key()));
-        }
+        diagnostic.help =
+            example(node).map(|example| format!("write for example {} = {example}", self.key()));
         self.report(diagnostic);
     }
 
@@ -409,14 +431,6 @@ impl Walk {
             .help("write for example \"1 ms\""),
         };
         self.report(diagnostic.at(value.span()));
-    }
-}
-
-fn first_sentence(text: &str) -> String {
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    match text.split_once(". ") {
-        Some((first, _)) => first.to_owned(),
-        None => text.trim_end_matches('.').to_owned(),
     }
 }
 

@@ -100,7 +100,7 @@ fn wrong_dimension(
     let unit = text.trim_start_matches(|c: char| !c.is_alphabetic()).trim();
     let expected = kind.dim.unwrap_or(Dim::NONE);
     let label = |is: &str| format!("this is {is}, {} is expected", kind.what);
-    let example = format!("write for example {}", assignment(key, kind.example));
+    let example = format!("for example {}", assignment(key, kind.example));
     match (expected, dim) {
         // Force per volume has the dimension of pressure per length.
         (Dim::DENSITY, Dim::STIFFNESS_PER_AREA) => (
@@ -132,7 +132,7 @@ fn wrong_dimension(
         ),
         (Dim::ACCELERATION, Dim::MASS) if unit == "g" => (
             label("a mass: g is gram"),
-            format!("write the acceleration of gravity in m/s2: {example}"),
+            format!("write accelerations in m/s2: {example}"),
         ),
         (Dim::SPIN, Dim::RATE) => (
             label("a rate (1 per time)"),
@@ -142,7 +142,7 @@ fn wrong_dimension(
             label("a spin (angle per time)"),
             format!("count full waves: {example}"),
         ),
-        _ => (label(&dim.describe()), example),
+        _ => (label(&dim.describe()), format!("write {example}")),
     }
 }
 
