@@ -1,1 +1,57 @@
 //! Scenario to SI numbers: block generation, material and interface tables, resolved plan.
+//!
+//! ```text
+//! Parsed --origin--> generate blocks --> names, groups --> interfaces --> supports, loads
+//!                                                              --> phases, outputs, checks
+//!        --> inspect (overlaps, slivers, nothing to move) --> Model
+//! ```
+//!
+//! Everything the scenario leaves open is decided here and written down in `Model::explained`, with
+//! where it came from. All errors are collected, each with its place in the file; what is accepted
+//! although it is odd (clockwise polygons, far coordinates) is a note among the warnings.
+//!
+//! Not here: the stable time step and everything else that needs the engine.
+
+mod assertions;
+mod blocks;
+mod builder;
+mod explain;
+mod fields;
+mod inspect;
+mod interfaces;
+mod motion;
+mod names;
+mod phases;
+mod summary;
+
+pub use assertions::Bisection;
+pub use builder::build;
+pub use explain::{Explained, Provenance};
+pub use summary::{Region, Summary};
+
+use crate::planar::setup::Setup;
+use crate::run::checks::Check;
+use crate::run::plan::Plan;
+use crate::scenario::Diagnostic;
+
+/// A scenario in numbers, ready to be run.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// What the engine is built from.
+    pub setup: Setup,
+    /// Phases and outputs.
+    pub plan: Plan,
+    /// Checks that apply to this case.
+    pub checks: Vec<Check>,
+    /// The search of `[bisect]`, if there is one.
+    pub bisect: Option<Bisection>,
+    /// Every key with its value and where it came from.
+    pub explained: Vec<Explained>,
+    /// Counts and sizes, for `riprap check`.
+    pub summary: Summary,
+    /// Warnings and notes, those of the scenario included.
+    pub warnings: Vec<Diagnostic>,
+}
+
+#[cfg(test)]
+mod tests;

@@ -104,6 +104,9 @@ pub struct Planar {
     pub gravity: [Quantity<Acceleration>; 2],
     /// The gravity vector is turned clockwise by this angle: a tilting table. Default 0 deg.
     pub tilt: Option<Quantity<Angle>>,
+    /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
+    /// block, or what the weight of the whole model could press in (up to 1 % of the block).
+    pub allow_overlap: Option<Quantity<NotNegativeLength>>,
 }
 
 /// A material.

@@ -1,0 +1,282 @@
+//! Checks and the search of `[bisect]`.
+
+use super::builder::Builder;
+use super::fields::FieldUse;
+use crate::run::checks::{Check, Expected, Reduce, Window};
+use crate::scenario::language::{self, Reduce as Said};
+use crate::scenario::quantity::{Any, Raw, When};
+use crate::scenario::{Diagnostic, Name, Quantity, units};
+
+/// A search for the value of a key at which the scene fails.
+#[derive(Clone, Debug)]
+pub struct Bisection {
+    /// Key to be changed.
+    pub key: String,
+    /// One end of the interval, SI.
+    pub low: f64,
+    /// Other end, SI.
+    pub high: f64,
+    /// Width at which to stop, SI.
+    pub tolerance: f64,
+    /// SI unit of the three, as it is written behind a number in a scenario; empty for none.
+    pub unit: String,
+    /// What to read at the end of each trial; its expectation is the allowed band, so that the scene
+    /// fails when the check does.
+    pub holds: Check,
+}
+
+impl Builder<'_> {
+    /// The checks that apply to this case.
+    pub(super) fn checks(&mut self) -> Vec<Check> {
+        let parsed = self.parsed;
+        let mut checks = Vec::new();
+        for said in &parsed.scenario.checks {
+            let here = said.only.is_empty() || said.only.iter().any(|v| v.as_str() == self.variant);
+            // Checks of other cases are resolved too: their errors should not wait for their case.
+            if let Some(check) = self.check(said)
+                && here
+                && parsed.check_applies(said)
+            {
+                checks.push(check);
+            }
+        }
+        checks
+    }
+
+    fn check(&mut self, said: &language::Check) -> Option<Check> {
+        let used = self.number(&said.field, said.of.as_ref(), said.along.as_ref())?;
+        let unit = used.unit;
+        if let (Some(reason), true) = (&said.known, said.exact) {
+            let message = format!("check `{}` is exact and cannot be marked known", said.name);
+            self.error_at("check.known", reason, message, "remove `known` or `exact`");
+        }
+        let reduce = match said.reduce {
+            Some(reduce) => Some(self.reduce(reduce, said.threshold.as_ref(), unit, &said.name)?),
+            None => None,
+        };
+        let window = match (&said.at, &said.over, reduce) {
+            (_, Some([from, to]), Some(reduce)) => {
+                self.in_run(from.si(), from.span.clone(), &said.name);
+                Window::Over {
+                    from: from.si(),
+                    to: to.si(),
+                    reduce,
+                }
+            }
+            (None, None, Some(reduce)) => Window::Over {
+                from: 0.0,
+                to: f64::INFINITY,
+                reduce,
+            },
+            (Some(moment), _, _) => match moment.read() {
+                When::Time(time) => {
+                    self.in_run(time, moment.span.clone(), &said.name);
+                    Window::At(time)
+                }
+                When::Start => Window::Start,
+                When::End => Window::End,
+            },
+            (None, _, _) => Window::End,
+        };
+        // What comes out may have another unit than the field.
+        let unit = match window {
+            Window::Over {
+                reduce: Reduce::FirstAbove(_),
+                ..
+            } => "s",
+            Window::Over {
+                reduce: Reduce::ShareAbove(_),
+                ..
+            } => "-",
+            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => unit,
+        };
+        let expected = self.expected(said, unit)?;
+        let absolute = match &said.absolute {
+            Some(absolute) => Some(self.in_unit(absolute, unit, "`absolute`")?),
+            None => None,
+        };
+        Some(Check {
+            name: said.name.text.clone(),
+            field: used.field,
+            of: used.of,
+            along: used.along,
+            unit: used.unit.to_owned(),
+            window,
+            expected,
+            relative: said.relative.as_ref().map(Quantity::si),
+            absolute,
+            known: said.known.as_ref().map(|reason| reason.text.clone()),
+        })
+    }
+
+    /// A field that is one number.
+    fn number(
+        &mut self,
+        field: &Name,
+        of: Option<&crate::scenario::Names>,
+        along: Option<&Quantity<crate::scenario::quantity::Angle>>,
+    ) -> Option<FieldUse> {
+        let used = self.field(field, of, along)?;
+        if used.is_vector {
+            let message = format!("`{field}` is a vector");
+            let help = format!("write `{field}.x`, `.y` or `.magnitude`, or give `along`");
+            self.error_at("field.direction", field, message, &help);
+            return None;
+        }
+        Some(used)
+    }
+
+    fn reduce(
+        &mut self,
+        said: Said,
+        threshold: Option<&Quantity<Any>>,
+        unit: &str,
+        name: &Name,
+    ) -> Option<Reduce> {
+        let limit = |b: &mut Self| match threshold {
+            Some(threshold) => b.in_unit(threshold, unit, "`threshold`"),
+            None => {
+                let message = format!("check `{name}` needs a `threshold`");
+                b.error_at(
+                    "key.missing",
+                    name,
+                    message,
+                    "write for example threshold = \"0.1 m\"",
+                );
+                None
+            }
+        };
+        Some(match said {
+            Said::Max => Reduce::Max,
+            Said::Min => Reduce::Min,
+            Said::Mean => Reduce::Mean,
+            Said::Range => Reduce::Range,
+            Said::FirstAbove => Reduce::FirstAbove(limit(self)?),
+            Said::ShareAbove => Reduce::ShareAbove(limit(self)?),
+        })
+    }
+
+    /// A moment after the end of the run is never reached.
+    fn in_run(&mut self, time: f64, span: crate::scenario::Span, name: &Name) {
+        let Some(total) = self.summary.duration else {
+            return;
+        };
+        if time > total * (1.0 + 1e-9) {
+            let message =
+                format!("check `{name}` reads at {time} s, but the phases last {total} s in all");
+            let error = Diagnostic::error("check.late", message).at(span);
+            self.found
+                .push(error.help("choose an earlier moment, or a longer phase"));
+        }
+    }
+
+    fn expected(&mut self, said: &language::Check, unit: &str) -> Option<Expected> {
+        if let Some(value) = &said.value {
+            return self.in_unit(value, unit, "the field").map(Expected::Value);
+        }
+        if let Some([low, high]) = &said.between {
+            let ends = (
+                self.in_unit(low, unit, "the field"),
+                self.in_unit(high, unit, "the field"),
+            );
+            let (Some(low), Some(high_value)) = ends else {
+                return None;
+            };
+            if low > high_value {
+                let error =
+                    Diagnostic::error("value.order", "the lower bound is above the upper one");
+                self.found.push(
+                    error
+                        .at(high.span.clone())
+                        .help("between = [lowest, highest]"),
+                );
+            }
+            return Some(Expected::Between(low, high_value));
+        }
+        if let Some(csv) = &said.csv {
+            return self
+                .csv_function(csv)
+                .map(|(t, v)| Expected::Table { t, v });
+        }
+        let Some(text) = &said.formula else {
+            let message = format!("check `{}` expects nothing", said.name);
+            let help = "give `value`, `formula`, `csv` or `between`";
+            self.error_at("key.one_of", &said.name, message, help);
+            return None;
+        };
+        let mut names: Vec<(String, f64)> = Vec::new();
+        for (name, value) in said.names.iter() {
+            let number = match &value.raw {
+                Raw::Number(number) => Ok(*number),
+                Raw::Text(word) => match units::parse(word) {
+                    Ok((number, _)) => Ok(number),
+                    Err(_) => self.parsed.key_si(word),
+                },
+            };
+            match number {
+                Ok(number) => names.push((name.text.clone(), number)),
+                Err(reason) => {
+                    let error =
+                        Diagnostic::error("key.path", format!("`{name}` in `let`: {reason}"));
+                    let help = "give a number, a value with unit, or a key of this file";
+                    self.found.push(error.at(value.span.clone()).help(help));
+                    return None;
+                }
+            }
+        }
+        let mut known: Vec<&str> = names.iter().map(|(name, _)| name.as_str()).collect();
+        known.push("t");
+        let formula = self.formula(text, &known)?;
+        Some(Expected::Formula { formula, names })
+    }
+
+    pub(super) fn bisect(&mut self) -> Option<Bisection> {
+        let said = self.parsed.scenario.bisect.as_ref()?;
+        let criterion = &said.fails_when;
+        let used = self.number(
+            &criterion.field,
+            criterion.of.as_ref(),
+            criterion.along.as_ref(),
+        )?;
+        let window = match criterion.reduce {
+            Some(reduce) => {
+                let reduce = self.reduce(reduce, None, used.unit, &criterion.field)?;
+                Window::Over {
+                    from: 0.0,
+                    to: f64::INFINITY,
+                    reduce,
+                }
+            }
+            None => Window::End,
+        };
+        let limit = |b: &mut Self, q: Option<&Quantity<Any>>, none: f64| match q {
+            Some(q) => b.in_unit(q, used.unit, "the field"),
+            None => Some(none),
+        };
+        let above = limit(self, criterion.above.as_ref(), f64::INFINITY)?;
+        let below = limit(self, criterion.below.as_ref(), f64::NEG_INFINITY)?;
+        let dim = said.low.read().ok()?.1;
+        let unit = dim
+            .filter(|d| *d != units::Dim::NONE)
+            .map_or_else(String::new, |d| d.to_string());
+        Some(Bisection {
+            key: said.key.text.clone(),
+            low: said.low.si(),
+            high: said.high.si(),
+            tolerance: said.tolerance.si(),
+            unit,
+            holds: Check {
+                name: format!("holds ({})", criterion.field),
+                field: used.field,
+                of: used.of,
+                along: used.along,
+                unit: used.unit.to_owned(),
+                window,
+                expected: Expected::Between(below, above),
+                relative: None,
+                absolute: None,
+                known: None,
+            },
+        })
+    }
+}

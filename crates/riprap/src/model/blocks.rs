@@ -1,0 +1,427 @@
+//! Outlines of the blocks of one `[[blocks]]` table.
+
+use riprap_geom::cut::{self, JointSet};
+use riprap_geom::heal::Blocks;
+use riprap_geom::measure::SliverReport;
+use riprap_geom::pack::{self, Pour};
+use riprap_geom::polygon::{self, Aabb, Collinear};
+use riprap_geom::shapes::{self, Arch, Bond, Wall};
+use riprap_geom::voronoi::{self, Cells};
+use riprap_geom::{GeomError, Vec2};
+
+use super::builder::{Builder, global};
+use super::explain::{Provenance, with_unit};
+use super::summary::Region;
+use crate::scenario::language::{
+    Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
+};
+use crate::scenario::{Diagnostic, Quantity, Span, csv_columns};
+
+/// What one table makes.
+pub(super) struct Generated {
+    pub(super) outlines: Vec<Vec<Vec2>>,
+    /// Whether the blocks are called name.1, name.2, ...
+    pub(super) numbered: bool,
+    pub(super) region: Option<Region>,
+}
+
+impl Generated {
+    fn single(outline: Vec<Vec2>) -> Self {
+        Generated {
+            outlines: vec![outline],
+            numbered: false,
+            region: None,
+        }
+    }
+
+    fn several(outlines: Vec<Vec<Vec2>>) -> Self {
+        Generated {
+            outlines,
+            numbered: true,
+            region: None,
+        }
+    }
+}
+
+/// Points that show where a table's blocks are, in the coordinates of the file.
+pub(super) fn places(block: &Block) -> Vec<Vec2> {
+    let all = |points: &[Point]| points.iter().map(global).collect();
+    match block.geometry() {
+        None | Some(Geometry::Polygon(Polygon::Csv(_))) => Vec::new(),
+        Some(Geometry::Polygon(Polygon::Points(points))) => all(points),
+        Some(Geometry::Rectangle(r)) => r.corner.iter().chain(&r.centre).map(global).collect(),
+        Some(Geometry::Regular(r)) => vec![global(&r.centre)],
+        Some(Geometry::Wall(w)) => vec![global(&w.corner)],
+        Some(Geometry::Arch(a)) => vec![global(&a.centre)],
+        Some(Geometry::Cut(c)) => all(&c.region),
+        Some(Geometry::Voronoi(v)) => all(&v.region),
+        Some(Geometry::Pour(p)) => all(&p.region),
+    }
+}
+
+impl Builder<'_> {
+    /// The blocks of one table, turned, shifted and copied; `None` after an error.
+    pub(super) fn generate(&mut self, block: &Block) -> Option<Generated> {
+        let mut made = match block.geometry()? {
+            Geometry::Polygon(Polygon::Points(points)) => {
+                let outline: Vec<Vec2> = points.iter().map(|p| self.point(p)).collect();
+                let spans = |k: usize| points.get(k).map(|[x, y]| x.span.start..y.span.end);
+                self.outline(block, outline, &spans)
+                    .map(Generated::single)?
+            }
+            Geometry::Polygon(Polygon::Csv(file)) => {
+                let path = self.parsed.folder.join(file.as_str());
+                match csv_columns(&path, &["x_m", "y_m"]) {
+                    Ok(columns) => {
+                        let place = |(&x, &y)| Vec2::new(x, y) - self.origin;
+                        let outline = columns[0].iter().zip(&columns[1]).map(place).collect();
+                        let span = |_| Some(file.span.clone());
+                        self.outline(block, outline, &span).map(Generated::single)?
+                    }
+                    Err(error) => {
+                        let mut found = Diagnostic::error("file.csv", error.message);
+                        found.help = error.help;
+                        self.found.push(found.at(file.span.clone()));
+                        return None;
+                    }
+                }
+            }
+            Geometry::Rectangle(shape) => Generated::single(self.rectangle(shape)),
+            Geometry::Regular(r) => {
+                let centre = self.point(&r.centre);
+                Generated::single(shapes::regular(r.sides as usize, r.radius.si(), centre))
+            }
+            Geometry::Wall(w) => {
+                let wall = Wall {
+                    corner: self.point(&w.corner),
+                    block: Vec2::new(w.block[0].si(), w.block[1].si()),
+                    courses: w.courses as usize,
+                    per_course: w.per_course as usize,
+                    bond: match w.bond {
+                        Some(WallBond::Running) | None => Bond::Running,
+                        Some(WallBond::Stack) => Bond::Stack,
+                    },
+                    half_blocks: w.half_blocks,
+                };
+                self.made(block, shapes::wall(&wall))
+                    .map(Generated::several)?
+            }
+            Geometry::Arch(a) => {
+                let arch = Arch {
+                    centre: self.point(&a.centre),
+                    radius: a.radius.si(),
+                    thickness: a.thickness.si(),
+                    half_angle: a.half_angle.si(),
+                    voussoirs: a.voussoirs as usize,
+                };
+                self.made(block, shapes::arch(&arch))
+                    .map(Generated::several)?
+            }
+            Geometry::Cut(c) => self.cut(block, c)?,
+            Geometry::Voronoi(v) => self.voronoi(block, v)?,
+            Geometry::Pour(p) => {
+                let [few, many] = p.vertices.unwrap_or([4, 7]);
+                let pour = Pour {
+                    region: Aabb {
+                        min: self.point(&p.region[0]),
+                        max: self.point(&p.region[1]),
+                    },
+                    count: p.count as usize,
+                    size: (p.size[0].si(), p.size[1].si()),
+                    vertices: (few as usize, many as usize),
+                    seed: p.seed.unwrap_or(1),
+                };
+                self.made(block, pack::pour(&pour))
+                    .map(Generated::several)?
+            }
+        };
+        self.place(block, &mut made.outlines);
+        self.copy(block, &mut made);
+        let wrong = made
+            .outlines
+            .iter()
+            .find_map(|o| polygon::validate(o).err());
+        if let Some(error) = wrong {
+            // A shape of ours that is no polygon: sizes or places beyond the range of numbers.
+            self.geometry_error(block, &error, None);
+            return None;
+        }
+        Some(made)
+    }
+
+    fn rectangle(&self, shape: &Rectangle) -> Vec<Vec2> {
+        let size = Vec2::new(shape.size[0].si(), shape.size[1].si());
+        let corner = match (&shape.corner, &shape.centre) {
+            (Some(corner), _) => self.point(corner),
+            (None, Some(centre)) => self.point(centre) - 0.5 * size,
+            (None, None) => -self.origin,
+        };
+        shapes::rectangle(corner, size)
+    }
+
+    /// Turns and moves.
+    fn place(&self, block: &Block, outlines: &mut [Vec<Vec2>]) {
+        if let Some(rotate) = &block.rotate {
+            let about = rotate
+                .about
+                .as_ref()
+                .map_or_else(|| common_centroid(outlines), |p| self.point(p));
+            let (sin, cos) = (libm::sin(rotate.angle.si()), libm::cos(rotate.angle.si()));
+            for v in outlines.iter_mut().flatten() {
+                let arm = *v - about;
+                *v = about + Vec2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+            }
+        }
+        if let Some(shift) = &block.shift {
+            let shift = global(shift);
+            outlines.iter_mut().flatten().for_each(|v| *v += shift);
+        }
+    }
+
+    fn copy(&mut self, block: &Block, made: &mut Generated) {
+        let Some(copies) = &block.copies else { return };
+        let total = u64::from(copies.count) * made.outlines.len() as u64;
+        if total > riprap_geom::tol::MAX_BLOCKS as u64 {
+            let error = GeomError::TooMany {
+                what: "copies",
+                count: total as f64,
+                cap: riprap_geom::tol::MAX_BLOCKS,
+            };
+            self.geometry_error(block, &error, None);
+            return;
+        }
+        let step = global(&copies.step);
+        let first = std::mem::take(&mut made.outlines);
+        made.numbered = true;
+        for k in 0..copies.count {
+            let shift = f64::from(k) * step;
+            let moved = |outline: &Vec<Vec2>| outline.iter().map(|&v| v + shift).collect();
+            made.outlines.extend(first.iter().map(moved));
+        }
+    }
+
+    /// A polygon as the user gave it, cleaned and turned anticlockwise. `span` finds a corner.
+    fn outline(
+        &mut self,
+        block: &Block,
+        raw: Vec<Vec2>,
+        span: &dyn Fn(usize) -> Option<Span>,
+    ) -> Option<Vec<Vec2>> {
+        // Corners on straight sides stay: they are the user's, and some laws feel them.
+        let (clean, changes) = polygon::normalise(&raw, Collinear::Keep);
+        // Errors count corners as the user does, as far as none was dropped.
+        let counted = if changes.repeated == 0 { &raw } else { &clean };
+        if let Err(error) = polygon::validate(counted) {
+            let corner = match error {
+                GeomError::NonFinite { vertex, .. } | GeomError::Spike { vertex, .. } => {
+                    Some(vertex)
+                }
+                GeomError::SelfIntersecting { edge_a, .. } => Some(edge_a),
+                GeomError::TooFewVertices { .. }
+                | GeomError::TooManyVertices { .. }
+                | GeomError::ZeroArea { .. }
+                | GeomError::BadNumber { .. }
+                | GeomError::TooMany { .. }
+                | GeomError::DoesNotFit { .. }
+                | GeomError::Arrangement { .. } => None,
+            };
+            let at = corner.filter(|_| changes.repeated == 0).and_then(span);
+            self.geometry_error(block, &error, at);
+            return None;
+        }
+        let mut note = |message: String| {
+            let note = Diagnostic::warning("geometry.changed", message);
+            self.found.push(note.at(block.name.span.clone()));
+        };
+        if changes.reversed {
+            note(format!(
+                "the corners of `{}` run clockwise: they were turned round",
+                block.name
+            ));
+        }
+        if changes.repeated > 0 {
+            let count = changes.repeated;
+            note(format!(
+                "`{}` repeats {count} corner(s): they were dropped",
+                block.name
+            ));
+        }
+        Some(clean)
+    }
+
+    /// Corners of a region to be divided.
+    fn region(&mut self, block: &Block, points: &[Point]) -> Option<Vec<Vec2>> {
+        let spans = |k: usize| points.get(k).map(|[x, y]| x.span.start..y.span.end);
+        self.outline(
+            block,
+            points.iter().map(|p| self.point(p)).collect(),
+            &spans,
+        )
+    }
+
+    fn cut(&mut self, block: &Block, cut: &Cut) -> Option<Generated> {
+        let region = self.region(block, &cut.region)?;
+        let si = |q: Option<f64>| q.unwrap_or(0.0);
+        let sets: Vec<JointSet> = cut
+            .joint_sets
+            .iter()
+            .map(|set| {
+                let angle = set.dip.si();
+                let normal = shapes::unit(angle).perp();
+                JointSet {
+                    angle,
+                    spacing: set.spacing.si(),
+                    spacing_scatter: si(set.spacing_scatter.as_ref().map(Quantity::si)),
+                    angle_scatter: si(set.angle_scatter.as_ref().map(Quantity::si)),
+                    persistence: set.persistence.as_ref().map_or(1.0, Quantity::si),
+                    trace_length: set.trace_length.as_ref().map(Quantity::si),
+                    // Measured from the origin of the file.
+                    offset: si(set.offset.as_ref().map(Quantity::si)) - self.origin.dot(normal),
+                }
+            })
+            .collect();
+        let key = format!("blocks.{}.cut", block.name);
+        let seed = self.seed(&key, cut.seed);
+        let smallest = self.or(
+            &format!("{key}.smallest_edge"),
+            cut.smallest_edge.as_ref(),
+            0.0,
+            "m",
+        );
+        let blocks = self.made(block, cut::cut(&region, &sets, seed, smallest))?;
+        Some(self.divided(block, blocks, smallest))
+    }
+
+    fn voronoi(&mut self, block: &Block, v: &Voronoi) -> Option<Generated> {
+        let region = self.region(block, &v.region)?;
+        let key = format!("blocks.{}.voronoi", block.name);
+        let relax = v.relax.unwrap_or(2);
+        let from = if v.relax.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
+        };
+        self.explain(format!("{key}.relax"), relax.to_string(), from, "");
+        let cells = Cells {
+            cell_size: v.cell_size.si(),
+            seed: self.seed(&key, v.seed),
+            relax: relax as usize,
+            smallest_edge: self.or(
+                &format!("{key}.smallest_edge"),
+                v.smallest_edge.as_ref(),
+                0.0,
+                "m",
+            ),
+        };
+        let blocks = self.made(block, voronoi::voronoi(&region, &cells))?;
+        Some(self.divided(block, blocks, cells.smallest_edge))
+    }
+
+    fn seed(&mut self, key: &str, given: Option<u64>) -> u64 {
+        let from = if given.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
+        };
+        let seed = given.unwrap_or(1);
+        self.explain(format!("{key}.seed"), seed.to_string(), from, "");
+        seed
+    }
+
+    /// A divided region, with a warning for bad blocks that could not be merged.
+    fn divided(&mut self, block: &Block, blocks: Blocks, smallest: f64) -> Generated {
+        let name = &block.name;
+        if let Some(worst) = blocks.left.iter().min_by(|a, b| a.edge.total_cmp(&b.edge)) {
+            let count = blocks.left.len();
+            let message = format!(
+                "`{name}`: {count} block(s) keep an edge below {}; the shortest is {} ({})",
+                with_unit(smallest, "m"),
+                with_unit(worst.edge, "m"),
+                self.at_text(worst),
+            );
+            let help = "merging them would join large blocks; change the seed, an offset or a \
+                        spacing a little, or accept the smaller time step";
+            let note = Diagnostic::warning("geometry.sliver", message).help(help);
+            self.found.push(note.at(name.span.clone()));
+        }
+        let region = Region {
+            name: name.text.clone(),
+            blocks: blocks.polygons.len(),
+            dead_ends: blocks.removed.dead_ends,
+            islands: blocks.removed.islands,
+            merged: blocks.merged,
+        };
+        Generated {
+            outlines: blocks.polygons,
+            numbered: true,
+            region: Some(region),
+        }
+    }
+
+    /// "near (x, y)" in the coordinates of the file.
+    pub(super) fn at_text(&self, report: &SliverReport) -> String {
+        let [x, y] = (Vec2::from(report.at) + self.origin).to_array();
+        format!("near ({}, {})", with_unit(x, "m"), with_unit(y, "m"))
+    }
+
+    fn made<T>(&mut self, block: &Block, result: Result<T, GeomError>) -> Option<T> {
+        match result {
+            Ok(value) => Some(value),
+            Err(error) => {
+                self.geometry_error(block, &error, None);
+                None
+            }
+        }
+    }
+
+    fn geometry_error(&mut self, block: &Block, error: &GeomError, at: Option<Span>) {
+        let (code, help): (&'static str, &str) = match error {
+            GeomError::TooFewVertices { .. } => (
+                "polygon.corners",
+                "a polygon has at least three different corners",
+            ),
+            GeomError::TooManyVertices { .. } => (
+                "polygon.corners",
+                "leave out corners that do not matter, or divide the block",
+            ),
+            GeomError::NonFinite { .. } => ("polygon.number", "give finite coordinates in metres"),
+            GeomError::ZeroArea { .. } => ("polygon.area", "check the coordinates and their units"),
+            GeomError::SelfIntersecting { .. } => (
+                "polygon.crossing",
+                "give the corners in order along the boundary",
+            ),
+            GeomError::Spike { .. } => ("polygon.spike", "leave out the corner at the tip"),
+            GeomError::BadNumber { .. } => ("value.range", "change the value"),
+            GeomError::TooMany { .. } => (
+                "geometry.count",
+                "make the spacing or size larger, or the region smaller",
+            ),
+            GeomError::DoesNotFit { .. } => (
+                "geometry.fit",
+                "make the region larger, or `count` or `size` smaller",
+            ),
+            GeomError::Arrangement { .. } => ("geometry.joints", "change the seed or a spacing"),
+        };
+        let message = format!("block `{}`: {error}", block.name);
+        let span = at.unwrap_or_else(|| block.name.span.clone());
+        self.found
+            .push(Diagnostic::error(code, message).at(span).help(help));
+    }
+}
+
+/// Centroid of all outlines together.
+fn common_centroid(outlines: &[Vec<Vec2>]) -> Vec2 {
+    let Some(&start) = outlines.first().and_then(|o| o.first()) else {
+        return Vec2::ZERO;
+    };
+    let (mut area, mut first) = (0.0, Vec2::ZERO);
+    for m in outlines.iter().map(|o| polygon::mass_properties(o)) {
+        area += m.area;
+        first += m.area * (m.centroid - start);
+    }
+    if area == 0.0 {
+        start
+    } else {
+        start + first / area
+    }
+}

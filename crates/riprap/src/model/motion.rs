@@ -1,0 +1,240 @@
+//! Supports, loads and the functions of time that drive them.
+
+use riprap_geom::{Vec2, polygon};
+
+use super::builder::Builder;
+use crate::dynamics::{Formula, TimeFunction};
+use crate::planar::setup::{Load, LoadKind, Motion, Support};
+use crate::scenario::language::{self, EdgeLoad, Point};
+use crate::scenario::quantity::Kind;
+use crate::scenario::time_function::CsvFunction;
+use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns};
+
+/// A point of a load lies on a boundary if it is nearer than this, times the size of the block.
+const ON_BOUNDARY: f64 = 1e-6;
+
+impl Builder<'_> {
+    pub(super) fn supports(&mut self) {
+        for support in &self.parsed.scenario.supports {
+            let blocks = self.directory.target(&support.on);
+            let Some(blocks) = self.take(blocks) else {
+                continue;
+            };
+            let motion = match (&support.fixed, &support.motion) {
+                (Some(f), _) => Some(Motion::Fixed {
+                    x: f.x,
+                    y: f.y,
+                    rotation: f.rotation,
+                }),
+                (None, Some(language::Motion::Velocity(m))) => {
+                    let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
+                    Some(Motion::Velocity {
+                        x,
+                        y,
+                        spin: self.maybe(m.spin.as_ref()),
+                    })
+                }
+                (None, Some(language::Motion::Acceleration(m))) => {
+                    let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
+                    Some(Motion::Acceleration {
+                        x,
+                        y,
+                        spin: self.maybe(m.spin.as_ref()),
+                    })
+                }
+                // Reported by the rules of the language.
+                (None, None) => None,
+            };
+            if let Some(motion) = motion {
+                self.setup.supports.push(Support { blocks, motion });
+            }
+        }
+    }
+
+    fn maybe<K: Kind>(&mut self, f: Option<&scenario::TimeFunction<K>>) -> Option<TimeFunction> {
+        f.and_then(|f| self.time_function(f))
+    }
+
+    /// A function of time in SI; `None` after an error.
+    fn time_function<K: Kind>(&mut self, f: &scenario::TimeFunction<K>) -> Option<TimeFunction> {
+        use scenario::TimeFunction as Said;
+        let or_zero = |q: Option<f64>| q.unwrap_or(0.0);
+        Some(match f {
+            Said::Constant(value) => TimeFunction::Constant(value.si()),
+            Said::Ramp(ramp) => TimeFunction::Ramp {
+                from: ramp.from.si(),
+                to: ramp.to.si(),
+                start: or_zero(ramp.start.as_ref().map(Quantity::si)),
+                end: ramp.end.si(),
+            },
+            Said::Sine(sine) => TimeFunction::Sine {
+                amplitude: sine.amplitude.si(),
+                frequency: sine.frequency.si(),
+                phase: or_zero(sine.phase.as_ref().map(Quantity::si)),
+                offset: or_zero(sine.offset.as_ref().map(Quantity::si)),
+                cycles: sine.cycles.as_ref().map(Quantity::si),
+            },
+            Said::Pulse(pulse) => TimeFunction::Pulse {
+                value: pulse.value.si(),
+                start: or_zero(pulse.start.as_ref().map(Quantity::si)),
+                end: pulse.end.si(),
+            },
+            Said::Csv(csv) => {
+                let (t, v) = self.csv_function(csv)?;
+                TimeFunction::Table { t, v }
+            }
+            Said::Formula(text) => TimeFunction::Formula(self.formula(text, &["t"])?),
+        })
+    }
+
+    pub(super) fn formula(&mut self, text: &Name, known: &[&str]) -> Option<Formula> {
+        match Formula::new(text.as_str(), known) {
+            Ok(formula) => Some(formula),
+            Err(error) => {
+                let help = "for example \"0.5*g*t^2\"; `pi` and `deg` are known";
+                self.error_at("formula", text, error.to_string(), help);
+                None
+            }
+        }
+    }
+
+    /// Times, strictly ascending, and values of a CSV file.
+    pub(super) fn csv_function(&mut self, csv: &CsvFunction) -> Option<(Vec<f64>, Vec<f64>)> {
+        let path = self.parsed.folder.join(csv.file.as_str());
+        let columns = match csv_columns(&path, &[csv.time.as_str(), csv.column.as_str()]) {
+            Ok(columns) => columns,
+            Err(error) => {
+                let mut found = Diagnostic::error("file.csv", error.message);
+                found.help = error.help;
+                self.found.push(found.at(csv.file.span.clone()));
+                return None;
+            }
+        };
+        let [times, values] = <[Vec<f64>; 2]>::try_from(columns).ok()?;
+        if let Some(k) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
+            let message = format!(
+                "`{}`: the time does not grow from {} s to {} s (lines of numbers {} and {})",
+                csv.file,
+                times[k],
+                times[k + 1],
+                k + 1,
+                k + 2
+            );
+            self.error_at(
+                "file.csv",
+                &csv.time,
+                message,
+                "sort the lines by time, each time once",
+            );
+            return None;
+        }
+        let scale = csv.scale.as_ref().map_or(1.0, Quantity::si);
+        Some((times, values.into_iter().map(|v| v * scale).collect()))
+    }
+
+    pub(super) fn loads(&mut self) {
+        for load in &self.parsed.scenario.loads {
+            let blocks = self.directory.target(&load.on);
+            let Some(blocks) = self.take(blocks) else {
+                continue;
+            };
+            let time = match &load.time {
+                Some(f) => match self.time_function(f) {
+                    Some(time) => time,
+                    None => continue,
+                },
+                None => TimeFunction::Constant(1.0),
+            };
+            let mut kinds = Vec::new();
+            if let Some(point) = &load.point {
+                let at = point.at.as_ref().map(|at| self.point(at));
+                if let (Some(at), Some(said)) = (at, &point.at) {
+                    self.point_in_blocks(&blocks, at, said);
+                }
+                let force = Vec2::new(point.force[0].si(), point.force[1].si());
+                kinds.push(LoadKind::Point {
+                    force,
+                    at,
+                    follows: point.follows,
+                });
+            }
+            if let Some(edge) = &load.edge {
+                kinds.extend(self.edge_load(edge, &blocks));
+            }
+            if let Some(moment) = &load.moment {
+                kinds.push(LoadKind::Moment {
+                    moment: moment.si(),
+                });
+            }
+            if let Some(body) = &load.body {
+                let [x, y] = &body.acceleration;
+                kinds.push(LoadKind::BodyForce {
+                    acceleration: Vec2::new(x.si(), y.si()),
+                });
+            }
+            for kind in kinds {
+                self.setup.loads.push(Load {
+                    blocks: blocks.clone(),
+                    kind,
+                    time: time.clone(),
+                });
+            }
+        }
+    }
+
+    fn point_in_blocks(&mut self, blocks: &[u32], at: Vec2, said: &Point) {
+        for &b in blocks {
+            let block = &self.setup.blocks[b as usize];
+            let size = polygon::Aabb::of(&block.vertices).size();
+            let inside = polygon::contains(&block.vertices, at);
+            if !inside && polygon::distance_to_boundary(&block.vertices, at) > ON_BOUNDARY * size {
+                let message = format!("this point is outside of block `{}`", block.name);
+                let note = Diagnostic::warning("load.outside", message).at(span_of(said));
+                let help = "the force acts there all the same, as if on an arm fixed to the block";
+                self.found.push(note.help(help));
+            }
+        }
+    }
+
+    fn edge_load(&mut self, edge: &EdgeLoad, blocks: &[u32]) -> Option<LoadKind> {
+        let (from, to) = (self.point(&edge.from), self.point(&edge.to));
+        let span = span_of(&edge.from).start..span_of(&edge.to).end;
+        if from == to {
+            let error = Diagnostic::error("load.edge", "`from` and `to` are the same point");
+            self.found.push(
+                error
+                    .at(span)
+                    .help("give two points of one edge of the block"),
+            );
+            return None;
+        }
+        for &b in blocks {
+            let block = &self.setup.blocks[b as usize];
+            let slack = ON_BOUNDARY * polygon::Aabb::of(&block.vertices).size();
+            let on = |p: Vec2, (a, b): (Vec2, Vec2)| polygon::distance_to_segment(p, a, b) <= slack;
+            if !polygon::edges(&block.vertices).any(|side| on(from, side) && on(to, side)) {
+                let message = format!(
+                    "these two points do not lie on one edge of `{}`",
+                    block.name
+                );
+                let help =
+                    "give two points of the same straight edge, in the place it has at the start";
+                self.found
+                    .push(Diagnostic::error("load.edge", message).at(span).help(help));
+                return None;
+            }
+        }
+        let pair = |q: Option<[f64; 2]>| q.unwrap_or([0.0; 2]);
+        Some(LoadKind::Edge {
+            from,
+            to,
+            traction: pair(edge.traction.as_ref().map(|[x, y]| [x.si(), y.si()])).into(),
+            pressure: pair(edge.pressure.as_ref().map(|[a, b]| [a.si(), b.si()])),
+        })
+    }
+}
+
+/// Place of a point in the text.
+pub(super) fn span_of(point: &Point) -> Span {
+    point[0].span.start..point[1].span.end
+}

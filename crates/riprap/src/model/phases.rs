@@ -1,0 +1,166 @@
+//! Phases and outputs.
+
+use super::builder::Builder;
+use super::explain::{Provenance, with_unit};
+use super::fields::FieldUse;
+use super::interfaces::changed;
+use crate::planar::setup::ContactLaw;
+use crate::run::plan::{Damping, Every, History, Phase, PhaseKind, TimeStep, Until};
+use crate::scenario::language::{self, Output, Reset};
+use crate::scenario::quantity::Interval;
+use crate::scenario::{Diagnostic, Quantity};
+
+impl Builder<'_> {
+    pub(super) fn phases(&mut self) {
+        // Changes stay until a later phase makes others.
+        let mut laws: Vec<ContactLaw> = self.setup.interfaces.iter().map(|i| i.contact).collect();
+        for phase in &self.parsed.scenario.phases {
+            let phase = self.phase(phase, &mut laws);
+            self.plan.phases.push(phase);
+        }
+        let total: Option<f64> = self.plan.phases.iter().map(|p| p.until.time).sum();
+        self.summary.duration = total;
+    }
+
+    fn phase(&mut self, said: &language::Phase, laws: &mut [ContactLaw]) -> Phase {
+        let key = |word: &str| format!("phases.{}.{word}", said.name);
+        let (kind, word) = match said.kind {
+            Some(language::PhaseKind::Static) => (PhaseKind::Static, "static"),
+            Some(language::PhaseKind::Dynamic) | None => (PhaseKind::Dynamic, "dynamic"),
+        };
+        let from = if said.kind.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
+        };
+        self.explain(key("kind"), word, from, "");
+        let time_step = match &said.time_step {
+            Some(given) => {
+                self.explain(
+                    key("time_step"),
+                    given.raw.to_string(),
+                    Provenance::Given,
+                    "",
+                );
+                TimeStep::Given { dt: given.si() }
+            }
+            None => {
+                let safety = self.or(&key("safety"), said.safety.as_ref(), 0.2, "");
+                let text = format!("{} of the stable one", with_unit(safety, ""));
+                self.explain(key("time_step"), text, Provenance::Default, "");
+                TimeStep::Auto { safety }
+            }
+        };
+        let damping = said.damping.as_ref();
+        let part = |q: Option<f64>| q.unwrap_or(0.0);
+        let damping = Damping {
+            mass: part(damping.and_then(|d| d.mass.as_ref()).map(Quantity::si)),
+            stiffness: part(damping.and_then(|d| d.stiffness.as_ref()).map(Quantity::si)),
+            local: part(damping.and_then(|d| d.local.as_ref()).map(Quantity::si)),
+        };
+        let text = format!(
+            "mass {}, stiffness {}, local {}",
+            with_unit(damping.mass, "1/s"),
+            with_unit(damping.stiffness, "s"),
+            with_unit(damping.local, "")
+        );
+        let from = if said.damping.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
+        };
+        self.explain(key("damping"), text, from, "");
+        let mut contacts = Vec::new();
+        for (name, change) in said.interfaces.iter() {
+            let row = self
+                .setup
+                .interfaces
+                .iter()
+                .position(|i| i.name == name.as_str());
+            // Unknown interfaces are reported by the rules of the language.
+            if let Some(row) = row {
+                laws[row] = changed(&laws[row], change);
+                contacts.push((row as u16, laws[row]));
+            }
+        }
+        let [remove, fix, release] = [&said.remove, &said.fix, &said.release].map(|names| {
+            let blocks = self.directory.all(names);
+            self.take(blocks).unwrap_or_default()
+        });
+        Phase {
+            name: said.name.text.clone(),
+            kind,
+            until: Until {
+                time: said.until.time.as_ref().map(Quantity::si),
+                unbalanced: said.until.unbalanced.as_ref().map(Quantity::si),
+                kinetic: said.until.kinetic.as_ref().map(Quantity::si),
+                steps: said.until.steps,
+            },
+            time_step,
+            damping,
+            remove,
+            fix,
+            release,
+            gravity: said.gravity.as_ref().map(|[x, y]| [x.si(), y.si()]),
+            gravity_ramp: said
+                .gravity_ramp
+                .as_ref()
+                .map(Quantity::si)
+                .filter(|&t| t > 0.0),
+            contacts,
+            zero_velocities: said.reset.contains(&Reset::Velocities),
+            zero_displacements: said.reset.contains(&Reset::Displacements),
+        }
+    }
+
+    pub(super) fn outputs(&mut self) {
+        for output in &self.parsed.scenario.outputs {
+            match output {
+                Output::History(history) => self.history(history),
+                Output::Frames(schedule) => self.plan.frames = every(schedule.every.read()),
+                Output::Checkpoints(schedule) => {
+                    self.plan.checkpoints = every(schedule.every.read());
+                }
+            }
+        }
+    }
+
+    fn history(&mut self, said: &language::History) {
+        let used = self.field(&said.field, said.of.as_ref(), said.along.as_ref());
+        let Some(FieldUse {
+            field,
+            of,
+            along,
+            is_vector,
+            ..
+        }) = used
+        else {
+            return;
+        };
+        let Some(every) = every(said.every.read()) else {
+            let message = format!("history `{}` is never written", said.name);
+            let note = Diagnostic::warning("output.never", message);
+            self.found.push(note.at(said.every.span.clone()));
+            return;
+        };
+        let parts: &[&str] = if is_vector { &[".x", ".y"] } else { &[""] };
+        for part in parts {
+            self.plan.histories.push(History {
+                name: format!("{}{part}", said.name),
+                field: format!("{field}{part}"),
+                of: of.clone(),
+                along,
+                every,
+            });
+        }
+    }
+}
+
+fn every(interval: Interval) -> Option<Every> {
+    match interval {
+        Interval::Time(time) => Some(Every::Time(time)),
+        Interval::Steps(steps) => Some(Every::Steps(steps)),
+        Interval::Phase => Some(Every::Phase),
+        Interval::Never => None,
+    }
+}

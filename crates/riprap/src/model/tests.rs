@@ -1,0 +1,593 @@
+//! Small scenarios, good and bad, through `build`. Files are in `tests/scenarios/bad-model`.
+
+use super::*;
+use crate::planar::readings::INFOS;
+use crate::planar::setup::{LoadKind, Motion, NormalLaw};
+use crate::run::checks::{Expected, Window};
+use crate::run::plan::{Every, PhaseKind, TimeStep};
+use crate::scenario::diagnostic::{Diagnostics, Source};
+use crate::scenario::{parse, units};
+use riprap_geom::Vec2;
+use riprap_geom::polygon::{Aabb, signed_area};
+
+const HEAD: &str = r#"
+riprap = 1
+title = "test"
+space.planar.gravity = ["0 m/s2", "-10 m/s2"]
+[materials.rock]
+density = "2000 kg/m3"
+young = "10 GPa"
+poisson = 0.25
+[interfaces.default]
+friction_angle = "45 deg"
+"#;
+
+const TAIL: &str = r#"
+[[phases]]
+name = "go"
+until = { time = "1 s" }
+"#;
+
+fn text(middle: &str) -> String {
+    format!("{HEAD}{middle}{TAIL}")
+}
+
+fn try_build(middle: &str) -> Result<Model, Diagnostics> {
+    build(
+        &parse(Source::new("t.toml", text(middle)))?,
+        "default",
+        INFOS,
+    )
+}
+
+fn good(middle: &str) -> Model {
+    try_build(middle).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The errors, one line each: message and help.
+fn bad(middle: &str) -> String {
+    try_build(middle).expect_err("should be refused").render()
+}
+
+const FLOOR: &str = r#"
+[[blocks]]
+name = "floor"
+material = "rock"
+rectangle = { size = ["10 m", "1 m"], corner = ["-5 m", "-1 m"] }
+[[supports]]
+on = { block = "floor" }
+fixed = {}
+"#;
+
+const CUBE: &str = r#"
+[[blocks]]
+name = "cube"
+material = "rock"
+rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
+"#;
+
+#[test]
+fn a_cube_on_a_floor_in_numbers() {
+    let model = good(&format!("{CUBE}{FLOOR}"));
+    let [cube, floor] = &model.setup.blocks[..] else {
+        panic!()
+    };
+    assert_eq!((cube.name.as_str(), floor.name.as_str()), ("cube", "floor"));
+    assert_eq!(signed_area(&floor.vertices), 10.0);
+    assert_eq!(model.setup.pair_table, [0]);
+    let law = model.setup.interfaces[0].contact;
+    // E = 10 GPa, nu = 0.25: K + 4G/3 = 12 GPa; L is the cube's, since the floor is fixed.
+    assert!(
+        (law.normal_stiffness / 120e9 - 1.0).abs() < 1e-12,
+        "{law:?}"
+    );
+    assert_eq!(law.shear_stiffness, 0.5 * law.normal_stiffness);
+    assert!((law.friction - 1.0).abs() < 1e-15);
+    assert_eq!(
+        (law.normal, law.damping_ratio),
+        (NormalLaw::DistancePotential, 0.2)
+    );
+    let why = model
+        .explained
+        .iter()
+        .find(|e| e.key == "interfaces.default.normal_stiffness")
+        .unwrap();
+    assert_eq!(
+        (why.from, why.value.as_str()),
+        (Provenance::Derived, "1.200000e11 Pa/m")
+    );
+    assert!(matches!(
+        &model.setup.supports[0].motion,
+        Motion::Fixed {
+            x: true,
+            y: true,
+            rotation: true
+        }
+    ));
+    let phase = &model.plan.phases[0];
+    assert_eq!(
+        (phase.kind, phase.until.time),
+        (PhaseKind::Dynamic, Some(1.0))
+    );
+    assert_eq!(phase.time_step, TimeStep::Auto { safety: 0.2 });
+    assert_eq!((model.summary.blocks, model.summary.supported), (2, 1));
+    assert_eq!(model.summary.mass, 22_000.0);
+    assert!(model.warnings.is_empty(), "{:?}", model.warnings);
+}
+
+#[test]
+fn every_unit_of_the_field_table_is_a_unit() {
+    for info in INFOS {
+        assert!(
+            units::dimension(info.unit).is_ok(),
+            "{} {}",
+            info.name,
+            info.unit
+        );
+    }
+}
+
+#[test]
+fn shapes_are_turned_shifted_and_copied() {
+    let model = good(
+        r#"
+[[blocks]]
+name = "row"
+material = "rock"
+groups = ["all"]
+rectangle = { size = ["2 m", "1 m"], centre = ["0 m", "0 m"] }
+rotate = { angle = "90 deg" }
+shift = ["10 m", "0 m"]
+copies = { count = 3, step = ["2 m", "0 m"] }
+velocity = ["1 m/s", "0 m/s"]
+[[blocks]]
+name = "hexagon"
+material = "rock"
+groups = ["all"]
+regular = { sides = 6, radius = "1 m", centre = ["0 m", "0 m"] }
+"#,
+    );
+    let names: Vec<&str> = model.setup.blocks.iter().map(|b| b.name.as_str()).collect();
+    assert_eq!(names, ["row.1", "row.2", "row.3", "hexagon"]);
+    let bounds = Aabb::of(&model.setup.blocks[2].vertices);
+    assert!(
+        bounds.min.distance(Vec2::new(13.5, -1.0)) < 1e-14,
+        "{bounds:?}"
+    );
+    let groups: Vec<(&str, &[u32])> = model
+        .setup
+        .groups
+        .iter()
+        .map(|g| (g.name.as_str(), &g.blocks[..]))
+        .collect();
+    assert_eq!(groups, [("all", &[0, 1, 2, 3][..]), ("row", &[0, 1, 2])]);
+    assert_eq!(model.setup.blocks[1].velocity, Vec2::X);
+}
+
+#[test]
+fn generators_fill_their_regions() {
+    let model = good(
+        r#"
+[[blocks]]
+name = "cut"
+material = "rock"
+[blocks.cut]
+region = [["0 m","0 m"],["10 m","0 m"],["10 m","5 m"],["0 m","5 m"]]
+joint_sets = [{ dip = "0 deg", spacing = "1 m" }, { dip = "90 deg", spacing = "1 m" }]
+[[blocks]]
+name = "cells"
+material = "rock"
+voronoi = { region = [["20 m","0 m"],["25 m","0 m"],["25 m","5 m"],["20 m","5 m"]], cell_size = "1 m" }
+[[blocks]]
+name = "wall"
+material = "rock"
+wall = { corner = ["30 m","0 m"], block = ["0.4 m","0.2 m"], courses = 2, per_course = 3 }
+[[blocks]]
+name = "arch"
+material = "rock"
+arch = { centre = ["60 m","0 m"], radius = "10 m", thickness = "1 m", half_angle = "90 deg", voussoirs = 15 }
+[[blocks]]
+name = "grains"
+material = "rock"
+pour = { region = [["100 m","0 m"],["110 m","10 m"]], count = 100, size = ["0.2 m","0.4 m"] }
+"#,
+    );
+    let counts: Vec<(&str, usize)> = model
+        .setup
+        .groups
+        .iter()
+        .map(|g| (g.name.as_str(), g.blocks.len()))
+        .collect();
+    assert_eq!(
+        counts,
+        [
+            ("arch", 15),
+            ("cells", 25),
+            ("cut", 50),
+            ("grains", 100),
+            ("wall", 6)
+        ]
+    );
+    assert_eq!(model.summary.regions.len(), 2);
+    let again = model.clone();
+    assert_eq!(model.setup, again.setup);
+    assert!(model.summary.deepest_overlap.is_none_or(|(d, _)| d < 1e-12));
+}
+
+#[test]
+fn clockwise_far_and_repeated_corners_are_accepted_with_a_note() {
+    let far = |x: &str, y: &str| {
+        format!(
+            r#"
+[[blocks]]
+name = "a"
+material = "rock"
+polygon.points = [["{x}0 m","{y}0 m"],["{x}0 m","{y}0 m"],["{x}0 m","{y}2 m"],["{x}2 m","{y}2 m"],["{x}2 m","{y}0 m"]]
+[[loads]]
+on = {{ block = "a" }}
+point = {{ force = ["1 N/m","0 N/m"], at = ["{x}1 m","{y}1 m"] }}
+"#
+        )
+    };
+    let near = good(&far("", ""));
+    assert_eq!(near.warnings.len(), 2, "{:?}", near.warnings);
+    assert_eq!(near.setup.origin, [0.0, 0.0]);
+    let model = good(&far("50000", "520000"));
+    assert_eq!(model.warnings.len(), 3, "{:?}", model.warnings);
+    let [x, y] = model.setup.origin;
+    assert!((x - 500_000.0).abs() < 3.0 && (y - 5_200_000.0).abs() < 3.0);
+    // The same block and load to the last bit, in coordinates of its own.
+    let shift = Vec2::new(x - 500_000.0, y - 5_200_000.0);
+    for (p, q) in model.setup.blocks[0]
+        .vertices
+        .iter()
+        .zip(&near.setup.blocks[0].vertices)
+    {
+        assert_eq!(*p + shift, *q);
+    }
+    let LoadKind::Point { at: Some(at), .. } = model.setup.loads[0].kind else {
+        panic!()
+    };
+    assert_eq!(at + shift, Vec2::ONE);
+    assert_eq!(model.summary.bounds[0], [500_000.0, 5_200_000.0]);
+}
+
+#[test]
+fn overlaps_are_errors_unless_excused() {
+    let two = |x: &str, gravity: &str| {
+        let text = text(&format!(
+            r#"{CUBE}
+[[blocks]]
+name = "other"
+material = "rock"
+rectangle = {{ size = ["1 m", "1 m"], corner = ["{x} m", "0 m"] }}
+"#
+        ));
+        text.replace("-10 m/s2", gravity)
+    };
+    let run = |text: String| {
+        let parsed = parse(Source::new("t", text)).unwrap();
+        build(&parsed, "default", INFOS)
+    };
+    assert!(run(two("1", "-10 m/s2")).is_ok());
+    assert!(run(two("0.9999999", "0 m/s2")).is_ok());
+    let text = run(two("0.9", "-10 m/s2")).unwrap_err().render();
+    assert!(
+        text.contains("`cube` and `other` overlap by 0.1 m"),
+        "{text}"
+    );
+    assert!(
+        text.contains("kind = \"static\"") && text.contains("t.toml:") | text.contains("t:"),
+        "{text}"
+    );
+    // Twins, one exactly on the other.
+    assert!(run(two("0", "0 m/s2")).is_err());
+    // 1e-5 m: too much without gravity and with stiff contacts, right for soft ones.
+    assert!(run(two("0.99999", "0 m/s2")).is_err());
+    let soft = "normal_stiffness = \"1 GPa/m\"\nfriction_angle";
+    assert!(run(two("0.99999", "-10 m/s2").replace("friction_angle", soft)).is_ok());
+    let settle =
+        two("0.995", "0 m/s2").replace("name = \"go\"", "name = \"go\"\nkind = \"static\"");
+    assert!(run(settle).is_ok());
+    let said = two("0.9", "0 m/s2").replace(
+        "[materials.rock]",
+        "space.planar.allow_overlap = \"0.2 m\"\n[materials.rock]",
+    );
+    assert!(run(said).is_ok());
+}
+
+#[test]
+fn interfaces_between_materials_and_their_changes() {
+    let middle = format!(
+        r#"
+[interfaces.shoe]
+between = ["steel", "rock"]
+law = "penetration_potential"
+normal_stiffness = "3 GPa/m"
+friction_coefficient = 0.1
+friction_law = "clipped"
+clip_speed = "1 mm/s"
+[interfaces.shoe.bond]
+tension = "1 MPa"
+cohesion = "2 MPa"
+[materials.steel]
+density = "7800 kg/m3"
+young = "200 GPa"
+poisson = 0.3
+{CUBE}
+[[blocks]]
+name = "shoe"
+material = "steel"
+rectangle = {{ size = ["1 m", "1 m"], corner = ["3 m", "0 m"] }}
+[[phases]]
+name = "slip"
+until = {{ steps = 10 }}
+[phases.interfaces.shoe]
+friction_coefficient = 0.05
+[[phases]]
+name = "slip more"
+until = {{ steps = 10 }}
+[phases.interfaces.shoe]
+cohesion = "1 kPa"
+"#
+    );
+    let model = good(&middle);
+    assert_eq!(model.setup.materials, ["rock", "steel"]);
+    assert_eq!(model.setup.pair_table, [0, 1, 1, 0]);
+    let shoe = &model.setup.interfaces[1];
+    assert_eq!(
+        (shoe.contact.friction, shoe.contact.shear_stiffness),
+        (0.1, 1.5e9)
+    );
+    let bond = shoe.bond.unwrap();
+    assert_eq!(
+        (bond.normal_stiffness, bond.friction, bond.points),
+        (3e9, 0.1, 2)
+    );
+    let [(row, law)] = model.plan.phases[1].contacts[..] else {
+        panic!()
+    };
+    // Changes add up over the phases.
+    assert_eq!((row, law.friction, law.cohesion), (1, 0.05, 1000.0));
+    assert_eq!(model.summary.duration, None);
+}
+
+#[test]
+fn default_stiffness_needs_elastic_constants() {
+    let text = text(CUBE).replace("young = \"10 GPa\"\npoisson = 0.25\n", "");
+    let parsed = parse(Source::new("t", text));
+    let error = match parsed {
+        Ok(parsed) => build(&parsed, "default", INFOS).unwrap_err(),
+        Err(error) => error,
+    };
+    assert!(error.render().contains("normal_stiffness"), "{error}");
+}
+
+#[test]
+fn outputs_and_checks_are_resolved() {
+    let model = good(&format!(
+        r#"{CUBE}{FLOOR}
+[[outputs]]
+history = {{ name = "slip", field = "block.displacement", of = "cube", along = "-35 deg", every = "1 ms" }}
+[[outputs]]
+history = {{ name = "v", field = "block.velocity", of = "cube", every = "10 steps" }}
+[[outputs]]
+frames = {{ every = "1 phase" }}
+[[checks]]
+name = "formula"
+field = "block.displacement.y"
+of = "cube"
+at = "0.5 s"
+formula = "0.5*g*tan(phi)*t^2"
+let = {{ phi = "interfaces.default.friction_angle", g = 9.81 }}
+relative = 1e-3
+absolute = "1 mm"
+[[checks]]
+name = "force"
+field = "pair.force"
+of = ["cube", "floor"]
+along = "90 deg"
+reduce = "first_above"
+threshold = "1 kN/m"
+between = ["0 s", "1 ms"]
+[[checks]]
+name = "elsewhere"
+field = "model.kinetic"
+value = "0 J/m"
+absolute = "1 J/m"
+only = ["soft"]
+[variants.soft]
+"interfaces.default.friction_angle" = "5 deg"
+"#
+    ));
+    let names: Vec<&str> = model
+        .plan
+        .histories
+        .iter()
+        .map(|h| h.name.as_str())
+        .collect();
+    assert_eq!(names, ["slip", "v.x", "v.y"]);
+    assert_eq!(model.plan.histories[2].field, "block.velocity.y");
+    assert_eq!(model.plan.frames, Some(Every::Phase));
+    let [formula, force] = &model.checks[..] else {
+        panic!("{:?}", model.checks)
+    };
+    assert_eq!(
+        (formula.window, formula.absolute),
+        (Window::At(0.5), Some(1e-3))
+    );
+    let Expected::Formula { formula, names } = &formula.expected else {
+        panic!()
+    };
+    let mut values: Vec<(&str, f64)> = names.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+    values.push(("t", 2.0));
+    assert!((formula.value(&values) - 2.0 * 9.81).abs() < 1e-12);
+    assert_eq!((force.unit.as_str(), &force.of[..]), ("N/m", &[0, 1][..]));
+    assert!(matches!(force.expected, Expected::Between(_, high) if (high - 1e-3).abs() < 1e-18));
+}
+
+#[test]
+fn what_checks_ask_for_must_exist() {
+    let check = |rest: &str| {
+        bad(&format!(
+            "{CUBE}{FLOOR}\n[[checks]]\nname = \"c\"\nrelative = 0.1\n{rest}\n"
+        ))
+    };
+    let has = |text: String, parts: &[&str]| {
+        for part in parts {
+            assert!(text.contains(part), "no {part:?} in\n{text}");
+        }
+    };
+    has(
+        check("field = \"block.displacment.x\"\nof = \"cube\"\nvalue = \"1 m\""),
+        &[
+            "there is no field `block.displacment.x`",
+            "`block.displacement`",
+        ],
+    );
+    has(
+        check("field = \"block.displacement\"\nof = \"cube\"\nvalue = \"1 m\""),
+        &["is a vector", "block.displacement.x"],
+    );
+    has(
+        check("field = \"block.displacement.x\"\nof = \"cube\"\nvalue = \"1 s\""),
+        &["is a time", "the field is in m"],
+    );
+    has(
+        check("field = \"block.rotation\"\nof = \"cube\"\nvalue = 0.1"),
+        &["unit", "rad"],
+    );
+    has(
+        check("field = \"block.rotation\"\nvalue = \"1 deg\""),
+        &["needs one block"],
+    );
+    has(
+        check("field = \"model.kinetic\"\nof = \"cube\"\nvalue = \"1 J/m\""),
+        &["whole model"],
+    );
+    has(
+        check("field = \"pair.force.x\"\nof = [\"cube\", \"cube\"]\nvalue = \"1 N/m\""),
+        &["the same block"],
+    );
+    has(
+        check("field = \"model.kinetic\"\nat = \"5 s\"\nvalue = \"1 J/m\""),
+        &["reads at 5 s", "last 1 s"],
+    );
+    has(
+        check("field = \"model.kinetic\"\nvalue = \"1 J/m\"\nexact = true\nknown = \"x\""),
+        &["known"],
+    );
+}
+
+#[test]
+fn generated_names_are_known() {
+    let wall = r#"
+[[blocks]]
+name = "wall"
+material = "rock"
+wall = { corner = ["0 m","0 m"], block = ["0.4 m","0.2 m"], courses = 2, per_course = 3 }
+[[supports]]
+on = { block = "wall.NUMBER" }
+fixed = { rotation = false }
+"#;
+    let model = good(&wall.replace("NUMBER", "6"));
+    assert_eq!(model.setup.supports[0].blocks, [5]);
+    let text = bad(&wall.replace("NUMBER", "7"));
+    assert!(
+        text.contains("`wall` has the blocks wall.1 to wall.6"),
+        "{text}"
+    );
+}
+
+#[test]
+fn all_errors_come_at_once() {
+    let text = bad(r#"
+[[blocks]]
+name = "bow"
+material = "rock"
+polygon.points = [["0 m","0 m"],["2 m","2 m"],["2 m","0 m"],["0 m","2 m"]]
+[[blocks]]
+name = "line"
+material = "rock"
+polygon.points = [["0 m","0 m"],["1 m","1 m"],["2 m","2 m"]]
+[[blocks]]
+name = "file"
+material = "rock"
+polygon.csv = "nowhere.csv"
+[[blocks]]
+name = "dust"
+material = "rock"
+voronoi = { region = [["0 m","0 m"],["1 km","0 m"],["1 km","1 km"],["0 m","1 km"]], cell_size = "1e-12 m" }
+"#);
+    for part in [
+        "crosses itself",
+        "no area",
+        "nowhere.csv",
+        "1.000e30 Voronoi cells",
+    ] {
+        assert!(text.contains(part), "no {part:?} in\n{text}");
+    }
+}
+
+#[test]
+fn slivers_and_models_that_cannot_move_are_warned_of() {
+    let model = good(
+        r#"
+[[blocks]]
+name = "thin"
+material = "rock"
+rectangle = { size = ["1 m", "1 mm"], corner = ["0 m", "-2 m"] }
+[[blocks]]
+name = "wall"
+material = "rock"
+wall = { corner = ["0 m","0 m"], block = ["0.4 m","0.2 m"], courses = 2, per_course = 3 }
+[[supports]]
+on = { blocks = ["wall", "thin"] }
+fixed = {}
+"#,
+    );
+    let codes: Vec<&str> = model.warnings.iter().map(|w| w.code).collect();
+    assert_eq!(codes, ["model.fixed", "geometry.sliver"]);
+    assert_eq!(model.summary.slivers[0].block, 0);
+    let (edge, name) = &model.summary.shortest_edge;
+    assert!((edge / 1e-3 - 1.0).abs() < 1e-9 && name == "thin");
+}
+
+#[test]
+fn edge_loads_must_lie_on_an_edge() {
+    let load = |to: &str| {
+        format!(
+            "{CUBE}\n[[loads]]\non = {{ block = \"cube\" }}\nedge = {{ from = [\"0 m\", \"0 m\"], \
+             to = [\"0 m\", \"{to}\"], pressure = [\"9 kPa\", \"0 Pa\"] }}\n"
+        )
+    };
+    let model = good(&load("0.5 m"));
+    assert!(matches!(
+        model.setup.loads[0].kind,
+        LoadKind::Edge {
+            pressure: [9000.0, 0.0],
+            ..
+        }
+    ));
+    assert!(bad(&load("1.5 m")).contains("do not lie on one edge"));
+}
+
+#[test]
+fn bisections_are_in_si() {
+    let model = good(&format!(
+        r#"{CUBE}{FLOOR}
+[bisect]
+key = "interfaces.default.friction_angle"
+low = "30 deg"
+high = "45 deg"
+tolerance = "0.1 deg"
+fails_when = {{ field = "model.max_displacement", above = "0.1 m" }}
+"#
+    ));
+    let bisect = model.bisect.unwrap();
+    assert_eq!(bisect.unit, "rad");
+    assert!((bisect.low - 30f64.to_radians()).abs() < 1e-15);
+    assert!(
+        matches!(bisect.holds.expected, Expected::Between(low, 0.1) if low == f64::NEG_INFINITY)
+    );
+}
