@@ -16,6 +16,8 @@ pub mod csv_columns;
 pub mod diagnostic;
 pub mod language;
 pub mod load;
+pub mod moments;
+pub mod names;
 pub mod overrides;
 pub mod path;
 pub mod quantity;
