@@ -14,7 +14,7 @@ use super::search::Candidate;
 use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
 use super::world::{Body, Contact, GeneralState, PairState, Region, World, Wrench};
-use crate::laws::{coulomb, damping, potential as closed};
+use crate::laws::{coulomb, potential as closed};
 use crate::ledger::Works;
 
 /// What the pair kernels read.
@@ -60,7 +60,6 @@ impl<'a> Context<'a> {
         let (i, j) = (candidate.i as usize, candidate.j as usize);
         let [edges_i, nearest_j, edges_j, nearest_i] = candidate.lists(self.lists);
         let side = |b: usize, active: &'a [u16], nearest: &'a [u16]| Side {
-            edges: self.shapes.of(b),
             turned: &self.turned[self.shapes.range(b)],
             active,
             nearest,
@@ -160,7 +159,7 @@ pub fn convex_chunk(
         };
         *slot = apply(
             law,
-            candidate.mass,
+            candidate.dashpots,
             context,
             &relative,
             &pressed,
@@ -208,7 +207,7 @@ fn general_pair(
     let relative = context.motion(candidate);
     let law = &context.laws[candidate.row as usize];
     pieces::find(i, j, relative.shift, &mut room.pieces, &mut room.cuts);
-    let count = pieces::regions(&mut room.pieces, i.edges.len(), j.edges.len());
+    let count = pieces::regions(&mut room.pieces, i.turned.len(), j.turned.len());
     room.old.clear();
     room.old.append(&mut state.regions);
     let mut total = Wrench::default();
@@ -220,7 +219,7 @@ fn general_pair(
         let mut contact = take_matching(&mut room.old, edges);
         let wrench = apply(
             law,
-            candidate.mass,
+            candidate.dashpots,
             context,
             &relative,
             &pressed,
@@ -345,7 +344,7 @@ fn sliding_share(law: &ContactLaw, relative: &Relative, p: Vec2, q: Vec2) -> Opt
 /// Applies dashpots and friction to a pressed region; returns the total wrench and books the works.
 fn apply(
     law: &ContactLaw,
-    mass: f64,
+    dashpots: [f64; 2],
     context: &Context<'_>,
     relative: &Relative,
     pressed: &Pressed,
@@ -367,8 +366,8 @@ fn apply(
 
     // Dashpots: along the resultant, and against relative rotation of the contact length.
     let stiffness = law.normal_stiffness * length;
-    let c = damping::dashpot(law.damping_ratio, stiffness, mass)
-        + context.stiffness_damping * stiffness;
+    let root = length.sqrt();
+    let c = dashpots[0] * root + context.stiffness_damping * stiffness;
     let total_normal = (elastic - c * velocity.dot(normal)).max(0.0);
     let mut damp = Wrench::at((total_normal - elastic) * normal, x, arm_j);
     let most = 0.5 * total_normal * length;
@@ -388,8 +387,7 @@ fn apply(
             contact.shear = slid.force;
             let mut force = slid.force;
             if !slid.slipping {
-                let c = damping::dashpot(law.damping_ratio, stiffness, mass)
-                    + context.stiffness_damping * stiffness;
+                let c = dashpots[1] * root + context.stiffness_damping * stiffness;
                 force = (force - c * rate).clamp(-limit, limit);
             }
             (Wrench::at(force * tangent, x, arm_j), slid.slipping)

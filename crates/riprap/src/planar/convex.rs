@@ -10,13 +10,38 @@ use riprap_geom::Vec2;
 
 use super::shapes::Edge;
 
-/// An edge turned to the block's present angle.
+/// An edge turned to the block's present angle: all that pairs read of it, in one cache line.
 #[derive(Clone, Copy, Debug, Default)]
+#[repr(align(64))]
 pub struct Turned {
     /// Start corner relative to the centroid, m.
     pub start: Vec2,
     /// Outward unit normal.
     pub normal: Vec2,
+    /// Distance of the edge line from the centroid along the normal, m.
+    pub offset: f64,
+    /// Length, m.
+    pub length: f64,
+    /// `start x normal`, m.
+    pub along: f64,
+    /// Whether the start corner is reflex.
+    pub reflex: bool,
+}
+
+impl Turned {
+    /// The edge turned by an angle with this cosine and sine.
+    #[must_use]
+    pub fn new(edge: &Edge, cos: f64, sin: f64) -> Self {
+        let turn = |v: Vec2| Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
+        Self {
+            start: turn(edge.start),
+            normal: turn(edge.normal),
+            offset: edge.offset,
+            length: edge.length,
+            along: edge.along,
+            reflex: edge.reflex,
+        }
+    }
 }
 
 /// What the geometry of a contact region gives to the law.
@@ -36,12 +61,10 @@ pub struct Overlap {
     pub depth: f64,
 }
 
-/// One side of a pair: the block's edges, turned edges and which of them matter.
+/// One side of a pair: the block's edges and which of them matter.
 #[derive(Clone, Copy)]
 pub struct Side<'a> {
-    /// Body constants.
-    pub edges: &'a [Edge],
-    /// Present directions.
+    /// Edges at the present angle.
     pub turned: &'a [Turned],
     /// Edges that can reach the other block.
     pub active: &'a [u16],
@@ -49,135 +72,152 @@ pub struct Side<'a> {
     pub nearest: &'a [u16],
 }
 
-/// Most nearest edges the kernel keeps on the stack; longer lists take the slow road.
-pub const MAX_NEAREST: usize = 16;
+/// Most nearest edges the kernel takes; longer lists take the general road.
+pub const MAX_NEAREST: usize = 8;
 
 /// Overlap of blocks i and j; `shift` is the centroid of i minus the centroid of j, m.
 #[must_use]
 pub fn overlap(i: Side<'_>, j: Side<'_>, shift: Vec2) -> Overlap {
-    let mut sum = Overlap::default();
     let on_i = pieces(i, j, shift);
-    if on_i.weight == 0.0 {
-        return sum;
-    }
     let on_j = pieces(j, i, -shift);
     // j's pieces push i the other way, at the same points, seen from i's centroid.
-    sum.force = on_i.force - on_j.force;
-    sum.moment = on_i.moment - on_j.moment + shift.perp_dot(on_j.force);
-    sum.weight = on_i.weight + on_j.weight;
-    sum.weighted = on_i.weighted + on_j.weighted - on_j.weight * shift;
-    sum.chord = on_i.chord - on_j.chord;
-    sum.depth = on_i.depth.max(on_j.depth);
-    sum
+    Overlap {
+        force: on_i.force - on_j.force,
+        moment: on_i.moment - on_j.moment + shift.perp_dot(on_j.force),
+        weight: on_i.weight + on_j.weight,
+        weighted: on_i.weighted + on_j.weighted - on_j.weight * shift,
+        chord: on_i.chord - on_j.chord,
+        depth: on_i.depth.max(on_j.depth),
+    }
+}
+
+/// Depths at both ends of an edge below the lines of the other block.
+#[derive(Default)]
+struct Depths {
+    at_start: [f64; MAX_NEAREST],
+    at_end: [f64; MAX_NEAREST],
 }
 
 /// Pressure on the edges of `own` inside `other`, about the centroid of `own`.
 fn pieces(own: Side<'_>, other: Side<'_>, shift: Vec2) -> Overlap {
     let mut sum = Overlap::default();
     let count = other.nearest.len().min(MAX_NEAREST);
-    // Depth of a point x (relative to own centroid) below line m: line[m].0 - normal . x.
-    let mut lines = [(0.0, Vec2::ZERO); MAX_NEAREST];
+    // Depth of a point x (relative to own centroid) below line m: offset - normal . x.
+    let mut lines = [(Vec2::ZERO, 0.0); MAX_NEAREST];
+    let lines = &mut lines[..count];
     for (line, &m) in lines.iter_mut().zip(other.nearest) {
-        let normal = other.turned[m as usize].normal;
-        *line = (other.edges[m as usize].offset - normal.dot(shift), normal);
+        let edge = &other.turned[m as usize];
+        *line = (edge.normal, edge.offset - edge.normal.dot(shift));
     }
+    let mut depths = Depths::default();
     for &k in own.active {
         let k = k as usize;
         let next = if k + 1 == own.turned.len() { 0 } else { k + 1 };
-        let (p, q) = (own.turned[k].start, own.turned[next].start);
-        let Some(profile) = envelope(&lines[..count], p, q) else {
+        let edge = &own.turned[k];
+        let (p, q) = (edge.start, own.turned[next].start);
+        let Some((start, end)) = inside(lines, p, q, &mut depths) else {
             continue;
         };
+        let profile = envelope(&depths, count, start, end);
         if profile.integral <= 0.0 {
             continue;
         }
-        let (edge, normal) = (&own.edges[k], own.turned[k].normal);
         let weight = edge.length * profile.integral;
         let xi = profile.first_moment / profile.integral;
-        sum.force -= weight * normal;
+        sum.force -= weight * edge.normal;
         // start x normal is a body constant; along the edge, direction x normal is -1.
         sum.moment -= weight * (edge.along - xi * edge.length);
         sum.weight += weight;
         sum.weighted += weight * (p + xi * (q - p));
-        sum.chord += (profile.end - profile.start) * (q - p);
+        sum.chord += (end - start) * (q - p);
         sum.depth = sum.depth.max(profile.peak);
     }
     sum
 }
 
-/// Integral of the positive part of the lower envelope along a segment, parameter 0..1.
-struct Profile {
-    start: f64,
-    end: f64,
-    integral: f64,
-    first_moment: f64,
-    peak: f64,
-}
-
-/// Lower envelope of the depths below `lines` on the segment `p q`, where positive.
-fn envelope(lines: &[(f64, Vec2)], p: Vec2, q: Vec2) -> Option<Profile> {
-    let mut depth = [(0.0, 0.0); MAX_NEAREST];
+/// The part (as parameters) of the segment `p q` that is above no line, and the depths at its ends.
+#[inline]
+fn inside(lines: &[(Vec2, f64)], p: Vec2, q: Vec2, depths: &mut Depths) -> Option<(f64, f64)> {
     let (mut start, mut end) = (0.0_f64, 1.0_f64);
-    for (d, (offset, normal)) in depth.iter_mut().zip(lines) {
+    let ends = depths.at_start.iter_mut().zip(&mut depths.at_end);
+    for ((normal, offset), (at_start, at_end)) in lines.iter().zip(ends) {
         let (a, b) = (offset - normal.dot(p), offset - normal.dot(q));
         if a <= 0.0 && b <= 0.0 {
             return None;
         }
         if a < 0.0 {
             start = start.max(a / (a - b));
-        }
-        if b < 0.0 {
+        } else if b < 0.0 {
             end = end.min(a / (a - b));
         }
-        *d = (a, b - a);
+        (*at_start, *at_end) = (a, b);
     }
-    if start >= end || lines.is_empty() {
-        return None;
+    (start < end && !lines.is_empty()).then_some((start, end))
+}
+
+/// Integrals of the depth along a segment, parameter 0..1.
+#[derive(Default)]
+struct Profile {
+    integral: f64,
+    first_moment: f64,
+    peak: f64,
+}
+
+impl Profile {
+    /// Adds a linear part from `(s0, f0)` to `(s1, f1)`.
+    #[inline]
+    fn add(&mut self, s0: f64, f0: f64, s1: f64, f1: f64) {
+        let width = s1 - s0;
+        let part = 0.5 * width * (f0 + f1);
+        self.integral += part;
+        self.first_moment += s0 * part + width * width * (f0 + 2.0 * f1) * (1.0 / 6.0);
+        self.peak = self.peak.max(f0).max(f1);
     }
-    let depth = &depth[..lines.len()];
-    // The lowest line at the start; of equal ones the one that falls fastest.
-    let mut at = start;
-    let mut now = 0;
-    let mut height = f64::INFINITY;
-    for (m, &(a, slope)) in depth.iter().enumerate() {
-        let h = a + slope * at;
-        if h < height || (h == height && slope < depth[now].1) {
-            (now, height) = (m, h);
+}
+
+/// Integrals of the lower envelope of the first `count` depths from `start` to `end`.
+#[inline]
+fn envelope(depths: &Depths, count: usize, start: f64, end: f64) -> Profile {
+    let line = |m: usize| (depths.at_start[m], depths.at_end[m] - depths.at_start[m]);
+    // The lowest line at either end; of equal ones the one that is lower inside.
+    let (mut first, mut last) = (0, 0);
+    let (mut low_first, mut low_last) = (f64::INFINITY, f64::INFINITY);
+    for m in 0..count.min(MAX_NEAREST) {
+        let (a, slope) = line(m);
+        let (s, e) = (a + slope * start, a + slope * end);
+        if s < low_first || (s == low_first && slope < line(first).1) {
+            (first, low_first) = (m, s);
+        }
+        if e < low_last || (e == low_last && slope > line(last).1) {
+            (last, low_last) = (m, e);
         }
     }
-    height = height.max(0.0);
-    let (mut integral, mut first_moment, mut peak) = (0.0, 0.0, height);
-    // Each change goes to a line with a smaller slope, so there are at most `lines` changes.
-    for _ in 0..lines.len() {
-        let (a, slope) = depth[now];
-        let (mut until, mut next) = (end, now);
-        for (m, &(am, sm)) in depth.iter().enumerate() {
+    let mut profile = Profile::default();
+    let (mut at, mut height) = (start, low_first.max(0.0));
+    let final_height = low_last.max(0.0);
+    let mut now = first;
+    // Each change goes to a line with a smaller slope, so there are fewer changes than lines.
+    for _ in 1..count {
+        if now == last {
+            break;
+        }
+        let (a, slope) = line(now);
+        let (mut until, mut next) = (end, last);
+        for m in 0..count.min(MAX_NEAREST) {
+            let (am, sm) = line(m);
             if sm < slope {
                 let cross = (am - a) / (slope - sm);
-                if cross < until || (cross == until && next != now && sm < depth[next].1) {
+                if cross < until || (cross == until && sm < line(next).1) {
                     (until, next) = (cross.max(at), m);
                 }
             }
         }
         let there = (a + slope * until).max(0.0);
-        let width = until - at;
-        integral += 0.5 * width * (height + there);
-        first_moment +=
-            width * (at * 0.5 * (height + there) + width * (height + 2.0 * there) / 6.0);
-        peak = peak.max(there);
-        (at, height) = (until, there);
-        if next == now || at >= end {
-            break;
-        }
-        now = next;
+        profile.add(at, height, until, there);
+        (at, height, now) = (until, there, next);
     }
-    Some(Profile {
-        start,
-        end,
-        integral,
-        first_moment,
-        peak,
-    })
+    profile.add(at, height, end, final_height);
+    profile
 }
 
 #[cfg(test)]
@@ -206,17 +246,9 @@ mod tests {
 
     fn run(a: Vec<Vec2>, b: Vec<Vec2>) -> Overlap {
         let s = shapes(&[a, b]);
-        let turned: Vec<Turned> = s
-            .edges
-            .iter()
-            .map(|e| Turned {
-                start: e.start,
-                normal: e.normal,
-            })
-            .collect();
+        let turned: Vec<Turned> = s.edges.iter().map(|e| Turned::new(e, 1.0, 0.0)).collect();
         let all: Vec<u16> = (0..8).collect();
         let side = |b: usize| Side {
-            edges: s.of(b),
             turned: &turned[s.range(b)],
             active: &all[..s.of(b).len()],
             nearest: &all[..s.of(b).len()],

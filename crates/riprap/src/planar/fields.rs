@@ -199,7 +199,6 @@ fn candidate_energy(world: &World, scratch: &Scratch, c: &Candidate) -> f64 {
     let (i, j) = (c.i as usize, c.j as usize);
     let (shapes, lists) = (&scratch.shapes, c.lists(&scratch.candidates.lists));
     let side = |b: usize, active, nearest| Side {
-        edges: shapes.of(b),
         turned: &scratch.turned[shapes.range(b)],
         active,
         nearest,

@@ -47,19 +47,19 @@ pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
     for &m in block.nearest {
         let m = m as usize;
         let (p, normal) = (block.turned[m].start, block.turned[m].normal);
-        let length = block.edges[m].length;
+        let length = block.turned[m].length;
         let along = normal.perp().dot(x - p);
         let (distance, sign) = if along <= 0.0 {
             (
                 (x - p).length(),
-                if block.edges[m].reflex { 1.0 } else { -1.0 },
+                if block.turned[m].reflex { 1.0 } else { -1.0 },
             )
         } else if along >= length {
             let next = (m + 1) % n;
             let corner = block.turned[next].start;
             (
                 (x - corner).length(),
-                if block.edges[next].reflex { 1.0 } else { -1.0 },
+                if block.turned[next].reflex { 1.0 } else { -1.0 },
             )
         } else {
             let depth = normal.dot(p - x);

@@ -109,10 +109,10 @@ fn depth(block: Side<'_>, local: &[u16], reflex: Reflex, x: Vec2) -> f64 {
         let mut d = line(m);
         if reflex == Reflex::Max {
             let (before, after) = ((m + n - 1) % n, (m + 1) % n);
-            if block.edges[m].reflex && has(before) {
+            if block.turned[m].reflex && has(before) {
                 d = d.max(line(before));
             }
-            if block.edges[after].reflex && has(after) {
+            if block.turned[after].reflex && has(after) {
                 d = d.max(line(after));
             }
         }

@@ -69,7 +69,7 @@ fn feature(block: Side<'_>, m: u16, p: Vec2, q: Vec2, s: f64) -> Feature {
     let along = normal.perp().dot(x - start);
     let corner = if along <= 0.0 {
         start
-    } else if along >= block.edges[m].length {
+    } else if along >= block.turned[m].length {
         block.turned[(m + 1) % block.turned.len()].start
     } else {
         let (a, b) = (normal.dot(start - p), -normal.dot(q - p));
@@ -105,7 +105,7 @@ pub fn depths(block: Side<'_>, p: Vec2, q: Vec2, kinks: &mut Vec<f64>) -> Depths
         let (start, normal) = (block.turned[m].start, block.turned[m].normal);
         let (a0, a1) = (normal.perp().dot(p - start), normal.perp().dot(q - start));
         add(a0 / (a0 - a1));
-        add((a0 - block.edges[m].length) / (a0 - a1));
+        add((a0 - block.turned[m].length) / (a0 - a1));
         let (d0, d1) = (normal.dot(p - start), normal.dot(q - start));
         add(d0 / (d0 - d1));
     }

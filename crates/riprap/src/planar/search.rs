@@ -15,6 +15,7 @@ use super::convex::MAX_NEAREST;
 use super::setup::{FrictionLaw, Motion, NormalLaw, Setup};
 use super::shapes::{Edge, Shapes};
 use super::world::{GeneralState, PairState, World};
+use crate::laws::damping;
 
 /// Margin of a block over its size (the smaller of its radius and twice the median radius).
 const MARGIN: f64 = 0.08;
@@ -31,8 +32,8 @@ pub struct Candidate {
     /// Numbers of: edges of i, nearest edges of j, edges of j, nearest edges of i.
     counts: [u16; 4],
     start: u32,
-    /// Effective mass of the pair, kg/m.
-    pub mass: f64,
+    /// Dashpot coefficients across and along the contact over the root of its length.
+    pub dashpots: [f64; 2],
     /// Upper bound of the contact length, m.
     pub longest: f64,
 }
@@ -316,22 +317,24 @@ fn add_pair(
         }
     };
     let (row, inverse_mass) = (row_of(&world.setup, a, b), inverse(a) + inverse(b));
+    let mass = if inverse_mass > 0.0 {
+        1.0 / inverse_mass
+    } else {
+        shapes.mass[a].min(shapes.mass[b])
+    };
+    let law = &world.setup.interfaces[row as usize].contact;
     let candidate = Candidate {
         i: a as u32,
         j: b as u32,
         row,
         counts,
         start: start as u32,
-        mass: if inverse_mass > 0.0 {
-            1.0 / inverse_mass
-        } else {
-            shapes.mass[a].min(shapes.mass[b])
-        },
+        dashpots: [law.normal_stiffness, law.shear_stiffness]
+            .map(|k| damping::dashpot(law.damping_ratio, k, mass)),
         longest: longest[0]
             .min(longest[1])
             .min((region.high - region.low).length()),
     };
-    let law = &world.setup.interfaces[row as usize].contact;
     let fast = shapes.convex[a]
         && shapes.convex[b]
         && counts[1] as usize <= MAX_NEAREST

@@ -320,12 +320,8 @@ fn incidence(
 
 fn turn(edges: &[super::shapes::Edge], angle: f64, turned: &mut [Turned]) {
     let (s, c) = libm::sincos(angle);
-    let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
     for (edge, out) in edges.iter().zip(turned) {
-        *out = Turned {
-            start: turn(edge.start),
-            normal: turn(edge.normal),
-        };
+        *out = Turned::new(edge, c, s);
     }
 }
 
