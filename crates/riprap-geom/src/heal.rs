@@ -23,6 +23,8 @@ pub struct Blocks {
     pub removed: Removed,
     /// Blocks merged into a neighbour; `block` numbers count before merging.
     pub merged: Vec<SliverReport>,
+    /// Short edges shrunk to a point (Voronoi cells only).
+    pub collapsed: usize,
     /// Bad blocks that stayed; `block` numbers are those of `polygons`.
     pub left: Vec<SliverReport>,
 }
@@ -49,6 +51,7 @@ pub(crate) fn heal(mut parts: Subdivision, smallest_edge: f64) -> Blocks {
         polygons,
         removed: parts.removed,
         merged,
+        collapsed: 0,
         left,
     }
 }
@@ -66,6 +69,88 @@ fn report(block: usize, s: &Shape, median: f64, outline: &[Vec2]) -> SliverRepor
         ratio: s.width.min(s.shortest_edge) / median,
         at: polygon::centroid(outline).into(),
     }
+}
+
+/// Shrink edges below `smallest` to a point where that leaves the region and all faces what they are;
+/// how many. For cells, whose sides are nobody's joints; the sides of joints must stay straight.
+///
+/// Inner points meet half way, a point on the outline stays on its side, a corner of the region (the
+/// first `corners` points) stays where it is.
+pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -> usize {
+    let mut faces_at: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
+    let mut directed: BTreeSet<(u32, u32)> = BTreeSet::new();
+    for (f, face) in parts.faces.iter().enumerate() {
+        directed.extend(sides(face));
+        for &p in face {
+            faces_at.entry(p).or_default().insert(f as u32);
+        }
+    }
+    let mut outline = vec![false; parts.points.len()];
+    let mut short: Vec<(f64, u32, u32, bool)> = Vec::new();
+    for &(a, b) in &directed {
+        let at_outline = !directed.contains(&(b, a));
+        if at_outline {
+            outline[a as usize] = true;
+            outline[b as usize] = true;
+        }
+        let length = parts.points[a as usize].distance(parts.points[b as usize]);
+        if length < smallest && (at_outline || a < b) {
+            short.push((length, a, b, at_outline));
+        }
+    }
+    short.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+    let mut count = 0;
+    for (_, a, b, at_outline) in short {
+        let (corner_a, corner_b) = ((a as usize) < corners, (b as usize) < corners);
+        let (on_a, on_b) = (outline[a as usize], outline[b as usize]);
+        // Two points on different sides of the outline, or two corners, cannot become one.
+        if (corner_a && corner_b) || (on_a && on_b && !at_outline) {
+            continue;
+        }
+        let (keep, gone) = if corner_b || (on_b && !on_a) {
+            (b, a)
+        } else {
+            (a, b)
+        };
+        let (Some(of_keep), Some(of_gone)) = (faces_at.get(&keep), faces_at.get(&gone)) else {
+            continue;
+        };
+        let old = parts.points[keep as usize];
+        if !on_a && !on_b {
+            parts.points[keep as usize] = 0.5 * (old + parts.points[gone as usize]);
+        }
+        let touched: Vec<u32> = of_keep.union(of_gone).copied().collect();
+        let renamed = |face: &Vec<u32>| {
+            let mut face: Vec<u32> = face
+                .iter()
+                .map(|&p| if p == gone { keep } else { p })
+                .collect();
+            face.dedup();
+            if face.len() > 1 && face[0] == face[face.len() - 1] {
+                face.pop();
+            }
+            face
+        };
+        let new: Vec<Vec<u32>> = touched
+            .iter()
+            .map(|&f| renamed(&parts.faces[f as usize]))
+            .collect();
+        let sound = |face: &Vec<u32>| {
+            let corners = parts.corners(face);
+            polygon::validate(&corners).is_ok() && polygon::signed_area(&corners) > 0.0
+        };
+        if !new.iter().all(sound) {
+            parts.points[keep as usize] = old;
+            continue;
+        }
+        for (&f, face) in touched.iter().zip(new) {
+            parts.faces[f as usize] = face;
+        }
+        let moved = faces_at.remove(&gone).unwrap_or_default();
+        faces_at.entry(keep).or_default().extend(moved);
+        count += 1;
+    }
+    count
 }
 
 struct Merging<'a> {

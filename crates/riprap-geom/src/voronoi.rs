@@ -7,7 +7,7 @@
 
 use crate::arrangement::{Cut, cut_region};
 use crate::error::demand;
-use crate::heal::{Blocks, heal};
+use crate::heal::{Blocks, collapse, heal};
 use crate::polygon::{self, Aabb, Side};
 use crate::random::Chance;
 use crate::shapes::capped;
@@ -22,7 +22,8 @@ pub struct Cells {
     pub seed: u64,
     /// Lloyd iterations: 0 leaves random cells, 10 makes them nearly equal. At most 1000.
     pub relax: usize,
-    /// Cells with shorter edges are merged into neighbours (0: none), m.
+    /// Shorter edges are shrunk to a point, and cells that stay too thin merged into a neighbour (0:
+    /// none), m.
     pub smallest_edge: f64,
 }
 
@@ -96,7 +97,13 @@ pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
             }
         }
     }
-    Ok(heal(cut_region(region, &cuts)?, cells.smallest_edge))
+    let mut parts = cut_region(region, &cuts)?;
+    let collapsed = collapse(&mut parts, region.len(), cells.smallest_edge);
+    let blocks = heal(parts, cells.smallest_edge);
+    Ok(Blocks {
+        collapsed,
+        ..blocks
+    })
 }
 
 /// A cell: corners, each with the site beyond the side that starts there (`usize::MAX`: the box).
@@ -274,6 +281,32 @@ mod tests {
             blocks.polygons.iter().map(square).sum::<f64>() / blocks.polygons.len() as f64
         };
         assert!(spread(10) < 0.2 * spread(0), "{} {}", spread(10), spread(0));
+    }
+
+    #[test]
+    fn short_edges_are_shrunk() {
+        let region = rectangle(Vec2::ZERO, Vec2::new(12.0, 8.0));
+        let what = Cells {
+            smallest_edge: 0.08,
+            ..cells(0.8, 2)
+        };
+        let blocks = voronoi(&region, &what).unwrap();
+        let plain = voronoi(
+            &region,
+            &Cells {
+                smallest_edge: 0.0,
+                ..what
+            },
+        )
+        .unwrap();
+        assert_eq!(blocks.polygons.len(), plain.polygons.len());
+        assert!(
+            blocks.collapsed > 5 && blocks.left.is_empty(),
+            "{} {:?}",
+            blocks.collapsed,
+            blocks.left
+        );
+        assert!((area(&blocks) / 96.0 - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -349,6 +349,7 @@ impl Builder<'_> {
             blocks: blocks.polygons.len(),
             dead_ends: blocks.removed.dead_ends,
             islands: blocks.removed.islands,
+            collapsed: blocks.collapsed,
             merged: blocks.merged,
         };
         Generated {
@@ -402,6 +403,20 @@ impl Builder<'_> {
             ),
             GeomError::Arrangement { .. } => ("geometry.joints", "change the seed or a spacing"),
         };
+        // Places are told in the coordinates of the file.
+        let mut error = error.clone();
+        match &mut error {
+            GeomError::SelfIntersecting { at, .. }
+            | GeomError::Spike { at, .. }
+            | GeomError::Arrangement { at } => *at += self.origin,
+            GeomError::NonFinite { .. }
+            | GeomError::TooFewVertices { .. }
+            | GeomError::TooManyVertices { .. }
+            | GeomError::ZeroArea { .. }
+            | GeomError::BadNumber { .. }
+            | GeomError::TooMany { .. }
+            | GeomError::DoesNotFit { .. } => {}
+        }
         let message = format!("block `{}`: {error}", block.name);
         let span = at.unwrap_or_else(|| block.name.span.clone());
         self.found

@@ -49,6 +49,8 @@ pub struct Region {
     pub blocks: usize,
     /// Slivers merged into a neighbour.
     pub merged: Vec<SliverReport>,
+    /// Short edges of cells shrunk to a point.
+    pub collapsed: usize,
     /// Joint pieces left out because they end inside a block.
     pub dead_ends: usize,
     /// Joint pieces left out because they enclose nothing that is connected.
