@@ -1,6 +1,7 @@
 //! The 2D engine: rigid polygons with mutual-potential contact.
 
 pub mod bond;
+pub mod classify;
 pub mod contact;
 pub mod convex;
 pub mod energy;

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::Vec2;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::planar::classify::{Classified, classify};
 use crate::planar::fields::View;
 use crate::planar::setup::Setup;
 use crate::planar::step::{self, NonFinite};
@@ -33,14 +34,20 @@ pub struct Touch {
     pub moment_first: f64,
     /// Moment on the second block about its centroid, N.
     pub moment_second: f64,
+    /// The source's contact types of the pair's features closer than twice the threshold.
+    pub types: Vec<Classified>,
 }
 
-/// All touching contacts in a fixed order. Joints built with the model carry no force at the
+/// Classification threshold d0 over the smaller radius of a pair, unless one is given.
+pub const THRESHOLD: f64 = 1e-3;
+
+/// All touching contacts in a fixed order; `threshold` is the source's d0 (m), by default
+/// [`THRESHOLD`] of the smaller block. Joints built with the model carry no force at the
 /// start and are not listed.
 ///
 /// # Errors
 /// A block with forces that are not finite.
-pub fn touches(setup: &Setup) -> Result<Vec<Touch>, NonFinite> {
+pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonFinite> {
     let (mut world, mut scratch) = World::new(setup.clone(), Exec::serial());
     // The forces do not depend on the step; a small one keeps the unused velocity changes finite.
     step::evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9)?;
@@ -48,8 +55,11 @@ pub fn touches(setup: &Setup) -> Result<Vec<Touch>, NonFinite> {
         world: &world,
         scratch: &scratch,
     };
+    let shapes = &scratch.shapes;
     let name = |block: u32| setup.blocks[block as usize].name.clone();
     let touches = view.contacts().map(|(i, j, contact)| {
+        let smaller = shapes.radius[i as usize].min(shapes.radius[j as usize]);
+        let d0 = threshold.unwrap_or(THRESHOLD * smaller);
         let other = contact.tangential.plus(&contact.damping);
         let all: Wrench = contact.normal.plus(&other);
         let centre: Vec2 =
@@ -65,6 +75,12 @@ pub fn touches(setup: &Setup) -> Result<Vec<Touch>, NonFinite> {
             other_force: other.force.length(),
             moment_first: all.moment_i,
             moment_second: all.moment_j,
+            types: classify(
+                &scratch.turned[shapes.range(i as usize)],
+                &scratch.turned[shapes.range(j as usize)],
+                world.bodies[i as usize].position - world.bodies[j as usize].position,
+                d0,
+            ),
         }
     });
     Ok(touches.collect())
@@ -120,7 +136,7 @@ mod tests {
             pair_table: vec![0],
             ..Setup::default()
         };
-        let found = touches(&setup).unwrap();
+        let found = touches(&setup, None).unwrap();
         assert_eq!(found.len(), 1);
         let one = &found[0];
         assert_eq!((one.first.as_str(), one.second.as_str()), ("low", "high"));
