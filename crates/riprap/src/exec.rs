@@ -3,6 +3,10 @@
 //! Work is split in chunks of a fixed size that does not depend on the number of threads, and
 //! partial sums are added in chunk order, so that results are the same bits for any thread count.
 
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+
 use rayon::prelude::*;
 
 /// Items per chunk in every parallel stage.
@@ -115,6 +119,46 @@ impl Exec {
     }
 }
 
+/// Works on whole items side by side on `threads` threads and hands the results to `done` in the
+/// order of the items, each as soon as all before it are there.
+///
+/// For independent runs (sweeps, verification); the order in which items are begun is theirs too.
+///
+/// # Panics
+/// When `work` panics.
+pub fn side_by_side<T: Sync, R: Send>(
+    threads: usize,
+    items: &[T],
+    work: impl Fn(&T) -> R + Sync,
+    mut done: impl FnMut(R),
+) {
+    let next = AtomicUsize::new(0);
+    let (send, receive) = mpsc::channel();
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, items.len().max(1)) {
+            let (send, next, work) = (send.clone(), &next, &work);
+            scope.spawn(move || {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(index) else { return };
+                    // The receiver lives until all senders are gone.
+                    let _ = send.send((index, work(item)));
+                }
+            });
+        }
+        drop(send);
+        let mut waiting = BTreeMap::new();
+        let mut turn = 0;
+        for (index, result) in receive {
+            waiting.insert(index, result);
+            while let Some(result) = waiting.remove(&turn) {
+                done(result);
+                turn += 1;
+            }
+        }
+    });
+}
+
 /// Halves the work at chunk boundaries until one chunk is left.
 fn split<A: Send, B: Send, P: Send>(
     at: usize,
@@ -150,6 +194,21 @@ fn split<A: Send, B: Send, P: Send>(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn results_come_in_the_order_of_the_items() {
+        for threads in [1, 3, 50] {
+            let items: Vec<u64> = (0..40).collect();
+            let mut seen = Vec::new();
+            let work = |n: &u64| {
+                std::thread::sleep(std::time::Duration::from_micros(*n % 7 * 300));
+                n * n
+            };
+            side_by_side(threads, &items, work, |r| seen.push(r));
+            assert_eq!(seen, items.iter().map(|n| n * n).collect::<Vec<_>>());
+        }
+        side_by_side(2, &[], |n: &u64| *n, |_| panic!("there is nothing to do"));
+    }
 
     #[test]
     fn chunk_sums_do_not_depend_on_threads() {

@@ -1,0 +1,104 @@
+//! What a run will take: stable step, number of steps, wall time, memory; told by trying a few.
+
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+use super::plan::{Plan, TimeStep};
+use super::simulation::{RunError, Simulation};
+use crate::exec::Exec;
+use crate::planar::setup::Setup;
+
+/// Longest time spent on trial steps.
+const TRIAL: Duration = Duration::from_millis(300);
+/// Most trial steps.
+const STEPS: u64 = 200;
+
+/// What to expect of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Forecast {
+    /// Stable time step at the start (safety 1), s; absent when nothing can touch.
+    pub stable_time_step: Option<f64>,
+    /// Block that sets it.
+    pub governing_block: Option<String>,
+    /// Time step of the first phase as it will be used, s.
+    pub time_step: f64,
+    /// `time_step` over the stable one.
+    pub share_of_stable: Option<f64>,
+    /// Touching contacts at the start.
+    pub contacts: usize,
+    /// Fastest block at the start and its speed, m/s.
+    pub fastest: Option<(String, f64)>,
+    /// Whether blocks are so fast that the tunnelling guard shortens the first steps.
+    pub guard_shortens: bool,
+    /// Steps of all phases that end at a time or a step count; absent if one does not.
+    pub steps: Option<u64>,
+    /// Steps per second on one thread, measured on the first steps.
+    pub steps_per_second: f64,
+    /// Wall time on one thread, s; absent if the number of steps is.
+    pub wall_time: Option<f64>,
+}
+
+/// Advances a copy of the model by a few steps.
+///
+/// # Errors
+/// The physics stops it at once.
+pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, RunError> {
+    let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial());
+    simulation.prepare()?;
+    let stable = simulation.stable();
+    let dt = simulation.dt();
+    let view = simulation.view();
+    let fastest = view
+        .living()
+        .map(|b| (b, view.velocity(b).length()))
+        .filter(|(_, speed)| *speed > 0.0)
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(b, speed)| (setup.blocks[b].name.clone(), speed));
+    let contacts = view.contacts().count();
+    let guard_shortens = simulation.cursor().shortened > 0;
+    let wanted = |rule: &TimeStep| match *rule {
+        TimeStep::Given { dt } => dt,
+        TimeStep::Auto { safety } => safety * stable.dt,
+    };
+    let steps = plan.phases.iter().map(|phase| {
+        let by_time = phase
+            .until
+            .time
+            .map(|span| (span / wanted(&phase.time_step)).ceil());
+        let by_count = phase.until.steps.map(|n| n as f64);
+        match (by_time, by_count) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        }
+    });
+    let steps = steps
+        .sum::<Option<f64>>()
+        .filter(|n| n.is_finite())
+        .map(|n| n as u64);
+    let rate = rate(&mut simulation)?;
+    Ok(Forecast {
+        stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
+        governing_block: stable.block.map(|b| setup.blocks[b as usize].name.clone()),
+        time_step: dt,
+        share_of_stable: Some(dt / stable.dt).filter(|_| stable.dt.is_finite()),
+        contacts,
+        fastest,
+        guard_shortens,
+        steps,
+        steps_per_second: rate,
+        wall_time: steps.map(|n| n as f64 / rate),
+    })
+}
+
+/// Steps per second over the first steps.
+fn rate(simulation: &mut Simulation) -> Result<f64, RunError> {
+    let begun = Instant::now();
+    let mut done = 0;
+    while done < STEPS && begun.elapsed() < TRIAL && simulation.phase().is_some() {
+        simulation.step();
+        done += 1;
+        simulation.prepare()?;
+    }
+    Ok(done as f64 / begun.elapsed().as_secs_f64().max(1e-9))
+}

@@ -1,0 +1,168 @@
+//! A scene file as something to run: its cases, each with its job.
+
+use std::path::{Path, PathBuf};
+
+use crate::model::{self, Model};
+use crate::planar::readings::INFOS;
+use crate::record::Manifest;
+use crate::record::manifest::Override;
+use crate::run::job::Job;
+use crate::scenario::{self, Case, Diagnostics, Parsed, Source};
+
+/// A scene as the user wants it run.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// File.
+    pub path: PathBuf,
+    /// The scene with the user's changes.
+    pub parsed: Parsed,
+    /// Its cases: variants and combinations of swept values.
+    pub cases: Vec<Case>,
+    /// The user's changes.
+    pub changes: Vec<(String, String)>,
+}
+
+/// One case, ready to run.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// The case's text, parsed.
+    pub parsed: Parsed,
+    /// The model.
+    pub model: Model,
+    /// The manifest as far as it is known before the run.
+    pub manifest: Manifest,
+}
+
+impl Scene {
+    /// Reads a scene and lists its cases.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text.
+    pub fn load(path: &Path, changes: &[(String, String)]) -> Result<Self, Diagnostics> {
+        let parsed = scenario::load(path, changes)?;
+        let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
+        Ok(Self {
+            path: path.to_owned(),
+            parsed,
+            cases,
+            changes: changes.to_vec(),
+        })
+    }
+
+    /// The scene as it stands: the variant `default`, with nothing swept.
+    #[must_use]
+    pub fn plain(&self) -> Case {
+        let variant = "default";
+        let changes = self
+            .parsed
+            .scenario
+            .variants
+            .get(variant)
+            .map_or_else(Vec::new, |table| {
+                table
+                    .iter()
+                    .map(|(key, value)| (key.text.clone(), value.to_string()))
+                    .collect()
+            });
+        Case {
+            name: variant.to_owned(),
+            variant: variant.to_owned(),
+            changes,
+        }
+    }
+
+    /// The case of that name; the plain one is called `default`.
+    #[must_use]
+    pub fn case(&self, name: &str) -> Option<Case> {
+        let found = self.cases.iter().find(|case| case.name == name).cloned();
+        found.or_else(|| (name == "default").then(|| self.plain()))
+    }
+
+    /// Builds the model of one case.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn prepare(&self, case: &Case) -> Result<Prepared, Diagnostics> {
+        let source = case.source(&self.parsed.source)?;
+        let mut parsed = scenario::parse(source)?;
+        parsed.folder.clone_from(&self.parsed.folder);
+        let model = model::build(&parsed, &case.variant, INFOS)?;
+        let changed = self.changes.iter().chain(&case.changes);
+        let manifest = Manifest {
+            title: parsed.scenario.title.clone(),
+            scenario: self.path.display().to_string(),
+            input_hash: input_hash(&parsed),
+            variant: case.variant.clone(),
+            case: if self.cases.len() > 1 {
+                case.name.clone()
+            } else {
+                String::new()
+            },
+            overrides: changed
+                .map(|(key, value)| Override {
+                    key: key.clone(),
+                    value: value.clone(),
+                })
+                .collect(),
+            warnings: model
+                .warnings
+                .iter()
+                .map(|warning| warning.message.clone())
+                .collect(),
+            ..Manifest::default()
+        };
+        Ok(Prepared {
+            parsed,
+            model,
+            manifest,
+        })
+    }
+}
+
+impl Prepared {
+    /// What is run.
+    #[must_use]
+    pub fn job(self) -> Job {
+        Job {
+            setup: self.model.setup,
+            plan: self.model.plan,
+            checks: self.model.checks,
+            resolved: self.parsed.source.text,
+            manifest: self.manifest,
+        }
+    }
+}
+
+/// blake3 of the scene's text and of every file it names, hexadecimal.
+#[must_use]
+pub fn input_hash(parsed: &Parsed) -> String {
+    let mut hasher = blake3::Hasher::new();
+    let Source { text, .. } = &parsed.source;
+    let mut add = |bytes: &[u8]| {
+        hasher.update(&(bytes.len() as u64).to_le_bytes());
+        hasher.update(bytes);
+    };
+    add(text.as_bytes());
+    let root: toml::Value = toml::from_str(text).unwrap_or(toml::Value::Boolean(false));
+    let mut names = Vec::new();
+    strings(&root, &mut names);
+    for name in names.iter().filter(|name| name.ends_with(".csv")) {
+        add(name.as_bytes());
+        // A file that cannot be read stops the model before this.
+        add(&std::fs::read(parsed.folder.join(name)).unwrap_or_default());
+    }
+    hasher.finalize().to_hex().to_string()
+}
+
+/// All texts of a document, tables in the order of their keys.
+fn strings(value: &toml::Value, found: &mut Vec<String>) {
+    match value {
+        toml::Value::String(text) => found.push(text.clone()),
+        toml::Value::Array(items) => items.iter().for_each(|item| strings(item, found)),
+        toml::Value::Table(table) => table.iter().for_each(|(_, item)| strings(item, found)),
+        toml::Value::Integer(_)
+        | toml::Value::Float(_)
+        | toml::Value::Boolean(_)
+        | toml::Value::Datetime(_) => {}
+    }
+}
