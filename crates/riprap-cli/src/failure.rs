@@ -1,5 +1,6 @@
 //! Why a command did not do what was asked, and the exit code that says so.
 
+use riprap::run::job::JobError;
 use riprap::scenario::Diagnostics;
 
 use crate::diagnostics::{self, Style};
@@ -57,5 +58,19 @@ impl Failure {
 impl From<Diagnostics> for Failure {
     fn from(all: Diagnostics) -> Self {
         Failure::Scene(all)
+    }
+}
+
+impl From<JobError> for Failure {
+    fn from(error: JobError) -> Self {
+        let text = match &error {
+            JobError::Folder(_) if !error.is_output() => format!("{error} (--out, --force)"),
+            _ => error.to_string(),
+        };
+        if error.is_output() {
+            Failure::Output(text)
+        } else {
+            Failure::Input(text)
+        }
     }
 }

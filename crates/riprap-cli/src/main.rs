@@ -22,12 +22,13 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use args::{Cli, Verb};
+use diagnostics::Style;
 use failure::Failure;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    let style = diagnostics::Style::for_stderr(cli.color);
-    match dispatch(cli.verb) {
+    let style = Style::for_stderr(cli.color);
+    match dispatch(cli.verb, style) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             let code = failure.code();
@@ -37,22 +38,22 @@ fn main() -> ExitCode {
     }
 }
 
-fn dispatch(verb: Verb) -> Result<(), Failure> {
+fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
     match verb {
         Verb::New(args) => commands::new::run(&args),
-        Verb::Doctor(_) => commands::doctor::run(),
-        Verb::Explain(args) => commands::language::explain(&args),
+        Verb::Check(args) => commands::check::run(&args, style),
+        Verb::Run(args) => commands::run::run(&args, style),
+        Verb::Resume(args) => commands::run::resume(&args),
+        Verb::Sweep(args) => commands::trials::sweep(&args),
+        Verb::Bisect(args) => commands::trials::bisect(&args),
+        Verb::Compare(args) => commands::trials::compare(&args),
+        Verb::ProbeContact(args) => commands::probe::run(&args, style),
+        Verb::Verify(args) => commands::verify::run(&args),
+        Verb::Plot(args) => commands::plot::run(&args),
+        Verb::Fields(args) => commands::language::fields(&args),
+        Verb::Explain(args) => commands::language::explain(&args, style),
         Verb::Schema(args) => commands::language::schema(&args),
-        Verb::Check(_)
-        | Verb::Run(_)
-        | Verb::Resume(_)
-        | Verb::Sweep(_)
-        | Verb::Bisect(_)
-        | Verb::Compare(_)
-        | Verb::ProbeContact(_)
-        | Verb::Verify(_)
-        | Verb::Plot(_)
-        | Verb::Fields(_)
-        | Verb::Hash(_) => Err(Failure::Input("this verb is not built in yet".to_owned())),
+        Verb::Hash(args) => commands::language::hash(&args, style),
+        Verb::Doctor(_) => commands::doctor::run(),
     }
 }

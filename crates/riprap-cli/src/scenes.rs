@@ -1,33 +1,64 @@
-//! From the words on the command line to a scene.
+//! From the words on the command line to a scene and one of its cases.
 
 use std::path::Path;
 
-use riprap::scenario::{self, Parsed};
+use riprap::run::scene::{Prepared, Scene};
+use riprap::scenario::{Case, Diagnostics};
 
-use crate::args::{Change, Scene};
+use crate::args::{self, Change};
+use crate::diagnostics::{self, Style};
 use crate::failure::Failure;
 
-/// Reads the scene with the changes the user asked for.
-pub fn load(scene: &Scene) -> Result<Parsed, Failure> {
-    load_changed(&scene.file, &scene.change)
+/// Reads the scene and prepares the case the user asked for; prints warnings unless `quiet`.
+pub fn prepare(scene: &args::Scene, style: Style, quiet: bool) -> Result<Prepared, Failure> {
+    prepare_file(&scene.file, &scene.change, style, quiet)
 }
 
-/// Reads `file` with `change`.
-pub fn load_changed(file: &Path, change: &Change) -> Result<Parsed, Failure> {
-    let parsed = scenario::load(file, &change.set)?;
+/// As [`prepare`], for a file and changes.
+pub fn prepare_file(
+    file: &Path,
+    change: &Change,
+    style: Style,
+    quiet: bool,
+) -> Result<Prepared, Failure> {
+    let scene = Scene::load(file, &change.set)?;
+    let case = case(&scene, change)?;
+    let prepared = scene.prepare(&case)?;
+    if !quiet {
+        warn(&prepared, style);
+        if change.case.is_none() && scene.cases.len() > 1 {
+            let count = scene.cases.len();
+            diagnostics::print_line(
+                "note",
+                &format!("this scene has {count} cases; `riprap sweep` runs them all"),
+            );
+        }
+    }
+    Ok(prepared)
+}
+
+/// Prints the warnings of a prepared case.
+pub fn warn(prepared: &Prepared, style: Style) {
+    let warnings = prepared.model.warnings.clone();
+    if !warnings.is_empty() {
+        diagnostics::print(
+            &Diagnostics::new(prepared.parsed.source.clone(), warnings),
+            style,
+        );
+    }
+}
+
+/// The case the user asked for; without a name the scene as it stands.
+pub fn case(scene: &Scene, change: &Change) -> Result<Case, Failure> {
     let Some(wanted) = &change.case else {
-        return Ok(parsed);
+        return Ok(scene.plain());
     };
-    let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
-    let Some(case) = cases.iter().find(|case| case.name == *wanted) else {
-        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
-        return Err(Failure::Input(format!(
+    scene.case(wanted).ok_or_else(|| {
+        let names: Vec<&str> = scene.cases.iter().map(|case| case.name.as_str()).collect();
+        Failure::Input(format!(
             "{} has no case {wanted:?}; its cases are {}",
-            file.display(),
+            scene.path.display(),
             names.join(", ")
-        )));
-    };
-    let mut chosen = scenario::parse(case.source(&parsed.source)?)?;
-    chosen.folder = parsed.folder;
-    Ok(chosen)
+        ))
+    })
 }

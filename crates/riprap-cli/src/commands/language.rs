@@ -1,10 +1,14 @@
-//! `riprap explain` and `riprap schema`: what the language says of itself.
+//! `riprap explain`, `riprap schema`, `riprap fields` and `riprap hash`.
 
 use std::path::Path;
 
+use riprap::model::Provenance;
+use riprap::planar::readings::INFOS;
+use riprap::record::Manifest;
 use riprap::scenario;
 
-use crate::args::{Explain, Schema};
+use crate::args::{Explain, Fields, Hash, Schema};
+use crate::diagnostics::Style;
 use crate::failure::Failure;
 use crate::{scenes, screen};
 
@@ -20,9 +24,9 @@ pub fn schema(args: &Schema) -> Result<(), Failure> {
 }
 
 /// `riprap explain`.
-pub fn explain(args: &Explain) -> Result<(), Failure> {
+pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
     let path = Path::new(&args.what);
-    // A key never contains these; a file that does not exist deserves a message about files.
+    // A key never looks like this; a file that does not exist deserves a message about files.
     let names_a_file = path.exists() || args.what.contains('/') || args.what.ends_with(".toml");
     if !names_a_file {
         screen::line(
@@ -32,7 +36,75 @@ pub fn explain(args: &Explain) -> Result<(), Failure> {
         );
         return Ok(());
     }
-    let parsed = scenes::load_changed(path, &args.change)?;
-    screen::print(&parsed.source.text);
+    let prepared = scenes::prepare_file(path, &args.change, style, false)?;
+    let explained = &prepared.model.explained;
+    let rows = explained.iter().map(|one| {
+        let from = match one.from {
+            Provenance::Given => "given",
+            Provenance::Default => "default",
+            Provenance::Derived => "derived",
+        };
+        [
+            one.key.clone(),
+            one.value.clone(),
+            from.to_owned(),
+            one.why.clone(),
+        ]
+    });
+    let rows: Vec<[String; 4]> = rows.collect();
+    let width = |i: usize| {
+        rows.iter()
+            .map(|row| row[i].chars().count())
+            .max()
+            .unwrap_or(0)
+            .min(60)
+    };
+    let (keys, values) = (width(0), width(1));
+    for [key, value, from, why] in &rows {
+        let line = format!("{key:<keys$}  {value:<values$}  {from:<8} {why}");
+        screen::line(line.trim_end());
+    }
+    Ok(())
+}
+
+/// `riprap fields`.
+pub fn fields(args: &Fields) -> Result<(), Failure> {
+    if args.json {
+        screen::line(&serde_json::to_string_pretty(INFOS).unwrap_or_default());
+        return Ok(());
+    }
+    let width = INFOS
+        .iter()
+        .map(|field| field.name.len())
+        .max()
+        .unwrap_or(0);
+    for field in INFOS {
+        let shape = match field.shape {
+            riprap::record::Shape::Scalar => "",
+            riprap::record::Shape::Vector => " (vector: .x, .y, .magnitude)",
+        };
+        screen::line(&format!(
+            "{:<width$}  {:<6} {}{shape}",
+            field.name, field.unit, field.meaning
+        ));
+    }
+    Ok(())
+}
+
+/// `riprap hash`.
+pub fn hash(args: &Hash, style: Style) -> Result<(), Failure> {
+    if !args.what.is_dir() {
+        let prepared = scenes::prepare_file(&args.what, &args.change, style, true)?;
+        screen::line(&prepared.manifest.input_hash);
+        return Ok(());
+    }
+    let manifest = Manifest::read(&args.what).map_err(|e| Failure::Input(e.to_string()))?;
+    if manifest.state_hash.is_empty() {
+        let shown = args.what.display();
+        return Err(Failure::Input(format!(
+            "{shown} has no final state yet; go on with: riprap resume {shown}"
+        )));
+    }
+    screen::line(&manifest.state_hash);
     Ok(())
 }

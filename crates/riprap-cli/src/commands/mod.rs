@@ -1,14 +1,87 @@
 //! One file a verb. Each turns arguments into calls of the library and answers into text.
 
+pub mod check;
 pub mod doctor;
 pub mod language;
 pub mod new;
+pub mod plot;
+pub mod probe;
+pub mod run;
+pub mod trials;
+pub mod verify;
 
 use std::path::{Path, PathBuf};
+
+use riprap::run::checks::{CheckResult, Status};
+use riprap::run::verify::Tally;
+
+use crate::args::How;
+use crate::screen;
 
 /// Where results of `scene` go when the user does not say: `hill.toml` gives `hill.run` in the
 /// working folder, so that a scene library is never written into.
 pub fn default_folder(scene: &Path, kind: &str) -> PathBuf {
     let stem = scene.file_stem().unwrap_or_default().to_string_lossy();
     PathBuf::from(format!("{stem}.{kind}"))
+}
+
+/// Number of threads the user asked for, or of the machine.
+pub fn threads(how: &How) -> usize {
+    how.threads.map_or_else(cores, usize::from)
+}
+
+/// Cores of this machine.
+pub fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+/// Prints a line a check (those that failed even when `quiet`) and counts them.
+pub fn check_lines(checks: &[CheckResult], quiet: bool) -> Tally {
+    let mut tally = Tally::default();
+    for check in checks {
+        tally.add(check);
+        if !quiet || check.status == Status::Failed {
+            screen::line(&check_line(check, false));
+        }
+    }
+    if !quiet && !checks.is_empty() {
+        screen::line(&format!("checks: {tally}"));
+    }
+    tally
+}
+
+/// `passed  slides as the formula says: 2.11 m, expected 2.10 m (0.01 relative)`.
+pub fn check_line(check: &CheckResult, with_scene: bool) -> String {
+    let word = match check.status {
+        Status::Passed => "passed ",
+        Status::Failed => "FAILED ",
+        Status::Skipped => "skipped",
+    };
+    let mut line = format!("{word} ");
+    if with_scene {
+        line.push_str(&check.scene);
+        if !check.case.is_empty() {
+            line.push_str(&format!(" [{}]", check.case));
+        }
+        line.push_str(": ");
+    }
+    line.push_str(&check.check);
+    if let Some(measured) = check.measured {
+        let unit = if check.unit == "-" {
+            String::new()
+        } else {
+            format!(" {}", check.unit)
+        };
+        line.push_str(&format!(": {measured:.6e}{unit}"));
+    }
+    if !check.expected.is_empty() {
+        line.push_str(&format!(", expected {}", check.expected));
+    }
+    if !check.tolerance.is_empty() {
+        line.push_str(&format!(" ({})", check.tolerance));
+    }
+    if !check.note.is_empty() {
+        line.push_str(&format!("; {}", check.note.replace('\n', "\n        ")));
+    }
+    line
 }

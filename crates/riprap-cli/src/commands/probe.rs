@@ -1,0 +1,64 @@
+//! `riprap probe-contact`.
+
+use riprap::run::probe::{self, Touch};
+
+use crate::args::ProbeContact;
+use crate::diagnostics::Style;
+use crate::failure::Failure;
+use crate::numbers::si;
+use crate::{scenes, screen};
+
+pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
+    let prepared = scenes::prepare(&args.scene, style, args.json)?;
+    let setup = &prepared.model.setup;
+    if let Some(pair) = &args.pair {
+        for name in pair {
+            if !setup.blocks.iter().any(|block| block.name == *name) {
+                return Err(Failure::Input(format!("there is no block {name:?}")));
+            }
+        }
+    }
+    let touches = probe::touches(setup).map_err(|e| Failure::Physics(e.to_string()))?;
+    let wanted = |touch: &&Touch| match args.pair.as_deref() {
+        Some([a, b]) => {
+            (touch.first == *a && touch.second == *b) || (touch.first == *b && touch.second == *a)
+        }
+        Some(_) | None => true,
+    };
+    let touches: Vec<&Touch> = touches.iter().filter(wanted).collect();
+    if args.json {
+        screen::line(&serde_json::to_string_pretty(&touches).unwrap_or_default());
+        return Ok(());
+    }
+    if touches.is_empty() {
+        screen::line("nothing touches");
+        return Ok(());
+    }
+    let rows = touches.iter().map(|t| {
+        vec![
+            t.first.clone(),
+            t.second.clone(),
+            si(t.overlap, "m"),
+            si(t.length, "m"),
+            format!("({:.6}, {:.6})", t.centre[0], t.centre[1]),
+            si(t.force[0], "N/m"),
+            si(t.force[1], "N/m"),
+            si(t.moment_first, "N"),
+            si(t.moment_second, "N"),
+        ]
+    });
+    let heads = [
+        "first",
+        "second",
+        "overlap",
+        "length",
+        "centre [m]",
+        "force x",
+        "force y",
+        "moment on first",
+        "moment on second",
+    ];
+    screen::print(&screen::table(&heads, rows));
+    screen::line("forces act on the first block; moments are about each block's own centroid");
+    Ok(())
+}

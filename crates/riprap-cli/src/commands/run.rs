@@ -1,0 +1,146 @@
+//! `riprap run` and `riprap resume`.
+
+use std::path::{Path, PathBuf};
+
+use riprap::record::RunFolder;
+use riprap::record::folder::Existing;
+use riprap::record::table::Table;
+use riprap::run::drive::{Control, Ending, Progress};
+use riprap::run::job::{self, Outcome};
+
+use crate::args::{How, Resume, Run};
+use crate::commands::{check_lines, default_folder, threads};
+use crate::diagnostics::Style;
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::numbers::{duration, grouped, si};
+use crate::progress::Display;
+use crate::{scenes, screen};
+
+/// `riprap run`.
+pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
+    let prepared = scenes::prepare(&args.scene, style, args.how.quiet)?;
+    let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
+    let summary = &prepared.model.summary;
+    let head = format!(
+        "riprap {}  {}: {} blocks, {} contacts near, results in {}",
+        env!("CARGO_PKG_VERSION"),
+        prepared.parsed.scenario.title,
+        grouped(summary.blocks as u64),
+        grouped(summary.near_pairs as u64),
+        folder.display()
+    );
+    let job = prepared.job();
+    with_display(&args.how, &head, &folder, |look| {
+        job::run(job, &folder, existing, threads(&args.how), look)
+    })
+}
+
+/// `riprap resume`.
+pub fn resume(args: &Resume) -> Result<(), Failure> {
+    let head = format!(
+        "riprap {}  resuming {}",
+        env!("CARGO_PKG_VERSION"),
+        args.run.display()
+    );
+    with_display(&args.how, &head, &args.run, |look| {
+        job::resume(&args.run, threads(&args.how), look)
+    })
+}
+
+/// Where results go, and what may be replaced there. Without `--out` a name that is not taken.
+pub fn target(out: Option<&Path>, scene: &Path, kind: &str, force: bool) -> (PathBuf, Existing) {
+    let existing = if force {
+        Existing::Force
+    } else {
+        Existing::Refuse
+    };
+    let folder = match out {
+        Some(out) => out.to_owned(),
+        None if force => default_folder(scene, kind),
+        None => RunFolder::free_name(&default_folder(scene, kind)),
+    };
+    (folder, existing)
+}
+
+/// Runs `work` with progress and Ctrl-C, and reports how it ended.
+fn with_display(
+    how: &How,
+    head: &str,
+    folder: &Path,
+    work: impl FnOnce(&mut dyn FnMut(&Progress) -> Control) -> Result<Outcome, job::JobError>,
+) -> Result<(), Failure> {
+    let interrupt = Interrupt::listen()?;
+    let mut display = Display::new(how.quiet);
+    display.say(head);
+    let outcome = work(&mut |progress| {
+        display.show(progress);
+        if interrupt.asked() {
+            Control::Stop
+        } else {
+            Control::Continue
+        }
+    });
+    display.close();
+    finish(&outcome?, folder, how.quiet)
+}
+
+/// Says how a run ended, where its results are and what to do next.
+fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> {
+    let (manifest, shown) = (&outcome.manifest, folder.display());
+    if !quiet {
+        let verb = match outcome.ending {
+            Ending::Finished => "done",
+            Ending::Stopped => "stopped",
+            Ending::Unstable(_) => "broken off",
+        };
+        screen::line(&format!(
+            "{verb}: {} steps to t = {} in {}",
+            grouped(manifest.steps),
+            si(manifest.time, "s"),
+            duration(manifest.wall_time)
+        ));
+        screen::print(&ledger(folder));
+    }
+    let tally = check_lines(&outcome.checks, quiet);
+    match &outcome.ending {
+        Ending::Finished => {}
+        Ending::Stopped => {
+            return Err(Failure::Interrupted(format!(
+                "a checkpoint is in {shown}; go on with: riprap resume {shown}"
+            )));
+        }
+        Ending::Unstable(why) => {
+            return Err(Failure::Physics(format!(
+                "{why}\n  results up to there: {shown}"
+            )));
+        }
+    }
+    if !quiet {
+        screen::print(&format!(
+            "\nresults in {shown}; next:\n  riprap plot {shown}\n  riprap plot {shown} blocks --by velocity --png\n  \
+             paraview {shown}/run.pvd\n"
+        ));
+    }
+    if tally.failed > 0 {
+        Err(Failure::Checks)
+    } else {
+        Ok(())
+    }
+}
+
+/// The energies at the end, one line, with the residual.
+fn ledger(folder: &Path) -> String {
+    let Ok(table) = Table::read(&folder.join("energy.csv")) else {
+        return String::new();
+    };
+    let terms: Vec<String> = table
+        .columns
+        .iter()
+        .filter(|c| c.name != "step" && c.name != "time")
+        .filter_map(|c| c.values.last().map(|v| (c.name.replace('_', " "), *v)))
+        .filter(|(name, value)| *value != 0.0 || name == "residual")
+        .map(|(name, value)| format!("{name} {}", si(value, "J/m")))
+        .collect();
+    format!("energy: {}\n", terms.join(", "))
+}

@@ -1,0 +1,236 @@
+//! `riprap sweep`, `riprap bisect` and `riprap compare`: a scene run more than once.
+
+use std::path::Path;
+
+use riprap::record::folder::Existing;
+use riprap::run::drive::{Control, Ending};
+use riprap::run::scene::Scene;
+use riprap::run::sweep::{self, Row};
+use riprap::run::trials::{self, TrialError};
+
+use crate::args::{Bisect, Compare, Sweep};
+use crate::commands::run::target;
+use crate::commands::threads;
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::numbers::{grouped, ratio};
+use crate::progress::Display;
+use crate::{scenes, screen};
+
+/// `riprap sweep`.
+pub fn sweep(args: &Sweep) -> Result<(), Failure> {
+    let mut scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    if args.scene.change.case.is_some() {
+        scene.cases = vec![scenes::case(&scene, &args.scene.change)?];
+    }
+    sweep::check_all(&scene)?;
+    let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "sweep", args.force);
+    make_folder(&folder, existing)?;
+    let interrupt = Interrupt::listen()?;
+    let (count, mut rows) = (scene.cases.len(), Vec::new());
+    let jobs = threads(&args.how);
+    sweep::sweep(
+        &scene,
+        &folder,
+        existing,
+        jobs,
+        &|| interrupt.asked(),
+        |row: Row| {
+            if !args.how.quiet {
+                let (n, case, steps) = (rows.len() + 1, &row.case, grouped(row.steps));
+                screen::line(&format!(
+                    "{n}/{count}  {case}: {}, {steps} steps",
+                    row.ended
+                ));
+            }
+            rows.push(row);
+        },
+    );
+    let path = folder.join("sweep.csv");
+    let table = sweep::table(&rows).map_err(|e| Failure::Output(e.to_string()))?;
+    std::fs::write(&path, &table)
+        .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())))?;
+    let tally = sweep::tally(&rows);
+    if !args.how.quiet {
+        screen::line(&format!(
+            "\n{}\n{}",
+            String::from_utf8_lossy(&table).trim_end(),
+            path.display()
+        ));
+        screen::line(&format!("checks: {tally}"));
+    }
+    if let Some(row) = rows.iter().find(|row| row.unwritten) {
+        return Err(Failure::Output(row.ended.clone()));
+    }
+    if interrupt.asked() {
+        return Err(Failure::Interrupted(format!(
+            "see {} for what was done",
+            path.display()
+        )));
+    }
+    if let Some(row) = rows.iter().find(|row| !row.finished) {
+        return Err(Failure::Physics(format!(
+            "case {}: {}",
+            row.case, row.ended
+        )));
+    }
+    if tally.failed > 0 {
+        Err(Failure::Checks)
+    } else {
+        Ok(())
+    }
+}
+
+/// Makes the folder that holds the sub-folders of several runs.
+fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
+    let occupied = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
+    if occupied && existing == Existing::Refuse {
+        return Err(Failure::Input(format!(
+            "{} is not empty; choose another folder, or replace what is there with --force",
+            folder.display()
+        )));
+    }
+    std::fs::create_dir_all(folder)
+        .map_err(|e| Failure::Output(format!("could not make {}: {e}", folder.display())))
+}
+
+/// `riprap bisect`.
+pub fn bisect(args: &Bisect) -> Result<(), Failure> {
+    let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    let interrupt = Interrupt::listen()?;
+    let mut display = Display::new(args.how.quiet || args.json);
+    let stop = || {
+        if interrupt.asked() {
+            Control::Stop
+        } else {
+            Control::Continue
+        }
+    };
+    let mut count = 0;
+    let found = trials::search(
+        &scene,
+        threads(&args.how),
+        &mut |progress| {
+            display.show(progress);
+            stop()
+        },
+        &mut |trial| {
+            count += 1;
+            let word = if trial.failed { "fails" } else { "holds" };
+            if args.json {
+                let line = serde_json::json!({
+                    "trial": count, "value": trial.value, "failed": trial.failed,
+                    "measured": trial.measured, "note": trial.note,
+                });
+                screen::line(&line.to_string());
+            } else {
+                let measured = trial
+                    .measured
+                    .map_or_else(String::new, |m| format!(" ({m:.6e})"));
+                screen::line(&format!(
+                    "trial {count}: {:.9e} {word}{measured} {}",
+                    trial.value, trial.note
+                ));
+            }
+        },
+    );
+    display.close();
+    let found = found?;
+    let (bracket, unit) = (&found.bracket, &found.unit);
+    if args.json {
+        let line = serde_json::json!({
+            "key": found.key, "unit": unit, "limit": bracket.limit(),
+            "holds_at": bracket.holds_at, "fails_at": bracket.fails_at,
+        });
+        screen::line(&line.to_string());
+        return Ok(());
+    }
+    let degrees = |value: f64| {
+        if unit == "rad" {
+            format!(" = {:.4} deg", value.to_degrees())
+        } else {
+            String::new()
+        }
+    };
+    screen::line(&format!(
+        "{}: limit {:.9e} {unit}{} (holds at {:.9e}, fails at {:.9e})",
+        found.key,
+        bracket.limit(),
+        degrees(bracket.limit()),
+        bracket.holds_at,
+        bracket.fails_at
+    ));
+    Ok(())
+}
+
+/// `riprap compare`.
+pub fn compare(args: &Compare) -> Result<(), Failure> {
+    let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    scenes::case(&scene, &args.scene.change)?;
+    let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "compare", args.force);
+    make_folder(&folder, existing)?;
+    let interrupt = Interrupt::listen()?;
+    let mut display = Display::new(args.how.quiet);
+    let result = trials::both_laws(
+        &scene,
+        args.scene.change.case.as_deref(),
+        &folder,
+        existing,
+        threads(&args.how),
+        &mut |law, progress| {
+            display.label(&format!("{law}  "));
+            display.show(progress);
+            if interrupt.asked() {
+                Control::Stop
+            } else {
+                Control::Continue
+            }
+        },
+    );
+    display.close();
+    let (sides, differences) = result?;
+    let rows = differences.iter().map(|d| {
+        let unit = if d.unit == "-" { "" } else { d.unit.as_str() };
+        vec![
+            d.what.clone(),
+            format!("{:.6e} {unit}", d.first).trim().to_owned(),
+            format!("{:.6e} {unit}", d.second).trim().to_owned(),
+            format!("{:.3e} {unit}", d.largest).trim().to_owned(),
+            format!("{} %", ratio(100.0 * d.share)),
+            d.place.clone(),
+        ]
+    });
+    let heads = [
+        "",
+        trials::LAWS[0],
+        trials::LAWS[1],
+        "largest difference",
+        "of the largest",
+        "where",
+    ];
+    let text = screen::table(&heads, rows);
+    screen::print(&text);
+    let path = folder.join("compare.txt");
+    std::fs::write(&path, &text)
+        .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())))?;
+    for side in &sides {
+        screen::line(&format!("{}: {}", side.law, side.folder.display()));
+        if let Ending::Unstable(why) = &side.outcome.ending {
+            return Err(Failure::Physics(format!("{}: {why}", side.law)));
+        }
+    }
+    Ok(())
+}
+
+impl From<TrialError> for Failure {
+    fn from(error: TrialError) -> Self {
+        match error {
+            TrialError::Scene(wrong) => Failure::Scene(wrong),
+            TrialError::Job(wrong) => wrong.into(),
+            TrialError::Stopped => Failure::Interrupted("nothing was found yet".to_owned()),
+            TrialError::NoBisect { .. } | TrialError::NoLimit(_) | TrialError::Compare(_) => {
+                Failure::Input(error.to_string())
+            }
+        }
+    }
+}

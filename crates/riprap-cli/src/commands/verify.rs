@@ -1,0 +1,51 @@
+//! `riprap verify`.
+
+use riprap::run::verify;
+
+use crate::args::Verify;
+use crate::commands::{check_line, cores};
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::screen;
+
+pub fn run(args: &Verify) -> Result<(), Failure> {
+    let mut scenes = Vec::new();
+    for path in &args.paths {
+        let found = verify::scenes_under(path)
+            .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+        if found.is_empty() {
+            let shown = path.display();
+            return Err(Failure::Input(format!(
+                "there are no scenes with checks in {shown}"
+            )));
+        }
+        scenes.extend(found);
+    }
+    let interrupt = Interrupt::listen()?;
+    let jobs = args.jobs.map_or_else(cores, usize::from);
+    let tally = verify::verify(
+        &scenes,
+        args.strict,
+        jobs,
+        &|| interrupt.asked(),
+        |result| {
+            if args.json {
+                // A result is numbers and texts: it always has a JSON form.
+                screen::line(&serde_json::to_string(&result).unwrap_or_default());
+            } else {
+                screen::line(&check_line(&result, true));
+            }
+        },
+    );
+    if !args.json {
+        screen::line(&tally.to_string());
+    }
+    if interrupt.asked() {
+        return Err(Failure::Interrupted("not all scenes were run".to_owned()));
+    }
+    if tally.failed > 0 {
+        Err(Failure::Checks)
+    } else {
+        Ok(())
+    }
+}
