@@ -18,7 +18,7 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
             }
         }
     }
-    let touches = probe::touches(setup).map_err(|e| Failure::Physics(e.to_string()))?;
+    let touches = probe::touches(setup, None).map_err(|e| Failure::Physics(e.to_string()))?;
     let wanted = |touch: &&Touch| match args.pair.as_deref() {
         Some([a, b]) => {
             (touch.first == *a && touch.second == *b) || (touch.first == *b && touch.second == *a)
