@@ -112,7 +112,7 @@ impl Exec {
     ) {
         match &self.pool {
             Some(pool) if a.len() > CHUNK => {
-                pool.install(|| split(0, a, b, first, partials, &f, true))
+                pool.install(|| split(0, a, b, first, partials, &f, true));
             }
             _ => split(0, a, b, first, partials, &f, false),
         }

@@ -37,7 +37,8 @@ pub enum FormulaError {
 #[derive(Clone, Debug)]
 pub struct Formula {
     text: String,
-    expression: FlatEx<f64>,
+    // Boxed: the parsed expression is large beside the other time functions.
+    expression: Box<FlatEx<f64>>,
     names: Vec<String>,
 }
 
@@ -61,6 +62,7 @@ impl Formula {
         }
         let expression =
             FlatEx::<f64>::parse(text).map_err(|e| FormulaError::Syntax(e.to_string()))?;
+        let expression = Box::new(expression);
         let names: Vec<String> = expression.var_names().to_vec();
         for name in &names {
             if !known.contains(&name.as_str()) && !["pi", "deg"].contains(&name.as_str()) {

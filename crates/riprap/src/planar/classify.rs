@@ -134,7 +134,7 @@ pub fn classify(i: &[Turned], j: &[Turned], shift: Vec2, d0: f64) -> Vec<Classif
         }
     }
     found.extend(corners);
-    found.sort_by(|x, y| (x.kind, x.first, x.second).cmp(&(y.kind, y.first, y.second)));
+    found.sort_by_key(|c| (c.kind, c.first, c.second));
     found
 }
 

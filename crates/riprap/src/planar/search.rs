@@ -342,9 +342,9 @@ fn add_pair(
         && law.normal == NormalLaw::DistancePotential
         && law.friction_law == FrictionLaw::ShearSpring;
     if fast {
-        candidates.convex.push(candidate)
+        candidates.convex.push(candidate);
     } else {
-        candidates.general.push(candidate)
+        candidates.general.push(candidate);
     }
     let reach = shapes.inradius[a].min(shapes.inradius[b]);
     for block in [a, b] {

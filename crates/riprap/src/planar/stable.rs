@@ -64,9 +64,9 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
         .iter()
         .map(|i| sum(i).0 * source_factor(&i.contact));
     let stiffest = stiffest.fold(0.0, f64::max);
-    for b in 0..n {
+    for (b, k) in translation.iter_mut().enumerate() {
         let longest = shapes.of(b).iter().map(|e| e.length).fold(0.0, f64::max);
-        translation[b] = translation[b].max(stiffest * longest);
+        *k = k.max(stiffest * longest);
     }
     let mut worst = Stable {
         dt: f64::INFINITY,
