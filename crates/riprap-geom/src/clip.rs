@@ -138,22 +138,15 @@ pub fn overlap_depth(a: &[Vec2], b: &[Vec2]) -> Overlap {
     }
     boundary_inside(a, b, box_b, &mut worst);
     boundary_inside(b, a, box_a, &mut worst);
-    if worst.depth <= 1e-3 * box_a.size().min(box_b.size()) {
-        // Little of the boundary is inside: touching, or twins.
-        let both = Aabb {
-            min: box_a.min.max(box_b.min),
-            max: box_a.max.min(box_b.max),
-        };
-        for (one, other) in [(a, b), (b, a)] {
-            // A block deep in another shares much of its box with it; the search for the circle is
-            // too dear for blocks that only touch.
-            let extent = Aabb::of(one);
-            let share =
-                (both.max - both.min).min_element() / (extent.max - extent.min).min_element();
-            if share > 0.05 {
-                consider(other, in_circle(one).0, &mut worst);
-            }
-        }
+    // Outlines that overlap with next to nothing of either boundary inside the other are twins; only
+    // then the search for the largest circle, which is dear, can find more.
+    let size = box_a.size().min(box_b.size());
+    let apart = (box_a.min - box_b.min)
+        .abs()
+        .max((box_a.max - box_b.max).abs());
+    if worst.depth <= 1e-3 * size && apart.max_element() <= 1e-2 * size {
+        consider(b, in_circle(a).0, &mut worst);
+        consider(a, in_circle(b).0, &mut worst);
     }
     worst
 }

@@ -366,7 +366,7 @@ mod tests {
             for b in &blocks.polygons {
                 prop_assert_eq!(polygon::validate(b), Ok(()));
             }
-            for (i, j) in crate::pairs::touching_boxes(&boxes) {
+            for (i, j) in crate::pairs::touching_boxes(&boxes, 1_000_000).unwrap() {
                 let (a, b) = (&blocks.polygons[i as usize], &blocks.polygons[j as usize]);
                 prop_assert!(crate::clip::overlap_depth(a, b).depth < 1e-9);
             }

@@ -143,7 +143,7 @@ mod tests {
                 prop_assert!(bounds.min.cmpge(what.region.min).all());
                 prop_assert!(bounds.max.cmple(what.region.max).all());
             }
-            for (i, j) in touching_boxes(&boxes) {
+            for (i, j) in touching_boxes(&boxes, 1_000_000).unwrap() {
                 let (a, b) = (&blocks[i as usize], &blocks[j as usize]);
                 prop_assert_eq!(crate::clip::intersection_area(a, b), 0.0);
             }

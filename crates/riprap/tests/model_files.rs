@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use proptest::prelude::*;
 use riprap::model::{Model, build};
 use riprap::planar::readings::INFOS;
 use riprap::scenario::diagnostic::{Diagnostics, Severity, Source};
@@ -147,6 +148,21 @@ fn large_models_are_built_in_seconds() {
 }
 
 #[test]
+fn heaps_of_blocks_in_one_place_end_in_time() {
+    let (result, seconds) = timed(
+        "[[blocks]]\nname = \"heap\"\nmaterial = \"rock\"\n\
+         rectangle = { size = [1, 1], corner = [0, 0] }\ncopies = { count = 100000, step = [0, 0] }\n",
+    );
+    assert!(
+        result
+            .unwrap_err()
+            .render()
+            .contains("on top of each other")
+    );
+    assert!(seconds < 20.0, "{seconds} s");
+}
+
+#[test]
 fn polygons_with_very_many_corners_end_in_time() {
     let circle = |x: f64| {
         let corner = |k: usize| {
@@ -164,4 +180,73 @@ fn polygons_with_very_many_corners_end_in_time() {
     let (result, seconds) = timed(&format!("{}{}", block("a", 0.0), block("b", 0.1)));
     assert!(result.unwrap_err().render().contains("overlap"));
     assert!(seconds < 20.0, "{seconds} s");
+}
+
+/// Texts to put in place of numbers.
+const SILLY: &[&str] = &[
+    "0",
+    "-1",
+    "1e-300",
+    "1e300",
+    "1e-12",
+    "1e12",
+    "123456789",
+    "-0.5",
+    "1",
+    "0.999999",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+    /// Whatever numbers stand in a scenario: an answer, soon.
+    #[test]
+    fn silly_numbers_get_an_answer(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 1..4)) {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenarios/good/everything.toml");
+        let mut text = fs::read_to_string(path).unwrap();
+        for (place, value) in changes {
+            let numbers: Vec<(usize, usize)> = numbers(&text);
+            let (start, end) = numbers[place.index(numbers.len())];
+            text.replace_range(start..end, SILLY[value.index(SILLY.len())]);
+        }
+        let tables = tables();
+        let start = Instant::now();
+        if let Ok(mut parsed) = parse(Source::new("silly.toml", text.clone())) {
+            parsed.folder = tables.path().to_owned();
+            let _ = build(&parsed, "default", INFOS);
+        }
+        prop_assert!(start.elapsed() < Duration::from_secs(20), "{:?}\n{text}", start.elapsed());
+    }
+}
+
+/// A folder with the tables that the scenario names.
+fn tables() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(
+        folder.path().join("block.csv"),
+        "x_m,y_m\n20,0\n21,0\n20,1\n",
+    )
+    .unwrap();
+    fs::write(folder.path().join("quake.csv"), "t_s,a_m_s2\n0,0\n1,1\n").unwrap();
+    folder
+}
+
+/// Places of the numbers in the blocks of a text.
+fn numbers(text: &str) -> Vec<(usize, usize)> {
+    let from = text.find("[[blocks]]").unwrap_or(0);
+    let mut found = Vec::new();
+    let bytes = text.as_bytes();
+    let mut at = from;
+    while at < bytes.len() {
+        let alone = at == 0 || !(bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'_');
+        if bytes[at].is_ascii_digit() && alone {
+            let start = at;
+            while at < bytes.len() && (bytes[at].is_ascii_digit() || bytes[at] == b'.') {
+                at += 1;
+            }
+            found.push((start, at));
+        } else {
+            at += 1;
+        }
+    }
+    found
 }

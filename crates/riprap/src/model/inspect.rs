@@ -20,6 +20,8 @@ const ACCEPTED: f64 = 1e-6;
 const EXCUSED: f64 = 0.01;
 /// Pairs and blocks named one by one.
 const NAMED: usize = 10;
+/// Overlapping pairs after which the search for more of them ends.
+const MOST_BAD: usize = 1000;
 /// A block is a sliver below this share of the median width.
 const SLIVER: f64 = 0.02;
 
@@ -121,7 +123,13 @@ fn overlaps(b: &mut Builder<'_>) {
         .iter()
         .map(|block| Aabb::of(&block.vertices))
         .collect();
-    let pairs = touching_boxes(&boxes);
+    let Some(pairs) = touching_boxes(&boxes, 30 * boxes.len() + 10_000) else {
+        let message = "many blocks lie on top of each other at the start";
+        let help = "check `copies.step`, and the places of blocks that are given twice";
+        let error = Diagnostic::error("geometry.overlap", message).at(entry_span(b, 0));
+        b.found.push(error.help(help));
+        return;
+    };
     b.summary.near_pairs = pairs.len();
     let mut bad: Vec<(f64, usize, usize, Vec2)> = Vec::new();
     let mut deepest = (0.0, 0, 0);
@@ -139,6 +147,9 @@ fn overlaps(b: &mut Builder<'_>) {
             && !(is_fixed(b, i) && is_fixed(b, j))
         {
             bad.push((overlap.depth, i, j, overlap.at));
+            if bad.len() == MOST_BAD {
+                break;
+            }
         }
     }
     let name = |i: usize| b.setup.blocks[i].name.clone();
@@ -164,7 +175,12 @@ fn overlaps(b: &mut Builder<'_>) {
     }
     if bad.len() > NAMED {
         let more = bad.len() - NAMED;
-        let message = format!("{more} more pairs of blocks overlap at the start");
+        let least = if bad.len() == MOST_BAD {
+            "at least "
+        } else {
+            ""
+        };
+        let message = format!("{least}{more} more pairs of blocks overlap at the start");
         b.found.push(Diagnostic::error("geometry.overlap", message));
     }
 }
