@@ -7,7 +7,7 @@ use crate::planar::readings::INFOS;
 use crate::record::Manifest;
 use crate::record::manifest::Override;
 use crate::run::job::Job;
-use crate::scenario::{self, Case, Diagnostics, Parsed, Source};
+use crate::scenario::{self, Case, Diagnostics, Parsed};
 
 /// A scene as the user wants it run.
 #[derive(Clone, Debug)]
@@ -25,8 +25,10 @@ pub struct Scene {
 /// One case, ready to run.
 #[derive(Clone, Debug)]
 pub struct Prepared {
-    /// The case's text, parsed.
+    /// The text the model was built from: the file's own when nothing is changed.
     pub parsed: Parsed,
+    /// The text of the case alone, runnable as it stands.
+    pub resolved: String,
     /// The model.
     pub model: Model,
     /// The manifest as far as it is known before the run.
@@ -83,15 +85,23 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn prepare(&self, case: &Case) -> Result<Prepared, Diagnostics> {
-        let source = case.source(&self.parsed.source)?;
-        let mut parsed = scenario::parse(source)?;
-        parsed.folder.clone_from(&self.parsed.folder);
+        let mut source = case.source(&self.parsed.source)?;
+        let resolved = source.text.clone();
+        let parsed = if case.changes.is_empty() {
+            // Places in messages are then those of the file.
+            self.parsed.clone()
+        } else {
+            source.name = format!("{} (case {})", source.name, case.name);
+            let mut parsed = scenario::parse(source)?;
+            parsed.folder.clone_from(&self.parsed.folder);
+            parsed
+        };
         let model = model::build(&parsed, &case.variant, INFOS)?;
         let changed = self.changes.iter().chain(&case.changes);
         let manifest = Manifest {
             title: parsed.scenario.title.clone(),
             scenario: self.path.display().to_string(),
-            input_hash: input_hash(&parsed),
+            input_hash: input_hash(&resolved, &parsed.folder),
             variant: case.variant.clone(),
             case: if self.cases.len() > 1 {
                 case.name.clone()
@@ -113,6 +123,7 @@ impl Scene {
         };
         Ok(Prepared {
             parsed,
+            resolved,
             model,
             manifest,
         })
@@ -127,7 +138,7 @@ impl Prepared {
             setup: self.model.setup,
             plan: self.model.plan,
             checks: self.model.checks,
-            resolved: self.parsed.source.text,
+            resolved: self.resolved,
             manifest: self.manifest,
         }
     }
@@ -135,9 +146,8 @@ impl Prepared {
 
 /// blake3 of the scene's text and of every file it names, hexadecimal.
 #[must_use]
-pub fn input_hash(parsed: &Parsed) -> String {
+pub fn input_hash(text: &str, folder: &Path) -> String {
     let mut hasher = blake3::Hasher::new();
-    let Source { text, .. } = &parsed.source;
     let mut add = |bytes: &[u8]| {
         hasher.update(&(bytes.len() as u64).to_le_bytes());
         hasher.update(bytes);
@@ -149,7 +159,7 @@ pub fn input_hash(parsed: &Parsed) -> String {
     for name in names.iter().filter(|name| name.ends_with(".csv")) {
         add(name.as_bytes());
         // A file that cannot be read stops the model before this.
-        add(&std::fs::read(parsed.folder.join(name)).unwrap_or_default());
+        add(&std::fs::read(folder.join(name)).unwrap_or_default());
     }
     hasher.finalize().to_hex().to_string()
 }

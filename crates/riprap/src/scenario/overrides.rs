@@ -27,7 +27,8 @@ pub struct Case {
 }
 
 impl Case {
-    /// The text of this case: changes made, `[sweep]` and `[variants]` taken out.
+    /// The text of this case: changes made, `[sweep]`, `[variants]` and the checks of other variants
+    /// taken out.
     ///
     /// # Errors
     /// A key that leads nowhere.
@@ -36,8 +37,30 @@ impl Case {
         let mut document = edit(&resolved)?;
         document.remove("sweep");
         document.remove("variants");
+        if let Some(checks) = document.get_mut("checks") {
+            self.keep_own_checks(checks);
+        }
         resolved.text = document.to_string();
         Ok(resolved)
+    }
+
+    /// Without `[variants]` their names mean nothing: `only` goes, and with it the checks of others.
+    fn keep_own_checks(&self, checks: &mut Item) {
+        let own = |only: Option<&Item>| {
+            let Some(names) = only.and_then(Item::as_array) else {
+                return true;
+            };
+            names.is_empty()
+                || names
+                    .iter()
+                    .any(|name| name.as_str() == Some(&self.variant))
+        };
+        if let Some(tables) = checks.as_array_of_tables_mut() {
+            tables.retain(|check| own(check.get("only")));
+            tables
+                .iter_mut()
+                .for_each(|check| drop(check.remove("only")));
+        }
     }
 }
 
@@ -294,6 +317,22 @@ mod tests {
         apply_overrides(&Source::new("a.toml", TEXT), &changes)
             .map(|source| source.text)
             .map_err(|diagnostics| diagnostics.render())
+    }
+
+    #[test]
+    fn the_text_of_a_case_has_its_own_checks_alone() {
+        let text = "title = \"a\"\n[variants.b]\n\"title\" = \"b\"\n[[checks]]\nname = \"x\"\nonly = [\"b\"]\n\
+            [[checks]]\nname = \"y\"\nonly = [\"default\"]\n[[checks]]\nname = \"z\"\n";
+        let case = Case {
+            name: "b".to_owned(),
+            variant: "b".to_owned(),
+            changes: vec![("title".to_owned(), "\"b\"".to_owned())],
+        };
+        let text = case.source(&Source::new("a.toml", text)).unwrap().text;
+        assert_eq!(
+            text,
+            "title = \"b\"\n[[checks]]\nname = \"x\"\n[[checks]]\nname = \"z\"\n"
+        );
     }
 
     #[test]
