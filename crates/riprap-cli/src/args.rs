@@ -255,7 +255,8 @@ pub struct Compare {
 
 /// Show the contact forces of a scene at its start, without a step.
 ///
-/// One row a touching pair: overlap, force and moment on the first block (about its centroid).
+/// One row a contact: overlap, length, centre, force on the first block, moments about each block's
+/// own centroid, and the contact types of the source law.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -264,6 +265,10 @@ Examples:
 pub struct ProbeContact {
     #[command(flatten)]
     pub scene: Scene,
+    /// Distance below which features count as touching in the source's contact types, for example
+    /// '1 mm' [default: a thousandth of the smaller block]
+    #[arg(long, value_name = "LENGTH")]
+    pub threshold: Option<String>,
     /// Only this pair of blocks, by name
     #[arg(long, num_args = 2, value_names = ["A", "B"])]
     pub pair: Option<Vec<String>>,

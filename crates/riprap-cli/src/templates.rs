@@ -1,4 +1,4 @@
-//! Scenes of the library that `riprap new` writes, embedded in the binary.
+//! Scenes of the library that `riprap new` writes, embedded in the binary by `build.rs`.
 
 /// A scene to start from.
 pub struct Template {
@@ -12,8 +12,7 @@ pub struct Template {
     pub files: &'static [(&'static str, &'static str)],
 }
 
-/// All templates, the simplest first.
-pub const TEMPLATES: &[Template] = &[];
+include!(concat!(env!("OUT_DIR"), "/templates.rs"));
 
 /// The template called `name`.
 pub fn find(name: &str) -> Option<&'static Template> {

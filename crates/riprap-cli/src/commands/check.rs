@@ -91,8 +91,8 @@ fn expected_text(f: &Forecast) -> String {
     let mut text = format!("  time step  {}", si(f.time_step, "s"));
     if let (Some(stable), Some(share)) = (f.stable_time_step, f.share_of_stable) {
         text.push_str(&format!(
-            " = {:.0} % of the stable {}",
-            100.0 * share,
+            " = {} % of the stable {}",
+            ratio(100.0 * share),
             si(stable, "s")
         ));
     }

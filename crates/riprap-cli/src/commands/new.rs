@@ -29,7 +29,13 @@ pub fn run(args: &New) -> Result<(), Failure> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     write(&path, template.text, args.force)?;
     for (file, text) in template.files {
-        write(&folder.join(file), text, args.force)?;
+        let target = folder.join(file);
+        if let Some(parent) = target.parent() {
+            std::fs::create_dir_all(parent).map_err(|error| {
+                Failure::Output(format!("could not make {}: {error}", parent.display()))
+            })?;
+        }
+        write(&target, text, args.force)?;
     }
     let shown = path.display();
     let run = crate::commands::default_folder(&path, "run");

@@ -1,6 +1,8 @@
 //! `riprap probe-contact`.
 
+use riprap::planar::classify::ContactType;
 use riprap::run::probe::{self, Touch};
+use riprap::scenario::units::{self, Dim};
 
 use crate::args::ProbeContact;
 use crate::diagnostics::Style;
@@ -18,7 +20,8 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
             }
         }
     }
-    let touches = probe::touches(setup, None).map_err(|e| Failure::Physics(e.to_string()))?;
+    let threshold = args.threshold.as_deref().map(length).transpose()?;
+    let touches = probe::touches(setup, threshold).map_err(|e| Failure::Physics(e.to_string()))?;
     let wanted = |touch: &&Touch| match args.pair.as_deref() {
         Some([a, b]) => {
             (touch.first == *a && touch.second == *b) || (touch.first == *b && touch.second == *a)
@@ -45,6 +48,7 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
             si(t.force[1], "N/m"),
             si(t.moment_first, "N"),
             si(t.moment_second, "N"),
+            types(t),
         ]
     });
     let heads = [
@@ -57,8 +61,39 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
         "force y",
         "moment on first",
         "moment on second",
+        "types",
     ];
     screen::print(&screen::table(&heads, rows));
     screen::line("forces act on the first block; moments are about each block's own centroid");
     Ok(())
+}
+
+/// The kinds of contact of one region, each once, in the order of the list.
+fn types(touch: &Touch) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for found in &touch.types {
+        let name = match found.kind {
+            ContactType::ConvexConvex => "corner-corner",
+            ContactType::ConcaveConvex => "notch-corner",
+            ContactType::ConvexEdge => "corner-edge",
+            ContactType::EdgeEdge => "edge-edge",
+        };
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    if names.is_empty() {
+        "-".to_owned()
+    } else {
+        names.join(",")
+    }
+}
+
+fn length(text: &str) -> Result<f64, Failure> {
+    match units::parse(text) {
+        Ok((value, Dim::LENGTH)) if value > 0.0 && value.is_finite() => Ok(value),
+        Ok(_) | Err(_) => Err(Failure::Input(format!(
+            "{text:?} is no length; write for example --threshold '1 mm'"
+        ))),
+    }
 }

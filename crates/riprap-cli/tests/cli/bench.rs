@@ -1,7 +1,67 @@
 //! A work folder and the command in it.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::io::Read;
+use std::path::PathBuf;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// A block that falls onto a fixed one and bounces: 20 000 steps, a fraction of a second.
+pub const FALL: &str = r#"
+riprap = 1
+title = "a block falls"
+
+[space.planar]
+gravity = ["0 m/s2", "-10 m/s2"]
+
+[materials.rock]
+density = "2000 kg/m3"
+
+[interfaces.default]
+normal_stiffness = "100 MPa/m"
+friction_angle = "30 deg"
+
+[[blocks]]
+name = "floor"
+material = "rock"
+rectangle = { size = ["4 m", "1 m"], corner = ["-2 m", "-1 m"] }
+
+[[blocks]]
+name = "stone"
+material = "rock"
+rectangle = { size = ["1 m", "1 m"], corner = ["-0.5 m", "0.2 m"] }
+velocity = ["0 m/s", "0 m/s"]
+
+[[supports]]
+on = { block = "floor" }
+fixed = {}
+
+[[phases]]
+name = "fall"
+until = { time = "0.2 s" }
+time_step = "10 us"
+
+[[outputs]]
+history = { name = "height", field = "block.displacement.y", of = "stone", every = "1 ms" }
+[[outputs]]
+frames = { every = "50 ms" }
+[[outputs]]
+checkpoints = { every = "20 ms" }
+
+[bisect]
+key = "blocks.stone.velocity.1"
+low = "-10 m/s"
+high = "0 m/s"
+tolerance = "1 m/s"
+fails_when = { field = "model.max_speed", reduce = "max", above = "6 m/s" }
+
+[[checks]]
+name = "free fall"
+field = "block.displacement.y"
+of = "stone"
+at = "0.1 s"
+formula = "-0.5*10*t^2"
+relative = 1e-6
+"#;
 
 /// A temporary folder in which commands run; gone when dropped.
 pub struct Bench {
@@ -9,6 +69,7 @@ pub struct Bench {
 }
 
 /// What a command said and how it ended.
+#[derive(Debug)]
 pub struct Said {
     pub code: Option<i32>,
     pub out: String,
@@ -22,6 +83,23 @@ impl Bench {
         }
     }
 
+    /// With `fall.toml` in it.
+    pub fn with_scene() -> Self {
+        let bench = Bench::new();
+        bench.file("fall.toml", FALL);
+        bench
+    }
+
+    /// With a scene that takes far longer than any test waits.
+    pub fn with_long_scene() -> Self {
+        let bench = Bench::new();
+        bench.file(
+            "long.toml",
+            FALL.replace("time = \"0.2 s\"", "time = \"2000 s\""),
+        );
+        bench
+    }
+
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
@@ -31,6 +109,10 @@ impl Bench {
         let path = self.path(name);
         std::fs::write(&path, text).expect("write a test file");
         path
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
 
     /// The command, not yet started.
@@ -46,6 +128,68 @@ impl Bench {
     /// Runs the command to its end.
     pub fn run(&self, words: &[&str]) -> Said {
         Said::from(self.command(words).output().expect("start riprap"))
+    }
+
+    /// Starts the command and leaves it running.
+    pub fn start(&self, words: &[&str]) -> Running {
+        let mut command = self.command(words);
+        command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        Running {
+            child: command.spawn().expect("start riprap"),
+        }
+    }
+
+    /// Waits until `there` holds.
+    #[track_caller]
+    pub fn wait_for(&self, what: &str, there: impl Fn() -> bool) {
+        let begun = Instant::now();
+        while !there() {
+            assert!(
+                begun.elapsed() < Duration::from_secs(60),
+                "waited in vain for {what}"
+            );
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+}
+
+/// A command that runs; killed when dropped.
+pub struct Running {
+    child: Child,
+}
+
+impl Running {
+    /// Sends a signal by its name, as `kill` does.
+    pub fn signal(&self, name: &str) {
+        let id = self.child.id().to_string();
+        let done = Command::new("kill")
+            .args([&format!("-{name}"), &id])
+            .status();
+        assert!(done.is_ok_and(|s| s.success()), "kill -{name}");
+    }
+
+    /// Waits for the end.
+    pub fn end(mut self) -> Said {
+        let (mut out, mut err) = (String::new(), String::new());
+        if let Some(mut pipe) = self.child.stdout.take() {
+            pipe.read_to_string(&mut out).expect("read stdout");
+        }
+        if let Some(mut pipe) = self.child.stderr.take() {
+            pipe.read_to_string(&mut err).expect("read stderr");
+        }
+        let code = self.child.wait().expect("wait for riprap").code();
+        Said { code, out, err }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // It may have ended already.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
     }
 }
 
@@ -72,13 +216,22 @@ impl Said {
         );
         self
     }
-}
 
-/// The root of the repository.
-#[allow(dead_code, reason = "used as soon as scenes are run")]
-pub fn repository() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .and_then(Path::parent)
-        .expect("two levels up")
+    /// Panics unless stdout holds all `parts`.
+    #[track_caller]
+    pub fn says(self, parts: &[&str]) -> Self {
+        for part in parts {
+            assert!(self.out.contains(part), "no {part:?} in\n{}", self.out);
+        }
+        self
+    }
+
+    /// Panics unless stderr holds all `parts`.
+    #[track_caller]
+    pub fn warns(self, parts: &[&str]) -> Self {
+        for part in parts {
+            assert!(self.err.contains(part), "no {part:?} in\n{}", self.err);
+        }
+        self
+    }
 }

@@ -1,4 +1,6 @@
 //! Drives the real binary, as a person or a script would.
 
 mod bench;
+mod runs;
+mod verbs;
 mod words;

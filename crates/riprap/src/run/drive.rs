@@ -81,6 +81,8 @@ pub enum DriveError {
 
 /// Time between two looks.
 const LOOK: Duration = Duration::from_millis(100);
+/// Longest wall time that a run which is killed can lose, besides what the scene asks for.
+const AUTOSAVE: Duration = Duration::from_secs(30);
 
 /// A check with its field.
 struct Watched<'a> {
@@ -112,7 +114,8 @@ impl Watched<'_> {
 /// Runs to the end of the plan, until stopped, or until the physics gives up.
 ///
 /// `look` is called about ten times a second and at the end. With a recorder a checkpoint is
-/// written at the end of each phase, when stopped, and when the physics stops the run.
+/// written at the end of each phase, every 30 s of wall time, when stopped, and when the physics
+/// stops the run.
 ///
 /// # Errors
 /// The disk, or fields that do not exist.
@@ -124,6 +127,7 @@ pub fn drive(
 ) -> Result<Ending, DriveError> {
     let mut watched = watch_list(simulation, watches)?;
     let mut clock = Clock::new(simulation.view().world.step);
+    let mut saved = Instant::now();
     loop {
         let stage = match simulation.prepare() {
             Ok(stage) => stage,
@@ -176,6 +180,12 @@ pub fn drive(
             r.checkpoint(simulation)?;
         }
         if clock.due(simulation.view().world.step) {
+            if let Some(r) = recorder.as_deref_mut()
+                && saved.elapsed() >= AUTOSAVE
+            {
+                r.checkpoint(simulation)?;
+                saved = Instant::now();
+            }
             let progress = clock.progress(simulation);
             if look(&progress) == Control::Stop {
                 if let Some(r) = recorder.as_deref_mut() {

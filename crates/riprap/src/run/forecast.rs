@@ -65,7 +65,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, RunError> {
         let by_time = phase
             .until
             .time
-            .map(|span| (span / wanted(&phase.time_step)).ceil());
+            .map(|span| (span / wanted(&phase.time_step) * (1.0 - 1e-9)).ceil());
         let by_count = phase.until.steps.map(|n| n as f64);
         match (by_time, by_count) {
             (Some(a), Some(b)) => Some(a.min(b)),

@@ -1,0 +1,232 @@
+//! Runs: what they leave behind, how they end, how they go on.
+
+use crate::bench::{Bench, FALL};
+
+#[test]
+fn a_run_leaves_everything_behind_and_says_what_next() {
+    let bench = Bench::with_scene();
+    let said = bench.run(&["run", "fall.toml"]).expect(0);
+    let said = said.says(&[
+        "done: 20 000 steps",
+        "passed",
+        "riprap plot fall.run",
+        "residual",
+    ]);
+    // Not a terminal: plain lines, no escapes.
+    assert!(!said.err.contains('\u{1b}') && !said.out.contains('\u{1b}'));
+    said.warns(&[
+        "phase 1/1 \"fall\"",
+        "steps/s",
+        "ETA",
+        "energy residual",
+        "worst overlap",
+    ]);
+    for file in [
+        "manifest.json",
+        "histories.csv",
+        "energy.csv",
+        "events.jsonl",
+        "run.pvd",
+        "scenario.resolved.toml",
+        "checks.jsonl",
+        "frames/frame_000001.vtu",
+    ] {
+        assert!(bench.path("fall.run").join(file).exists(), "{file}");
+    }
+    assert!(
+        bench
+            .read("fall.run/manifest.json")
+            .contains("\"ended\": \"finished\"")
+    );
+    // The resolved scene is a scene that gives the same result.
+    bench
+        .run(&[
+            "run",
+            "fall.run/scenario.resolved.toml",
+            "--quiet",
+            "--out",
+            "again.run",
+        ])
+        .expect(0);
+    let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
+    assert_eq!(hash("fall.run"), hash("again.run"));
+    // Without --out nothing is overwritten.
+    bench.run(&["run", "fall.toml", "--quiet"]).expect(0);
+    assert!(bench.path("fall-2.run").exists());
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_threads() {
+    let bench = Bench::with_scene();
+    for (threads, out) in [("1", "one.run"), ("3", "three.run")] {
+        bench
+            .run(&["run", "fall.toml", "-q", "--threads", threads, "--out", out])
+            .expect(0);
+    }
+    let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
+    assert_eq!(hash("one.run"), hash("three.run"));
+}
+
+#[test]
+fn quiet_runs_say_nothing() {
+    let bench = Bench::with_scene();
+    let said = bench.run(&["run", "fall.toml", "--quiet"]).expect(0);
+    assert_eq!((said.out.as_str(), said.err.as_str()), ("", ""));
+}
+
+#[test]
+fn old_results_are_kept_unless_forced() {
+    let bench = Bench::with_scene();
+    bench
+        .run(&["run", "fall.toml", "-q", "--out", "a.run"])
+        .expect(0);
+    let said = bench
+        .run(&["run", "fall.toml", "-q", "--out", "a.run"])
+        .expect(2);
+    said.warns(&["holds a run already", "--force"]);
+    bench
+        .run(&["run", "fall.toml", "-q", "--out", "a.run", "--force"])
+        .expect(0);
+    std::fs::create_dir(bench.path("mine")).unwrap();
+    bench.file("mine/thesis.txt", "years of work");
+    bench
+        .run(&["run", "fall.toml", "-q", "--out", "mine"])
+        .expect(2);
+    assert_eq!(bench.read("mine/thesis.txt"), "years of work");
+}
+
+#[test]
+fn a_failed_check_is_code_1() {
+    let bench = Bench::new();
+    bench.file("wrong.toml", FALL.replace("-0.5*10*t^2", "-0.5*9*t^2"));
+    bench
+        .run(&["run", "wrong.toml"])
+        .expect(1)
+        .says(&["FAILED  free fall"]);
+    bench.run(&["verify", "wrong.toml"]).expect(1).says(&[
+        "FAILED  wrong.toml: free fall",
+        "0 passed, 1 failed, 0 skipped",
+    ]);
+}
+
+#[test]
+fn physics_that_stops_a_run_is_code_1_and_leaves_a_checkpoint() {
+    let bench = Bench::new();
+    // A step far above the stable one; the check is switched off to get that far.
+    let scene = FALL
+        .replace("10 us", "20 ms")
+        .replace("0.2 s\" }", "20 s\" }");
+    bench.file("wild.toml", scene);
+    let said = bench.run(&["run", "wild.toml", "--out", "wild.run"]);
+    if said.code == Some(2) {
+        // Refused before it began: as good.
+        said.warns(&["stable"]);
+        return;
+    }
+    said.expect(1).warns(&["stone", "step"]);
+    assert!(
+        bench
+            .read("wild.run/manifest.json")
+            .contains("\"ended\": \"unstable\"")
+    );
+    assert!(
+        bench
+            .path("wild.run/checkpoints")
+            .read_dir()
+            .unwrap()
+            .next()
+            .is_some()
+    );
+}
+
+#[test]
+fn results_that_cannot_be_written_are_code_3() {
+    let bench = Bench::with_scene();
+    bench.file("in_the_way", "a file");
+    bench
+        .run(&["run", "fall.toml", "-q", "--out", "in_the_way/a.run"])
+        .expect(3);
+    bench
+        .run(&["new", "in_the_way/x", "--template", "slide"])
+        .expect(3);
+    bench
+        .run(&["sweep", "fall.toml", "-q", "--out", "in_the_way/a"])
+        .expect(3);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_a_checkpoint_and_resume_goes_on() {
+    let bench = Bench::with_long_scene();
+    let run = bench.start(&["run", "long.toml", "--out", "a.run"]);
+    bench.wait_for("a history", || {
+        std::fs::metadata(bench.path("a.run/histories.csv")).is_ok_and(|m| m.len() > 2000)
+    });
+    run.signal("INT");
+    let said = run
+        .end()
+        .expect(130)
+        .warns(&["a checkpoint is in a.run", "riprap resume a.run"]);
+    assert!(said.out.contains("stopped:"), "{}", said.out);
+    assert!(
+        bench
+            .read("a.run/manifest.json")
+            .contains("\"ended\": \"interrupted\"")
+    );
+    let before = bench.read("a.run/histories.csv").len();
+    let resumed = bench.start(&["resume", "a.run"]);
+    bench.wait_for("more history", || {
+        bench.read("a.run/histories.csv").len() > before + 2000
+    });
+    resumed.signal("TERM");
+    resumed.end().expect(130);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_run_resumes_to_the_same_bits() {
+    let bench = Bench::new();
+    // Long enough to be killed in the middle, short enough to be run twice.
+    bench.file(
+        "fall.toml",
+        FALL.replace("time = \"0.2 s\"", "time = \"2 s\""),
+    );
+    bench
+        .run(&["run", "fall.toml", "-q", "--out", "whole.run"])
+        .expect(0);
+    let run = bench.start(&["run", "fall.toml", "--out", "died.run"]);
+    bench.wait_for("a checkpoint after the first", || {
+        let files = bench.path("died.run/checkpoints").read_dir();
+        files.is_ok_and(|files| files.count() > 1)
+    });
+    run.signal("KILL");
+    assert_eq!(run.end().code, None);
+    assert!(
+        bench
+            .read("died.run/manifest.json")
+            .contains("\"ended\": \"running\"")
+    );
+    bench
+        .run(&["resume", "died.run"])
+        .expect(0)
+        .says(&["done:"]);
+    let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
+    assert_eq!(hash("died.run"), hash("whole.run"));
+    for file in ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"] {
+        let text = |run: &str| bench.read(&format!("{run}/{file}"));
+        assert!(text("died.run") == text("whole.run"), "{file} differs");
+    }
+    bench
+        .run(&["resume", "died.run"])
+        .expect(2)
+        .warns(&["has ended already"]);
+}
+
+#[test]
+fn nothing_to_resume_is_bad_input() {
+    let bench = Bench::new();
+    bench
+        .run(&["resume", "nowhere"])
+        .expect(2)
+        .warns(&["nowhere", "is this a run folder?"]);
+}

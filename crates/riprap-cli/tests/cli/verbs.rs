@@ -1,0 +1,368 @@
+//! The other verbs, and input that is wrong.
+
+use crate::bench::{Bench, FALL};
+
+#[test]
+fn check_tells_what_to_expect() {
+    let bench = Bench::with_scene();
+    bench.run(&["check", "fall.toml"]).expect(0).says(&[
+        "a block falls",
+        "2 (1 held)",
+        "stable",
+        "20 000 steps",
+        "no errors",
+    ]);
+    let said = bench.run(&["check", "fall.toml", "--json"]).expect(0);
+    let value: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
+    assert_eq!(value["model"]["blocks"], 2);
+    assert!(
+        value["expected"]["stable_time_step"]
+            .as_f64()
+            .is_some_and(|dt| dt > 1e-5)
+    );
+    assert_eq!(value["expected"]["steps"], 20_000);
+}
+
+#[test]
+fn set_changes_a_key_and_wrong_keys_are_explained() {
+    let bench = Bench::with_scene();
+    bench
+        .run(&[
+            "check",
+            "fall.toml",
+            "--set",
+            "phases.fall.until.time=0.1 s",
+        ])
+        .expect(0)
+        .says(&["10 000 steps"]);
+    bench
+        .run(&[
+            "check",
+            "fall.toml",
+            "--set",
+            "phases.fall.utnil.time=0.1 s",
+        ])
+        .expect(2)
+        .warns(&["until"]);
+    bench
+        .run(&[
+            "check",
+            "fall.toml",
+            "--set",
+            "materials.rock.density=30 deg",
+        ])
+        .expect(2)
+        .warns(&["density", "kg/m3"]);
+}
+
+#[test]
+fn wrong_scenes_point_at_the_place() {
+    let bench = Bench::new();
+    for (name, text, parts) in [
+        (
+            "unit",
+            FALL.replace("2000 kg/m3", "20 kN/m3"),
+            ["unit.toml:9:11", "unit weight"],
+        ),
+        (
+            "key",
+            FALL.replace("density", "densty"),
+            ["key.toml:9:1", "did you mean `density`"],
+        ),
+        (
+            "syntax",
+            FALL.replace("riprap = 1", "riprap = = 1"),
+            ["syntax.toml:2", "TOML"],
+        ),
+        ("empty", String::new(), ["empty.toml", "missing"]),
+    ] {
+        let file = format!("{name}.toml");
+        bench.file(&file, text);
+        for verb in [
+            "check",
+            "run",
+            "verify",
+            "sweep",
+            "bisect",
+            "compare",
+            "probe-contact",
+            "hash",
+        ] {
+            let said = bench.run(&[verb, &file]);
+            if verb == "verify" {
+                // A scene that cannot be read is a failed check, so that the others are still run.
+                said.expect(1).says(&parts);
+            } else {
+                said.expect(2).warns(&parts);
+            }
+        }
+    }
+    for verb in [
+        "check",
+        "run",
+        "sweep",
+        "bisect",
+        "compare",
+        "probe-contact",
+        "explain",
+        "hash",
+    ] {
+        bench
+            .run(&[verb, "missing.toml"])
+            .expect(2)
+            .warns(&["missing.toml"]);
+    }
+    bench.file("noise.toml", [0u8, 159, 146, 150, 255, 7, 27, 91]);
+    let said = bench.run(&["run", "noise.toml"]).expect(2);
+    assert!(!said.err.contains('\u{1b}'), "{:?}", said.err);
+}
+
+#[test]
+fn colours_only_where_they_are_wanted() {
+    let bench = Bench::new();
+    bench.file("a.toml", "riprap = 1\n");
+    let said = bench
+        .run(&["check", "a.toml", "--color", "always"])
+        .expect(2);
+    assert!(said.err.contains('\u{1b}'));
+    let said = bench.run(&["check", "a.toml"]).expect(2);
+    assert!(!said.err.contains('\u{1b}'));
+}
+
+#[test]
+fn verify_closes_with_its_counts() {
+    let bench = Bench::with_scene();
+    bench.file("notes.toml", "not = \"a scene\"\n");
+    let known = FALL.replace("-0.5*10*t^2", "-0.5*9*t^2").replace(
+        "relative = 1e-6",
+        "relative = 1e-6\nknown = \"the moon is near\"",
+    );
+    bench.file("known.toml", known);
+    bench.run(&["verify", "."]).expect(0).says(&[
+        "passed",
+        "skipped",
+        "the moon is near",
+        "1 passed, 0 failed, 1 skipped",
+    ]);
+    bench
+        .run(&["verify", ".", "--strict"])
+        .expect(1)
+        .says(&["1 passed, 1 failed, 0 skipped"]);
+    let said = bench.run(&["verify", "fall.toml", "--json"]).expect(0);
+    let value: serde_json::Value = serde_json::from_str(said.out.trim()).expect("one JSON line");
+    assert_eq!(
+        (&value["check"], &value["status"]),
+        (&"free fall".into(), &"passed".into())
+    );
+    std::fs::create_dir(bench.path("none")).unwrap();
+    bench.run(&["verify", "none"]).expect(2);
+}
+
+#[test]
+fn a_sweep_writes_one_table() {
+    let bench = Bench::new();
+    let sweep = "[sweep]\n\"blocks.stone.velocity\" = [[\"0 m/s\", \"0 m/s\"], [\"1 m/s\", \"0 m/s\"]]\n\n[bisect]";
+    bench.file("two.toml", FALL.replace("[bisect]", sweep));
+    bench
+        .run(&["sweep", "two.toml"])
+        .expect(0)
+        .says(&["2/2", "checks: 2 passed", "two.sweep"]);
+    let table = bench.read("two.sweep/sweep.csv");
+    assert_eq!(table.lines().count(), 3, "{table}");
+    assert!(
+        table
+            .lines()
+            .next()
+            .is_some_and(|head| head.contains("height [m]")),
+        "{table}"
+    );
+    bench
+        .run(&["sweep", "two.toml", "--out", "two.sweep"])
+        .expect(2)
+        .warns(&["--force"]);
+    bench
+        .run(&["run", "two.toml", "--case", "nonsense"])
+        .expect(2)
+        .warns(&["its cases are"]);
+}
+
+#[test]
+fn bisect_finds_the_limit() {
+    let bench = Bench::with_scene();
+    // v^2 = v0^2 + 2 g h with h = 0.2 m: 6 m/s are reached from v0 = 5.66 m/s.
+    let said = bench.run(&["bisect", "fall.toml", "--json"]).expect(0);
+    let last: serde_json::Value =
+        serde_json::from_str(said.out.lines().last().unwrap_or("")).expect("JSON");
+    let limit = last["limit"].as_f64().expect("a limit");
+    assert!((-7.5..-4.5).contains(&limit), "{limit}");
+    bench.file(
+        "none.toml",
+        FALL.split("[bisect]").next().unwrap_or_default(),
+    );
+    bench
+        .run(&["bisect", "none.toml"])
+        .expect(2)
+        .warns(&["no [bisect] table"]);
+}
+
+#[test]
+fn compare_runs_both_laws() {
+    let bench = Bench::with_scene();
+    bench.run(&["compare", "fall.toml", "-q"]).expect(0).says(&[
+        "distance_potential",
+        "penetration_potential",
+        "height",
+        "largest displacement",
+    ]);
+    assert!(
+        bench
+            .path("fall.compare/penetration_potential/manifest.json")
+            .exists()
+    );
+}
+
+#[test]
+fn probe_contact_shows_touching_pairs() {
+    let bench = Bench::new();
+    bench.file("touch.toml", FALL.replace("\"0.2 m\"]", "\"-0.0001 m\"]"));
+    let said = bench.run(&["probe-contact", "touch.toml", "--json"]);
+    if said.code == Some(0) {
+        let value: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
+        assert_eq!(
+            (&value[0]["first"], &value[0]["second"]),
+            (&"floor".into(), &"stone".into())
+        );
+        bench
+            .run(&["probe-contact", "touch.toml"])
+            .expect(0)
+            .says(&["floor", "stone", "overlap"]);
+        bench
+            .run(&["probe-contact", "touch.toml", "--pair", "floor", "x"])
+            .expect(2);
+    } else {
+        said.expect(2).warns(&["overlap"]);
+    }
+    bench.file("apart.toml", FALL);
+    bench
+        .run(&["probe-contact", "apart.toml"])
+        .expect(0)
+        .says(&["nothing touches"]);
+}
+
+#[test]
+fn plots_are_drawn() {
+    let bench = Bench::with_scene();
+    bench.run(&["run", "fall.toml", "-q"]).expect(0);
+    bench
+        .run(&["plot", "fall.run"])
+        .expect(0)
+        .says(&["energy.svg", "histories.svg", "blocks"]);
+    let drawn = bench.read("fall.run/plots/energy.svg");
+    assert!(
+        drawn.starts_with("<?xml") || drawn.starts_with("<svg"),
+        "{}",
+        &drawn[..40]
+    );
+    bench
+        .run(&["plot", "fall.run", "height", "-o", "h.png"])
+        .expect(0);
+    let png = std::fs::read(bench.path("h.png")).expect("the picture");
+    assert_eq!(&png[..4], b"\x89PNG");
+    bench
+        .run(&["plot", "fall.run", "hieght"])
+        .expect(2)
+        .warns(&["did you mean `height`"]);
+    bench
+        .run(&["plot", "fall.run", "blocks", "--time", "soon"])
+        .expect(2);
+    bench.run(&["plot", "nowhere"]).expect(2);
+}
+
+#[test]
+fn the_language_explains_itself() {
+    let bench = Bench::with_scene();
+    bench
+        .run(&["explain", "friction_angle"])
+        .expect(0)
+        .says(&["interfaces.*.friction_angle"]);
+    bench
+        .run(&["explain", "frition_angle"])
+        .expect(2)
+        .warns(&["did you mean"]);
+    bench.run(&["explain", "fall.toml"]).expect(0).says(&[
+        "interfaces.default.shear_stiffness",
+        "default",
+        "given",
+    ]);
+    let said = bench.run(&["schema"]).expect(0);
+    let schema: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
+    assert!(schema["properties"]["blocks"].is_object());
+    bench
+        .run(&["schema", "--markdown"])
+        .expect(0)
+        .says(&["# Scenario reference"]);
+    bench
+        .run(&["fields"])
+        .expect(0)
+        .says(&["block.displacement", "energy.residual"]);
+    bench.run(&["doctor"]).expect(0).says(&["riprap", "cores"]);
+}
+
+#[test]
+fn hashes_tell_scenes_apart() {
+    let bench = Bench::with_scene();
+    let hash = |extra: &[&str]| {
+        let words: Vec<&str> = ["hash", "fall.toml"].iter().chain(extra).copied().collect();
+        bench.run(&words).expect(0).out
+    };
+    assert_eq!(hash(&[]), hash(&[]));
+    assert_ne!(
+        hash(&[]),
+        hash(&["--set", "materials.rock.density=2001 kg/m3"])
+    );
+    assert_eq!(hash(&[]).trim().len(), 64);
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let bench = Bench::new();
+    let mut command = bench.command(&["schema"]);
+    command
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped());
+    let mut child = command.spawn().expect("start riprap");
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().expect("wait");
+    assert_eq!(
+        ended.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&ended.stderr)
+    );
+}
+
+#[test]
+fn every_template_is_written_and_can_be_used() {
+    let bench = Bench::new();
+    let list = bench.run(&["new", "--list"]).expect(0).out;
+    for line in list.lines() {
+        let name = line.split_whitespace().next().expect("a name");
+        let file = format!("{name}.toml");
+        bench
+            .run(&["new", name, "--template", name])
+            .expect(0)
+            .says(&[&format!("wrote {file}"), &format!("riprap run {file}")]);
+        bench.run(&["explain", &file]).expect(0);
+        bench
+            .run(&["new", name, "--template", name])
+            .expect(2)
+            .warns(&["--force"]);
+        bench
+            .run(&["new", &file, "--template", name, "--force"])
+            .expect(0);
+    }
+    bench
+        .run(&["new", "x", "--template", "nonsense"])
+        .expect(2)
+        .warns(&["there is no template"]);
+}
