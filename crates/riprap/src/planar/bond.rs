@@ -158,8 +158,8 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
 
 /// Sets the effective masses after supports have changed.
 pub fn set_masses(world: &mut World, shapes: &Shapes) {
-    let inverse = |motion: &Option<super::setup::Motion>, b: usize| {
-        if is_driven(motion.as_ref()) {
+    let inverse = |motion: &Option<Box<super::setup::Motion>>, b: usize| {
+        if is_driven(motion.as_deref()) {
             0.0
         } else {
             1.0 / shapes.mass[b]

@@ -173,9 +173,7 @@ mod tests {
                 let edge = Edge {
                     start: p[k],
                     normal,
-                    offset: normal.dot(p[k]),
                     length: d.length(),
-                    along: p[k].perp_dot(normal),
                     reflex: before.perp_dot(d) < 0.0,
                 };
                 Turned::new(&edge, 1.0, 0.0)

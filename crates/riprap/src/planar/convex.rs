@@ -32,15 +32,22 @@ impl Turned {
     /// The edge turned by an angle with this cosine and sine.
     #[must_use]
     pub fn new(edge: &Edge, cos: f64, sin: f64) -> Self {
-        let turn = |v: Vec2| Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
-        Self {
-            start: turn(edge.start),
-            normal: turn(edge.normal),
-            offset: edge.offset,
+        let mut turned = Self {
+            offset: edge.normal.dot(edge.start),
             length: edge.length,
-            along: edge.along,
+            along: edge.start.perp_dot(edge.normal),
             reflex: edge.reflex,
-        }
+            ..Self::default()
+        };
+        turned.turn(edge, cos, sin);
+        turned
+    }
+
+    /// Sets start and normal to the edge's, turned; the rest does not depend on the angle.
+    pub fn turn(&mut self, edge: &Edge, cos: f64, sin: f64) {
+        let turn = |v: Vec2| Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
+        self.start = turn(edge.start);
+        self.normal = turn(edge.normal);
     }
 }
 
@@ -91,34 +98,58 @@ pub fn overlap(i: Side<'_>, j: Side<'_>, shift: Vec2) -> Overlap {
     }
 }
 
-/// Depths at both ends of an edge below the lines of the other block.
-#[derive(Default)]
-struct Depths {
-    at_start: [f64; MAX_NEAREST],
-    at_end: [f64; MAX_NEAREST],
+/// Depth below one line at both ends of an edge.
+#[derive(Clone, Copy, Default)]
+struct Line {
+    at_start: f64,
+    at_end: f64,
+}
+
+impl Line {
+    #[inline]
+    fn at(self, s: f64) -> f64 {
+        self.at_start + (self.at_end - self.at_start) * s
+    }
+
+    #[inline]
+    fn slope(self) -> f64 {
+        self.at_end - self.at_start
+    }
+}
+
+/// Smaller of two numbers that are no NaN: one instruction, unlike `f64::min`.
+#[inline]
+fn least(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// Larger of two numbers that are no NaN.
+#[inline]
+fn most(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Pressure on the edges of `own` inside `other`, about the centroid of `own`.
 fn pieces(own: Side<'_>, other: Side<'_>, shift: Vec2) -> Overlap {
     let mut sum = Overlap::default();
+    // Depth of a point x (relative to own centroid) below a line: offset - normal . x.
+    let mut walls = [(Vec2::ZERO, 0.0); MAX_NEAREST];
+    let mut lines = [Line::default(); MAX_NEAREST];
     let count = other.nearest.len().min(MAX_NEAREST);
-    // Depth of a point x (relative to own centroid) below line m: offset - normal . x.
-    let mut lines = [(Vec2::ZERO, 0.0); MAX_NEAREST];
-    let lines = &mut lines[..count];
-    for (line, &m) in lines.iter_mut().zip(other.nearest) {
+    let (walls, lines) = (&mut walls[..count], &mut lines[..count]);
+    for (wall, &m) in walls.iter_mut().zip(other.nearest) {
         let edge = &other.turned[m as usize];
-        *line = (edge.normal, edge.offset - edge.normal.dot(shift));
+        *wall = (edge.normal, edge.offset - edge.normal.dot(shift));
     }
-    let mut depths = Depths::default();
     for &k in own.active {
         let k = k as usize;
         let next = if k + 1 == own.turned.len() { 0 } else { k + 1 };
         let edge = &own.turned[k];
         let (p, q) = (edge.start, own.turned[next].start);
-        let Some((start, end)) = inside(lines, p, q, &mut depths) else {
+        let Some((start, end)) = inside(walls, p, q, lines) else {
             continue;
         };
-        let profile = envelope(&depths, count, start, end);
+        let profile = envelope(lines, start, end);
         if profile.integral <= 0.0 {
             continue;
         }
@@ -130,29 +161,31 @@ fn pieces(own: Side<'_>, other: Side<'_>, shift: Vec2) -> Overlap {
         sum.weight += weight;
         sum.weighted += weight * (p + xi * (q - p));
         sum.chord += (end - start) * (q - p);
-        sum.depth = sum.depth.max(profile.peak);
+        sum.depth = most(sum.depth, profile.peak);
     }
     sum
 }
 
-/// The part (as parameters) of the segment `p q` that is above no line, and the depths at its ends.
+/// The part (as parameters) of the segment `p q` that is above no wall, and the depths at its ends.
 #[inline]
-fn inside(lines: &[(Vec2, f64)], p: Vec2, q: Vec2, depths: &mut Depths) -> Option<(f64, f64)> {
+fn inside(walls: &[(Vec2, f64)], p: Vec2, q: Vec2, lines: &mut [Line]) -> Option<(f64, f64)> {
     let (mut start, mut end) = (0.0_f64, 1.0_f64);
-    let ends = depths.at_start.iter_mut().zip(&mut depths.at_end);
-    for ((normal, offset), (at_start, at_end)) in lines.iter().zip(ends) {
+    for ((normal, offset), line) in walls.iter().zip(lines) {
         let (a, b) = (offset - normal.dot(p), offset - normal.dot(q));
-        if a <= 0.0 && b <= 0.0 {
-            return None;
-        }
-        if a < 0.0 {
-            start = start.max(a / (a - b));
+        if a <= 0.0 {
+            if b <= 0.0 {
+                return None;
+            }
+            start = most(start, a / (a - b));
         } else if b < 0.0 {
-            end = end.min(a / (a - b));
+            end = least(end, a / (a - b));
         }
-        (*at_start, *at_end) = (a, b);
+        *line = Line {
+            at_start: a,
+            at_end: b,
+        };
     }
-    (start < end && !lines.is_empty()).then_some((start, end))
+    (start < end && !walls.is_empty()).then_some((start, end))
 }
 
 /// Integrals of the depth along a segment, parameter 0..1.
@@ -171,52 +204,71 @@ impl Profile {
         let part = 0.5 * width * (f0 + f1);
         self.integral += part;
         self.first_moment += s0 * part + width * width * (f0 + 2.0 * f1) * (1.0 / 6.0);
-        self.peak = self.peak.max(f0).max(f1);
+        self.peak = most(self.peak, most(f0, f1));
     }
 }
 
-/// Integrals of the lower envelope of the first `count` depths from `start` to `end`.
+/// Integrals of the lower envelope of the lines from `start` to `end`.
 #[inline]
-fn envelope(depths: &Depths, count: usize, start: f64, end: f64) -> Profile {
-    let line = |m: usize| (depths.at_start[m], depths.at_end[m] - depths.at_start[m]);
+fn envelope(lines: &[Line], start: f64, end: f64) -> Profile {
     // The lowest line at either end; of equal ones the one that is lower inside.
     let (mut first, mut last) = (0, 0);
-    let (mut low_first, mut low_last) = (f64::INFINITY, f64::INFINITY);
-    for m in 0..count.min(MAX_NEAREST) {
-        let (a, slope) = line(m);
-        let (s, e) = (a + slope * start, a + slope * end);
-        if s < low_first || (s == low_first && slope < line(first).1) {
+    let (mut low_first, mut low_last) = (lines[0].at(start), lines[0].at(end));
+    for (m, line) in lines.iter().enumerate().skip(1) {
+        let (s, e) = (line.at(start), line.at(end));
+        if s < low_first || (s == low_first && line.slope() < lines[first].slope()) {
             (first, low_first) = (m, s);
         }
-        if e < low_last || (e == low_last && slope > line(last).1) {
+        if e < low_last || (e == low_last && line.slope() > lines[last].slope()) {
             (last, low_last) = (m, e);
         }
     }
     let mut profile = Profile::default();
-    let (mut at, mut height) = (start, low_first.max(0.0));
-    let final_height = low_last.max(0.0);
+    let (low_first, low_last) = (most(low_first, 0.0), most(low_last, 0.0));
+    let (falling, rising) = (lines[last], lines[first]);
+    let fall = rising.slope() - falling.slope();
+    if first == last || fall <= 0.0 {
+        // One line is lowest at both ends, so everywhere between.
+        profile.add(start, low_first, end, low_last);
+        return profile;
+    }
+    let cross = most(
+        start,
+        least(end, (falling.at_start - rising.at_start) / fall),
+    );
+    let there = rising.at(cross);
+    let lower = |(m, line): (usize, &Line)| m != first && m != last && line.at(cross) < there;
+    if lines.len() > 2 && lines.iter().enumerate().any(lower) {
+        return walk(lines, (start, low_first), (end, low_last), rising, falling);
+    }
+    let there = most(there, 0.0);
+    profile.add(start, low_first, cross, there);
+    profile.add(cross, there, end, low_last);
+    profile
+}
+
+/// The envelope by walking from change to change; each goes to a line with a smaller slope.
+#[cold]
+fn walk(lines: &[Line], from: (f64, f64), to: (f64, f64), first: Line, last: Line) -> Profile {
+    let mut profile = Profile::default();
+    let (mut at, mut height) = from;
     let mut now = first;
-    // Each change goes to a line with a smaller slope, so there are fewer changes than lines.
-    for _ in 1..count {
-        if now == last {
+    for _ in 1..lines.len() {
+        if now.slope() <= last.slope() {
             break;
         }
-        let (a, slope) = line(now);
-        let (mut until, mut next) = (end, last);
-        for m in 0..count.min(MAX_NEAREST) {
-            let (am, sm) = line(m);
-            if sm < slope {
-                let cross = (am - a) / (slope - sm);
-                if cross < until || (cross == until && sm < line(next).1) {
-                    (until, next) = (cross.max(at), m);
-                }
+        let (mut until, mut next) = (to.0, last);
+        for &line in lines.iter().filter(|line| line.slope() < now.slope()) {
+            let cross = (line.at_start - now.at_start) / (now.slope() - line.slope());
+            if cross < until || (cross == until && line.slope() < next.slope()) {
+                (until, next) = (most(cross, at), line);
             }
         }
-        let there = (a + slope * until).max(0.0);
+        let there = most(now.at(until), 0.0);
         profile.add(at, height, until, there);
         (at, height, now) = (until, there, next);
     }
-    profile.add(at, height, end, final_height);
+    profile.add(at, height, to.0, to.1);
     profile
 }
 

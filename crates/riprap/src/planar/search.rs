@@ -132,7 +132,7 @@ fn place(edges: &[Edge], pose: (Vec2, f64), origin: Vec2) -> Placed {
         offset: edges
             .iter()
             .zip(&normal)
-            .map(|(e, n)| e.offset + n.dot(shift))
+            .map(|(e, n)| e.normal.dot(e.start) + n.dot(shift))
             .collect(),
         normal,
     }
@@ -162,7 +162,7 @@ pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) 
             continue;
         }
         let (a, b) = (i as usize, j as usize);
-        if is_held(world.motion[a].as_ref()) && is_held(world.motion[b].as_ref()) {
+        if is_held(world.motion[a].as_deref()) && is_held(world.motion[b].as_deref()) {
             continue;
         }
         add_pair(world, shapes, candidates, &boxes, a, b);
@@ -310,7 +310,7 @@ fn add_pair(
         return;
     }
     let inverse = |block: usize| {
-        if is_driven(world.motion[block].as_ref()) {
+        if is_driven(world.motion[block].as_deref()) {
             0.0
         } else {
             1.0 / shapes.mass[block]

@@ -15,12 +15,8 @@ pub struct Edge {
     pub start: Vec2,
     /// Outward unit normal.
     pub normal: Vec2,
-    /// Distance of the edge line from the centroid along the normal, m.
-    pub offset: f64,
     /// Length, m.
     pub length: f64,
-    /// `start x normal`: minus the position of the start along the edge, m.
-    pub along: f64,
     /// Whether the start corner is reflex (interior angle above 180 degrees).
     pub reflex: bool,
 }
@@ -72,9 +68,7 @@ impl Shapes {
                 shapes.edges.push(Edge {
                     start: corners[k],
                     normal,
-                    offset: normal.dot(corners[k]),
                     length,
-                    along: corners[k].perp_dot(normal),
                     reflex: turn(k) < 0.0,
                 });
             }

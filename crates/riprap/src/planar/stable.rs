@@ -74,7 +74,7 @@ pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> S
     };
     let factor = (1.0 + damping * damping).sqrt() - damping;
     for b in 0..n {
-        if !world.alive[b] || is_held(world.motion[b].as_ref()) {
+        if !world.alive[b] || is_held(world.motion[b].as_deref()) {
             continue;
         }
         let squared = 2.0 * (translation[b] / shapes.mass[b]).max(rotation[b] / shapes.inertia[b]);

@@ -126,7 +126,7 @@ impl World {
         let mut motion = vec![None; n];
         for support in &setup.supports {
             for &b in &support.blocks {
-                motion[b as usize] = Some(support.motion.clone());
+                motion[b as usize] = Some(Box::new(support.motion.clone()));
             }
         }
         let mut world = Self {
@@ -168,7 +168,7 @@ impl World {
 pub fn hold_driven(world: &mut World) {
     let t = world.time;
     for (body, motion) in world.bodies.iter_mut().zip(&world.motion) {
-        match motion {
+        match motion.as_deref() {
             None | Some(Motion::Acceleration { .. }) => {}
             Some(Motion::Fixed { x, y, rotation }) => {
                 if *x {
@@ -206,7 +206,11 @@ impl Scratch {
             exec,
             profile: Profile::default(),
             candidates: Candidates::default(),
-            turned: vec![Turned::default(); shapes.edges.len()],
+            turned: shapes
+                .edges
+                .iter()
+                .map(|e| Turned::new(e, 1.0, 0.0))
+                .collect(),
             slots: Vec::new(),
             first_entry: Vec::new(),
             incidence: Vec::new(),
@@ -321,7 +325,7 @@ fn incidence(
 fn turn(edges: &[super::shapes::Edge], angle: f64, turned: &mut [Turned]) {
     let (s, c) = libm::sincos(angle);
     for (edge, out) in edges.iter().zip(turned) {
-        *out = Turned::new(edge, c, s);
+        out.turn(edge, c, s);
     }
 }
 
@@ -598,7 +602,7 @@ impl Kick<'_> {
             partial.bad = Some(b as u32);
         }
         let body = &self.world.bodies[b];
-        let motion = self.world.motion[b].as_ref();
+        let motion = self.world.motion[b].as_deref();
 
         // Local damping: a share of the unbalanced force, against the motion.
         let local = self.damping.local;

@@ -31,8 +31,8 @@ pub struct World {
     pub reference_angle: Vec<f64>,
     /// Removed blocks stay in the list, so that numbers keep their meaning.
     pub alive: Vec<bool>,
-    /// Prescribed motion of each block, if any.
-    pub motion: Vec<Option<Motion>>,
+    /// Prescribed motion of each block, if any (boxed: few blocks have one).
+    pub motion: Vec<Option<Box<Motion>>>,
     /// Gravity now, m/s².
     pub gravity: Vec2,
     /// Poses at the last rebuild of the candidate list: the list is a function of these alone.

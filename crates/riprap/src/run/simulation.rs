@@ -359,11 +359,11 @@ impl Simulation {
             .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
         world.alive = alive;
         for &b in &phase.fix {
-            world.motion[b as usize] = Some(Motion::Fixed {
+            world.motion[b as usize] = Some(Box::new(Motion::Fixed {
                 x: true,
                 y: true,
                 rotation: true,
-            });
+            }));
         }
         for &b in &phase.release {
             world.motion[b as usize] = None;
