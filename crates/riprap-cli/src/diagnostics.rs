@@ -163,9 +163,9 @@ mod tests {
     fn strange_texts_and_places_do_no_harm() {
         let texts = ["", "é\n", "abc", "a\n", "\u{7}bell", &"x".repeat(100_000)];
         for text in texts {
-            for span in [0..0, 1..2, 2..1, 3..900] {
+            for (start, end) in [(0, 0), (1, 2), (2, 1), (3, 900)] {
                 let source = Source::new("x", text);
-                let list = vec![Diagnostic::error("a", "wrong here").at(span)];
+                let list = vec![Diagnostic::error("a", "wrong here").at(start..end)];
                 let odd = Diagnostics::new(source, list);
                 for style in [Style::Plain, Style::Drawn] {
                     let shown = rendered(&odd, style);

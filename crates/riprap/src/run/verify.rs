@@ -80,6 +80,9 @@ fn has_checks(path: &Path) -> bool {
             .any(|line| line.trim_start().starts_with("[[checks]]"))
 }
 
+/// A case to run, or why the scene cannot be read.
+type Item = Result<(Scene, Case), String>;
+
 /// Runs every case of `scenes` on `jobs` threads and hands the results to `report`, scene by scene
 /// and case by case in the order of the files. `stop` is asked about ten times a second.
 pub fn verify(
@@ -89,7 +92,7 @@ pub fn verify(
     stop: &(dyn Fn() -> bool + Sync),
     mut report: impl FnMut(CheckResult),
 ) -> Tally {
-    let mut work: Vec<(PathBuf, Result<(Scene, Case), String>)> = Vec::new();
+    let mut work: Vec<(PathBuf, Item)> = Vec::new();
     for path in scenes {
         match Scene::load(path, &[]) {
             Ok(scene) => {

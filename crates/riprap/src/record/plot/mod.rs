@@ -211,7 +211,7 @@ pub fn blocks(
 /// Draws several frames with one colour bar.
 ///
 /// # Errors
-/// As [`blocks`].
+/// As [`blocks()`].
 pub fn strip(
     folder: &Path,
     frames: &[Which],
