@@ -29,7 +29,8 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
     let mut run = Command::new(release_binary(root)?);
     run.args(["run", SCENE, "--quiet", "--force", "--out"])
         .arg(&out);
-    if !shell::run(root, &mut run)?.success {
+    // Checks of the scene that fail are the business of the step `scenes`.
+    if !shell::run(root, &mut run)?.success && !out.join("checks.jsonl").exists() {
         return Err(format!("{SCENE} did not run"));
     }
     let mut check = Command::new(python);

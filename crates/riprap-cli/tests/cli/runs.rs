@@ -146,9 +146,12 @@ fn results_that_cannot_be_written_are_code_3() {
     bench
         .run(&["run", "fall.toml", "-q", "--out", "in_the_way/a.run"])
         .expect(3);
-    bench
-        .run(&["new", "in_the_way/x", "--template", "slide"])
-        .expect(3);
+    let templates = bench.run(&["new", "--list"]).expect(0).out;
+    if let Some(name) = templates.split_whitespace().next() {
+        bench
+            .run(&["new", "in_the_way/x", "--template", name])
+            .expect(3);
+    }
     bench
         .run(&["sweep", "fall.toml", "-q", "--out", "in_the_way/a"])
         .expect(3);
@@ -189,7 +192,7 @@ fn a_killed_run_resumes_to_the_same_bits() {
     // Long enough to be killed in the middle, short enough to be run twice.
     bench.file(
         "fall.toml",
-        FALL.replace("time = \"0.2 s\"", "time = \"2 s\""),
+        FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
     );
     bench
         .run(&["run", "fall.toml", "-q", "--out", "whole.run"])
