@@ -110,8 +110,9 @@ pub struct RunFolder {
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 7] = [
+const FILES: [&str; 8] = [
     "scenario.resolved.toml",
+    "checks.jsonl",
     "histories.csv",
     "energy.csv",
     "events.jsonl",

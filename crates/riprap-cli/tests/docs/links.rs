@@ -1,0 +1,115 @@
+//! Links and file names in pages lead somewhere.
+
+use std::path::{Path, PathBuf};
+
+use crate::{pages, read, repository};
+
+/// Written by `cargo xtask verify-all`, which takes minutes.
+const WRITTEN_LATER: [&str; 1] = ["verification.md"];
+
+/// All Markdown pages of the book and of the repository's root.
+fn all_pages() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![pages()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("list a folder") {
+            let path = entry.expect("list a folder").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "md") {
+                found.push(path);
+            }
+        }
+    }
+    for name in ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"] {
+        found.push(repository().join(name));
+    }
+    found.sort();
+    found
+}
+
+/// Targets of `[text](target)` outside of code.
+fn targets(page: &str) -> Vec<String> {
+    let mut code = false;
+    let mut found = Vec::new();
+    for line in page.lines() {
+        if line.trim_start().starts_with("```") {
+            code = !code;
+        }
+        if code {
+            continue;
+        }
+        for part in line.split("](").skip(1) {
+            if let Some(end) = part.find(')') {
+                found.push(part[..end].to_owned());
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn links_lead_to_files() {
+    let mut broken = Vec::new();
+    for page in all_pages() {
+        for target in targets(&read(&page)) {
+            let path = target.split('#').next().unwrap_or_default();
+            let outside = target.contains("://") || target.starts_with("mailto:");
+            if outside || path.is_empty() || WRITTEN_LATER.iter().any(|w| path.ends_with(w)) {
+                continue;
+            }
+            if !page.parent().expect("a folder").join(path).exists() {
+                broken.push(format!("{}: {target}", page.display()));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// Whether a word in backquotes is meant as a file of the repository.
+fn is_repository_path(word: &str) -> bool {
+    let rooted = ["crates/", "scenes/", "docs/", "xtask/", "tests/"];
+    rooted.iter().any(|root| word.starts_with(root))
+        && word
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || "/._-".contains(c))
+}
+
+#[test]
+fn named_files_exist() {
+    let mut missing = Vec::new();
+    for page in all_pages() {
+        let text = read(&page);
+        for (k, word) in text.split('`').enumerate() {
+            let is_code = k % 2 == 1;
+            let later = WRITTEN_LATER.iter().any(|w| word.ends_with(w));
+            if is_code && is_repository_path(word) && !later && !repository().join(word).exists() {
+                missing.push(format!("{}: {word}", page.display()));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+}
+
+#[test]
+fn every_page_is_in_the_summary() {
+    let summary = read(&pages().join("SUMMARY.md"));
+    let listed = targets(&summary);
+    for page in all_pages() {
+        let Ok(inside) = page.strip_prefix(pages()) else {
+            continue;
+        };
+        let name = inside.to_string_lossy().replace('\\', "/");
+        assert!(
+            name == "SUMMARY.md" || listed.contains(&name),
+            "{name} is not in docs/src/SUMMARY.md"
+        );
+    }
+    for target in listed {
+        let later = WRITTEN_LATER.contains(&target.as_str());
+        assert!(
+            later || Path::new(&pages()).join(&target).exists(),
+            "{target}"
+        );
+    }
+}
