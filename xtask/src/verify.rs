@@ -125,6 +125,14 @@ fn table(rows: &[Value], passed: u64, failed: u64, skipped: u64) -> String {
     for row in rows {
         let cell = |key: &str| match &row[key] {
             Value::String(text) => text.replace('|', "\\|").replace('\n', " "),
+            Value::Number(number) => {
+                let unit = row["unit"]
+                    .as_str()
+                    .filter(|unit| *unit != "-")
+                    .unwrap_or("");
+                let value = number.as_f64().unwrap_or(f64::NAN);
+                format!("{value:.6e} {unit}").trim_end().to_owned()
+            }
             Value::Null => String::new(),
             other => other.to_string(),
         };
@@ -153,12 +161,12 @@ mod tests {
     #[test]
     fn a_row_a_check_and_bars_are_escaped() {
         let row: Value = serde_json::from_str(
-            r#"{"scene":"a.toml","case":"","check":"|v|","status":"passed","measured":1.5}"#,
+            r#"{"scene":"a.toml","case":"","check":"|v|","status":"passed","measured":1.5,"unit":"m"}"#,
         )
         .unwrap();
         let page = table(&[row], 1, 0, 0);
         assert!(
-            page.contains("| a.toml |  | \\|v\\| | passed | 1.5 |  |  |  |"),
+            page.contains("| a.toml |  | \\|v\\| | passed | 1.500000e0 m |  |  |  |"),
             "{page}"
         );
         assert!(page.contains("1 passed, 0 failed, 0 skipped"));
