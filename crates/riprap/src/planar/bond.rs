@@ -235,7 +235,14 @@ pub fn force(
             } else {
                 dash(law.shear_stiffness)
             };
-            let f = -cn * rate.dot(normal) * normal - cs * rate.dot(tangent) * tangent;
+            // The normal points from i to j: a positive pull is tension.
+            let pull = -cn * rate.dot(normal);
+            let pull = if r.failed {
+                pull.min(-r.sigma * point.weight)
+            } else {
+                pull
+            };
+            let f = pull * normal - cs * rate.dot(tangent) * tangent;
             damp = damp.plus(&Wrench::at(f, x, x + relative.shift));
         }
     }

@@ -368,8 +368,11 @@ fn apply(
     let stiffness = law.normal_stiffness * length;
     let root = length.sqrt();
     let c = dashpots[0] * root + context.stiffness_damping * stiffness;
-    let total_normal = (elastic - c * velocity.dot(normal)).max(0.0);
-    let mut damp = Wrench::at((total_normal - elastic) * normal, x, arm_j);
+    let slip = velocity.dot(tangent) * context.elapsed;
+    let handed = handed_over(contact, elastic, fresh, slip);
+    let pressing = elastic + handed;
+    let total_normal = (pressing - c * velocity.dot(normal)).max(0.0);
+    let mut damp = Wrench::at((total_normal - pressing) * normal, x, arm_j);
     let most = 0.5 * total_normal * length;
     let twist =
         (-c * length * length / 12.0 * (relative.spin_i - relative.spin_j)).clamp(-most, most);
@@ -377,13 +380,13 @@ fn apply(
     damp.moment_j -= twist;
 
     let (shear, slipping) = match pressed.friction {
-        Some(wrench) => (wrench, true),
+        // The dashpot presses on the sliding face too.
+        Some(wrench) => (wrench.times(total_normal / elastic), true),
         None => {
             let stiffness = law.shear_stiffness * length;
             let limit = law.friction * total_normal + law.cohesion * length;
             let rate = velocity.dot(tangent);
-            let slid =
-                coulomb::shear_spring(contact.shear, stiffness, rate * context.elapsed, limit);
+            let slid = coulomb::shear_spring(contact.shear, stiffness, slip, limit);
             contact.shear = slid.force;
             let mut force = slid.force;
             if !slid.slipping {
@@ -416,28 +419,32 @@ fn apply(
     contact.centre = x;
     contact.slipping = slipping;
     let total = pressed.normal.plus(&shear).plus(&damp);
-    if contact.offset == 0.0 {
+    if handed == 0.0 {
         return total;
     }
-    if fresh {
-        contact.offset -= elastic;
-    }
-    let slip = (velocity.dot(tangent) * context.elapsed).abs();
-    let handed = fade_offset(contact, slip, normal, x, arm_j);
+    let handed = Wrench::at(handed * normal, x, arm_j);
     works.edit_defect += context.elapsed * relative.power_of(&handed);
     total.plus(&handed)
 }
 
-/// The force kept continuous at a hand-over from a bond, fading with slip.
-fn fade_offset(contact: &mut Contact, slip: f64, normal: Vec2, x: Vec2, arm_j: Vec2) -> Wrench {
-    let left = (contact.offset_left - slip).max(0.0);
+/// Normal force taken over from a joint that gave way, beyond the elastic one: continuous at the
+/// hand-over, fading with slip, never pulling in sum. 0 for ordinary contacts.
+fn handed_over(contact: &mut Contact, elastic: f64, fresh: bool, slip: f64) -> f64 {
+    if contact.offset == 0.0 {
+        return 0.0;
+    }
+    if fresh {
+        contact.offset -= elastic;
+    }
+    let left = (contact.offset_left - slip.abs()).max(0.0);
     contact.offset *= if contact.offset_left > 0.0 {
         left / contact.offset_left
     } else {
         0.0
     };
     contact.offset_left = left;
-    Wrench::at(contact.offset * normal, x, arm_j)
+    contact.offset = contact.offset.max(-elastic);
+    contact.offset
 }
 
 /// Books the trapezoidal works of the three parts over the elapsed time and remembers the parts.

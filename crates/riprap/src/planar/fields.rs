@@ -20,26 +20,27 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    /// Velocity of block `b` at the present time (mean of the half steps around it), m/s.
+    /// Share of the coming kick that lies before the present time: velocities are those of half a
+    /// step before, the kick spans both halves.
+    fn past(&self) -> f64 {
+        let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
+        if before > 0.0 {
+            before / (before + after)
+        } else {
+            0.0
+        }
+    }
+
+    /// Velocity of block `b` at the present time, m/s.
     #[must_use]
     pub fn velocity(&self, b: usize) -> Vec2 {
-        let v = self.world.bodies[b].velocity;
-        if self.world.last_dt == 0.0 {
-            v
-        } else {
-            v + 0.5 * self.scratch.changes[b].velocity
-        }
+        self.world.bodies[b].velocity + self.past() * self.scratch.changes[b].velocity
     }
 
     /// Angular velocity of block `b` at the present time, rad/s.
     #[must_use]
     pub fn spin(&self, b: usize) -> f64 {
-        let w = self.world.bodies[b].spin;
-        if self.world.last_dt == 0.0 {
-            w
-        } else {
-            w + 0.5 * self.scratch.changes[b].spin
-        }
+        self.world.bodies[b].spin + self.past() * self.scratch.changes[b].spin
     }
 
     /// Displacement of the centroid, m.
@@ -54,18 +55,15 @@ impl View<'_> {
         self.world.bodies[b].angle - self.world.reference_angle[b]
     }
 
-    /// Kinetic energy of block `b`, time-centred, J/m.
+    /// Kinetic energy of block `b`, J/m: `m v(n-1/2).v(n+1/2)/2`, with the second velocity taken half a
+    /// step as long as the last one after the present time.
     #[must_use]
     pub fn kinetic(&self, b: usize) -> f64 {
         let (body, change) = (&self.world.bodies[b], &self.scratch.changes[b]);
         let (mass, inertia) = (self.scratch.shapes.mass[b], self.scratch.shapes.inertia[b]);
-        let (dv, dw) = if self.world.last_dt == 0.0 {
-            (Vec2::ZERO, 0.0)
-        } else {
-            (change.velocity, change.spin)
-        };
-        0.5 * mass * body.velocity.dot(body.velocity + dv)
-            + 0.5 * inertia * body.spin * (body.spin + dw)
+        let whole = 2.0 * self.past();
+        0.5 * mass * body.velocity.dot(body.velocity + whole * change.velocity)
+            + 0.5 * inertia * body.spin * (body.spin + whole * change.spin)
     }
 
     /// Acceleration (m/s²) and angular acceleration (rad/s²) of block `b`.

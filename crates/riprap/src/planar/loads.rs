@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec2;
 
+use super::search::segment_distance;
 use super::setup::LoadKind;
 use super::shapes::Shapes;
 use super::world::World;
@@ -45,11 +46,8 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
                 } => {
                     let (p, q) = (turn(body(*from)), turn(body(*to)));
                     let along = q - p;
-                    // Into the block: the side of the segment on which the centroid lies.
-                    let mut inward = along.perp();
-                    if inward.dot(-0.5 * (p + q)) < 0.0 {
-                        inward = -inward;
-                    }
+                    let inward =
+                        along.length() * turn(-edge_normal(shapes, b, body(*from), body(*to)));
                     let [p0, p1] = pressure.map(|x| x * factor);
                     let push = 0.5 * (p0 + p1) * inward + factor * along.length() * *traction;
                     // Moment of a linear pressure: mean part at the middle, slope about it.
@@ -64,4 +62,21 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
             }
         }
     }
+}
+
+/// Outward normal (body frame) of the edge of block `b` that lies nearest to the segment `p q`.
+fn edge_normal(shapes: &Shapes, b: usize, p: Vec2, q: Vec2) -> Vec2 {
+    let middle = 0.5 * (p + q);
+    let direction = (q - p).normalize_or_zero();
+    let mut best = (f64::INFINITY, Vec2::ZERO);
+    for edge in shapes.of(b) {
+        let end = edge.start + edge.length * edge.normal.perp();
+        // Askew edges count as farther away by what they miss over the segment's length.
+        let skew = direction.dot(edge.normal).abs() * (q - p).length();
+        let far = segment_distance(edge.start, end, middle) + skew;
+        if far < best.0 {
+            best = (far, edge.normal);
+        }
+    }
+    best.1
 }

@@ -49,18 +49,10 @@ pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
         let (p, normal) = (block.turned[m].start, block.turned[m].normal);
         let length = block.turned[m].length;
         let along = normal.perp().dot(x - p);
-        let (distance, sign) = if along <= 0.0 {
-            (
-                (x - p).length(),
-                if block.turned[m].reflex { 1.0 } else { -1.0 },
-            )
-        } else if along >= length {
-            let next = (m + 1) % n;
-            let corner = block.turned[next].start;
-            (
-                (x - corner).length(),
-                if block.turned[next].reflex { 1.0 } else { -1.0 },
-            )
+        let (distance, sign) = if along < 0.0 {
+            corner(block, m, x)
+        } else if along > length {
+            corner(block, (m + 1) % n, x)
         } else {
             let depth = normal.dot(p - x);
             (depth.abs(), if depth >= 0.0 { 1.0 } else { -1.0 })
@@ -74,6 +66,17 @@ pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
         }
     }
     best
+}
+
+/// Distance of `x` from the start corner of edge `m`, and 1 where the corner faces a point inside,
+/// -1 where it faces one outside: told by the mean of the normals on both sides, which also holds
+/// where they are equal (a vertex within a straight side) and round-off would decide on reflex.
+fn corner(block: Side<'_>, m: usize, x: Vec2) -> (f64, f64) {
+    let before = &block.turned[(m + block.turned.len() - 1) % block.turned.len()];
+    let here = &block.turned[m];
+    let to_corner = here.start - x;
+    let inside = (before.normal + here.normal).dot(to_corner) >= 0.0;
+    (to_corner.length(), if inside { 1.0 } else { -1.0 })
 }
 
 /// Finds all pieces of both boundaries; `shift` is the centroid of i minus that of j. `cuts` is

@@ -1,15 +1,17 @@
 //! Stable time step: which block sets it, and why.
 //!
-//! Gershgorin bound per block: `w² <= 2 max(sum k / m, sum k (r² + L²/12) / I)` over all candidate
-//! contacts at their largest possible length and all active joints, `k = kn L (1 + ks/kn)`; then
-//! `dt = 2/w (sqrt(1 + xi²) - xi)` for damping ratio xi.
+//! Bound per block, over all candidate contacts at their largest possible length and all active joints:
+//! `K = 2 sum k (1/m + (r² + L²/12)/I)` with `k = max(kn, ks) L`, and the same sum of the dashpots for `C`. The
+//! leapfrog with the velocity of half a step before in the dashpots is stable up to
+//! `dt = (sqrt(C² + 4 K) - C) / K`, which is `2/w (sqrt(1 + xi²) - xi)` for a single oscillator.
 
 use riprap_geom::Vec2;
 
 use super::search::{Candidate, Candidates, is_held};
-use super::setup::Interface;
+use super::setup::{ContactLaw, NormalLaw};
 use super::shapes::Shapes;
 use super::world::World;
+use crate::laws::damping;
 
 /// The largest stable step and the block that sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,83 +22,100 @@ pub struct Stable {
     pub block: Option<u32>,
 }
 
-/// Finds the stable step for the present candidate list and laws.
+/// Finds the stable step for the present candidate list and laws; `stiffness_damping` is that of the
+/// phase, s.
 #[must_use]
-pub fn stable_step(world: &World, shapes: &Shapes, candidates: &Candidates) -> Stable {
-    let n = shapes.len();
-    let mut translation = vec![0.0_f64; n];
-    let mut rotation = vec![0.0_f64; n];
-    let mut damping = 0.0_f64;
-    let mut add = |block: usize, k: f64, arm: f64, length: f64| {
-        translation[block] += k;
-        rotation[block] += k * (arm * arm + length * length / 12.0);
-    };
-    let sum = |i: &Interface| {
-        (
-            i.contact.normal_stiffness + i.contact.shear_stiffness,
-            i.contact,
-        )
-    };
+pub fn stable_step(
+    world: &World,
+    shapes: &Shapes,
+    candidates: &Candidates,
+    stiffness_damping: f64,
+) -> Stable {
+    let mut sums = vec![Sums::default(); shapes.len()];
     for c in candidates.convex.iter().chain(&candidates.general) {
-        let (stiffness, law) = sum(&world.setup.interfaces[c.row as usize]);
-        let k = stiffness * c.longest * source_factor(&law);
-        damping = damping.max(law.damping_ratio);
+        let law = &world.setup.interfaces[c.row as usize].contact;
+        let k = stiffness(law) * c.longest;
+        let dash = c.dashpots[0].max(c.dashpots[1]) * c.longest.sqrt() + stiffness_damping * k;
         for block in [c.i as usize, c.j as usize] {
             let arm = arm(world, shapes, c, block);
-            add(block, k, arm, c.longest);
+            let reach = arm * arm + c.longest * c.longest / 12.0;
+            sums[block].add(shapes, block, reach, k, dash);
         }
     }
     for bond in world.bonds.iter().filter(|b| b.active) {
         let Some(law) = &world.setup.interfaces[bond.row as usize].bond else {
             continue;
         };
-        damping = damping.max(law.damping_ratio);
         for point in &bond.points {
-            let k = (law.normal_stiffness + law.shear_stiffness) * point.weight;
-            add(bond.i as usize, k, point.on_i.length(), 0.0);
-            add(bond.j as usize, k, point.on_j.length(), 0.0);
+            let k = law.normal_stiffness.max(law.shear_stiffness) * point.weight;
+            let mass = bond.mass * point.weight / bond.length;
+            let dash = damping::dashpot(law.damping_ratio, k, mass) + stiffness_damping * k;
+            for (block, place) in [(bond.i, point.on_i), (bond.j, point.on_j)] {
+                sums[block as usize].add(shapes, block as usize, place.length_squared(), k, dash);
+            }
         }
     }
     // A block may come into contact along its longest edge between two looks at the list.
-    let stiffest = world
-        .setup
-        .interfaces
-        .iter()
-        .map(|i| sum(i).0 * source_factor(&i.contact));
-    let stiffest = stiffest.fold(0.0, f64::max);
-    for (b, k) in translation.iter_mut().enumerate() {
-        let longest = shapes.of(b).iter().map(|e| e.length).fold(0.0, f64::max);
-        *k = k.max(stiffest * longest);
-    }
+    let laws = world.setup.interfaces.iter().map(|i| &i.contact);
+    let stiffest = laws.clone().map(stiffness).fold(0.0, f64::max);
+    let ratio = laws.map(|l| l.damping_ratio).fold(0.0, f64::max);
     let mut worst = Stable {
         dt: f64::INFINITY,
         block: None,
     };
-    let factor = (1.0 + damping * damping).sqrt() - damping;
-    for b in 0..n {
+    for (b, sum) in sums.iter().enumerate() {
         if !world.alive[b] || is_held(world.motion[b].as_deref()) {
             continue;
         }
-        let squared = 2.0 * (translation[b] / shapes.mass[b]).max(rotation[b] / shapes.inertia[b]);
-        if squared > 0.0 {
-            let dt = 2.0 / squared.sqrt() * factor;
-            if dt < worst.dt {
-                worst = Stable {
-                    dt,
-                    block: Some(b as u32),
-                };
-            }
+        let longest = shapes.of(b).iter().map(|e| e.length).fold(0.0, f64::max);
+        let k = stiffest * longest;
+        let dash = damping::dashpot(ratio, k, shapes.mass[b]) + stiffness_damping * k;
+        let mut alone = Sums::default();
+        alone.add(shapes, b, longest * longest / 12.0, k, dash);
+        let dt = sum.stable().min(alone.stable());
+        if dt < worst.dt {
+            worst = Stable {
+                dt,
+                block: Some(b as u32),
+            };
         }
     }
     worst
 }
 
-/// The source's potentials press on both sides: 1.5 times as stiff on flat contact.
-fn source_factor(law: &super::setup::ContactLaw) -> f64 {
-    match law.normal {
-        super::setup::NormalLaw::DistancePotential => 1.0,
-        super::setup::NormalLaw::PenetrationPotential { .. } => 1.5,
+/// Sums over the contacts of one block, per mass.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    stiffness: f64,
+    damping: f64,
+}
+
+impl Sums {
+    /// Adds a contact at the root of `reach` (m²) from the centroid.
+    fn add(&mut self, shapes: &Shapes, block: usize, reach: f64, k: f64, dash: f64) {
+        let ease = 2.0 * (1.0 / shapes.mass[block] + reach / shapes.inertia[block]);
+        self.stiffness += ease * k;
+        self.damping += ease * dash;
     }
+
+    fn stable(&self) -> f64 {
+        if self.stiffness > 0.0 {
+            let c = self.damping;
+            ((c * c + 4.0 * self.stiffness).sqrt() - c) / self.stiffness
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+/// Larger stiffness of a law. The source's potentials press on both sides: 1.5 times as stiff on flat
+/// contact.
+fn stiffness(law: &ContactLaw) -> f64 {
+    let normal = match law.normal {
+        NormalLaw::DistancePotential => law.normal_stiffness,
+        NormalLaw::PenetrationPotential { .. } => 1.5 * law.normal_stiffness,
+    };
+    normal.max(law.shear_stiffness)
 }
 
 /// Lever arm of a candidate contact: to the middle of the boxes' common part, at most the radius.

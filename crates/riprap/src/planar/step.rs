@@ -42,6 +42,8 @@ pub struct Scratch {
     incidence: Vec<u32>,
     /// Velocity changes of the coming kick.
     pub changes: Vec<Change>,
+    /// Length of the step that the kick was found for, s.
+    pub coming_dt: f64,
     /// Sums of forces, without damping and supports.
     pub net: Vec<Net>,
     /// External loads.
@@ -215,6 +217,7 @@ impl Scratch {
             first_entry: Vec::new(),
             incidence: Vec::new(),
             changes: vec![Change::default(); n],
+            coming_dt: 0.0,
             net: vec![Net::default(); n],
             applied: vec![Applied::default(); n],
             departure: Works::default(),
@@ -352,6 +355,7 @@ pub fn evaluate(
     profile.stage("bonds", || bonds(world, scratch, damping));
     let result = profile.stage("gather", || kicks(world, scratch, damping, dt));
     world.pending = 0.0;
+    scratch.coming_dt = dt;
     scratch.profile = profile;
     result
 }
@@ -381,24 +385,37 @@ fn refresh(world: &mut World, scratch: &mut Scratch) {
 
 /// Lets found contact take over from joints that have given way, with continuous force.
 fn hand_over(world: &mut World, scratch: &mut Scratch) {
-    let mut handed = Vec::new();
+    // A pair goes over as a whole: its joints are skipped by the search until then.
+    let waiting: Vec<(u32, u32)> = world
+        .bonds
+        .iter()
+        .filter(|b| b.active && !b.gives_way())
+        .map(|b| (b.i, b.j))
+        .collect();
+    let mut handed: Vec<(u32, u32, f64, f64, f64)> = Vec::new();
     for bond in &mut world.bonds {
-        if bond.gives_way() {
-            bond.active = false;
-            handed.push((
-                bond.i,
-                bond.j,
-                bond.compression(),
-                bond.shear(),
-                bond.length,
-            ));
-            world.works.edit_defect -= bond.energy;
-            bond.energy = 0.0;
+        let key = (bond.i, bond.j);
+        if !bond.gives_way() || waiting.contains(&key) {
+            continue;
         }
+        bond.active = false;
+        world.works.edit_defect -= bond.energy;
+        bond.energy = 0.0;
+        let (compression, shear, length) = (bond.compression(), bond.shear(), bond.length);
+        match handed.last_mut() {
+            Some(last) if (last.0, last.1) == key => {
+                last.2 += compression;
+                last.3 += shear;
+                last.4 += length;
+            }
+            _ => handed.push((bond.i, bond.j, compression, shear, length)),
+        }
+    }
+    if handed.is_empty() {
+        return;
     }
     scratch.invalidate(world);
     for (i, j, compression, shear, length) in handed {
-        // Still joined elsewhere: found contact starts when the last joint of the pair gives way.
         let Some(law) = world
             .setup
             .interfaces
@@ -647,8 +664,8 @@ impl Kick<'_> {
         // Works before and after the present time, with the velocity of each half.
         let reaction = if self.span > 0.0 {
             (
-                mass * (dv - free.0) / self.span,
-                inertia * (dw - free.1) / self.span,
+                (1.0 + fade) * mass * (dv - free.0) / self.span,
+                (1.0 + fade) * inertia * (dw - free.1) / self.span,
             )
         } else {
             (Vec2::ZERO, 0.0)

@@ -94,6 +94,16 @@ impl Wrench {
         }
     }
 
+    /// The wrench times a number.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            force: factor * self.force,
+            moment_i: factor * self.moment_i,
+            moment_j: factor * self.moment_j,
+        }
+    }
+
     /// Power (W/m) for relative velocity `dv` of the centroids (first minus second) and both spins.
     #[must_use]
     pub fn power(&self, dv: Vec2, spin_i: f64, spin_j: f64) -> f64 {

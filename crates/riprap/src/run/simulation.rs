@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::plan::{Damping, Phase, PhaseKind, Plan, TimeStep};
+use super::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
 use crate::Vec2;
 use crate::exec::Exec;
 use crate::planar::fields::View;
@@ -217,13 +217,18 @@ impl Simulation {
         self.dt
     }
 
-    /// The stable time step of the present candidate list.
+    /// The stable time step of the present candidate list, with the damping of the phase.
     pub fn stable(&mut self) -> Stable {
+        let stiffness_damping = self.phase().map_or(0.0, |p| p.damping.stiffness);
         match self.stable {
             Some((rebuilds, stable)) if rebuilds == self.scratch.rebuilds => stable,
             _ => {
-                let found =
-                    stable_step(&self.world, &self.scratch.shapes, &self.scratch.candidates);
+                let found = stable_step(
+                    &self.world,
+                    &self.scratch.shapes,
+                    &self.scratch.candidates,
+                    stiffness_damping,
+                );
                 self.stable = Some((self.scratch.rebuilds, found));
                 found
             }
@@ -238,12 +243,12 @@ impl Simulation {
         if !self.cursor.entered {
             self.enter_phase()?;
         }
-        let Some(phase) = self.phase().cloned() else {
+        let Some(phase) = self.phase().map(Rules::of) else {
             self.evaluate(&Damping::default(), 0.0)?;
             return Ok(Stage::Done);
         };
-        self.ramp_gravity(&phase);
-        let damping = damping_of(&phase);
+        self.ramp_gravity(phase.gravity_ramp);
+        let damping = phase.damping;
         self.dt = self.next_step(&phase);
         let rebuilds = self.scratch.rebuilds;
         self.evaluate(&damping, self.dt)?;
@@ -271,6 +276,7 @@ impl Simulation {
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.
     pub fn next_phase(&mut self) {
         self.cursor.phase += 1;
+        self.stable = None;
         self.cursor.entered = false;
     }
 
@@ -381,8 +387,8 @@ impl Simulation {
         hold_driven(world);
     }
 
-    fn ramp_gravity(&mut self, phase: &Phase) {
-        let Some(span) = phase.gravity_ramp else {
+    fn ramp_gravity(&mut self, ramp: Option<f64>) {
+        let Some(span) = ramp else {
             return;
         };
         let share = if span > 0.0 {
@@ -398,7 +404,7 @@ impl Simulation {
     }
 
     /// Length of the coming step: the rule of the phase, shortened for fast blocks and for the end.
-    fn next_step(&mut self, phase: &Phase) -> f64 {
+    fn next_step(&mut self, phase: &Rules) -> f64 {
         let wanted = match phase.time_step {
             TimeStep::Given { dt } => dt,
             TimeStep::Auto { safety } => safety * self.stable().dt,
@@ -419,7 +425,7 @@ impl Simulation {
         dt
     }
 
-    fn phase_over(&self, phase: &Phase) -> bool {
+    fn phase_over(&self, phase: &Rules) -> bool {
         let (until, world) = (&phase.until, &self.world);
         let steps = world.step - self.cursor.start_step;
         if until.steps.is_some_and(|n| steps >= n) {
@@ -485,6 +491,26 @@ impl Simulation {
             });
         }
         Ok(())
+    }
+}
+
+/// What the loop needs of a phase at each step.
+#[derive(Clone, Copy, Debug)]
+struct Rules {
+    until: Until,
+    time_step: TimeStep,
+    damping: Damping,
+    gravity_ramp: Option<f64>,
+}
+
+impl Rules {
+    fn of(phase: &Phase) -> Self {
+        Self {
+            until: phase.until,
+            time_step: phase.time_step,
+            damping: damping_of(phase),
+            gravity_ramp: phase.gravity_ramp,
+        }
     }
 }
 
