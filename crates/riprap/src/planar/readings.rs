@@ -125,6 +125,8 @@ fields! {
     "pair.length" "m" Pair Scalar true "Length of the found contacts." |v, of| one(pair_parts(v, of).2);
     "pair.overlap" "m" Pair Scalar true "Largest depth of a boundary point inside the other block." |v, of| one(pair_parts(v, of).3);
     "pair.contacts" "-" Pair Scalar true "Number of found contacts between the two." |v, of| one(pair_parts(v, of).4);
+    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid relative to the second's: slip on a moving base." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
+    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
     "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
     "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
     "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
