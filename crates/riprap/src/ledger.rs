@@ -32,9 +32,26 @@ pub struct Works {
     pub law_defect: f64,
     /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
     pub edit_defect: f64,
+    /// Largest magnitude that a work above has had at the end of a step: the scale of the residual.
+    /// Not a sum.
+    pub peak: f64,
 }
 
 impl Works {
+    /// Notes how large the sums are now.
+    pub fn note_peak(&mut self) {
+        self.peak = [
+            self.gravity,
+            self.loads,
+            self.supports,
+            self.friction,
+            self.damping,
+            self.fracture,
+        ]
+        .into_iter()
+        .fold(self.peak, |peak, work| peak.max(work.abs()));
+    }
+
     /// Adds another set of sums.
     pub fn add(&mut self, other: &Self) {
         self.gravity += other.gravity;
@@ -86,23 +103,14 @@ impl Balance {
         self.total() - expected
     }
 
-    /// The residual over the largest energy that moved, so that it can be judged; 0 when nothing moved.
+    /// The residual over the largest energy that has moved so far, so that it can be judged; 0 when
+    /// nothing has moved.
     #[must_use]
     pub fn residual_relative(&self) -> f64 {
-        let w = &self.works;
-        let scale = [
-            self.kinetic,
-            self.contact_normal + self.contact_shear + self.bond,
-            self.start,
-            w.gravity,
-            w.loads,
-            w.supports,
-            w.friction,
-            w.damping,
-            w.fracture,
-        ]
-        .into_iter()
-        .fold(0.0_f64, |m, x| m.max(x.abs()));
+        let stored = self.contact_normal + self.contact_shear + self.bond;
+        let scale = [self.kinetic, stored, self.start, self.works.peak]
+            .into_iter()
+            .fold(0.0_f64, |m, x| m.max(x.abs()));
         if scale > 0.0 {
             self.residual() / scale
         } else {

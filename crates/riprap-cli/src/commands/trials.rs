@@ -109,6 +109,7 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     let mut count = 0;
     let found = trials::search(
         &scene,
+        &scene.plain(),
         threads(&args.how),
         &mut |progress| {
             display.show(progress);

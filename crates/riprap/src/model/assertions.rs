@@ -23,7 +23,12 @@ pub struct Bisection {
     /// What to read at the end of each trial; its expectation is the allowed band, so that the scene
     /// fails when the check does.
     pub holds: Check,
+    /// Checks of this case on the limit that the search finds.
+    pub checks: Vec<Check>,
 }
+
+/// The name under which a check asks for the limit that `[bisect]` finds.
+pub const LIMIT: &str = "bisect.limit";
 
 impl Builder<'_> {
     /// The checks that apply to this case.
@@ -43,9 +48,51 @@ impl Builder<'_> {
         checks
     }
 
+    /// The limit as a field: in the unit of the interval that is searched, read once it is found.
+    fn limit_use(&mut self, said: &language::Check) -> Option<(FieldUse, String)> {
+        let Some(bisect) = &self.parsed.scenario.bisect else {
+            let message = format!(
+                "check `{}` reads `{LIMIT}` and there is no [bisect]",
+                said.name
+            );
+            let help = "add a [bisect] table; `riprap explain bisect` says what to write";
+            self.error_at("field.bisect", &said.field, message, help);
+            return None;
+        };
+        if said.of.is_some() || said.along.is_some() || said.at.is_some() || said.reduce.is_some() {
+            let message = format!("`{LIMIT}` is one number for all runs of the search");
+            let help = "leave out `of`, `along`, `at`, `over` and `reduce`";
+            self.error_at("field.bisect", &said.field, message, help);
+            return None;
+        }
+        let used = FieldUse {
+            field: LIMIT.to_owned(),
+            unit: "",
+            of: Vec::new(),
+            along: None,
+            is_vector: false,
+        };
+        let unit = searched_unit(bisect);
+        Some((
+            used,
+            if unit.is_empty() {
+                "-".to_owned()
+            } else {
+                unit
+            },
+        ))
+    }
+
     fn check(&mut self, said: &language::Check) -> Option<Check> {
-        let used = self.number(&said.field, said.of.as_ref(), said.along.as_ref())?;
-        let unit = used.unit;
+        let (used, unit) = if said.field.as_str() == LIMIT {
+            self.limit_use(said)?
+        } else {
+            let used = self.number(&said.field, said.of.as_ref(), said.along.as_ref())?;
+            let unit = used.unit.to_owned();
+            (used, unit)
+        };
+        let field_unit = unit.clone();
+        let unit = unit.as_str();
         if let (Some(reason), true) = (&said.known, said.exact) {
             let message = format!("check `{}` is exact and cannot be marked known", said.name);
             self.error_at("check.known", reason, message, "remove `known` or `exact`");
@@ -100,7 +147,7 @@ impl Builder<'_> {
             field: used.field,
             of: used.of,
             along: used.along,
-            unit: used.unit.to_owned(),
+            unit: field_unit,
             window,
             expected,
             relative: said.relative.as_ref().map(Quantity::si),
@@ -230,7 +277,8 @@ impl Builder<'_> {
         Some(Expected::Formula { formula, names })
     }
 
-    pub(super) fn bisect(&mut self) -> Option<Bisection> {
+    /// The search; `checks` are those on its limit.
+    pub(super) fn bisect(&mut self, checks: Vec<Check>) -> Option<Bisection> {
         let said = self.parsed.scenario.bisect.as_ref()?;
         let criterion = &said.fails_when;
         let used = self.number(
@@ -255,10 +303,7 @@ impl Builder<'_> {
         };
         let above = limit(self, criterion.above.as_ref(), f64::INFINITY)?;
         let below = limit(self, criterion.below.as_ref(), f64::NEG_INFINITY)?;
-        let dim = said.low.read().ok()?.1;
-        let unit = dim
-            .filter(|d| *d != units::Dim::NONE)
-            .map_or_else(String::new, |d| d.to_string());
+        let unit = searched_unit(said);
         Some(Bisection {
             key: said.key.text.clone(),
             low: said.low.si(),
@@ -277,6 +322,14 @@ impl Builder<'_> {
                 absolute: None,
                 known: None,
             },
+            checks,
         })
     }
+}
+
+/// SI unit of the searched interval; empty for plain numbers.
+fn searched_unit(bisect: &language::Bisect) -> String {
+    let dim = bisect.low.read().ok().and_then(|(_, dim)| dim);
+    dim.filter(|d| *d != units::Dim::NONE)
+        .map_or_else(String::new, |d| d.to_string())
 }

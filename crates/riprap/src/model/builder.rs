@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec2;
 
+use super::assertions::LIMIT;
 use super::blocks::Generated;
 use super::explain::{Explained, Provenance, with_unit};
 use super::names::{Directory, Entry};
@@ -61,12 +62,14 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         b.interfaces();
         b.loads();
         b.phases();
+        b.reduce_strength();
         b.outputs();
     }
     let (mut checks, mut bisect) = (Vec::new(), None);
     if sound {
-        checks = b.checks();
-        bisect = b.bisect();
+        let (of_limit, of_run) = b.checks().into_iter().partition(|c| c.field == LIMIT);
+        checks = of_run;
+        bisect = b.bisect(of_limit);
         if b.errors() == 0 {
             inspect::inspect(&mut b);
         }

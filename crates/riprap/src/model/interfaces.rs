@@ -49,6 +49,36 @@ impl Builder<'_> {
         }
     }
 
+    /// Divides all strengths, those of later phases too, by `strength_factor`.
+    pub(super) fn reduce_strength(&mut self) {
+        let given = self.parsed.scenario.strength_factor.as_ref();
+        let factor = self.or("strength_factor", given, 1.0, "");
+        if factor == 1.0 {
+            return;
+        }
+        let reduce = |law: &mut ContactLaw| {
+            law.friction /= factor;
+            law.cohesion /= factor;
+        };
+        for interface in &mut self.setup.interfaces {
+            reduce(&mut interface.contact);
+            if let Some(bond) = &mut interface.bond {
+                for strength in [
+                    &mut bond.tension,
+                    &mut bond.cohesion,
+                    &mut bond.friction,
+                    &mut bond.residual_friction,
+                    &mut bond.residual_cohesion,
+                ] {
+                    *strength /= factor;
+                }
+            }
+        }
+        for phase in &mut self.plan.phases {
+            phase.contacts.iter_mut().for_each(|(_, law)| reduce(law));
+        }
+    }
+
     fn contact_law(
         &mut self,
         row: usize,

@@ -24,7 +24,7 @@ mod names;
 mod phases;
 mod summary;
 
-pub use assertions::Bisection;
+pub use assertions::{Bisection, LIMIT};
 pub use builder::build;
 pub use explain::{Explained, Provenance};
 pub use summary::{Region, Summary};

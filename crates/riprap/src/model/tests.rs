@@ -591,3 +591,53 @@ fails_when = {{ field = "model.max_displacement", above = "0.1 m" }}
         matches!(bisect.holds.expected, Expected::Between(low, 0.1) if low == f64::NEG_INFINITY)
     );
 }
+
+#[test]
+fn the_limit_of_a_bisection_can_be_checked() {
+    let model = good(&format!(
+        r#"{CUBE}{FLOOR}
+[bisect]
+key = "interfaces.default.friction_angle"
+low = "30 deg"
+high = "45 deg"
+tolerance = "0.1 deg"
+fails_when = {{ field = "model.max_displacement", above = "0.1 m" }}
+[[checks]]
+name = "limit"
+field = "bisect.limit"
+value = "35 deg"
+absolute = "0.2 deg"
+"#
+    ));
+    assert!(model.checks.is_empty());
+    let check = &model.bisect.unwrap().checks[0];
+    assert_eq!(
+        (check.field.as_str(), check.unit.as_str()),
+        (super::LIMIT, "rad")
+    );
+    assert!(matches!(check.expected, Expected::Value(x) if (x - 35f64.to_radians()).abs() < 1e-15));
+    let text = bad(&format!(
+        "{CUBE}[[checks]]\nname = \"limit\"\nfield = \"bisect.limit\"\nvalue = 1.0\nrelative = 0.1\n"
+    ));
+    assert!(text.contains("there is no [bisect]"), "{text}");
+}
+
+#[test]
+fn strengths_are_divided_by_the_factor() {
+    let scene = format!(
+        "{CUBE}{FLOOR}\n[[phases]]\nname = \"weak\"\nuntil = {{ time = \"1 s\" }}\n\
+         [phases.interfaces.default]\nfriction_coefficient = 0.3\ncohesion = \"3 kPa\"\n"
+    );
+    let plain = good(&scene).setup.interfaces[0].contact.friction;
+    let source = text(&scene).replacen("title", "strength_factor = 1.5\ntitle", 1);
+    let model = build(
+        &parse(Source::new("t.toml", source)).unwrap(),
+        "default",
+        INFOS,
+    )
+    .unwrap();
+    let law = &model.setup.interfaces[0].contact;
+    assert!((law.friction - plain / 1.5).abs() < 1e-15);
+    let (_, later) = &model.plan.phases.last().unwrap().contacts[0];
+    assert!((later.friction - 0.2).abs() < 1e-15 && (later.cohesion - 2000.0).abs() < 1e-9);
+}

@@ -204,11 +204,14 @@ pub fn force(
     let tangent = normal.perp();
     let (mut stress, mut damp, mut energy) = (Wrench::default(), Wrench::default(), 0.0);
     let mut failing = false;
+    // A joint that is open or has slid at one point cannot be a hinge at another: the tip of the crack
+    // runs through.
+    let torn = bond.torn();
     for point in &mut bond.points {
         let (arm_i, arm_j) = (turn_i(point.on_i), turn_j(point.on_j));
         let u = arm_j - arm_i - relative.shift;
         let (opening, shear) = (u.dot(normal), u.dot(tangent));
-        let r = mohr_coulomb::joint_point(law, opening, shear, point.slip, point.failed);
+        let r = mohr_coulomb::joint_point(law, opening, shear, point.slip, point.failed || torn);
         failing |= r.failed && !point.failed;
         point.failed = r.failed;
         point.slip = r.slip;
@@ -265,15 +268,20 @@ impl Bond {
         self.points.iter().all(|p| p.failed)
     }
 
-    /// Whether found contact should take over: all failed, and slid or opened enough.
+    /// Whether a point has failed and slid or opened by more than a small share of the length.
+    fn torn(&self) -> bool {
+        let far = HAND_OVER * self.length;
+        self.points
+            .iter()
+            .any(|p| p.failed && (p.slip.abs() > far || p.opening > far))
+    }
+
+    /// Whether found contact should take over: all failed, and slid or opened enough somewhere. Not
+    /// everywhere: blocks that turn about one end of a joint would overlap there, where no point of
+    /// the joint feels it, until found contact throws them apart.
     #[must_use]
     pub fn gives_way(&self) -> bool {
-        let far = HAND_OVER * self.length;
-        self.active
-            && self
-                .points
-                .iter()
-                .all(|p| p.failed && (p.slip.abs() > far || p.opening > far))
+        self.active && self.broken() && self.torn()
     }
 
     /// Shear force on the first block along the left-hand side of the normal, N/m.

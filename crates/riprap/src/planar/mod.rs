@@ -6,6 +6,7 @@ pub mod contact;
 pub mod convex;
 pub mod energy;
 pub mod fields;
+mod heap;
 pub mod loads;
 pub mod pieces;
 pub mod potential;

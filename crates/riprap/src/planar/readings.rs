@@ -4,6 +4,7 @@
 use riprap_geom::Vec2;
 
 use super::fields::View;
+use super::heap;
 use crate::record::field::{FieldError, FieldInfo, Part, Shape, Site, find};
 use crate::record::frame::{Column, Frame};
 
@@ -119,19 +120,22 @@ fields! {
     "block.contacts" "-" Block Scalar true "Number of contacts the block takes part in." |v, of| one(blocks(v, &of[..of.len().min(1)]));
     "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };
+    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
+    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
     "pair.moment" "N" Pair Scalar true "Moment of the same about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
     "pair.normal_force" "N/m" Pair Scalar true "Normal force of the found contacts, compression positive." |v, of| one(pair_parts(v, of).0);
     "pair.shear_force" "N/m" Pair Scalar true "Shear force of the found contacts on the first block." |v, of| one(pair_parts(v, of).1);
+    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of the shear force over the normal force of the found contacts; 0 without contact." |v, of| { let (n, s, ..) = pair_parts(v, of); one(if n > 0.0 { s.abs() / n } else { 0.0 }) };
     "pair.length" "m" Pair Scalar true "Length of the found contacts." |v, of| one(pair_parts(v, of).2);
     "pair.overlap" "m" Pair Scalar true "Largest depth of a boundary point inside the other block." |v, of| one(pair_parts(v, of).3);
     "pair.contacts" "-" Pair Scalar true "Number of found contacts between the two." |v, of| one(pair_parts(v, of).4);
-    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid relative to the second's: slip on a moving base." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
-    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
     "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
     "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
     "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
     "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
     "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
+    "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
+    "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap." |v, of| one(heap::repose_angle(v, of));
     "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.displacement(b).length());
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.rotation(b).abs());

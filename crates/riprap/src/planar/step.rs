@@ -366,6 +366,7 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     profile.stage("integrate", || integrate(world, scratch, dt));
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
+    world.works.note_peak();
     world.time += dt;
     world.step += 1;
     world.last_dt = dt;

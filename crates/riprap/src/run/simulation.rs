@@ -270,7 +270,32 @@ impl Simulation {
 
     /// Moves on by one step; call [`Simulation::prepare`] before.
     pub fn step(&mut self) {
+        if self.world.last_dt == 0.0 {
+            self.book_start();
+        }
         step::advance(&mut self.world, &mut self.scratch, self.dt);
+    }
+
+    /// Books the start of a motion, after the half kick that begins it is known.
+    ///
+    /// What the leapfrog keeps is `m v(n-1/2)·v(n+1/2)/2` and the stored energy. At the start the two
+    /// half-step velocities are `v - dv` and `v + dv` about the given one: `m dv²/2` less than `m v²/2`.
+    fn book_start(&mut self) {
+        let shapes = &self.scratch.shapes;
+        let half_kick: f64 = self
+            .view()
+            .living()
+            .map(|b| {
+                let change = &self.scratch.changes[b];
+                shapes.mass[b] * change.velocity.length_squared()
+                    + shapes.inertia[b] * change.spin * change.spin
+            })
+            .sum();
+        if self.world.start_energy.is_none() {
+            self.world.start_energy = Some(self.view().balance().total() - 0.5 * half_kick);
+        } else {
+            self.world.works.edit_defect -= 0.5 * half_kick;
+        }
     }
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.
@@ -304,9 +329,6 @@ impl Simulation {
                 time: self.world.time,
             }
         })?;
-        if self.world.start_energy.is_none() {
-            self.world.start_energy = Some(self.view().balance().total());
-        }
         Ok(())
     }
 

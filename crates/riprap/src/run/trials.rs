@@ -12,7 +12,7 @@ use super::drive::{Control, Ending, Progress};
 use super::job::{self, JobError, Outcome, watch_only};
 use super::scene::Scene;
 use crate::record::folder::Existing;
-use crate::scenario::Diagnostics;
+use crate::scenario::{Case, Diagnostics};
 
 /// Why trials could not be made.
 #[derive(Debug, Error)]
@@ -66,7 +66,7 @@ pub struct Found {
     pub bracket: Bracket,
 }
 
-/// Searches for the value at which the plain case of `scene` begins to fail.
+/// Searches for the value at which a case of `scene` begins to fail.
 ///
 /// A run that the physics stops counts as failed.
 ///
@@ -74,27 +74,28 @@ pub struct Found {
 /// Scenes without `[bisect]`, ends that behave the same, a key whose values cannot be used.
 pub fn search(
     scene: &Scene,
+    case: &Case,
     threads: usize,
     look: &mut dyn FnMut(&Progress) -> Control,
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Found, TrialError> {
-    let prepared = scene.prepare(&scene.plain()).map_err(TrialError::Scene)?;
+    let prepared = scene.prepare(case).map_err(TrialError::Scene)?;
     let Some(wanted) = prepared.model.bisect else {
         return Err(TrialError::NoBisect {
             path: scene.path.clone(),
         });
     };
     let trial = |value: f64| -> Result<bool, TrialError> {
-        let mut changes = scene.changes.clone();
-        changes.push((
-            wanted.key.clone(),
-            format!("{value} {}", wanted.unit).trim().to_owned(),
-        ));
-        let changed = Scene::load(&scene.path, &changes).map_err(TrialError::Scene)?;
-        let mut job = changed
-            .prepare(&changed.plain())
-            .map_err(TrialError::Scene)?
-            .job();
+        // After the changes of the case, which may name the key themselves.
+        let mut changed = case.clone();
+        let text = format!("{value} {}", wanted.unit);
+        let quoted = if wanted.unit.is_empty() {
+            format!("{value:?}")
+        } else {
+            format!("{text:?}")
+        };
+        changed.changes.push((wanted.key.clone(), quoted));
+        let mut job = scene.prepare(&changed).map_err(TrialError::Scene)?.job();
         job.checks = vec![wanted.holds.clone()];
         let Outcome { ending, checks, .. } = watch_only(job, threads, look)?;
         let note = match ending {

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::checks::{CheckResult, Status};
+use super::checks::{Check, CheckResult, Status, Watch};
 use super::drive::{Control, Ending};
-use super::job::watch_only;
+use super::job::{Job, watch_only};
 use super::scene::Scene;
+use super::trials;
 use crate::exec::side_by_side;
 use crate::scenario::Case;
 
@@ -139,13 +140,64 @@ fn verify_case(
     if stop() {
         return failed("the scene runs", "stopped by the user".to_owned());
     }
-    let job = match scene.prepare(case) {
-        Ok(prepared) => prepared.job(),
+    let prepared = match scene.prepare(case) {
+        Ok(prepared) => prepared,
         Err(wrong) => return failed("the model can be built", wrong.render()),
     };
-    if job.checks.is_empty() {
-        return Vec::new();
+    let of_limit = prepared.model.bisect.as_ref().map(|b| b.checks.clone());
+    let job = prepared.job();
+    let mut results = Vec::new();
+    if !job.checks.is_empty() {
+        results.extend(verify_run(scene, name, job, strict, stop));
     }
+    if let Some(checks) = of_limit.filter(|checks| !checks.is_empty()) {
+        results.extend(verify_limit(scene, case, name, checks, strict, stop));
+    }
+    results
+}
+
+/// Searches for the limit of `[bisect]` and holds it against the checks that read it.
+fn verify_limit(
+    scene: &Scene,
+    case: &Case,
+    name: &str,
+    checks: Vec<Check>,
+    strict: bool,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Vec<CheckResult> {
+    let mut look = |_: &_| {
+        if stop() {
+            Control::Stop
+        } else {
+            Control::Continue
+        }
+    };
+    match trials::search(scene, case, 1, &mut look, &mut |_| {}) {
+        Err(wrong) => {
+            let why = wrong.to_string();
+            vec![broken(&scene.path, name, "the limit is found", &why)]
+        }
+        Ok(found) => {
+            let path = scene.path.display().to_string();
+            let limit = found.bracket.limit();
+            let compare = |check: Check| {
+                let mut watch = Watch::new(check);
+                watch.observe(0.0, limit);
+                watch.finish(&path, name, strict)
+            };
+            checks.into_iter().map(compare).collect()
+        }
+    }
+}
+
+fn verify_run(
+    scene: &Scene,
+    name: &str,
+    job: Job,
+    strict: bool,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Vec<CheckResult> {
+    let failed = |what: &str, why: String| vec![broken(&scene.path, name, what, &why)];
     let mut look = |_: &_| {
         if stop() {
             Control::Stop

@@ -37,6 +37,10 @@ pub struct Scenario {
     /// `"SI"`: bare numbers are allowed and are SI (m, kg, s, N, Pa, rad). Without this key every
     /// value needs its unit.
     pub units: Option<Units>,
+    /// All strengths of interfaces and joints (cohesion, tension, tangents of friction angles) are
+    /// divided by this number, those of later phases too; greater than zero. The number at which
+    /// the model fails, found by `riprap bisect`, is its factor of safety. Default 1.
+    pub strength_factor: Option<Quantity<PositivePlain>>,
     /// The space in which the blocks move and the gravity that acts there.
     pub space: Space,
     /// Materials by name: density and, if wanted, elastic constants.
