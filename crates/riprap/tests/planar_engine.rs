@@ -132,3 +132,38 @@ fn one_degree_flatter_stands_still() {
     eprintln!("creep {:e}", view.displacement(1).length());
     assert!(view.displacement(1).length() < 1e-6);
 }
+
+/// Round-off decides whether the short sides of the overlap are found; the energy must not care.
+#[test]
+fn equal_faces_store_the_energy_of_their_overlap() {
+    for k in 0..40 {
+        let angle = f64::from(k) * 0.17;
+        let (s, c) = angle.sin_cos();
+        let turned = |x: f64, y: f64| Vec2::new(c * x - s * y, s * x + c * y);
+        let square = |y: f64| {
+            [
+                turned(0.3, y),
+                turned(1.3, y),
+                turned(1.3, y + 1.0),
+                turned(0.3, y + 1.0),
+            ]
+        };
+        let depth = 1e-5;
+        let blocks = vec![
+            block("low", &square(0.0)),
+            block("high", &square(1.0 - depth)),
+        ];
+        let law = law(NormalLaw::DistancePotential, 30.0);
+        let stiffness = law.normal_stiffness;
+        let (mut world, mut scratch) = World::new(setup(blocks, law, &[0]), Exec::serial());
+        evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9).unwrap();
+        let view = View {
+            world: &world,
+            scratch: &scratch,
+        };
+        // Force kn (L d - d^2), both ends of the contact being free.
+        let stored = stiffness * (0.5 * depth * depth - depth.powi(3) / 3.0);
+        let error = view.balance().contact_normal / stored - 1.0;
+        assert!(error.abs() < 1e-9, "{angle}: {error:e}");
+    }
+}

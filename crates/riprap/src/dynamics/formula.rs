@@ -60,8 +60,8 @@ impl Formula {
         if text.len() > MAX_LENGTH || deepest > MAX_DEPTH {
             return Err(FormulaError::TooLarge);
         }
-        let expression =
-            FlatEx::<f64>::parse(text).map_err(|e| FormulaError::Syntax(e.to_string()))?;
+        let expression = FlatEx::<f64>::parse(&without_exponents(text))
+            .map_err(|e| FormulaError::Syntax(e.to_string()))?;
         let expression = Box::new(expression);
         let names: Vec<String> = expression.var_names().to_vec();
         for name in &names {
@@ -132,6 +132,43 @@ impl<'de> Deserialize<'de> for Formula {
     }
 }
 
+/// Writes numbers such as `4e-3` without their exponent, which the parser does not know.
+fn without_exponents(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    let mut in_word = false;
+    while let Some(c) = rest.chars().next() {
+        if in_word || !(c.is_ascii_digit() || c == '.') {
+            in_word = c.is_alphanumeric() || c == '_';
+            out.push(c);
+            rest = &rest[c.len_utf8()..];
+            continue;
+        }
+        let digits =
+            |from: &str| from.len() - from.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let mut length = rest.len()
+            - rest
+                .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.')
+                .len();
+        if let Some(power) = rest[length..].strip_prefix(['e', 'E']) {
+            let sign = usize::from(power.starts_with(['+', '-']));
+            let count = digits(&power[sign..]);
+            if count > 0 {
+                length += 1 + sign + count;
+            }
+        }
+        let (number, after) = rest.split_at(length);
+        match number.parse::<f64>() {
+            Ok(value) if number.contains(['e', 'E']) && value.is_finite() => {
+                out.push_str(&value.to_string());
+            }
+            _ => out.push_str(number),
+        }
+        rest = after;
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -146,6 +183,22 @@ mod tests {
         let phi = 15.0_f64.to_radians();
         let d = formula.value(&[("g", 10.0), ("phi", phi), ("t", 1.5)]);
         assert!((d - 3.983_460).abs() < 1e-6, "{d}");
+    }
+
+    #[test]
+    fn numbers_may_have_exponents() {
+        for (text, value) in [
+            ("4e-3", 0.004),
+            ("2*1.5E2+1", 301.0),
+            ("x1e*2", 10.0),
+            ("1e300*1e-300", 1.0),
+        ] {
+            let formula = Formula::new(text, &["x1e"]).unwrap();
+            assert!(
+                (formula.value(&[("x1e", 5.0)]) - value).abs() < 1e-12,
+                "{text}"
+            );
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Exact energies, for the ledger at recording times.
 //!
 //! The distance potential stores `kn/2 int (phi_i + phi_j) dA` over the overlap. The overlap need
-//! not be built: its boundary pieces, taken anticlockwise around it, span signed triangles with any
+//! not be built: its boundary pieces, joined to closed outlines, span signed triangles with any
 //! common apex, and the integral over those triangles is the integral over the overlap. In a convex
 //! block the depth is the smallest of the depths below its lines, so each triangle is cut into the
 //! parts nearest to each line and integrated exactly; in a concave block chords are integrated exactly
@@ -19,20 +19,58 @@ use super::profile;
 pub fn overlap_potential(i: Side<'_>, j: Side<'_>, shift: Vec2, convex: [bool; 2]) -> f64 {
     let (mut pieces, mut cuts) = (Vec::new(), Vec::new());
     pieces::find(i, j, shift, &mut pieces, &mut cuts);
-    // A piece of either boundary inside the other block runs anticlockwise around its region. Each
-    // region has its own apex, so that the triangles stay in the region where it is convex.
-    let count = pieces::regions(&mut pieces, i.turned.len(), j.turned.len());
-    (0..count as u16)
-        .map(|region| {
-            let own: Vec<Piece> = pieces
-                .iter()
-                .filter(|p| p.region == region)
-                .copied()
-                .collect();
-            depth_integral(i, &own, Vec2::ZERO, convex[0])
-                + depth_integral(j, &own, shift, convex[1])
+    outlines(&pieces)
+        .iter()
+        .map(|own| {
+            depth_integral(i, own, Vec2::ZERO, convex[0]) + depth_integral(j, own, shift, convex[1])
         })
         .sum()
+}
+
+/// The pieces joined into closed outlines, each to the nearest that begins where it ends: a piece
+/// of either boundary inside the other block runs anticlockwise around the overlap. Gaps are
+/// bridged by pieces of their own.
+///
+/// Where edges of the two blocks lie on one line, round-off decides whether the short pieces at
+/// the ends of a contact are found. They carry no force, but the outline has to be closed all the
+/// same: with a gap half of the overlap may be missing.
+fn outlines(pieces: &[Piece]) -> Vec<Vec<Piece>> {
+    let mut gaps: Vec<(f64, usize, usize)> = Vec::new();
+    for (from, a) in pieces.iter().enumerate() {
+        for (to, b) in pieces.iter().enumerate() {
+            gaps.push(((b.ends[0] - a.ends[1]).length_squared(), from, to));
+        }
+    }
+    gaps.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let mut next = vec![None; pieces.len()];
+    let mut taken = vec![false; pieces.len()];
+    for (_, from, to) in gaps {
+        if next[from].is_none() && !taken[to] {
+            next[from] = Some(to);
+            taken[to] = true;
+        }
+    }
+    let mut found = Vec::new();
+    for start in 0..pieces.len() {
+        let mut outline = Vec::new();
+        let mut at = start;
+        while let Some(to) = next[at].take() {
+            outline.push(pieces[at]);
+            let ends = [pieces[at].ends[1], pieces[to].ends[0]];
+            if ends[0] != ends[1] {
+                outline.push(Piece {
+                    second: true,
+                    ends,
+                    ..Piece::default()
+                });
+            }
+            at = to;
+        }
+        if !outline.is_empty() {
+            found.push(outline);
+        }
+    }
+    found
 }
 
 fn depth_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2, convex: bool) -> f64 {
