@@ -201,14 +201,36 @@ fn scan_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
             .sum::<f64>()
     };
     let scale = deepest * (high - low) * (chord.length() + high - low);
+    // Where a chord meets a boundary is known to the round-off of the coordinates, not of the height:
+    // asking a thin overlap for more would halve without end.
+    let size = pieces
+        .iter()
+        .flat_map(|p| p.ends)
+        .map(|x| x.length().max((x + shift).length()))
+        .fold(0.0, f64::max);
+    let tolerance = scale * (64.0 * f64::EPSILON * size / (high - low)).max(1e-11);
     levels
         .windows(2)
-        .map(|w| halving(&mut chord_integral, w[0], w[1], 1e-11 * scale, 0))
+        .map(|w| {
+            let mut budget = MOST_HALVINGS;
+            halving(&mut chord_integral, w[0], w[1], tolerance, 0, &mut budget)
+        })
         .sum()
 }
 
-/// Integral of `f` from `a` to `b` by the three-point Gauss rule, halving until two levels agree.
-fn halving(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64, level: u32) -> f64 {
+/// Halvings between two levels after which the sum is taken as it is.
+const MOST_HALVINGS: u32 = 200;
+
+/// Integral of `f` from `a` to `b` by the three-point Gauss rule, halving until two levels agree or
+/// the budget is spent.
+fn halving(
+    f: &mut impl FnMut(f64) -> f64,
+    a: f64,
+    b: f64,
+    tolerance: f64,
+    level: u32,
+    budget: &mut u32,
+) -> f64 {
     let mut rule = |a: f64, b: f64| {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         let reach = half * 0.774_596_669_241_483_4;
@@ -217,9 +239,11 @@ fn halving(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64, level
     let middle = 0.5 * (a + b);
     let (whole, parts) = (rule(a, b), rule(a, middle) + rule(middle, b));
     // The first level always looks at both halves: a kink may hide from one look.
-    if level >= 24 || (level > 0 && (whole - parts).abs() <= tolerance) {
+    let agreed = level > 0 && (whole - parts).abs() <= tolerance;
+    if level >= 24 || agreed || *budget == 0 {
         return parts;
     }
-    halving(f, a, middle, 0.5 * tolerance, level + 1)
-        + halving(f, middle, b, 0.5 * tolerance, level + 1)
+    *budget -= 1;
+    halving(f, a, middle, 0.5 * tolerance, level + 1, budget)
+        + halving(f, middle, b, 0.5 * tolerance, level + 1, budget)
 }
