@@ -3,6 +3,7 @@
 //! `test` is exactly what CI runs. Every step is a plain function that prints what it finds; the
 //! runner adds a headline, the time, and one closing line `N passed, N failed, N skipped`.
 
+mod bench;
 mod licences;
 mod rooms;
 mod shell;
@@ -23,6 +24,7 @@ Tasks:
   test [step]...   formatting, lints, unit, property, doc, CLI and scene tests, docs: what CI runs
   steps            list the steps of `test`
   verify-all       run every scene, the long ones too, and write docs/src/verification.md
+  bench            time the planar step on walls of three sizes; prints CSV, keeps it in target/bench.csv
   docs             build the API documentation (and the book, where mdbook is installed)
 
 Examples:
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         ["verify-all"] => verify::all(&root),
+        ["bench"] => bench::run(&root),
         ["docs"] => steps::docs_only(&root),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

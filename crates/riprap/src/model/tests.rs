@@ -638,6 +638,7 @@ fn strengths_are_divided_by_the_factor() {
     .unwrap();
     let law = &model.setup.interfaces[0].contact;
     assert!((law.friction - plain / 1.5).abs() < 1e-15);
-    let (_, later) = &model.plan.phases.last().unwrap().contacts[0];
+    let weak = model.plan.phases.iter().find(|p| p.name == "weak").unwrap();
+    let (_, later) = &weak.contacts[0];
     assert!((later.friction - 0.2).abs() < 1e-15 && (later.cohesion - 2000.0).abs() < 1e-9);
 }

@@ -78,6 +78,18 @@ pub fn is_driven(motion: Option<&Motion>) -> bool {
     }
 }
 
+/// Whether a block is fixed in all three freedoms: two such blocks never act on each other.
+fn is_fixed(motion: Option<&Motion>) -> bool {
+    matches!(
+        motion,
+        Some(Motion::Fixed {
+            x: true,
+            y: true,
+            rotation: true
+        })
+    )
+}
+
 /// Whether all three freedoms of a block are prescribed.
 #[must_use]
 pub fn is_held(motion: Option<&Motion>) -> bool {
@@ -140,16 +152,7 @@ fn place(edges: &[Edge], pose: (Vec2, f64), origin: Vec2) -> Placed {
 
 /// Builds the list from `world.search_pose` and moves the contact states over to it.
 pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) {
-    let n = shapes.len();
-    let mut radii: Vec<f64> = (0..n)
-        .filter(|&b| world.alive[b])
-        .map(|b| shapes.radius[b])
-        .collect();
-    radii.sort_by(f64::total_cmp);
-    let median = radii.get(radii.len() / 2).copied().unwrap_or(0.0);
-    candidates.margin = (0..n)
-        .map(|b| MARGIN * shapes.radius[b].min(2.0 * median))
-        .collect();
+    candidates.margin = margins(world, shapes);
     candidates.reach.clone_from(&shapes.inradius);
     candidates.convex.clear();
     candidates.general.clear();
@@ -162,12 +165,35 @@ pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) 
             continue;
         }
         let (a, b) = (i as usize, j as usize);
-        if is_held(world.motion[a].as_deref()) && is_held(world.motion[b].as_deref()) {
+        if is_fixed(world.motion[a].as_deref()) && is_fixed(world.motion[b].as_deref()) {
             continue;
         }
         add_pair(world, shapes, candidates, &boxes, a, b);
     }
     carry_states(world, candidates);
+}
+
+/// Pairs of living blocks that are near each other at the search poses, sorted, held ones too.
+#[must_use]
+pub fn near_pairs(world: &World, shapes: &Shapes) -> Vec<(u32, u32)> {
+    close_pairs(
+        &boxes(world, shapes, &margins(world, shapes)),
+        &world.alive,
+        shapes,
+    )
+}
+
+/// Margin of each block, m.
+fn margins(world: &World, shapes: &Shapes) -> Vec<f64> {
+    let living = (0..shapes.len()).filter(|&b| world.alive[b]);
+    let mut radii: Vec<f64> = living.map(|b| shapes.radius[b]).collect();
+    radii.sort_by(f64::total_cmp);
+    let median = radii.get(radii.len() / 2).copied().unwrap_or(0.0);
+    shapes
+        .radius
+        .iter()
+        .map(|r| MARGIN * r.min(2.0 * median))
+        .collect()
 }
 
 fn boxes(world: &World, shapes: &Shapes, margin: &[f64]) -> Vec<Box2> {

@@ -151,15 +151,7 @@ impl World {
             setup,
         };
         hold_driven(&mut world);
-        let mut candidates = Candidates::default();
-        search::rebuild(&mut world, &shapes, &mut candidates);
-        let mut close: Vec<(u32, u32)> = candidates
-            .convex
-            .iter()
-            .chain(&candidates.general)
-            .map(|c| (c.i, c.j))
-            .collect();
-        close.sort_unstable();
+        let close = search::near_pairs(&world, &shapes);
         world.bonds = bond::build(&world.setup, &shapes, &close);
         let scratch = Scratch::new(&mut world, exec);
         (world, scratch)

@@ -213,7 +213,7 @@ pub struct Bond {
     pub residual_cohesion: Option<Quantity<Strength>>,
     /// Damping as a share of critical damping; zero or more. Default 0.2.
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
-    /// Points along a shared edge at which the law is evaluated, 1 to 8. Default 2.
+    /// Points along a shared edge at which the law is evaluated, 1 to 5. Default 2.
     pub points: Option<u8>,
 }
 
