@@ -9,7 +9,9 @@ use std::path::Path;
 use crate::source_tree::{files, shown};
 
 /// Services every room may use.
-const SERVICES: [&str; 7] = ["error", "exec", "geom", "ids", "ledger", "profile", "Vec2"];
+const SERVICES: [&str; 8] = [
+    "error", "exec", "geom", "ids", "ledger", "profile", "Vec2", "Vec3",
+];
 
 /// Room, the rooms it may use besides the services, and why not more.
 const ARROWS: [(&str, &[&str], &str); 8] = [

@@ -23,7 +23,13 @@ pub mod shapes;
 pub mod tol;
 pub mod voronoi;
 
+/// 3 x 3 matrix, f64.
+pub use glam::DMat3 as Mat3;
+/// Unit quaternion, f64.
+pub use glam::DQuat as Quat;
 /// Vector in the plane, f64. Re-exported so that the version of the vector crate is named here only.
 pub use glam::DVec2 as Vec2;
+/// Vector in space, f64.
+pub use glam::DVec3 as Vec3;
 
 pub use error::GeomError;

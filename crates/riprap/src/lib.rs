@@ -13,6 +13,7 @@ pub mod profile;
 pub mod record;
 pub mod run;
 pub mod scenario;
+pub mod spatial;
 
 pub use riprap_geom as geom;
-pub use riprap_geom::Vec2;
+pub use riprap_geom::{Vec2, Vec3};

@@ -1,0 +1,539 @@
+//! What the 3D engine is built from: plain SI data, no behaviour.
+//!
+//! Written by `model`, kept in checkpoints. Axes x (east), y (north), z (up); stress is
+//! tension-positive; a patch's normal points from its block `i` to its block `j`. Rotations are vectors, rad,
+//! right-handed.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::dynamics::TimeFunction;
+
+/// A complete 3D model at its start.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Setup {
+    /// Acceleration of gravity, m/s².
+    pub gravity: Vec3,
+    /// Global position of the local origin that all coordinates here are relative to, m.
+    pub origin: Vec3,
+    /// Periods of the model along the axes, m; blocks at opposite ends are neighbours.
+    pub periodic: [Option<f64>; 3],
+    /// Materials; a block's `material` is an index into this list.
+    pub materials: Vec<Material>,
+    /// First words of block names; see [`BlockName`].
+    pub names: Vec<String>,
+    /// The blocks, in scenario order.
+    pub blocks: Vec<BlockSpec>,
+    /// Joint laws of patches built along faces that blocks share at the start.
+    pub interfaces: Vec<Interface>,
+    /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
+    pub pair_table: Vec<u16>,
+    /// Fixed and driven blocks; a later entry wins over an earlier one for the same block.
+    pub supports: Vec<Support>,
+    /// Conditions on free faces; a later entry wins over an earlier one for the same face.
+    pub boundaries: Vec<Boundary>,
+    /// Stress at the start.
+    pub in_situ: Option<InSitu>,
+    /// Forces on blocks.
+    pub loads: Vec<Load>,
+    /// Charges and other cavities that push on the faces around them.
+    pub sources: Vec<Source>,
+    /// Splitting of blocks 1 to 8, in order: before the first step and while running.
+    pub refinements: Vec<Refinement>,
+    /// Named sets of blocks.
+    pub groups: Vec<Group>,
+    /// How blocks turn.
+    pub kinematics: Kinematics,
+}
+
+/// A named set of blocks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Group {
+    /// Name used in the scenario.
+    pub name: String,
+    /// Indices of the blocks, ascending.
+    pub blocks: Vec<u32>,
+}
+
+/// A material.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Material {
+    /// Name used in the scenario.
+    pub name: String,
+    /// Mass density, kg/m³.
+    pub density: f64,
+    /// Young's modulus, Pa; needed by stiffness from the material, viscous faces and gas couplings.
+    pub young: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson: Option<f64>,
+}
+
+impl Material {
+    /// Shear modulus G = E/(2(1+nu)), Pa.
+    #[must_use]
+    pub fn shear_modulus(&self) -> Option<f64> {
+        Some(self.young? / (2.0 * (1.0 + self.poisson?)))
+    }
+
+    /// Constrained modulus M = E(1-nu)/((1+nu)(1-2nu)), Pa.
+    #[must_use]
+    pub fn constrained_modulus(&self) -> Option<f64> {
+        let (e, nu) = (self.young?, self.poisson?);
+        Some(e * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)))
+    }
+}
+
+/// Name of a block, kept small because there are millions: `rock`, `rock.17`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BlockName {
+    /// Index into [`Setup::names`].
+    pub base: u16,
+    /// Number behind the dot, from 1; 0 for a name without number.
+    pub number: u32,
+}
+
+/// One rigid block.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BlockSpec {
+    /// Unique name.
+    pub name: BlockName,
+    /// Shape and place.
+    pub shape: Shape,
+    /// Index into `Setup::materials`.
+    pub material: u16,
+    /// Initial velocity of the centroid, m/s.
+    pub velocity: Vec3,
+    /// Initial angular velocity, rad/s.
+    pub spin: Vec3,
+}
+
+/// Shape of a block at its start.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Shape {
+    /// A box with faces normal to the axes.
+    Brick {
+        /// Centre, m.
+        centre: Vec3,
+        /// Half the edge lengths, m.
+        half: Vec3,
+    },
+    /// A convex polyhedron.
+    Polyhedron(Box<Solid>),
+}
+
+/// A convex polyhedron: corners and faces.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Solid {
+    /// Corners, m.
+    pub vertices: Vec<Vec3>,
+    /// Corners of each face, anticlockwise seen from outside.
+    pub faces: Vec<Vec<u32>>,
+}
+
+/// How blocks turn.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Kinematics {
+    /// Small displacements for all blocks at all times: lever arms stay as they were.
+    Small,
+    /// A block that has turned by more than `bound` (rad), and each patch it touches, uses finite rotations.
+    Automatic {
+        /// Angle at which a block changes over, rad.
+        bound: f64,
+    },
+    /// Finite rotations for all blocks from the start.
+    Finite,
+}
+
+impl Default for Kinematics {
+    fn default() -> Self {
+        Self::Automatic { bound: 0.01 }
+    }
+}
+
+/// Laws between two materials.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Interface {
+    /// Name used in the scenario.
+    pub name: String,
+    /// Law of the patches.
+    pub joint: JointLaw,
+}
+
+/// Law of a patch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointLaw {
+    /// Where the stiffness comes from.
+    pub stiffness: Stiffness,
+    /// Strength; `None` is elastic: it neither opens nor slides.
+    pub strength: Option<Strength>,
+    /// What fails as one.
+    pub failure: Failure,
+    /// Where the four points lie.
+    pub points: Points,
+    /// Dashpots parallel to the springs of closed points: `beta = damping * d / c_P` with d the distance of the
+    /// centroids across the patch, so that fine and coarse blocks are damped alike.
+    pub damping: f64,
+}
+
+/// Stiffness of a patch per area.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Stiffness {
+    /// Half-block compliances of both sides in series: `Kn = M/d`, `Ks = 2G/d` for equal materials (right wave
+    /// speeds along the axes).
+    Material,
+    /// As `Material` with `Kn = E/d`: right settlement in uniaxial stress, for static questions.
+    MaterialUniaxial,
+    /// Given.
+    Given {
+        /// Normal, Pa/m.
+        normal: f64,
+        /// Shear, Pa/m.
+        shear: f64,
+    },
+}
+
+/// Mohr-Coulomb strength with tension cut-off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Strength {
+    /// Cohesion, Pa.
+    pub cohesion: f64,
+    /// Tensile strength, Pa.
+    pub tension: f64,
+    /// tan of the friction angle before failure.
+    pub friction: f64,
+    /// tan of the friction angle after failure.
+    pub residual_friction: f64,
+    /// Cohesion after failure, Pa.
+    pub residual_cohesion: f64,
+    /// tan of the dilation angle of a sliding point.
+    pub dilation: f64,
+    /// Plastic shear displacement at which dilation ends, m.
+    pub dilation_end: f64,
+}
+
+/// What fails as one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Failure {
+    /// Each point by itself.
+    Point,
+    /// The whole face: by the sums of its points' forces, and by its torsion moment.
+    Face,
+}
+
+/// Where the four points of a patch lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Points {
+    /// Centres of the four quarters (a quarter of the edge from the middle), as the source has them.
+    Quarter,
+    /// Gauss points, exact for bending and torsion.
+    Gauss,
+}
+
+/// Fixes or drives some blocks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Support {
+    /// Blocks concerned.
+    pub blocks: Vec<u32>,
+    /// What they do.
+    pub motion: Motion,
+}
+
+/// Prescribed motion of a block, by component; a component that is not prescribed is free.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Motion {
+    /// Held still in the chosen freedoms.
+    Fixed {
+        /// Translation along x, y, z.
+        translation: [bool; 3],
+        /// Rotation about x, y, z.
+        rotation: [bool; 3],
+    },
+    /// Velocity of the centroid (m/s) and spin (rad/s) as functions of time.
+    Velocity {
+        /// Along x, y, z, m/s.
+        translation: [Option<TimeFunction>; 3],
+        /// About x, y, z, rad/s.
+        spin: [Option<TimeFunction>; 3],
+    },
+    /// Acceleration of the centroid (m/s²) as functions of time; rotation is held.
+    Acceleration {
+        /// Along x, y, z, m/s².
+        translation: [Option<TimeFunction>; 3],
+    },
+}
+
+/// A condition on free faces: faces, or parts of faces, that no patch covers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Boundary {
+    /// Name for messages.
+    pub name: String,
+    /// Which faces.
+    pub on: FaceSet,
+    /// What happens there.
+    pub kind: BoundaryKind,
+    /// Whether the in-situ stress acts on these faces from outside, so that the start is in equilibrium.
+    pub in_situ: bool,
+}
+
+/// A choice of free faces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum FaceSet {
+    /// Faces on a plane `normal . x = offset` whose outward normal is `normal`.
+    Plane {
+        /// Unit outward normal.
+        normal: Vec3,
+        /// Distance from the local origin along the normal, m.
+        offset: f64,
+    },
+    /// Faces of some blocks with an outward normal, or with any.
+    Blocks {
+        /// Indices of the blocks.
+        blocks: Vec<u32>,
+        /// Unit outward normal; `None` takes all free faces.
+        normal: Option<Vec3>,
+    },
+    /// Faces whose centre is inside a box and whose outward normal is `normal`.
+    Box {
+        /// Lowest corner, m.
+        min: Vec3,
+        /// Highest corner, m.
+        max: Vec3,
+        /// Unit outward normal; `None` takes all.
+        normal: Option<Vec3>,
+    },
+}
+
+/// Kinds of face condition.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum BoundaryKind {
+    /// Held through the stiffness of the half block behind the face (`2M/L`, `4G/L` per area).
+    Held {
+        /// Against motion along the normal: alone it is a roller or a plane of symmetry.
+        normal: bool,
+        /// Against motion along the face.
+        shear: bool,
+    },
+    /// Face moved with a velocity (m/s along x, y, z) through the same half-block stiffness.
+    Moved {
+        /// Along x, y, z; `None` leaves that direction free.
+        velocity: [Option<TimeFunction>; 3],
+    },
+    /// Absorbs waves (Lysmer & Kuhlemeyer 1969): `sigma = -rho c_P v_n`, `tau = -rho c_S v_s`.
+    Viscous {
+        /// Dashpot in series with the half block between centroid and face (second order); without it the
+        /// dashpot takes the velocity of the face of the rigid block (the source; first order).
+        half_cell: bool,
+    },
+    /// A stress that acts on the face.
+    Traction {
+        /// Force per area with a fixed direction, Pa.
+        traction: Vec3,
+        /// Pressure into the block, along the face normal, Pa.
+        pressure: f64,
+        /// Pressure that is added for each metre below `datum`, Pa/m.
+        gradient: f64,
+        /// Height at which `pressure` holds, m (local z).
+        datum: f64,
+        /// Multiplier over time.
+        time: TimeFunction,
+    },
+}
+
+/// Stress at the start, linear in height; all patches carry it at t = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct InSitu {
+    /// xx, yy, zz, yz, zx, xy at height `datum`, Pa, tension-positive.
+    pub stress: [f64; 6],
+    /// Change for each metre of depth below `datum`, Pa/m, tension-positive.
+    pub gradient: [f64; 6],
+    /// Height (local z), m.
+    pub datum: f64,
+}
+
+/// A force on blocks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Load {
+    /// Blocks it acts on.
+    pub blocks: Vec<u32>,
+    /// What acts.
+    pub kind: LoadKind,
+    /// Multiplier over time.
+    pub time: TimeFunction,
+}
+
+/// Kinds of load.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum LoadKind {
+    /// A force at a material point.
+    Point {
+        /// Force, N.
+        force: Vec3,
+        /// Initial position of the point, m; `None` is the centroid. It travels with the block.
+        at: Option<Vec3>,
+    },
+    /// A moment, N m.
+    Moment {
+        /// Moment about x, y, z, N m.
+        moment: Vec3,
+    },
+    /// An acceleration acting on the mass, m/s².
+    BodyForce {
+        /// Acceleration, m/s².
+        acceleration: Vec3,
+    },
+}
+
+/// Something inside the rock that pushes on the faces around it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Source {
+    /// Name used in the scenario.
+    pub name: String,
+    /// Where the charge lies. The blocks that touch it are removed at the start, after refinement; the faces they
+    /// shared with the others are pushed.
+    pub place: Place,
+    /// Time at which it goes off, s.
+    pub delay: f64,
+    /// What pushes.
+    pub push: Push,
+}
+
+/// Where a charge lies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Place {
+    /// Concentrated: the finest blocks that touch the point (8 around a grid corner).
+    Point {
+        /// Centre, m.
+        centre: Vec3,
+    },
+    /// Elongated: the finest blocks that touch the line.
+    Line {
+        /// One end (collar side), m.
+        from: Vec3,
+        /// Other end (toe), m.
+        to: Vec3,
+    },
+    /// All blocks of a group.
+    Blocks {
+        /// Indices.
+        blocks: Vec<u32>,
+    },
+}
+
+/// What pushes on the faces of a cavity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Push {
+    /// Detonation gas with the two-stage adiabat, in balance with the volume of the cavity.
+    Gas {
+        /// The explosive.
+        explosive: Explosive,
+        /// Mass of the charge, kg.
+        mass: f64,
+        /// How charge volume and cavity volume are matched.
+        coupling: Coupling,
+        /// Rule by which the gas escapes; `None` seals it in.
+        venting: Option<Venting>,
+    },
+    /// A pressure history that does not depend on the volume, Pa; argument is the time since `delay`.
+    Pressure {
+        /// Pressure, Pa.
+        time: TimeFunction,
+    },
+}
+
+/// An explosive, with the constants of its two-stage adiabat.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Explosive {
+    /// Density of the charge, kg/m³.
+    pub density: f64,
+    /// Velocity of detonation, m/s.
+    pub detonation_velocity: f64,
+    /// Heat of explosion, J/kg.
+    pub heat: f64,
+    /// Exponent above the transition pressure (3).
+    pub gamma: f64,
+    /// Exponent below it (4/3).
+    pub gamma_low: f64,
+}
+
+/// How charge volume V0 and the volume Vc of the removed blocks are matched.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Coupling {
+    /// Faces count with the factor `(V0/Vc)^exponent`: 2/3 keeps the wall force, 1/2 the elastic plateau, 1 keeps P V.
+    Scaled {
+        /// Exponent.
+        exponent: f64,
+    },
+    /// The gas starts at V0 whatever the faces are.
+    Coupled,
+    /// The gas starts expanded to Vc.
+    Decoupled,
+}
+
+/// Rule by which gas escapes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Venting {
+    /// At once, when the mean displacement of the blocks `above` the charge (the free surface over it) has
+    /// reached this height, m.
+    Heave {
+        /// Displacement against gravity, m.
+        height: f64,
+    },
+    /// At a time after the detonation, s, fading over `span`.
+    Time {
+        /// Start, s.
+        start: f64,
+        /// Time over which the pressure falls to zero, s.
+        span: f64,
+    },
+}
+
+/// Splitting of blocks 1 to 8 (bricks only). Neighbours never differ by more than one level: the planner splits
+/// more blocks where needed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Refinement {
+    /// Where.
+    pub around: Region,
+    /// Number of levels below the blocks as given.
+    pub levels: u8,
+    /// When: `None` before the first step.
+    pub during: Option<During>,
+}
+
+/// A place in space, closed: a block belongs to it when it touches it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Region {
+    /// A point.
+    Point(Vec3),
+    /// A segment.
+    Line(Vec3, Vec3),
+    /// A plane through a point with a unit normal.
+    Plane(Vec3, Vec3),
+    /// A sphere (solid): centre, radius.
+    Ball(Vec3, f64),
+    /// A solid box: lowest and highest corner.
+    Box(Vec3, Vec3),
+    /// Everywhere.
+    All,
+}
+
+/// Criterion of splitting during a run; looked at every `every` steps for blocks in the region.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct During {
+    /// What is compared.
+    pub criterion: Criterion,
+    /// Limit, Pa, 1/s or a share.
+    pub above: f64,
+    /// Steps between two looks.
+    pub every: u64,
+}
+
+/// What splits a block during a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Criterion {
+    /// Largest magnitude of a principal value of the block's average stress, Pa.
+    Stress,
+    /// Largest relative velocity over a patch of the block, over the distance of centroids, 1/s.
+    StrainRate,
+    /// Share of the block's points that have failed.
+    Broken,
+}
