@@ -2,6 +2,7 @@
 
 pub mod coulomb;
 pub mod damping;
+pub mod explosive;
 pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;

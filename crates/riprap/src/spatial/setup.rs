@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
+pub use crate::laws::explosive::Explosive;
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -438,21 +439,6 @@ pub enum Push {
         /// Pressure, Pa.
         time: TimeFunction,
     },
-}
-
-/// An explosive, with the constants of its two-stage adiabat.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Explosive {
-    /// Density of the charge, kg/m³.
-    pub density: f64,
-    /// Velocity of detonation, m/s.
-    pub detonation_velocity: f64,
-    /// Heat of explosion, J/kg.
-    pub heat: f64,
-    /// Exponent above the transition pressure (3).
-    pub gamma: f64,
-    /// Exponent below it (4/3).
-    pub gamma_low: f64,
 }
 
 /// How charge volume V0 and the volume Vc of the removed blocks are matched.
