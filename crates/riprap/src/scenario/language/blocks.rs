@@ -1,0 +1,293 @@
+//! Blocks and generators of blocks.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point;
+use crate::scenario::quantity::{
+    Angle, HalfAngle, Length, Name, NotNegativeAngle, NotNegativeLength, PositiveLength, Quantity,
+    Share, Spin, Velocity,
+};
+
+/// One block or a generator of blocks. Exactly one of `polygon`, `rectangle`, `regular`, `wall`,
+/// `arch`, `cut`, `voronoi`, `pour`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Block {
+    /// Name of the block, once in the file. Blocks of a generator or of `copies` are called
+    /// name.1, name.2, ... and form the group `name`.
+    pub name: Name,
+    /// Further groups to which the block or all generated blocks belong.
+    #[serde(default)]
+    pub groups: Vec<Name>,
+    /// Name of the material, from `[materials]`.
+    pub material: Name,
+    /// A polygon by its corners, in the file or from a CSV file.
+    pub polygon: Option<Polygon>,
+    /// A rectangle with sides along x and y.
+    pub rectangle: Option<Rectangle>,
+    /// A regular polygon.
+    pub regular: Option<Regular>,
+    /// A wall of rectangular blocks.
+    pub wall: Option<Wall>,
+    /// A circular arch of wedge-shaped blocks.
+    pub arch: Option<Arch>,
+    /// A region cut into blocks by sets of joints.
+    pub cut: Option<Cut>,
+    /// A region divided into random cells.
+    pub voronoi: Option<Voronoi>,
+    /// Random convex polygons, apart from each other, to be poured.
+    pub pour: Option<Pour>,
+    /// Repeats a single shape at equal steps.
+    pub copies: Option<Copies>,
+    /// Turns the shape after it was made.
+    pub rotate: Option<Rotate>,
+    /// Moves the shape after it was made and turned: [x, y], m. Default no shift.
+    pub shift: Option<Point>,
+    /// Velocity of the centroid at the start [x, y], m/s. Default at rest.
+    pub velocity: Option<[Quantity<Velocity>; 2]>,
+    /// Spin at the start, rad/s, anticlockwise. Default 0 rad/s.
+    pub spin: Option<Quantity<Spin>>,
+}
+
+/// The one geometry of a block, for a `match` without loose ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Geometry<'a> {
+    /// `polygon`
+    Polygon(&'a Polygon),
+    /// `rectangle`
+    Rectangle(&'a Rectangle),
+    /// `regular`
+    Regular(&'a Regular),
+    /// `wall`
+    Wall(&'a Wall),
+    /// `arch`
+    Arch(&'a Arch),
+    /// `cut`
+    Cut(&'a Cut),
+    /// `voronoi`
+    Voronoi(&'a Voronoi),
+    /// `pour`
+    Pour(&'a Pour),
+}
+
+impl Block {
+    /// All geometry keys that were given; after a check without errors exactly one.
+    pub fn geometries(&self) -> Vec<(&'static str, Geometry<'_>)> {
+        [
+            self.polygon
+                .as_ref()
+                .map(|g| ("polygon", Geometry::Polygon(g))),
+            self.rectangle
+                .as_ref()
+                .map(|g| ("rectangle", Geometry::Rectangle(g))),
+            self.regular
+                .as_ref()
+                .map(|g| ("regular", Geometry::Regular(g))),
+            self.wall.as_ref().map(|g| ("wall", Geometry::Wall(g))),
+            self.arch.as_ref().map(|g| ("arch", Geometry::Arch(g))),
+            self.cut.as_ref().map(|g| ("cut", Geometry::Cut(g))),
+            self.voronoi
+                .as_ref()
+                .map(|g| ("voronoi", Geometry::Voronoi(g))),
+            self.pour.as_ref().map(|g| ("pour", Geometry::Pour(g))),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    /// Whether it makes blocks called name.1, name.2, ... instead of one called name.
+    pub fn is_generator(&self) -> bool {
+        let many = match self.geometry() {
+            Some(Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_)) | None => {
+                false
+            }
+            Some(
+                Geometry::Wall(_)
+                | Geometry::Arch(_)
+                | Geometry::Cut(_)
+                | Geometry::Voronoi(_)
+                | Geometry::Pour(_),
+            ) => true,
+        };
+        many || self.copies.is_some()
+    }
+
+    /// The geometry, if exactly one was given.
+    pub fn geometry(&self) -> Option<Geometry<'_>> {
+        match self.geometries()[..] {
+            [(_, geometry)] => Some(geometry),
+            _ => None,
+        }
+    }
+}
+
+/// Corners of a polygon, in either sense of rotation. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Polygon {
+    /// Corners [x, y], m, in order along the boundary; the last is joined to the first.
+    Points(Vec<Point>),
+    /// Path of a CSV file, seen from the scenario file, with columns `x_m` and `y_m`.
+    Csv(Name),
+}
+
+/// A rectangle with sides along x and y. Give `corner` or `centre`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rectangle {
+    /// Width and height, m.
+    pub size: [Quantity<PositiveLength>; 2],
+    /// Lower left corner [x, y], m.
+    pub corner: Option<Point>,
+    /// Centre [x, y], m.
+    pub centre: Option<Point>,
+}
+
+/// A regular polygon standing on an edge.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Regular {
+    /// Number of sides, 3 to 1000.
+    pub sides: u32,
+    /// Distance of the corners from the centre, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Centre [x, y], m.
+    pub centre: Point,
+}
+
+/// A wall of rectangular blocks.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wall {
+    /// Lower left corner of the wall [x, y], m.
+    pub corner: Point,
+    /// Width and height of one block, m.
+    pub block: [Quantity<PositiveLength>; 2],
+    /// Number of rows, at least 1.
+    pub courses: u32,
+    /// Number of whole blocks in a row, at least 1.
+    pub per_course: u32,
+    /// How the rows stand on each other. Default `running`.
+    pub bond: Option<WallBond>,
+    /// Whether every second row of a `running` wall is closed by half blocks at its ends.
+    /// Default false.
+    #[serde(default)]
+    pub half_blocks: bool,
+}
+
+/// How rows of a wall stand on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WallBond {
+    /// Every second row is shifted by half a block.
+    Running,
+    /// Blocks stand exactly on each other.
+    Stack,
+}
+
+/// A circular arch.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Arch {
+    /// Centre of the circle [x, y], m.
+    pub centre: Point,
+    /// Radius of the centre line, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Thickness of the ring, m; less than twice the radius.
+    pub thickness: Quantity<PositiveLength>,
+    /// Angle from the crown to a springing: 90 deg is a half circle.
+    pub half_angle: Quantity<HalfAngle>,
+    /// Number of blocks (voussoirs), at least 1.
+    pub voussoirs: u32,
+}
+
+/// A region cut into blocks by sets of joints.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cut {
+    /// Corners of the region [x, y], m.
+    pub region: Vec<Point>,
+    /// The sets of joints.
+    pub joint_sets: Vec<JointSet>,
+    /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
+    pub seed: Option<u64>,
+    /// Blocks with a shorter edge are reported as slivers and healed where possible, m.
+    /// Default: only reported, at 1/50 of the median edge.
+    pub smallest_edge: Option<Quantity<NotNegativeLength>>,
+}
+
+/// A set of parallel joints.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointSet {
+    /// Angle of the traces, anticlockwise from the x axis.
+    pub dip: Quantity<Angle>,
+    /// Distance between neighbours, measured across the joints, m.
+    pub spacing: Quantity<PositiveLength>,
+    /// Standard deviation of the spacing, m. Default 0 m.
+    pub spacing_scatter: Option<Quantity<NotNegativeLength>>,
+    /// Standard deviation of the angle. Default 0 deg.
+    pub angle_scatter: Option<Quantity<NotNegativeAngle>>,
+    /// Share of the length of a trace that is cut; 1 is fully persistent. Default 1.
+    pub persistence: Option<Quantity<Share>>,
+    /// Mean length of one cut piece when `persistence` is less than 1, m.
+    pub trace_length: Option<Quantity<PositiveLength>>,
+    /// Shifts the whole set across the joints, m. Default 0 m.
+    pub offset: Option<Quantity<Length>>,
+}
+
+/// A region divided into random (Voronoi) cells.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Voronoi {
+    /// Corners of the region [x, y], m.
+    pub region: Vec<Point>,
+    /// Side of a square with the mean area of a cell, m.
+    pub cell_size: Quantity<PositiveLength>,
+    /// Seed of the random numbers: the same seed gives the same cells. Default 1.
+    pub seed: Option<u64>,
+    /// Rounds of moving each seed point to the centroid of its cell: more rounds, more regular
+    /// cells. Default 2.
+    pub relax: Option<u32>,
+    /// Shorter edges are reported and healed where possible, m. Default: only reported.
+    pub smallest_edge: Option<Quantity<NotNegativeLength>>,
+}
+
+/// Random convex polygons without overlap in a rectangle.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pour {
+    /// Lower left and upper right corner of the rectangle, m.
+    pub region: [Point; 2],
+    /// Number of blocks, at least 1.
+    pub count: u32,
+    /// Smallest and largest diameter of a block, m.
+    pub size: [Quantity<PositiveLength>; 2],
+    /// Smallest and largest number of corners, each 3 to 100. Default [4, 7].
+    pub vertices: Option<[u32; 2]>,
+    /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
+    pub seed: Option<u64>,
+}
+
+/// Repeats a single shape.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Copies {
+    /// Number of blocks in all, at least 1.
+    pub count: u32,
+    /// From one block to the next [x, y], m.
+    pub step: Point,
+}
+
+/// Turns a shape.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rotate {
+    /// Angle, anticlockwise.
+    pub angle: Quantity<Angle>,
+    /// Point that stays in place [x, y], m. Default: the centroid of the shape (of all blocks of
+    /// a generator).
+    pub about: Option<Point>,
+}

@@ -1,0 +1,132 @@
+//! Supports and loads: what holds, moves and pushes blocks.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point;
+use crate::scenario::quantity::{
+    Acceleration, ForcePerLength, Kind, MomentPerLength, Name, Plain, Pressure, Quantity, Spin,
+    SpinAcceleration, Velocity,
+};
+use crate::scenario::time_function::TimeFunction;
+
+/// Which blocks. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Target {
+    /// One block by name, or all blocks of a generator.
+    Block(Name),
+    /// All blocks of a group.
+    Group(Name),
+    /// Several blocks by name.
+    Blocks(Vec<Name>),
+}
+
+/// Blocks that are held or moved. Exactly one of `fixed` and `motion`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Support {
+    /// Which blocks.
+    pub on: Target,
+    /// Holds the blocks; `fixed = {}` holds all directions.
+    pub fixed: Option<Fixed>,
+    /// Moves the blocks as prescribed.
+    pub motion: Option<Motion>,
+}
+
+/// Directions that are held.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fixed {
+    /// Whether the block is held along x. Default true.
+    #[serde(default = "yes")]
+    pub x: bool,
+    /// Whether the block is held along y. Default true.
+    #[serde(default = "yes")]
+    pub y: bool,
+    /// Whether the block is kept from turning. Default true.
+    #[serde(default = "yes")]
+    pub rotation: bool,
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// Prescribed motion. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Motion {
+    /// Velocity over time.
+    Velocity(MotionComponents<Velocity, Spin>),
+    /// Acceleration over time, starting from the velocity at the start (shaking).
+    Acceleration(MotionComponents<Acceleration, SpinAcceleration>),
+}
+
+/// Components of a prescribed motion; a component that is not given is free.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "L: Kind, R: Kind"))]
+pub struct MotionComponents<L: Kind, R: Kind> {
+    /// Along x.
+    pub x: Option<TimeFunction<L>>,
+    /// Along y.
+    pub y: Option<TimeFunction<L>>,
+    /// Turning, anticlockwise.
+    pub spin: Option<TimeFunction<R>>,
+}
+
+/// A load. Exactly one of `point`, `edge`, `moment`, `body`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Load {
+    /// Which blocks.
+    pub on: Target,
+    /// A force at a point.
+    pub point: Option<PointLoad>,
+    /// A pressure or traction along a part of the boundary, for example water in a joint.
+    pub edge: Option<EdgeLoad>,
+    /// A moment per metre of thickness, N (= N m/m), anticlockwise.
+    pub moment: Option<Quantity<MomentPerLength>>,
+    /// A force on the mass, given as an acceleration.
+    pub body: Option<BodyLoad>,
+    /// Factor over time, a number without unit. Default constant 1.
+    pub time: Option<TimeFunction<Plain>>,
+}
+
+/// A force at a point.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointLoad {
+    /// Force per metre of thickness [x, y], N/m.
+    pub force: [Quantity<ForcePerLength>; 2],
+    /// Where it acts at the start [x, y], m; the point travels with the block. Default the
+    /// centroid.
+    pub at: Option<Point>,
+    /// Whether the direction turns with the block. Default false.
+    #[serde(default)]
+    pub follows: bool,
+}
+
+/// A pressure or traction between two points of the boundary. Exactly one of `pressure` and
+/// `traction`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EdgeLoad {
+    /// First point on the boundary at the start [x, y], m.
+    pub from: Point,
+    /// Second point, on the same edge, at the start [x, y], m.
+    pub to: Point,
+    /// Pressure at `from` and at `to`, linear between, Pa; positive pushes into the block and
+    /// follows the edge.
+    pub pressure: Option<[Quantity<Pressure>; 2]>,
+    /// Force per area [x, y], Pa; keeps its direction.
+    pub traction: Option<[Quantity<Pressure>; 2]>,
+}
+
+/// A force on the mass.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodyLoad {
+    /// Force per mass [x, y], m/s2.
+    pub acceleration: [Quantity<Acceleration>; 2],
+}

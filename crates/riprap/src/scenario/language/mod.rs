@@ -1,0 +1,106 @@
+//! The words of the scenario language, one struct a table.
+//!
+//! The doc comments are what the user reads: `riprap explain KEY`, the JSON schema that editors
+//! use and the reference page are made from them. Every comment says what the key means, its
+//! unit, its default and its range. A key without a value in the file is `None` here: defaults
+//! belong to `model`, which can say where a number came from.
+//!
+//! Variants are keys (externally tagged), unknown keys are denied, nothing is flattened or
+//! untagged: only so an error can point at the right place.
+
+mod blocks;
+mod checks;
+mod interfaces;
+mod loads;
+mod outputs;
+mod phases;
+mod space;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+pub use blocks::{
+    Arch, Block, Copies, Cut, Geometry, JointSet, Polygon, Pour, Rectangle, Regular, Rotate,
+    Voronoi, Wall, WallBond,
+};
+pub use checks::{Bisect, Check, Criterion, Reduce};
+pub use interfaces::{Bond, FrictionLaw, Interface, InterfaceChange, NormalLaw, Reflex};
+pub use loads::{
+    BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
+};
+pub use outputs::{Every, History, Moment, Output, Schedule};
+pub use phases::{Damping, Phase, PhaseKind, Reset, Until};
+pub use space::{Material, Planar, Space};
+
+use super::quantity::{Length, PositivePlain, Quantity, Table};
+
+/// A point of the plane: [x, y], x to the right, y up, m.
+pub type Point = [Quantity<Length>; 2];
+
+/// A scenario: everything that riprap needs to build, run and check one model.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// Version of the scenario language. Write `riprap = 1`.
+    pub riprap: u32,
+    /// What the scene shows, in one line; stands over plots and reports.
+    pub title: String,
+    /// Longer text about the scene.
+    pub description: Option<String>,
+    /// `"SI"`: bare numbers are allowed and are SI (m, kg, s, N, Pa, rad). Without this key every
+    /// value needs its unit.
+    pub units: Option<Units>,
+    /// All strengths of interfaces and joints (cohesion, tension, tangents of friction angles) are
+    /// divided by this number, those of later phases too; greater than zero. The number at which
+    /// the model fails, found by `riprap bisect`, is its factor of safety. Default 1.
+    pub strength_factor: Option<Quantity<PositivePlain>>,
+    /// The space in which the blocks move and the gravity that acts there.
+    pub space: Space,
+    /// Materials by name: density and, if wanted, elastic constants.
+    pub materials: Table<Material>,
+    /// Laws of contact by name. `default` is used by every pair of materials that no other
+    /// interface names.
+    #[serde(default)]
+    pub interfaces: Table<Interface>,
+    /// Blocks and generators of blocks.
+    #[serde(default)]
+    pub blocks: Vec<Block>,
+    /// Blocks that are held or moved.
+    #[serde(default)]
+    pub supports: Vec<Support>,
+    /// Forces, pressures and moments on blocks.
+    #[serde(default)]
+    pub loads: Vec<Load>,
+    /// The parts of the run, one after the other.
+    #[serde(default)]
+    pub phases: Vec<Phase>,
+    /// What is written to the run folder besides the energy table.
+    #[serde(default)]
+    pub outputs: Vec<Output>,
+    /// Values of keys to run through: the scene is run for every combination (`riprap sweep`).
+    /// Keys are written with dots and in quotes, values in a list, for example
+    /// `"interfaces.default.friction_angle" = ["0 deg", "5 deg"]`.
+    #[serde(default)]
+    #[schemars(with = "std::collections::BTreeMap<String, Vec<serde_json::Value>>")]
+    pub sweep: Table<Vec<toml::Value>>,
+    /// Named sets of changed keys: the scene is run once for each. The scene as it stands is the
+    /// variant `default`.
+    #[serde(default)]
+    #[schemars(
+        with = "std::collections::BTreeMap<String, std::collections::BTreeMap<String, serde_json::Value>>"
+    )]
+    pub variants: Table<Table<toml::Value>>,
+    /// Search for the value of a key at which the scene fails (`riprap bisect`).
+    pub bisect: Option<Bisect>,
+    /// Numbers that the run must reproduce (`riprap verify`).
+    #[serde(default)]
+    pub checks: Vec<Check>,
+}
+
+/// System of units of bare numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+pub enum Units {
+    /// m, kg, s, N, Pa, rad.
+    #[serde(rename = "SI")]
+    Si,
+}

@@ -1,0 +1,145 @@
+//! Rules of blocks and their shapes.
+
+use super::{MAX_BLOCKS, Rules};
+use crate::scenario::language::{Block, Copies, Cut, Geometry, Polygon};
+use crate::scenario::quantity::Span;
+use crate::scenario::values::short;
+
+impl Rules {
+    pub(super) fn block(&mut self, block: &Block) {
+        let span = &block.name.span;
+        let of = format!("block `{}`", short(block.name.as_str()));
+        self.name(&block.name, "a block");
+        let given = block.geometries();
+        let all = [
+            "polygon",
+            "rectangle",
+            "regular",
+            "wall",
+            "arch",
+            "cut",
+            "voronoi",
+            "pour",
+        ];
+        let flags = all.map(|key| (key, given.iter().any(|(other, _)| *other == key)));
+        self.one_of(span, &of, &flags);
+        for (key, geometry) in given {
+            self.geometry(span, &of, geometry);
+            let single = match geometry {
+                Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_) => true,
+                Geometry::Wall(_)
+                | Geometry::Arch(_)
+                | Geometry::Cut(_)
+                | Geometry::Voronoi(_)
+                | Geometry::Pour(_) => false,
+            };
+            if let Some(Copies { count, .. }) = &block.copies {
+                self.count(span, &of, "copies.count", u64::from(*count), 1, MAX_BLOCKS);
+                if !single {
+                    let message = format!("{of}: `{key}` cannot be copied");
+                    let help = "`copies` is for polygon, rectangle and regular; write another \
+                                [[blocks]] with `shift`";
+                    self.error("key.forbidden", span, message, help);
+                }
+            }
+        }
+    }
+
+    pub(super) fn geometry(&mut self, span: &Span, of: &str, geometry: Geometry<'_>) {
+        match geometry {
+            Geometry::Polygon(Polygon::Points(points)) => self.corners(span, of, points.len()),
+            Geometry::Polygon(Polygon::Csv(_)) => {}
+            Geometry::Rectangle(shape) => self.one_of(
+                span,
+                &format!("the rectangle of {of}"),
+                &[
+                    ("corner", shape.corner.is_some()),
+                    ("centre", shape.centre.is_some()),
+                ],
+            ),
+            Geometry::Regular(shape) => {
+                self.count(span, of, "sides", u64::from(shape.sides), 3, 1000);
+            }
+            Geometry::Wall(wall) => {
+                let (rows, columns) = (u64::from(wall.courses), u64::from(wall.per_course));
+                self.count(span, of, "courses", rows, 1, MAX_BLOCKS);
+                self.count(span, of, "per_course", columns, 1, MAX_BLOCKS);
+                self.count(
+                    span,
+                    of,
+                    "courses x per_course",
+                    rows * columns,
+                    0,
+                    MAX_BLOCKS,
+                );
+            }
+            Geometry::Arch(arch) => {
+                self.count(span, of, "voussoirs", u64::from(arch.voussoirs), 1, 100_000);
+                if self.values_sound && arch.thickness.si() >= 2.0 * arch.radius.si() {
+                    let message = format!("the arch of {of} is thicker than its diameter");
+                    let help = "thickness must be less than twice the radius of the centre line";
+                    self.error("value.order", &arch.thickness.span, message, help);
+                }
+            }
+            Geometry::Cut(cut) => self.cut(span, of, cut),
+            Geometry::Voronoi(voronoi) => {
+                self.corners(span, of, voronoi.region.len());
+                self.count(
+                    span,
+                    of,
+                    "relax",
+                    u64::from(voronoi.relax.unwrap_or(0)),
+                    0,
+                    1000,
+                );
+            }
+            Geometry::Pour(pour) => {
+                self.count(span, of, "count", u64::from(pour.count), 1, MAX_BLOCKS);
+                let [low, high] = pour.vertices.unwrap_or([4, 7]);
+                self.count(span, of, "vertices", u64::from(low), 3, 100);
+                self.count(span, of, "vertices", u64::from(high), u64::from(low), 100);
+                self.in_order(
+                    &pour.size[0],
+                    &pour.size[1],
+                    true,
+                    "`size` is [smallest, largest]",
+                );
+                for axis in 0..2 {
+                    let [low, high] = [&pour.region[0][axis], &pour.region[1][axis]];
+                    let help = "`region` is [lower left corner, upper right corner]";
+                    self.in_order(low, high, false, help);
+                }
+            }
+        }
+    }
+
+    pub(super) fn corners(&mut self, span: &Span, of: &str, count: usize) {
+        if count < 3 {
+            let message = format!("the polygon of {of} has {count} corners");
+            self.error(
+                "polygon.corners",
+                span,
+                message,
+                "a polygon has at least three corners",
+            );
+        }
+    }
+
+    pub(super) fn cut(&mut self, span: &Span, of: &str, cut: &Cut) {
+        self.corners(span, of, cut.region.len());
+        if cut.joint_sets.is_empty() {
+            let message = format!("{of} is cut by no joint sets");
+            let help = "add joint_sets = [{ dip = \"60 deg\", spacing = \"1 m\" }]";
+            self.error("key.missing", span, message, help);
+        }
+        for set in &cut.joint_sets {
+            let partial = set.persistence.as_ref().filter(|share| share.si() < 1.0);
+            if let (Some(share), None) = (partial, &set.trace_length) {
+                let message =
+                    "a joint set with persistence below 1 needs `trace_length`".to_owned();
+                let help = "write for example trace_length = \"5 m\"";
+                self.error("key.missing", &share.span, message, help);
+            }
+        }
+    }
+}
