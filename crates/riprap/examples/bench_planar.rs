@@ -15,7 +15,7 @@ use riprap::planar::setup::{
 use riprap::planar::step::{Damping, Scratch, advance, evaluate};
 use riprap::planar::world::World;
 use riprap::record::manifest::Machine;
-use riprap::run::simulation::state_hash;
+use riprap::run::hash;
 
 const DENSITY: f64 = 2600.0;
 const GRAVITY: f64 = 9.81;
@@ -149,7 +149,7 @@ fn measure(blocks: usize, threads: usize) -> Result<String, String> {
         1e9 * median / count as f64,
         memory / count as f64,
         split.join(" | "),
-        &state_hash(&world)[..16],
+        &hash::planar(&world)[..16],
     ))
 }
 

@@ -35,7 +35,7 @@ fn outline(kind: usize, centre: [f64; 2], angle: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn area(outline: &[[f64; 2]]) -> f64 {
+fn area(outline: &[[f64; 3]]) -> f64 {
     let next = outline.iter().cycle().skip(1);
     outline
         .iter()
@@ -62,7 +62,9 @@ fn frame(step: u64, time: f64, blocks: usize) -> Frame {
             -0.1 * time * time * (1.0 - share),
         ];
         let centre = [0.7 * i as f64 + moved[0], 0.5 + moved[1]];
-        frame.points.extend(outline(i, centre, angle));
+        frame
+            .points
+            .extend(outline(i, centre, angle).iter().map(|p| [p[0], p[1], 0.0]));
         frame
             .offsets
             .push(u32::try_from(frame.points.len()).unwrap_or(u32::MAX));
@@ -70,7 +72,7 @@ fn frame(step: u64, time: f64, blocks: usize) -> Frame {
         speeds.push([2.0 * moved[0], 2.0 * moved[1]]);
         turns.push(angle);
         if i > 0 && i % 4 != 0 {
-            frame.contact_points.push([centre[0] - 0.35, 0.3]);
+            frame.contact_points.push([centre[0] - 0.35, 0.3, 0.0]);
         }
     }
     let force: Vec<[f64; 2]> = frame

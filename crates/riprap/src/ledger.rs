@@ -52,6 +52,17 @@ impl Works {
         .fold(self.peak, |peak, work| peak.max(work.abs()));
     }
 
+    /// The energy at the start and all that gravity, loads, supports and edits have put in since, as
+    /// magnitudes: what kinetic energy can be judged against.
+    #[must_use]
+    pub fn put_in(&self, start: f64) -> f64 {
+        start.abs()
+            + self.gravity.max(0.0)
+            + self.loads.abs()
+            + self.supports.abs()
+            + self.edit_defect.abs()
+    }
+
     /// Adds another set of sums.
     pub fn add(&mut self, other: &Self) {
         self.gravity += other.gravity;
@@ -118,3 +129,23 @@ impl Balance {
         }
     }
 }
+
+/// A term of the ledger.
+pub type Term = fn(&Balance) -> f64;
+
+/// Columns of `energy.csv`: name (behind `energy.` in the field table) and how it is read.
+pub const COLUMNS: [(&str, Term); 13] = [
+    ("kinetic", |b| b.kinetic),
+    ("gravity", |b| b.gravity),
+    ("contact_normal", |b| b.contact_normal),
+    ("contact_shear", |b| b.contact_shear),
+    ("joints", |b| b.bond),
+    ("loads", |b| b.works.loads),
+    ("supports", |b| b.works.supports),
+    ("friction", |b| b.works.friction),
+    ("damping", |b| b.works.damping),
+    ("fracture", |b| b.works.fracture),
+    ("law_defect", |b| b.works.law_defect),
+    ("edit_defect", |b| b.works.edit_defect),
+    ("residual", Balance::residual),
+];

@@ -87,7 +87,7 @@ fn bad_models_are_refused_with_their_message() {
 fn good_files_that_name_no_missing_file_are_built() {
     for path in files("good") {
         match built(&path) {
-            Ok(model) => assert!(!model.setup.blocks.is_empty()),
+            Ok(model) => assert!(!model.setup.planar().unwrap().blocks.is_empty()),
             Err(found) => {
                 let mut errors = found
                     .list
@@ -125,7 +125,7 @@ fn large_models_are_built_in_seconds() {
          wall = { corner = [0, 0], block = [0.4, 0.2], courses = 100, per_course = 100, half_blocks = true }\n",
     );
     let wall = wall.unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(wall.setup.blocks.len(), 100 * 100 + 50);
+    assert_eq!(wall.setup.planar().unwrap().blocks.len(), 100 * 100 + 50);
     assert!(seconds < 20.0, "{seconds} s");
     let (slope, seconds) = timed(
         "[[blocks]]\nname = \"slope\"\nmaterial = \"rock\"\n[blocks.cut]\n\
@@ -135,9 +135,9 @@ fn large_models_are_built_in_seconds() {
     );
     let slope = slope.unwrap_or_else(|error| panic!("{error}"));
     assert!(
-        slope.setup.blocks.len() > 1000,
+        slope.setup.planar().unwrap().blocks.len() > 1000,
         "{}",
-        slope.setup.blocks.len()
+        slope.setup.planar().unwrap().blocks.len()
     );
     assert!(seconds < 20.0, "{seconds} s");
     assert!(

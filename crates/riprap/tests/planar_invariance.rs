@@ -13,7 +13,7 @@ use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending, Progress, drive};
 use riprap::run::job::{self, Job};
 use riprap::run::plan::{Plan, TimeStep, Until};
-use riprap::run::simulation::{Simulation, state_hash};
+use riprap::run::simulation::Simulation;
 use riprap::scenario::{Source, parse};
 
 /// A heap of polygons that falls on a floor, with friction and joints: everything that has a memory.
@@ -61,8 +61,8 @@ fn build(text: &str) -> Model {
     model::build(&parsed, "default", INFOS).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn run(setup: Setup, plan: Plan, threads: usize) -> Simulation {
-    let mut simulation = Simulation::new(setup, plan, Exec::new(threads).unwrap());
+fn run(setup: impl Into<riprap::model::Setup>, plan: Plan, threads: usize) -> Simulation {
+    let mut simulation = Simulation::new(setup, plan, Exec::new(threads).unwrap()).unwrap();
     let ending = drive(&mut simulation, None, &mut [], &mut |_| Control::Continue).unwrap();
     assert_eq!(ending, Ending::Finished);
     simulation
@@ -78,7 +78,7 @@ fn threads_do_not_matter() {
     let model = heap();
     let hash = |threads| {
         let done = run(model.setup.clone(), model.plan.clone(), threads);
-        state_hash(done.view().world)
+        done.engine().hash()
     };
     let one = hash(1);
     for threads in [2, 8, 16] {
@@ -158,7 +158,7 @@ time_step = "50 us"
 /// Displacements and rotations of all blocks at the end of a run.
 fn ends(setup: Setup, plan: Plan) -> Vec<(Vec2, f64)> {
     let done = run(setup, plan, 1);
-    let view = done.view();
+    let view = done.view().planar().unwrap();
     view.living()
         .map(|b| (view.displacement(b), view.rotation(b)))
         .collect()
@@ -166,7 +166,7 @@ fn ends(setup: Setup, plan: Plan) -> Vec<(Vec2, f64)> {
 
 fn moved(change: impl Fn(&mut Setup)) -> Vec<(Vec2, f64)> {
     let model = build(HIT);
-    let mut setup = model.setup;
+    let mut setup = model.setup.planar().unwrap().clone();
     change(&mut setup);
     ends(setup, model.plan)
 }
@@ -220,7 +220,7 @@ fn a_moving_frame_does_not_matter() {
     use riprap::planar::setup::Motion;
     let boost = Vec2::new(100.0, 0.0);
     let model = build(HIT);
-    let mut setup = model.setup;
+    let mut setup = model.setup.planar().unwrap().clone();
     for block in &mut setup.blocks {
         block.velocity += boost;
     }
@@ -279,7 +279,7 @@ until = { time = "0.1 s" }
             ..Until::default()
         };
         let done = run(model.setup.clone(), plan, 1);
-        (done.view().displacement(1).y - exact).abs()
+        (done.view().planar().unwrap().displacement(1).y - exact).abs()
     };
     let [coarse, middle, fine] = [100, 200, 400].map(error);
     for (a, b) in [(coarse, middle), (middle, fine)] {

@@ -1,7 +1,7 @@
 //! `riprap check`: what a scene holds and what a run of it will take.
 
 use riprap::model::Summary;
-use riprap::run::forecast::{Forecast, forecast};
+use riprap::run::forecast::{Forecast, ForecastError, forecast};
 use serde_json::json;
 
 use crate::args::Check;
@@ -13,8 +13,10 @@ use crate::{scenes, screen};
 pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, false)?;
     let (model, summary) = (&prepared.model, &prepared.model.summary);
-    let expected =
-        forecast(&model.setup, &model.plan).map_err(|e| Failure::Physics(e.to_string()))?;
+    let expected = forecast(&model.setup, &model.plan).map_err(|e| match e {
+        ForecastError::Build(e) => Failure::Input(e.to_string()),
+        ForecastError::Physics(e) => Failure::Physics(e.to_string()),
+    })?;
     if args.json {
         let warnings: Vec<_> = model
             .warnings

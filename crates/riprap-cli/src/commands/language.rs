@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use riprap::model::Provenance;
-use riprap::planar::readings::INFOS;
 use riprap::record::Manifest;
+use riprap::record::Shape;
+use riprap::run::engine::Kind;
 use riprap::scenario;
 
 use crate::args::{Explain, Fields, Hash, Schema};
@@ -67,26 +68,32 @@ pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
     Ok(())
 }
 
-/// `riprap fields`.
+/// `riprap fields`: those of both engines.
 pub fn fields(args: &Fields) -> Result<(), Failure> {
+    let tables = [("planar", Kind::Planar), ("spatial", Kind::Spatial)];
     if args.json {
-        screen::line(&serde_json::to_string_pretty(INFOS).unwrap_or_default());
+        let all: serde_json::Map<String, serde_json::Value> = tables
+            .iter()
+            .map(|(word, kind)| ((*word).to_owned(), serde_json::json!(kind.fields())))
+            .collect();
+        screen::line(&serde_json::to_string_pretty(&all).unwrap_or_default());
         return Ok(());
     }
-    let width = INFOS
-        .iter()
-        .map(|field| field.name.len())
-        .max()
-        .unwrap_or(0);
-    for field in INFOS {
-        let shape = match field.shape {
-            riprap::record::Shape::Scalar => "",
-            riprap::record::Shape::Vector => " (vector: .x, .y, .magnitude)",
-        };
-        screen::line(&format!(
-            "{:<width$}  {:<6} {}{shape}",
-            field.name, field.unit, field.meaning
-        ));
+    for (word, kind) in tables {
+        let fields = kind.fields();
+        let width = fields.iter().map(|f| f.name.len()).max().unwrap_or(0);
+        screen::line(&format!("[space.{word}]"));
+        for field in fields {
+            let shape = match field.shape {
+                Shape::Scalar => "",
+                Shape::Vector => " (vector: .x, .y, .magnitude)",
+                Shape::Vector3 => " (vector: .x, .y, .z, .magnitude)",
+            };
+            screen::line(&format!(
+                "{:<width$}  {:<6} {}{shape}",
+                field.name, field.unit, field.meaning
+            ));
+        }
     }
     Ok(())
 }

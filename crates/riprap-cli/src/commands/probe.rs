@@ -12,7 +12,12 @@ use crate::{scenes, screen};
 
 pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, args.json)?;
-    let setup = &prepared.model.setup;
+    let Some(setup) = prepared.model.setup.planar() else {
+        return Err(Failure::Input(
+            "probe-contact reads contacts found from geometry, which only [space.planar] has"
+                .to_owned(),
+        ));
+    };
     if let Some(pair) = &args.pair {
         for name in pair {
             if !setup.blocks.iter().any(|block| block.name == *name) {

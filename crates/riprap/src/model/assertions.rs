@@ -144,9 +144,7 @@ impl Builder<'_> {
         };
         Some(Check {
             name: said.name.text.clone(),
-            field: used.field,
-            of: used.of,
-            along: used.along,
+            gauge: used.gauge(),
             unit: field_unit,
             window,
             expected,
@@ -312,10 +310,8 @@ impl Builder<'_> {
             unit,
             holds: Check {
                 name: format!("holds ({})", criterion.field),
-                field: used.field,
-                of: used.of,
-                along: used.along,
                 unit: used.unit.to_owned(),
+                gauge: used.gauge(),
                 window,
                 expected: Expected::Between(below, above),
                 relative: None,

@@ -67,7 +67,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
     }
     let (mut checks, mut bisect) = (Vec::new(), None);
     if sound {
-        let (of_limit, of_run) = b.checks().into_iter().partition(|c| c.field == LIMIT);
+        let (of_limit, of_run) = b.checks().into_iter().partition(|c| c.gauge.field == LIMIT);
         checks = of_run;
         bisect = b.bisect(of_limit);
         if b.errors() == 0 {
@@ -79,7 +79,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         return Err(diagnostics);
     }
     Ok(Model {
-        setup: b.setup,
+        setup: b.setup.into(),
         plan: b.plan,
         checks,
         bisect,

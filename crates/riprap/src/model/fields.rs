@@ -2,6 +2,7 @@
 
 use super::builder::Builder;
 use crate::record::field::{FieldError, Part, Shape, Site, find};
+use crate::run::plan::Gauge;
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::quantity::{Angle, Any};
 use crate::scenario::units::{self, Dim};
@@ -13,9 +14,21 @@ pub(super) struct FieldUse {
     pub(super) field: String,
     pub(super) unit: &'static str,
     pub(super) of: Vec<u32>,
-    pub(super) along: Option<[f64; 2]>,
+    pub(super) along: Option<[f64; 3]>,
     /// Whether it still is two numbers.
     pub(super) is_vector: bool,
+}
+
+impl FieldUse {
+    /// What is read.
+    pub(super) fn gauge(self) -> Gauge {
+        Gauge {
+            field: self.field,
+            of: self.of,
+            at: None,
+            along: self.along,
+        }
+    }
 }
 
 impl Builder<'_> {
@@ -36,6 +49,10 @@ impl Builder<'_> {
                         let help = suggest(name.as_str(), known).unwrap_or_default();
                         (format!("there is no field `{name}`"), help)
                     }
+                    FieldError::NoSuchComponent { field, .. } => (
+                        format!("`{field}` lies in the plane"),
+                        format!("write `{field}.x`, `.y` or `.magnitude`"),
+                    ),
                     FieldError::NoComponents { field, .. } => (
                         format!("`{field}` is a single number"),
                         format!("write `{field}`"),
@@ -46,7 +63,7 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let vector = info.shape == Shape::Vector && part == Part::Whole;
+        let vector = info.shape != Shape::Scalar && part == Part::Whole;
         if let Some(angle) = along.filter(|_| !vector) {
             let error = Diagnostic::error("field.direction", format!("`{name}` has no direction"));
             let help = "`along` is for vector fields without component; leave it out";
@@ -54,7 +71,8 @@ impl Builder<'_> {
             return None;
         }
         let of = self.field_blocks(name, info.site, of)?;
-        let direction = |angle: &Quantity<Angle>| [libm::cos(angle.si()), libm::sin(angle.si())];
+        let direction =
+            |angle: &Quantity<Angle>| [libm::cos(angle.si()), libm::sin(angle.si()), 0.0];
         Some(FieldUse {
             field: name.text.clone(),
             unit: info.unit,
@@ -71,6 +89,7 @@ impl Builder<'_> {
             Site::Block => (1, "of = \"block\""),
             Site::Pair => (2, "of = [\"a\", \"b\"]"),
             Site::Group => (1, "of = \"group\""),
+            Site::Cavity => (1, "of = \"charge\""),
             Site::Model | Site::Energy => (0, ""),
             Site::Contact => {
                 let help = "use a `pair` field for the sum over the contacts of two blocks";

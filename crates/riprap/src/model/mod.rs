@@ -29,10 +29,44 @@ pub use builder::build;
 pub use explain::{Explained, Provenance};
 pub use summary::{Region, Summary};
 
-use crate::planar::setup::Setup;
+use serde::{Deserialize, Serialize};
+
 use crate::run::checks::Check;
 use crate::run::plan::Plan;
 use crate::scenario::Diagnostic;
+use crate::{planar, spatial};
+
+/// What an engine is built from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Setup {
+    /// Polygons in the plane.
+    Planar(planar::setup::Setup),
+    /// Blocks in space.
+    Spatial(Box<spatial::setup::Setup>),
+}
+
+impl From<planar::setup::Setup> for Setup {
+    fn from(setup: planar::setup::Setup) -> Self {
+        Self::Planar(setup)
+    }
+}
+
+impl From<spatial::setup::Setup> for Setup {
+    fn from(setup: spatial::setup::Setup) -> Self {
+        Self::Spatial(Box::new(setup))
+    }
+}
+
+impl Setup {
+    /// The planar setup, for what only that engine has.
+    #[must_use]
+    pub fn planar(&self) -> Option<&planar::setup::Setup> {
+        match self {
+            Self::Planar(setup) => Some(setup),
+            Self::Spatial(_) => None,
+        }
+    }
+}
 
 /// A scenario in numbers, ready to be run.
 #[derive(Clone, Debug)]

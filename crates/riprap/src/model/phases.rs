@@ -5,7 +5,7 @@ use super::explain::{Provenance, with_unit};
 use super::fields::FieldUse;
 use super::interfaces::changed;
 use crate::planar::setup::ContactLaw;
-use crate::run::plan::{Damping, Every, History, Phase, PhaseKind, TimeStep, Until};
+use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
 use crate::scenario::language::{self, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::{Diagnostic, Quantity};
@@ -101,13 +101,14 @@ impl Builder<'_> {
             remove,
             fix,
             release,
-            gravity: said.gravity.as_ref().map(|[x, y]| [x.si(), y.si()]),
+            gravity: said.gravity.as_ref().map(|[x, y]| [x.si(), y.si(), 0.0]),
             gravity_ramp: said
                 .gravity_ramp
                 .as_ref()
                 .map(Quantity::si)
                 .filter(|&t| t > 0.0),
             contacts,
+            joints: Vec::new(),
             zero_velocities: said.reset.contains(&Reset::Velocities),
             zero_displacements: said.reset.contains(&Reset::Displacements),
         }
@@ -147,9 +148,12 @@ impl Builder<'_> {
         for part in parts {
             self.plan.histories.push(History {
                 name: format!("{}{part}", said.name),
-                field: format!("{field}{part}"),
-                of: of.clone(),
-                along,
+                gauge: Gauge {
+                    field: format!("{field}{part}"),
+                    of: of.clone(),
+                    at: None,
+                    along,
+                },
                 every,
             });
         }

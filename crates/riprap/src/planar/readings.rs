@@ -215,13 +215,18 @@ impl Reading {
     pub fn value(&self, view: &View<'_>) -> f64 {
         let [x, y] = (FIELDS[self.index].get)(view, &self.of);
         match (self.info().shape, self.part, self.along) {
-            (Shape::Scalar, _, _) => x,
+            // The table has no vectors in space.
+            (Shape::Scalar | Shape::Vector3, _, _) | (_, Part::Z, _) => x,
             (Shape::Vector, Part::X, _) => x,
             (Shape::Vector, Part::Y, _) => y,
             (Shape::Vector, Part::Magnitude, _) | (Shape::Vector, Part::Whole, None) => x.hypot(y),
             (Shape::Vector, Part::Whole, Some([cx, cy])) => x * cx + y * cy,
         }
     }
+}
+
+fn flat(v: Vec2) -> [f64; 3] {
+    [v.x, v.y, 0.0]
 }
 
 /// A picture of the living blocks and their contacts.
@@ -242,7 +247,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         frame.points.extend(
             scratch.turned[scratch.shapes.range(b)]
                 .iter()
-                .map(|t| <[f64; 2]>::from(at + t.start)),
+                .map(|t| flat(at + t.start)),
         );
         frame.offsets.push(frame.points.len() as u32);
     }
@@ -270,7 +275,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     let contacts: Vec<_> = view.contacts().collect();
     frame.contact_points = contacts
         .iter()
-        .map(|(i, _, c)| (world.bodies[*i as usize].position + c.centre + origin).into())
+        .map(|(i, _, c)| flat(world.bodies[*i as usize].position + c.centre + origin))
         .collect();
     let column = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
         Column::scalar(name, unit, (0..contacts.len()).map(get).collect())

@@ -49,6 +49,16 @@ pub struct World {
     pub start_energy: Option<f64>,
 }
 
+impl World {
+    /// Measures displacements and rotations from the present positions on.
+    pub fn zero_displacements(&mut self) {
+        for (b, body) in self.bodies.iter().enumerate() {
+            self.reference[b] = body.position;
+            self.reference_angle[b] = body.angle;
+        }
+    }
+}
+
 /// Motion of one block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Body {

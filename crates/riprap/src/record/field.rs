@@ -19,6 +19,8 @@ pub enum Site {
     Group,
     /// One value for the whole model.
     Model,
+    /// One value for a charge or another cavity.
+    Cavity,
     /// One term of the energy ledger.
     Energy,
 }
@@ -32,6 +34,7 @@ impl Site {
             Site::Pair => "pair",
             Site::Group => "group",
             Site::Model => "model",
+            Site::Cavity => "cavity",
             Site::Energy => "energy",
         }
     }
@@ -45,6 +48,37 @@ pub enum Shape {
     Scalar,
     /// Two numbers, x and y, in global axes.
     Vector,
+    /// Three numbers, x, y and z, in global axes.
+    Vector3,
+}
+
+impl Shape {
+    /// Number of components.
+    pub fn components(self) -> usize {
+        match self {
+            Shape::Scalar => 1,
+            Shape::Vector => 2,
+            Shape::Vector3 => 3,
+        }
+    }
+
+    /// Suffixes of the components of a vector; one empty one for a scalar.
+    pub fn suffixes(self) -> &'static [&'static str] {
+        match self {
+            Shape::Scalar => &[""],
+            Shape::Vector => &[".x", ".y"],
+            Shape::Vector3 => &[".x", ".y", ".z"],
+        }
+    }
+
+    /// Whether a value of this shape has that part.
+    pub fn has(self, part: Part) -> bool {
+        match (self, part) {
+            (Shape::Scalar, p) => p == Part::Whole,
+            (Shape::Vector, p) => p != Part::Z,
+            (Shape::Vector3, _) => true,
+        }
+    }
 }
 
 /// One entry of a field table.
@@ -71,6 +105,8 @@ pub enum Part {
     X,
     /// Second component of a vector.
     Y,
+    /// Third component of a vector.
+    Z,
     /// Length of a vector.
     Magnitude,
 }
@@ -82,23 +118,29 @@ impl Part {
             Part::Whole => "",
             Part::X => ".x",
             Part::Y => ".y",
+            Part::Z => ".z",
             Part::Magnitude => ".magnitude",
         }
     }
 
-    /// One number out of a vector; `None` for [`Part::Whole`], which is no number.
-    pub fn of(self, v: [f64; 2]) -> Option<f64> {
+    /// One number out of a vector of two or three; `None` for [`Part::Whole`], which is no number.
+    pub fn of(self, v: &[f64]) -> Option<f64> {
+        let part = |k: usize| Some(v.get(k).copied().unwrap_or(0.0));
         match self {
             Part::Whole => None,
-            Part::X => Some(v[0]),
-            Part::Y => Some(v[1]),
-            Part::Magnitude => Some(v[0].hypot(v[1])),
+            Part::X => part(0),
+            Part::Y => part(1),
+            Part::Z => part(2),
+            Part::Magnitude => Some(match *v {
+                [x, y] => x.hypot(y),
+                _ => v.iter().map(|x| x * x).sum::<f64>().sqrt(),
+            }),
         }
     }
 
     /// Splits `block.velocity.x` into `block.velocity` and [`Part::X`].
     pub fn split(name: &str) -> (&str, Part) {
-        for part in [Part::X, Part::Y, Part::Magnitude] {
+        for part in [Part::X, Part::Y, Part::Z, Part::Magnitude] {
             if let Some(stem) = name.strip_suffix(part.suffix()) {
                 return (stem, part);
             }
@@ -128,6 +170,16 @@ pub enum FieldError {
         /// The field without the suffix.
         field: String,
     },
+    /// `.z` asked of a vector in the plane.
+    #[error(
+        "`{name}` asks for a third component, but `{field}` lies in the plane: write `{field}.x`, `.y` or `.magnitude`"
+    )]
+    NoSuchComponent {
+        /// What was asked for.
+        name: String,
+        /// The field without the suffix.
+        field: String,
+    },
 }
 
 fn did_you_mean(suggestion: Option<&str>) -> String {
@@ -144,7 +196,11 @@ pub fn find<'a>(table: &'a [FieldInfo], name: &str) -> Result<(&'a FieldInfo, Pa
     }
     let (stem, part) = Part::split(name);
     match table.iter().find(|f| f.name == stem) {
-        Some(info) if info.shape == Shape::Vector => Ok((info, part)),
+        Some(info) if info.shape.has(part) => Ok((info, part)),
+        Some(info) if info.shape != Shape::Scalar => Err(FieldError::NoSuchComponent {
+            name: name.to_owned(),
+            field: stem.to_owned(),
+        }),
         Some(_) => Err(FieldError::NoComponents {
             name: name.to_owned(),
             field: stem.to_owned(),
@@ -228,8 +284,8 @@ mod tests {
             find(TABLE, "block.velocity.magnitude").unwrap().1,
             Part::Magnitude
         );
-        assert_eq!(Part::Magnitude.of([3.0, -4.0]), Some(5.0));
-        assert_eq!(Part::Whole.of([3.0, -4.0]), None);
+        assert_eq!(Part::Magnitude.of(&[3.0, -4.0]), Some(5.0));
+        assert_eq!(Part::Whole.of(&[3.0, -4.0]), None);
     }
 
     #[test]

@@ -1,16 +1,16 @@
-//! One picture of the model: block outlines and columns of numbers on blocks and contacts.
+//! One picture of the model: block outlines or solids, and columns of numbers on blocks and contacts.
 
 use super::field::Part;
 use serde::{Deserialize, Serialize};
 
-/// Numbers on blocks or contacts, one or two for each.
+/// Numbers on blocks or contacts, one to three for each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Quantity, for example `displacement`.
     pub name: String,
     /// Unit, `-` for none.
     pub unit: String,
-    /// 1 (number) or 2 (vector: x, y, x, y, ...).
+    /// 1 (number), 2 (vector: x, y, x, y, ...) or 3 (x, y, z, ...).
     pub components: usize,
     /// Shape: `[items * components]`.
     pub data: Vec<f64>,
@@ -37,6 +37,16 @@ impl Column {
         }
     }
 
+    /// One vector in space per item.
+    pub fn vector3(name: &str, unit: &str, data: &[[f64; 3]]) -> Self {
+        Column {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            components: 3,
+            data: data.as_flattened().to_vec(),
+        }
+    }
+
     /// Number of blocks or contacts.
     pub fn len(&self) -> usize {
         self.data.len() / self.components.max(1)
@@ -49,25 +59,97 @@ impl Column {
 
     /// One number per item: a part of a vector, or the number itself. [`Part::Whole`] of a vector is its length.
     pub fn numbers(&self, part: Part) -> Vec<f64> {
-        if self.components == 2 {
-            let part = if part == Part::Whole {
-                Part::Magnitude
-            } else {
-                part
-            };
-            self.data
-                .as_chunks::<2>()
-                .0
-                .iter()
-                .map(|v| part.of(*v).unwrap_or(f64::NAN))
-                .collect()
-        } else {
-            self.data.clone()
+        if self.components == 1 {
+            return self.data.clone();
         }
+        let part = if part == Part::Whole {
+            Part::Magnitude
+        } else {
+            part
+        };
+        self.data
+            .chunks(self.components)
+            .map(|v| part.of(v).unwrap_or(f64::NAN))
+            .collect()
     }
 }
 
-/// Block outlines and contact points at one time, with their numbers.
+/// Faces of solid blocks.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Solids {
+    /// Shape `[blocks + 1]`: block `i` owns the faces `faces[i]..faces[i + 1]`. A block without faces is a brick of
+    /// eight corners in the order of [`BRICK`].
+    pub faces: Vec<u32>,
+    /// Shape `[faces + 1]`: face `f` owns `corners[ends[f]..ends[f + 1]]`.
+    pub ends: Vec<u32>,
+    /// Corners of the faces, anticlockwise seen from outside, counted from the first point of their block.
+    pub corners: Vec<u32>,
+}
+
+/// Corners of a brick as -1 or +1 along x, y, z, in the order of a VTK hexahedron.
+pub const BRICK: [[f64; 3]; 8] = [
+    [-1.0, -1.0, -1.0],
+    [1.0, -1.0, -1.0],
+    [1.0, 1.0, -1.0],
+    [-1.0, 1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+];
+
+/// Faces of a brick with corners as in [`BRICK`], anticlockwise seen from outside: -z, +z, -y, +y, -x, +x.
+pub const BRICK_FACES: [[u32; 4]; 6] = [
+    [0, 3, 2, 1],
+    [4, 5, 6, 7],
+    [0, 1, 5, 4],
+    [3, 7, 6, 2],
+    [0, 4, 7, 3],
+    [1, 2, 6, 5],
+];
+
+impl Solids {
+    /// Faces of block `i`, which has `points` corners; corners counted from its first point.
+    pub fn of(&self, i: usize) -> Vec<&[u32]> {
+        let (first, last) = (self.faces[i] as usize, self.faces[i + 1] as usize);
+        if first == last {
+            return BRICK_FACES.iter().map(<[u32; 4]>::as_slice).collect();
+        }
+        (first..last)
+            .map(|f| &self.corners[self.ends[f] as usize..self.ends[f + 1] as usize])
+            .collect()
+    }
+
+    fn fault(&self, blocks: &[u32]) -> Option<&'static str> {
+        let covers = |list: &[u32], count: usize| {
+            list.first() == Some(&0)
+                && list.is_sorted()
+                && list.last().is_some_and(|l| *l as usize == count)
+        };
+        if self.faces.len() != blocks.len()
+            || !covers(&self.faces, self.ends.len().saturating_sub(1))
+            || !covers(&self.ends, self.corners.len())
+        {
+            return Some("the lists of faces do not fit together");
+        }
+        for (i, range) in blocks.windows(2).enumerate() {
+            let points = range[1] - range[0];
+            if self.faces[i] == self.faces[i + 1] && points != 8 {
+                return Some("a brick has not eight corners");
+            }
+            let faces = self.faces[i] as usize..self.faces[i + 1] as usize;
+            for f in faces {
+                let corners = &self.corners[self.ends[f] as usize..self.ends[f + 1] as usize];
+                if corners.iter().any(|&c| c >= points) {
+                    return Some("a face names a corner that its block has not");
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Blocks and contact points at one time, with their numbers.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
     /// Step count.
@@ -78,12 +160,14 @@ pub struct Frame {
     pub phase: String,
     /// Shape `[blocks + 1]`: block `i` owns `points[offsets[i]..offsets[i + 1]]`. Empty means no blocks.
     pub offsets: Vec<u32>,
-    /// Vertices in m, anticlockwise, global axes, current positions.
-    pub points: Vec<[f64; 2]>,
+    /// Vertices in m, global axes, current positions; in the plane anticlockwise with z = 0.
+    pub points: Vec<[f64; 3]>,
+    /// Faces in space; `None` in the plane.
+    pub solids: Option<Solids>,
     /// Numbers on blocks.
     pub block_columns: Vec<Column>,
     /// Contact positions in m.
-    pub contact_points: Vec<[f64; 2]>,
+    pub contact_points: Vec<[f64; 3]>,
     /// Numbers on contacts.
     pub contact_columns: Vec<Column>,
 }
@@ -94,12 +178,17 @@ impl Frame {
         self.offsets.len().saturating_sub(1)
     }
 
-    /// Outline of block `i`, anticlockwise.
-    pub fn outline(&self, i: usize) -> &[[f64; 2]] {
+    /// Vertices of block `i`; in the plane its outline, anticlockwise.
+    pub fn outline(&self, i: usize) -> &[[f64; 3]] {
         &self.points[self.offsets[i] as usize..self.offsets[i + 1] as usize]
     }
 
-    /// Checks that offsets and columns fit together; the text says what does not.
+    /// Numbers of a block column by name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.block_columns.iter().find(|c| c.name == name)
+    }
+
+    /// Checks that offsets, faces and columns fit together; the text says what does not.
     pub fn fault(&self) -> Option<String> {
         if let Some(first) = self.offsets.first() {
             let last = self.offsets.last().copied().unwrap_or(0) as usize;
@@ -110,6 +199,9 @@ impl Frame {
                     self.points.len()
                 ));
             }
+            if let Some(fault) = self.solids.as_ref().and_then(|s| s.fault(&self.offsets)) {
+                return Some(fault.to_owned());
+            }
         } else if !self.points.is_empty() {
             return Some("points without block offsets".to_owned());
         }
@@ -119,7 +211,7 @@ impl Frame {
         ];
         for (what, columns, items) in sides {
             for c in columns {
-                if !(1..=2).contains(&c.components) || c.data.len() != items * c.components {
+                if !(1..=3).contains(&c.components) || c.data.len() != items * c.components {
                     return Some(format!(
                         "{what} column `{}` has {} numbers for {items} {what}s of {} components",
                         c.name,
@@ -145,21 +237,63 @@ pub(crate) mod tests {
             phase: "slide".to_owned(),
             offsets: vec![0, 4, 7],
             points: vec![
-                [0.0, 0.0],
-                [2.0, 0.0],
-                [2.0, 1.0],
-                [0.0, 1.0],
-                [2.0, 0.0],
-                [3.0, 0.0],
-                [2.0, 1.0],
+                [0.0, 0.0, 0.0],
+                [2.0, 0.0, 0.0],
+                [2.0, 1.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [2.0, 0.0, 0.0],
+                [3.0, 0.0, 0.0],
+                [2.0, 1.0, 0.0],
             ],
+            solids: None,
             block_columns: vec![
                 Column::vector("displacement", "m", &[[0.1, 0.0], [0.3, -0.4]]),
                 Column::scalar("rotation", "rad", vec![-0.01, 0.02]),
             ],
-            contact_points: vec![[2.0, 0.5]],
+            contact_points: vec![[2.0, 0.5, 0.0]],
             contact_columns: vec![Column::vector("force", "N/m", &[[1e5, -2e4]])],
         }
+    }
+
+    /// A brick and a tetrahedron.
+    pub(crate) fn solid_sample() -> Frame {
+        let mut points: Vec<[f64; 3]> = BRICK.to_vec();
+        points.extend([
+            [1.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [1.0, 0.0, 1.0],
+        ]);
+        Frame {
+            step: 7,
+            time: 2e-3,
+            phase: "blast".to_owned(),
+            offsets: vec![0, 8, 12],
+            points,
+            solids: Some(Solids {
+                faces: vec![0, 0, 4],
+                ends: vec![0, 3, 6, 9, 12],
+                corners: vec![0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2],
+            }),
+            block_columns: vec![
+                Column::vector3("velocity", "m/s", &[[1.0, 2.0, 3.0], [0.0, 0.0, -1.0]]),
+                Column::scalar("level", "-", vec![0.0, 3.0]),
+            ],
+            contact_points: vec![[1.0, 0.25, 0.25]],
+            contact_columns: vec![Column::vector3("force", "N", &[[1.0, 0.0, 5.0]])],
+        }
+    }
+
+    #[test]
+    fn faces_of_solids_are_checked() {
+        assert_eq!(solid_sample().fault(), None);
+        let mut f = solid_sample();
+        f.offsets = vec![0, 7, 12];
+        assert!(f.fault().unwrap().contains("eight"));
+        let mut f = solid_sample();
+        f.solids.as_mut().unwrap().corners[3] = 4;
+        assert!(f.fault().unwrap().contains("corner"));
+        assert_eq!(solid_sample().solids.unwrap().of(0).len(), 6);
     }
 
     #[test]

@@ -7,6 +7,7 @@
 
 use serde::Serialize;
 
+use super::plan::Gauge;
 use crate::dynamics::Formula;
 
 /// One check with SI numbers.
@@ -14,12 +15,8 @@ use crate::dynamics::Formula;
 pub struct Check {
     /// What is checked, in words.
     pub name: String,
-    /// Field, with its component where there is one.
-    pub field: String,
-    /// Blocks it is read at.
-    pub of: Vec<u32>,
-    /// Unit direction onto which a vector is projected.
-    pub along: Option<[f64; 2]>,
+    /// What is read.
+    pub gauge: Gauge,
     /// Unit of the field, as printed.
     pub unit: String,
     /// When it is read.
@@ -416,9 +413,11 @@ mod tests {
     fn check(window: Window, expected: Expected) -> Check {
         Check {
             name: "c".to_owned(),
-            field: "block.displacement.x".to_owned(),
-            of: vec![0],
-            along: None,
+            gauge: Gauge {
+                field: "block.displacement.x".to_owned(),
+                of: vec![0],
+                ..Gauge::default()
+            },
             unit: "m".to_owned(),
             window,
             expected,

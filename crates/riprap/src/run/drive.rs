@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 use thiserror::Error;
 
 use super::checks::{Watch, Window};
+use super::engine::Reading;
 use super::recorder::{RecordError, Recorder};
 use super::simulation::{RunError, Simulation, Stage};
-use crate::planar::readings::Reading;
 use crate::record::{FieldError, OutputError};
 
 /// A look at a run, for progress displays.
@@ -31,7 +31,7 @@ pub struct Progress {
     pub steps_per_second: f64,
     /// Expected wall time to the end of the phase, s.
     pub remaining: Option<f64>,
-    /// Kinetic energy, J/m.
+    /// Kinetic energy, J (J/m in the plane).
     pub kinetic: f64,
     /// Energy residual over the largest energy that moved.
     pub residual: f64,
@@ -97,9 +97,9 @@ impl Watched<'_> {
     /// Feeds the value at the present state if it can matter.
     fn look(&mut self, simulation: &Simulation, last: bool) {
         let view = simulation.view();
-        let (time, dt) = (view.world.time, simulation.dt());
+        let (time, dt) = (view.time(), simulation.dt());
         let near = match self.watch.check().window {
-            Window::Start => view.world.step == 0,
+            Window::Start => view.step() == 0,
             Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::End => last,
             Window::Over { .. } => last || time >= self.next,
@@ -126,7 +126,7 @@ pub fn drive(
     look: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<Ending, DriveError> {
     let mut watched = watch_list(simulation, watches)?;
-    let mut clock = Clock::new(simulation.view().world.step);
+    let mut clock = Clock::new(simulation.steps());
     let mut saved = Instant::now();
     loop {
         let stage = match simulation.prepare() {
@@ -144,9 +144,7 @@ pub fn drive(
             w.look(simulation, last);
         }
         if let Some(r) = recorder.as_deref_mut() {
-            if simulation.view().world.step == simulation.cursor().start_step
-                && stage == Stage::Within
-            {
+            if simulation.steps() == simulation.cursor().start_step && stage == Stage::Within {
                 r.phase_event(simulation, "phase_started")?;
             }
             r.record(simulation, stage != Stage::Within)?;
@@ -179,7 +177,7 @@ pub fn drive(
         {
             r.checkpoint(simulation)?;
         }
-        if clock.due(simulation.view().world.step) {
+        if clock.due(simulation.steps()) {
             if let Some(r) = recorder.as_deref_mut()
                 && saved.elapsed() >= AUTOSAVE
             {
@@ -201,6 +199,7 @@ fn watch_list<'a>(
     simulation: &Simulation,
     watches: &'a mut [Watch],
 ) -> Result<Vec<Watched<'a>>, FieldError> {
+    let kind = simulation.kind();
     let total: f64 = simulation
         .plan()
         .phases
@@ -211,7 +210,7 @@ fn watch_list<'a>(
         .iter_mut()
         .map(|watch| {
             let check = watch.check();
-            let reading = Reading::new(&check.field, &check.of, check.along)?;
+            let reading = Reading::new(kind, &check.gauge)?;
             let rhythm = match check.window {
                 Window::Over { from, to, .. } if reading.costly() => {
                     (to.min(total.max(from)) - from).max(0.0) / 500.0
@@ -270,16 +269,11 @@ impl Clock {
     fn progress(&self, simulation: &Simulation) -> Progress {
         let view = simulation.view();
         let share = simulation.progress();
-        let done = view.world.step - simulation.cursor().start_step;
+        let done = view.step() - simulation.cursor().start_step;
         let remaining = share.filter(|s| *s > 0.0 && self.rate > 0.0).map(|s| {
             let left = (done as f64 * (1.0 - s) / s).max(0.0);
             left / self.rate
         });
-        let fastest = view
-            .living()
-            .map(|b| (b, view.velocity(b).length()))
-            .max_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(b, v)| (view.world.setup.blocks[b].name.clone(), v));
         let balance = view.balance();
         Progress {
             phase: simulation
@@ -288,17 +282,17 @@ impl Clock {
             phase_number: simulation.cursor().phase + 1,
             phases: simulation.plan().phases.len(),
             share,
-            step: view.world.step,
-            time: view.world.time,
+            step: view.step(),
+            time: view.time(),
             dt: simulation.dt(),
             steps_per_second: self.rate,
             remaining,
             kinetic: balance.kinetic,
             residual: balance.residual_relative(),
             unbalanced: view.unbalanced(),
-            contacts: view.contacts().count(),
+            contacts: view.contacts(),
             worst_overlap: view.worst_overlap().map_or(0.0, |(x, _, _)| x),
-            fastest,
+            fastest: view.fastest(),
         }
     }
 }

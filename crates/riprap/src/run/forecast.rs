@@ -3,16 +3,29 @@
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
+use thiserror::Error;
 
+use super::engine::BuildError;
 use super::plan::{Plan, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
-use crate::planar::setup::Setup;
+use crate::model::Setup;
 
 /// Longest time spent on trial steps.
 const TRIAL: Duration = Duration::from_millis(300);
 /// Most trial steps.
 const STEPS: u64 = 200;
+
+/// Why nothing can be said.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ForecastError {
+    /// The engine cannot build the model.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// The physics stops it at once.
+    #[error(transparent)]
+    Physics(#[from] RunError),
+}
 
 /// What to expect of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -42,20 +55,16 @@ pub struct Forecast {
 /// Advances a copy of the model by a few steps.
 ///
 /// # Errors
-/// The physics stops it at once.
-pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, RunError> {
-    let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial());
+/// The engine cannot build it, or the physics stops it at once.
+pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
+    let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial())?;
     simulation.prepare()?;
     let stable = simulation.stable();
     let dt = simulation.dt();
     let view = simulation.view();
-    let fastest = view
-        .living()
-        .map(|b| (b, view.velocity(b).length()))
-        .filter(|(_, speed)| *speed > 0.0)
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(b, speed)| (setup.blocks[b].name.clone(), speed));
-    let contacts = view.contacts().count();
+    let fastest = view.fastest().filter(|(_, speed)| *speed > 0.0);
+    let contacts = view.contacts();
+    let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let wanted = |rule: &TimeStep| match *rule {
         TimeStep::Given { dt } => dt,
@@ -79,7 +88,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, RunError> {
     let rate = rate(&mut simulation)?;
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
-        governing_block: stable.block.map(|b| setup.blocks[b as usize].name.clone()),
+        governing_block,
         time_step: dt,
         share_of_stable: Some(dt / stable.dt).filter(|_| stable.dt.is_finite()),
         contacts,

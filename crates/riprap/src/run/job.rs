@@ -9,12 +9,12 @@ use thiserror::Error;
 
 use super::checks::{Check, CheckResult, Watch};
 use super::drive::{Control, DriveError, Ending, Progress, drive};
+use super::engine::{BuildError, Kind};
 use super::plan::Plan;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
-use super::simulation::{RunError, Simulation, state_hash};
+use super::simulation::{RunError, Simulation};
 use crate::exec::{Exec, ExecError};
-use crate::planar::readings::INFOS;
-use crate::planar::setup::Setup;
+use crate::model::Setup;
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
 use crate::record::manifest::{Machine, ManifestError, StageTime, utc};
@@ -75,6 +75,9 @@ pub enum JobError {
     /// The disk.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// The engine cannot build the model.
+    #[error(transparent)]
+    Build(#[from] BuildError),
     /// No threads.
     #[error(transparent)]
     Exec(#[from] ExecError),
@@ -95,6 +98,7 @@ impl JobError {
             | JobError::Ended { .. }
             | JobError::Drive(DriveError::Record(RecordError::Field(_)) | DriveError::Field(_))
             | JobError::Record(RecordError::Field(_))
+            | JobError::Build(_)
             | JobError::Exec(_) => false,
         }
     }
@@ -117,12 +121,14 @@ pub fn run(
     manifest.machine = Machine::this();
     manifest.started = utc(SystemTime::now());
     manifest.title.clone_from(&job.plan.title);
-    manifest.fields = INFOS.iter().map(Into::into).collect();
+    let kind = Kind::of(&job.setup);
+    manifest.fields = kind.fields().iter().map(Into::into).collect();
     manifest.ended = Ended::Running;
+    // A model that cannot be built leaves no folder behind.
+    let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
     let folder = RunFolder::create(folder, existing, &manifest)?;
     folder.write_scenario(&job.resolved)?;
-    let mut recorder = Recorder::new(folder, &job.plan, None)?;
-    let mut simulation = Simulation::new(job.setup, job.plan, exec);
+    let mut recorder = Recorder::new(folder, kind, simulation.plan(), None)?;
     // Whatever happens from now on, there is something to resume from.
     recorder.checkpoint(&simulation)?;
     let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
@@ -164,8 +170,8 @@ pub fn resume(
         counts,
     } = latest.value;
     let folder = RunFolder::reopen(folder, &marks)?;
-    let mut recorder = Recorder::new(folder, &snapshot.plan, Some(counts))?;
     let mut simulation = Simulation::resume(snapshot, exec);
+    let mut recorder = Recorder::new(folder, simulation.kind(), simulation.plan(), Some(counts))?;
     go_on(&mut simulation, &mut recorder, &mut [], manifest, look)
 }
 
@@ -180,7 +186,7 @@ pub fn watch_only(
 ) -> Result<Outcome, JobError> {
     let exec = Exec::new(threads)?;
     let begun = Instant::now();
-    let mut simulation = Simulation::new(job.setup, job.plan, exec);
+    let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
     let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
     let ending = drive(&mut simulation, None, &mut watches, look)?;
     let mut manifest = job.manifest;
@@ -238,18 +244,18 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending, begu
         Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
     };
     manifest.wall_time += begun.elapsed().as_secs_f64();
-    manifest.dt = view.world.last_dt;
-    manifest.steps = view.world.step;
-    manifest.time = view.world.time;
-    manifest.state_hash = state_hash(view.world);
+    manifest.dt = view.last_dt();
+    manifest.steps = view.step();
+    manifest.time = view.time();
+    manifest.state_hash = simulation.engine().hash();
     let stage = |(name, seconds): (String, f64)| StageTime {
         name,
         seconds,
-        calls: view.world.step,
+        calls: view.step(),
     };
-    manifest.profile = view
-        .scratch
-        .profile
+    manifest.profile = simulation
+        .engine()
+        .profile()
         .seconds()
         .into_iter()
         .map(stage)
@@ -261,9 +267,9 @@ mod tests {
     use super::*;
     use crate::Vec2;
     use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw};
-    use crate::planar::setup::{BlockSpec, Interface, Motion, Support};
+    use crate::planar::setup::{self, BlockSpec, Interface, Motion, Support};
     use crate::run::checks::{Expected, Status, Window};
-    use crate::run::plan::{Damping, Every, History, Phase, PhaseKind, TimeStep, Until};
+    use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
 
     /// A block that falls onto a fixed one.
     fn falling() -> Job {
@@ -286,7 +292,7 @@ mod tests {
             friction_law: FrictionLaw::ShearSpring,
             damping_ratio: 0.2,
         };
-        let setup = Setup {
+        let setup = setup::Setup {
             gravity: [0.0, -10.0],
             materials: vec!["rock".to_owned()],
             blocks: vec![square("base", 0.0), square("top", 1.02)],
@@ -304,7 +310,7 @@ mod tests {
                     rotation: true,
                 },
             }],
-            ..Setup::default()
+            ..setup::Setup::default()
         };
         let phase = Phase {
             name: "fall".to_owned(),
@@ -321,21 +327,26 @@ mod tests {
             gravity: None,
             gravity_ramp: None,
             contacts: Vec::new(),
+            joints: Vec::new(),
             zero_velocities: false,
             zero_displacements: false,
         };
         let history = History {
             name: "drop".to_owned(),
-            field: "block.displacement.y".to_owned(),
-            of: vec![1],
-            along: None,
+            gauge: Gauge {
+                field: "block.displacement.y".to_owned(),
+                of: vec![1],
+                ..Gauge::default()
+            },
             every: Every::Time(1e-2),
         };
         let check = Check {
             name: "falls freely at first".to_owned(),
-            field: "block.displacement.y".to_owned(),
-            of: vec![1],
-            along: None,
+            gauge: Gauge {
+                field: "block.displacement.y".to_owned(),
+                of: vec![1],
+                ..Gauge::default()
+            },
             unit: "m".to_owned(),
             window: Window::At(0.05),
             expected: Expected::Value(-0.0125),
@@ -344,7 +355,7 @@ mod tests {
             known: None,
         };
         Job {
-            setup,
+            setup: setup.into(),
             plan: Plan {
                 title: "falling".to_owned(),
                 phases: vec![phase],

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::dynamics::damping::Damping;
 use crate::planar::setup::ContactLaw;
+use crate::spatial::setup::JointLaw;
 
 /// Everything the loop needs besides the model itself.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -42,15 +43,31 @@ pub struct Phase {
     /// Blocks whose supports are taken away at the start of the phase.
     pub release: Vec<u32>,
     /// New gravity, m/s².
-    pub gravity: Option<[f64; 2]>,
+    /// In the plane the third component is 0.
+    pub gravity: Option<[f64; 3]>,
     /// Time over which gravity grows from its value before (zero in the first phase), s.
     pub gravity_ramp: Option<f64>,
-    /// Rows of the interface table replaced at the start of the phase.
+    /// Rows of the interface table of the planar engine replaced at the start of the phase.
     pub contacts: Vec<(u16, ContactLaw)>,
+    /// Rows of the interface table of the spatial engine replaced at the start of the phase.
+    pub joints: Vec<(u16, JointLaw)>,
     /// Sets all velocities to zero at the start.
     pub zero_velocities: bool,
     /// Measures displacements from the start of this phase on.
     pub zero_displacements: bool,
+}
+
+impl Phase {
+    /// Whether blocks, supports or laws change when it begins.
+    #[must_use]
+    pub fn edits(&self) -> bool {
+        !self.remove.is_empty()
+            || !self.fix.is_empty()
+            || !self.release.is_empty()
+            || !self.contacts.is_empty()
+            || !self.joints.is_empty()
+            || self.zero_velocities
+    }
 }
 
 /// Kind of phase.
@@ -90,17 +107,27 @@ pub enum TimeStep {
     },
 }
 
+/// One number that can be read from a model.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Gauge {
+    /// Field with its component, e.g. `block.displacement.x`.
+    pub field: String,
+    /// Where it is read: one block for block fields, two for pair fields, any number for group fields, one
+    /// source for cavity fields.
+    pub of: Vec<u32>,
+    /// Point instead of a block, in local coordinates, m: the living block whose reference volume holds it.
+    pub at: Option<[f64; 3]>,
+    /// Unit direction onto which a vector field is projected.
+    pub along: Option<[f64; 3]>,
+}
+
 /// One recorded history.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct History {
     /// Column name.
     pub name: String,
-    /// Field, e.g. `block.displacement`.
-    pub field: String,
-    /// Blocks it is read at (one for block fields, two for pair fields, any for group fields).
-    pub of: Vec<u32>,
-    /// Unit direction onto which a vector field is projected.
-    pub along: Option<[f64; 2]>,
+    /// What is read.
+    pub gauge: Gauge,
     /// Sampling.
     pub every: Every,
 }

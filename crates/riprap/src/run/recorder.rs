@@ -3,27 +3,11 @@
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use super::engine::{Kind, Reading};
 use super::plan::{Every, Plan};
 use super::simulation::{Simulation, Snapshot};
-use crate::planar::readings::{self, Reading};
+use crate::ledger::COLUMNS;
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
-
-/// Columns of `energy.csv`: field of the table and column name.
-pub const ENERGY: [&str; 13] = [
-    "energy.kinetic",
-    "energy.gravity",
-    "energy.contact_normal",
-    "energy.contact_shear",
-    "energy.joints",
-    "energy.loads",
-    "energy.supports",
-    "energy.friction",
-    "energy.damping",
-    "energy.fracture",
-    "energy.law_defect",
-    "energy.edit_defect",
-    "energy.residual",
-];
 
 /// Records written so far, per rhythm; part of a checkpoint.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -46,8 +30,8 @@ pub struct Checkpoint {
     pub counts: Counts,
 }
 
-/// Kind word of checkpoints of the planar engine.
-pub const KIND: &str = "planar";
+/// Kind word of checkpoints of runs.
+pub const KIND: &str = "run";
 
 /// Writes a run folder while a simulation goes on.
 #[derive(Debug)]
@@ -69,22 +53,23 @@ impl Recorder {
     /// Histories of unknown fields; the disk.
     pub fn new(
         mut folder: RunFolder,
+        kind: Kind,
         plan: &Plan,
         counts: Option<Counts>,
     ) -> Result<Self, RecordError> {
         let mut readings = Vec::new();
         let mut columns = Vec::new();
         for history in &plan.histories {
-            let reading = Reading::new(&history.field, &history.of, history.along)?;
+            let reading = Reading::new(kind, &history.gauge)?;
             columns.push((history.name.clone(), reading.info().unit.to_owned()));
             readings.push((reading, history.every));
         }
         if !columns.is_empty() {
             folder.begin_histories(&columns)?;
         }
-        let names: Vec<(&str, &str)> = ENERGY
+        let names: Vec<(&str, &str)> = COLUMNS
             .iter()
-            .map(|name| (name.trim_start_matches("energy."), "J/m"))
+            .map(|(name, _)| (*name, kind.energy_unit()))
             .collect();
         folder.begin_energy(&names)?;
         let mut counts = counts.unwrap_or_default();
@@ -107,7 +92,7 @@ impl Recorder {
     /// The disk.
     pub fn record(&mut self, simulation: &Simulation, phase_end: bool) -> Result<(), OutputError> {
         let view = simulation.view();
-        let (step, time) = (view.world.step, view.world.time);
+        let (step, time) = (view.step(), view.time());
         if self.counts.last_step == Some(step) {
             // The first look of a phase is the last one of the phase before.
             return Ok(());
@@ -151,7 +136,7 @@ impl Recorder {
             .is_some_and(|every| due(every, &mut self.counts.frames));
         if (frame || edge) && self.last_frame != Some(step) {
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
-            self.folder.frame(&readings::frame(&view, phase))?;
+            self.folder.frame(&view.frame(phase))?;
             self.last_frame = Some(step);
         }
         self.events(simulation)
@@ -159,43 +144,14 @@ impl Recorder {
 
     fn energy_row(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         let view = simulation.view();
-        let b = view.balance();
-        let w = &b.works;
-        let row = [
-            b.kinetic,
-            b.gravity,
-            b.contact_normal,
-            b.contact_shear,
-            b.bond,
-            w.loads,
-            w.supports,
-            w.friction,
-            w.damping,
-            w.fracture,
-            w.law_defect,
-            w.edit_defect,
-            b.residual(),
-        ];
-        self.folder
-            .energy_row(view.world.step, view.world.time, &row)
+        let balance = view.balance();
+        let row = COLUMNS.map(|(_, get)| get(&balance));
+        self.folder.energy_row(view.step(), view.time(), &row)
     }
 
-    /// Joints that have broken since the last look.
     fn events(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        let world = simulation.view().world;
-        for bond in world
-            .bonds
-            .iter()
-            .filter(|b| b.broken_at == Some(world.step))
-        {
-            let name = |b: u32| &world.setup.blocks[b as usize].name;
-            self.folder.event(&json!({
-                "event": "joint_broken",
-                "step": world.step,
-                "time": world.time,
-                "blocks": [name(bond.i), name(bond.j)],
-                "length": bond.length,
-            }))?;
+        for event in simulation.view().events() {
+            self.folder.event(&event)?;
         }
         Ok(())
     }
@@ -205,26 +161,26 @@ impl Recorder {
     /// # Errors
     /// The disk.
     pub fn phase_event(&mut self, simulation: &Simulation, what: &str) -> Result<(), OutputError> {
-        let world = simulation.view().world;
+        let view = simulation.view();
         let phase = simulation.phase().map_or("", |p| p.name.as_str());
         self.folder.event(&json!({
-            "event": what, "phase": phase, "step": world.step, "time": world.time,
+            "event": what, "phase": phase, "step": view.step(), "time": view.time(),
         }))
     }
 
     /// Whether a checkpoint is due after the step just made.
     pub fn checkpoint_due(&mut self, simulation: &Simulation) -> bool {
-        let world = simulation.view().world;
+        let (step, time) = (simulation.steps(), simulation.time());
         let count = &mut self.counts.checkpoints;
         match self.checkpoints {
             Some(Every::Time(span)) => {
-                let due = world.time >= (*count + 1) as f64 * span;
+                let due = time >= (*count + 1) as f64 * span;
                 if due {
-                    *count = (world.time / span).floor() as u64;
+                    *count = (time / span).floor() as u64;
                 }
                 due
             }
-            Some(Every::Steps(n)) => world.step.is_multiple_of(n.max(1)),
+            Some(Every::Steps(n)) => step.is_multiple_of(n.max(1)),
             Some(Every::Phase) | None => false,
         }
     }
@@ -235,7 +191,7 @@ impl Recorder {
     /// The disk.
     pub fn checkpoint(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         let snapshot = simulation.snapshot();
-        let step = snapshot.world.step;
+        let step = simulation.steps();
         let marks = self.folder.marks(step);
         let value = Checkpoint {
             snapshot,

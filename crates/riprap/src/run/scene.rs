@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use crate::model::{self, Model};
-use crate::planar::readings::INFOS;
-use crate::record::Manifest;
 use crate::record::manifest::Override;
+use crate::record::{FieldInfo, Manifest};
+use crate::run::engine::Kind;
 use crate::run::job::Job;
+use crate::scenario::language::Space;
 use crate::scenario::{self, Case, Diagnostics, Parsed};
 
 /// A scene as the user wants it run.
@@ -96,7 +97,7 @@ impl Scene {
             parsed.folder.clone_from(&self.parsed.folder);
             parsed
         };
-        let model = model::build(&parsed, &case.variant, INFOS)?;
+        let model = model::build(&parsed, &case.variant, fields(&parsed))?;
         let changed = self.changes.iter().chain(&case.changes);
         let manifest = Manifest {
             title: parsed.scenario.title.clone(),
@@ -141,6 +142,13 @@ impl Prepared {
             resolved: self.resolved,
             manifest: self.manifest,
         }
+    }
+}
+
+/// Field table of the engine that the scene needs.
+fn fields(parsed: &Parsed) -> &'static [FieldInfo] {
+    match parsed.scenario.space {
+        Space::Planar(_) => Kind::Planar.fields(),
     }
 }
 

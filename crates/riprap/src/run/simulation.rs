@@ -7,19 +7,13 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::engine::{BuildError, Engine, Kind, Stable, State, View};
 use super::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
-use crate::Vec2;
 use crate::exec::Exec;
-use crate::planar::fields::View;
-use crate::planar::setup::{Motion, Setup};
-use crate::planar::stable::{Stable, stable_step};
-use crate::planar::step::{self, Scratch, hold_driven};
-use crate::planar::world::World;
+use crate::model::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
 pub const STATIC_DAMPING: f64 = 0.7;
-/// A block may cross at most this share of its neighbourhood's inscribed radius in one step.
-const TRANSIT: f64 = 0.2;
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
 const WORST_OVERLAP: f64 = 0.5;
 /// Steps between two looks at guards and at costly stop criteria.
@@ -89,10 +83,10 @@ pub struct Cursor {
     /// Step count at the start of the phase.
     pub start_step: u64,
     /// Gravity before the phase, m/s².
-    pub gravity_before: [f64; 2],
+    pub gravity_before: [f64; 3],
     /// Gravity the phase ends with, m/s².
-    pub gravity_after: [f64; 2],
-    /// Steps shortened by the tunnelling guard.
+    pub gravity_after: [f64; 3],
+    /// Steps shortened by the engine: fast blocks, expanding gas.
     pub shortened: u64,
 }
 
@@ -104,7 +98,7 @@ pub struct Snapshot {
     /// Place in the plan.
     pub cursor: Cursor,
     /// State of the model.
-    pub world: World,
+    pub state: State,
 }
 
 /// What has just come to an end.
@@ -123,19 +117,20 @@ pub enum Stage {
 pub struct Simulation {
     plan: Plan,
     cursor: Cursor,
-    world: World,
-    scratch: Scratch,
+    engine: Engine,
     stable: Option<(u64, Stable)>,
     dt: f64,
 }
 
 impl Simulation {
     /// A run from the start.
-    #[must_use]
-    pub fn new(setup: Setup, plan: Plan, exec: Exec) -> Self {
-        let (mut world, scratch) = World::new(setup, exec);
+    ///
+    /// # Errors
+    /// A model that the engine cannot build.
+    pub fn new(setup: impl Into<Setup>, plan: Plan, exec: Exec) -> Result<Self, BuildError> {
+        let mut engine = Engine::new(setup.into(), exec)?;
         let cursor = Cursor {
-            gravity_after: world.gravity.into(),
+            gravity_after: engine.gravity(),
             ..Cursor::default()
         };
         if plan
@@ -143,16 +138,15 @@ impl Simulation {
             .first()
             .is_some_and(|p| p.gravity_ramp.is_some())
         {
-            world.gravity = Vec2::ZERO;
+            engine.set_gravity([0.0; 3]);
         }
-        Self {
+        Ok(Self {
             plan,
             cursor,
-            world,
-            scratch,
+            engine,
             stable: None,
             dt: 0.0,
-        }
+        })
     }
 
     /// A run that goes on from a snapshot.
@@ -161,14 +155,12 @@ impl Simulation {
         let Snapshot {
             plan,
             cursor,
-            mut world,
+            state,
         } = snapshot;
-        let scratch = Scratch::new(&mut world, exec);
         Self {
             plan,
             cursor,
-            world,
-            scratch,
+            engine: Engine::resume(state, exec),
             stable: None,
             dt: 0.0,
         }
@@ -180,8 +172,32 @@ impl Simulation {
         Snapshot {
             plan: self.plan.clone(),
             cursor: self.cursor.clone(),
-            world: self.world.clone(),
+            state: self.engine.state(),
         }
+    }
+
+    /// The engine.
+    #[must_use]
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    /// Which engine it is.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        self.engine.kind()
+    }
+
+    /// Model time, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.engine.view().time()
+    }
+
+    /// Steps done.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.engine.view().step()
     }
 
     /// The plan.
@@ -205,10 +221,7 @@ impl Simulation {
     /// The state, to be read after [`Simulation::prepare`].
     #[must_use]
     pub fn view(&self) -> View<'_> {
-        View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        self.engine.view()
     }
 
     /// The coming time step, s; known after [`Simulation::prepare`].
@@ -217,19 +230,14 @@ impl Simulation {
         self.dt
     }
 
-    /// The stable time step of the present candidate list, with the damping of the phase.
+    /// The stable time step of the present contacts, with the damping of the phase.
     pub fn stable(&mut self) -> Stable {
         let stiffness_damping = self.phase().map_or(0.0, |p| p.damping.stiffness);
         match self.stable {
-            Some((rebuilds, stable)) if rebuilds == self.scratch.rebuilds => stable,
+            Some((revision, stable)) if revision == self.engine.revision() => stable,
             _ => {
-                let found = stable_step(
-                    &self.world,
-                    &self.scratch.shapes,
-                    &self.scratch.candidates,
-                    stiffness_damping,
-                );
-                self.stable = Some((self.scratch.rebuilds, found));
+                let found = self.engine.stable(stiffness_damping);
+                self.stable = Some((self.engine.revision(), found));
                 found
             }
         }
@@ -250,9 +258,9 @@ impl Simulation {
         self.ramp_gravity(phase.gravity_ramp);
         let damping = phase.damping;
         self.dt = self.next_step(&phase);
-        let rebuilds = self.scratch.rebuilds;
+        let revision = self.engine.revision();
         self.evaluate(&damping, self.dt)?;
-        if self.scratch.rebuilds != rebuilds {
+        if self.engine.revision() != revision {
             // New neighbours can shorten the step.
             let dt = self.next_step(&phase);
             if dt != self.dt {
@@ -270,10 +278,10 @@ impl Simulation {
 
     /// Moves on by one step; call [`Simulation::prepare`] before.
     pub fn step(&mut self) {
-        if self.world.last_dt == 0.0 {
+        if self.view().last_dt() == 0.0 {
             self.book_start();
         }
-        step::advance(&mut self.world, &mut self.scratch, self.dt);
+        self.engine.advance(self.dt);
     }
 
     /// Books the start of a motion, after the half kick that begins it is known.
@@ -281,20 +289,12 @@ impl Simulation {
     /// What the leapfrog keeps is `m v(n-1/2)·v(n+1/2)/2` and the stored energy. At the start the two
     /// half-step velocities are `v - dv` and `v + dv` about the given one: `m dv²/2` less than `m v²/2`.
     fn book_start(&mut self) {
-        let shapes = &self.scratch.shapes;
-        let half_kick: f64 = self
-            .view()
-            .living()
-            .map(|b| {
-                let change = &self.scratch.changes[b];
-                shapes.mass[b] * change.velocity.length_squared()
-                    + shapes.inertia[b] * change.spin * change.spin
-            })
-            .sum();
-        if self.world.start_energy.is_none() {
-            self.world.start_energy = Some(self.view().balance().total() - 0.5 * half_kick);
+        let half_kick = self.view().half_kick();
+        if self.engine.start_energy().is_none() {
+            let total = self.view().balance().total();
+            *self.engine.start_energy() = Some(total - 0.5 * half_kick);
         } else {
-            self.world.works.edit_defect -= 0.5 * half_kick;
+            self.engine.works().edit_defect -= 0.5 * half_kick;
         }
     }
 
@@ -311,10 +311,10 @@ impl Simulation {
         let until = self.phase()?.until;
         let steps = until
             .steps
-            .map(|n| (self.world.step - self.cursor.start_step) as f64 / n.max(1) as f64);
+            .map(|n| (self.steps() - self.cursor.start_step) as f64 / n.max(1) as f64);
         let time = until
             .time
-            .map(|t| (self.world.time - self.cursor.start_time) / t);
+            .map(|t| (self.time() - self.cursor.start_time) / t);
         match (steps, time) {
             (Some(a), Some(b)) => Some(a.max(b)),
             (a, b) => a.or(b),
@@ -322,26 +322,21 @@ impl Simulation {
     }
 
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
-        step::evaluate(&mut self.world, &mut self.scratch, damping, dt).map_err(|e| {
-            RunError::NonFinite {
-                block: self.name(e.block),
-                step: self.world.step,
-                time: self.world.time,
-            }
-        })?;
-        Ok(())
-    }
-
-    fn name(&self, block: u32) -> String {
-        self.world.setup.blocks[block as usize].name.clone()
+        self.engine
+            .evaluate(damping, dt)
+            .map_err(|block| RunError::NonFinite {
+                block: self.view().name(block),
+                step: self.steps(),
+                time: self.time(),
+            })
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.
     fn enter_phase(&mut self) -> Result<(), RunError> {
         self.cursor.entered = true;
-        self.cursor.start_time = self.world.time;
-        self.cursor.start_step = self.world.step;
-        self.cursor.gravity_before = self.world.gravity.into();
+        self.cursor.start_time = self.time();
+        self.cursor.start_step = self.steps();
+        self.cursor.gravity_before = self.engine.gravity();
         let Some(phase) = self.phase().cloned() else {
             return Ok(());
         };
@@ -349,64 +344,22 @@ impl Simulation {
             self.cursor.gravity_after = gravity;
         }
         if phase.gravity_ramp.is_none() {
-            self.world.gravity = Vec2::from(self.cursor.gravity_after);
+            self.engine.set_gravity(self.cursor.gravity_after);
         }
-        let edits = !phase.remove.is_empty()
-            || !phase.fix.is_empty()
-            || !phase.release.is_empty()
-            || !phase.contacts.is_empty()
-            || phase.zero_velocities;
         if phase.zero_displacements {
-            for (b, body) in self.world.bodies.iter().enumerate() {
-                self.world.reference[b] = body.position;
-                self.world.reference_angle[b] = body.angle;
-            }
+            self.engine.zero_displacements();
         }
-        if !edits {
+        if !phase.edits() {
             return Ok(());
         }
         let damping = damping_of(&phase);
         self.evaluate(&damping, 0.0)?;
         let before = self.view().balance().residual();
-        self.edit(&phase);
-        self.scratch.invalidate(&mut self.world);
+        self.engine.edit(&phase);
         self.evaluate(&damping, 0.0)?;
         let after = self.view().balance().residual();
-        self.world.works.edit_defect += after - before;
+        self.engine.works().edit_defect += after - before;
         Ok(())
-    }
-
-    fn edit(&mut self, phase: &Phase) {
-        let world = &mut self.world;
-        for &b in &phase.remove {
-            world.alive[b as usize] = false;
-        }
-        let alive = std::mem::take(&mut world.alive);
-        world
-            .bonds
-            .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
-        world.alive = alive;
-        for &b in &phase.fix {
-            world.motion[b as usize] = Some(Box::new(Motion::Fixed {
-                x: true,
-                y: true,
-                rotation: true,
-            }));
-        }
-        for &b in &phase.release {
-            world.motion[b as usize] = None;
-        }
-        for (row, law) in &phase.contacts {
-            world.setup.interfaces[*row as usize].contact = *law;
-        }
-        if phase.zero_velocities {
-            for body in &mut world.bodies {
-                body.velocity = Vec2::ZERO;
-                body.spin = 0.0;
-            }
-            world.last_dt = 0.0;
-        }
-        hold_driven(world);
     }
 
     fn ramp_gravity(&mut self, ramp: Option<f64>) {
@@ -414,15 +367,13 @@ impl Simulation {
             return;
         };
         let share = if span > 0.0 {
-            ((self.world.time - self.cursor.start_time) / span).clamp(0.0, 1.0)
+            ((self.time() - self.cursor.start_time) / span).clamp(0.0, 1.0)
         } else {
             1.0
         };
-        let (from, to) = (
-            Vec2::from(self.cursor.gravity_before),
-            Vec2::from(self.cursor.gravity_after),
-        );
-        self.world.gravity = from + share * (to - from);
+        let (from, to) = (self.cursor.gravity_before, self.cursor.gravity_after);
+        self.engine
+            .set_gravity(std::array::from_fn(|k| from[k] + share * (to[k] - from[k])));
     }
 
     /// Length of the coming step: the rule of the phase, shortened for fast blocks and for the end.
@@ -431,14 +382,14 @@ impl Simulation {
             TimeStep::Given { dt } => dt,
             TimeStep::Auto { safety } => safety * self.stable().dt,
         };
-        let transit = TRANSIT * self.scratch.transit;
+        let limit = self.engine.step_limit();
         let mut dt = wanted;
-        if transit < dt {
-            dt = transit;
+        if limit < dt {
+            dt = limit;
             self.cursor.shortened += 1;
         }
         if let Some(span) = phase.until.time {
-            let left = self.cursor.start_time + span - self.world.time;
+            let left = self.cursor.start_time + span - self.time();
             // A little longer rather than a tiny last step.
             if left <= 1.001 * dt && left > 0.0 {
                 dt = left;
@@ -448,12 +399,12 @@ impl Simulation {
     }
 
     fn phase_over(&self, phase: &Rules) -> bool {
-        let (until, world) = (&phase.until, &self.world);
-        let steps = world.step - self.cursor.start_step;
+        let until = &phase.until;
+        let steps = self.steps() - self.cursor.start_step;
         if until.steps.is_some_and(|n| steps >= n) {
             return true;
         }
-        let elapsed = world.time - self.cursor.start_time;
+        let elapsed = self.time() - self.cursor.start_time;
         if until.time.is_some_and(|t| elapsed >= t - 1e-9 * self.dt) {
             return true;
         }
@@ -464,48 +415,31 @@ impl Simulation {
             && (until
                 .unbalanced
                 .is_some_and(|x| self.view().unbalanced() <= x)
-                || until.kinetic.is_some_and(|x| self.kinetic() <= x))
-    }
-
-    fn kinetic(&self) -> f64 {
-        let view = self.view();
-        view.living().map(|b| view.kinetic(b)).sum()
+                || until.kinetic.is_some_and(|x| self.view().kinetic() <= x))
     }
 
     /// Stops runs that have left the range in which they mean anything.
     fn guard(&self) -> Result<(), RunError> {
-        if !self.world.step.is_multiple_of(LOOK) || self.world.step == 0 {
+        let (step, time) = (self.steps(), self.time());
+        if !step.is_multiple_of(LOOK) || step == 0 {
             return Ok(());
         }
-        let (step, time) = (self.world.step, self.world.time);
-        if let Some((ratio, i, j)) = self.view().worst_overlap()
+        let view = self.view();
+        if let Some((ratio, i, j)) = view.worst_overlap()
             && ratio > WORST_OVERLAP
         {
             return Err(RunError::Overlap {
-                first: self.name(i),
-                second: self.name(j),
+                first: view.name(i),
+                second: view.name(j),
                 percent: 100.0 * ratio,
                 step,
                 time,
             });
         }
-        let kinetic = self.kinetic();
-        let works = &self.world.works;
-        let start = self.world.start_energy.unwrap_or(0.0).abs();
-        let put_in = start
-            + works.gravity.max(0.0)
-            + works.loads.abs()
-            + works.supports.abs()
-            + works.edit_defect.abs();
+        let (kinetic, put_in) = (view.kinetic(), view.put_in());
         if kinetic > 5.0 * put_in + 1e-12 {
-            let view = self.view();
-            let fastest = view.living().max_by(|&a, &b| {
-                view.velocity(a)
-                    .length()
-                    .total_cmp(&view.velocity(b).length())
-            });
             return Err(RunError::BlowUp {
-                block: fastest.map_or_else(String::new, |b| self.name(b as u32)),
+                block: view.fastest().map_or_else(String::new, |(name, _)| name),
                 kinetic,
                 ratio: kinetic / put_in.max(f64::MIN_POSITIVE),
                 step,
@@ -544,47 +478,4 @@ pub fn damping_of(phase: &Phase) -> Damping {
         damping.local = STATIC_DAMPING;
     }
     damping
-}
-
-/// blake3 of the state: equal hashes mean equal bits of motion and contact memory.
-#[must_use]
-pub fn state_hash(world: &World) -> String {
-    let mut hasher = blake3::Hasher::new();
-    let mut put = |x: f64| {
-        hasher.update(&x.to_bits().to_le_bytes());
-    };
-    put(world.time);
-    put(world.step as f64);
-    for (b, body) in world.bodies.iter().enumerate() {
-        let alive = f64::from(u8::from(world.alive[b]));
-        let Vec2 { x, y } = body.position;
-        for v in [
-            alive,
-            x,
-            y,
-            body.velocity.x,
-            body.velocity.y,
-            body.angle,
-            body.spin,
-        ] {
-            put(v);
-        }
-    }
-    let pairs = world.pairs.iter().map(|p| (p.i, p.j, &p.contact));
-    let general = world
-        .general
-        .iter()
-        .flat_map(|g| g.regions.iter().map(move |r| (g.i, g.j, &r.contact)));
-    for (i, j, c) in pairs.chain(general).filter(|(_, _, c)| c.touches()) {
-        for v in [f64::from(i), f64::from(j), c.shear, c.offset] {
-            put(v);
-        }
-    }
-    for bond in &world.bonds {
-        for p in &bond.points {
-            put(p.slip);
-            put(f64::from(u8::from(p.failed)));
-        }
-    }
-    hasher.finalize().to_hex().to_string()
 }

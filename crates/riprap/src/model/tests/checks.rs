@@ -46,7 +46,7 @@ only = ["soft"]
         .map(|h| h.name.as_str())
         .collect();
     assert_eq!(names, ["slip", "v.x", "v.y"]);
-    assert_eq!(model.plan.histories[2].field, "block.velocity.y");
+    assert_eq!(model.plan.histories[2].gauge.field, "block.velocity.y");
     assert_eq!(model.plan.frames, Some(Every::Phase));
     let [formula, force] = &model.checks[..] else {
         panic!("{:?}", model.checks)
@@ -61,7 +61,10 @@ only = ["soft"]
     let mut values: Vec<(&str, f64)> = names.iter().map(|(n, v)| (n.as_str(), *v)).collect();
     values.push(("t", 2.0));
     assert!((formula.value(&values) - 2.0 * 9.81).abs() < 1e-12);
-    assert_eq!((force.unit.as_str(), &force.of[..]), ("N/m", &[0, 1][..]));
+    assert_eq!(
+        (force.unit.as_str(), &force.gauge.of[..]),
+        ("N/m", &[0, 1][..])
+    );
     assert!(matches!(force.expected, Expected::Between(_, high) if (high - 1e-3).abs() < 1e-18));
 }
 
@@ -158,7 +161,7 @@ absolute = "0.2 deg"
     assert!(model.checks.is_empty());
     let check = &model.bisect.unwrap().checks[0];
     assert_eq!(
-        (check.field.as_str(), check.unit.as_str()),
+        (check.gauge.field.as_str(), check.unit.as_str()),
         (super::LIMIT, "rad")
     );
     assert!(matches!(check.expected, Expected::Value(x) if (x - 35f64.to_radians()).abs() < 1e-15));

@@ -38,9 +38,9 @@ cohesion = "1 kPa"
 "#
     );
     let model = good(&middle);
-    assert_eq!(model.setup.materials, ["rock", "steel"]);
-    assert_eq!(model.setup.pair_table, [0, 1, 1, 0]);
-    let shoe = &model.setup.interfaces[1];
+    assert_eq!(model.setup.planar().unwrap().materials, ["rock", "steel"]);
+    assert_eq!(model.setup.planar().unwrap().pair_table, [0, 1, 1, 0]);
+    let shoe = &model.setup.planar().unwrap().interfaces[1];
     assert_eq!(
         (shoe.contact.friction, shoe.contact.shear_stiffness),
         (0.1, 1.5e9)
@@ -75,7 +75,9 @@ fn strengths_are_divided_by_the_factor() {
         "{CUBE}{FLOOR}\n[[phases]]\nname = \"weak\"\nuntil = {{ time = \"1 s\" }}\n\
          [phases.interfaces.default]\nfriction_coefficient = 0.3\ncohesion = \"3 kPa\"\n"
     );
-    let plain = good(&scene).setup.interfaces[0].contact.friction;
+    let plain = good(&scene).setup.planar().unwrap().interfaces[0]
+        .contact
+        .friction;
     let source = text(&scene).replacen("title", "strength_factor = 1.5\ntitle", 1);
     let model = build(
         &parse(Source::new("t.toml", source)).unwrap(),
@@ -83,7 +85,7 @@ fn strengths_are_divided_by_the_factor() {
         INFOS,
     )
     .unwrap();
-    let law = &model.setup.interfaces[0].contact;
+    let law = &model.setup.planar().unwrap().interfaces[0].contact;
     assert!((law.friction - plain / 1.5).abs() < 1e-15);
     let weak = model.plan.phases.iter().find(|p| p.name == "weak").unwrap();
     let (_, later) = &weak.contacts[0];

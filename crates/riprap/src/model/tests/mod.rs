@@ -72,13 +72,13 @@ rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
 #[test]
 fn a_cube_on_a_floor_in_numbers() {
     let model = good(&format!("{CUBE}{FLOOR}"));
-    let [cube, floor] = &model.setup.blocks[..] else {
+    let [cube, floor] = &model.setup.planar().unwrap().blocks[..] else {
         panic!()
     };
     assert_eq!((cube.name.as_str(), floor.name.as_str()), ("cube", "floor"));
     assert_eq!(signed_area(&floor.vertices), 10.0);
-    assert_eq!(model.setup.pair_table, [0]);
-    let law = model.setup.interfaces[0].contact;
+    assert_eq!(model.setup.planar().unwrap().pair_table, [0]);
+    let law = model.setup.planar().unwrap().interfaces[0].contact;
     // E = 10 GPa, nu = 0.25: K + 4G/3 = 12 GPa; L is the cube's, since the floor is fixed.
     assert!(
         (law.normal_stiffness / 120e9 - 1.0).abs() < 1e-12,
@@ -100,7 +100,7 @@ fn a_cube_on_a_floor_in_numbers() {
         (Provenance::Derived, "1.200000e11 Pa/m")
     );
     assert!(matches!(
-        &model.setup.supports[0].motion,
+        &model.setup.planar().unwrap().supports[0].motion,
         Motion::Fixed {
             x: true,
             y: true,
@@ -150,21 +150,30 @@ groups = ["all"]
 regular = { sides = 6, radius = "1 m", centre = ["0 m", "0 m"] }
 "#,
     );
-    let names: Vec<&str> = model.setup.blocks.iter().map(|b| b.name.as_str()).collect();
+    let names: Vec<&str> = model
+        .setup
+        .planar()
+        .unwrap()
+        .blocks
+        .iter()
+        .map(|b| b.name.as_str())
+        .collect();
     assert_eq!(names, ["row.1", "row.2", "row.3", "hexagon"]);
-    let bounds = Aabb::of(&model.setup.blocks[2].vertices);
+    let bounds = Aabb::of(&model.setup.planar().unwrap().blocks[2].vertices);
     assert!(
         bounds.min.distance(Vec2::new(13.5, -1.0)) < 1e-14,
         "{bounds:?}"
     );
     let groups: Vec<(&str, &[u32])> = model
         .setup
+        .planar()
+        .unwrap()
         .groups
         .iter()
         .map(|g| (g.name.as_str(), &g.blocks[..]))
         .collect();
     assert_eq!(groups, [("all", &[0, 1, 2, 3][..]), ("row", &[0, 1, 2])]);
-    assert_eq!(model.setup.blocks[1].velocity, Vec2::X);
+    assert_eq!(model.setup.planar().unwrap().blocks[1].velocity, Vec2::X);
 }
 
 #[test]
@@ -197,6 +206,8 @@ pour = { region = [["100 m","0 m"],["110 m","10 m"]], count = 100, size = ["0.2 
     );
     let counts: Vec<(&str, usize)> = model
         .setup
+        .planar()
+        .unwrap()
         .groups
         .iter()
         .map(|g| (g.name.as_str(), g.blocks.len()))
@@ -213,7 +224,7 @@ pour = { region = [["100 m","0 m"],["110 m","10 m"]], count = 100, size = ["0.2 
     );
     assert_eq!(model.summary.regions.len(), 2);
     let again = model.clone();
-    assert_eq!(model.setup, again.setup);
+    assert_eq!(model.setup.planar().unwrap(), again.setup.planar().unwrap());
     assert!(model.summary.deepest_overlap.is_none_or(|(d, _)| d < 1e-12));
 }
 
@@ -234,21 +245,21 @@ point = {{ force = ["1 N/m","0 N/m"], at = ["{x}1 m","{y}1 m"] }}
     };
     let near = good(&far("", ""));
     assert_eq!(near.warnings.len(), 2, "{:?}", near.warnings);
-    assert_eq!(near.setup.origin, [0.0, 0.0]);
+    assert_eq!(near.setup.planar().unwrap().origin, [0.0, 0.0]);
     let model = good(&far("50000", "520000"));
     assert_eq!(model.warnings.len(), 3, "{:?}", model.warnings);
-    let [x, y] = model.setup.origin;
+    let [x, y] = model.setup.planar().unwrap().origin;
     assert!((x - 500_000.0).abs() < 3.0 && (y - 5_200_000.0).abs() < 3.0);
     // The same block and load to the last bit, in coordinates of its own.
     let shift = Vec2::new(x - 500_000.0, y - 5_200_000.0);
-    for (p, q) in model.setup.blocks[0]
+    for (p, q) in model.setup.planar().unwrap().blocks[0]
         .vertices
         .iter()
-        .zip(&near.setup.blocks[0].vertices)
+        .zip(&near.setup.planar().unwrap().blocks[0].vertices)
     {
         assert_eq!(*p + shift, *q);
     }
-    let LoadKind::Point { at: Some(at), .. } = model.setup.loads[0].kind else {
+    let LoadKind::Point { at: Some(at), .. } = model.setup.planar().unwrap().loads[0].kind else {
         panic!()
     };
     assert_eq!(at + shift, Vec2::ONE);
@@ -311,7 +322,7 @@ on = { block = "wall.NUMBER" }
 fixed = { rotation = false }
 "#;
     let model = good(&wall.replace("NUMBER", "6"));
-    assert_eq!(model.setup.supports[0].blocks, [5]);
+    assert_eq!(model.setup.planar().unwrap().supports[0].blocks, [5]);
     let text = bad(&wall.replace("NUMBER", "7"));
     assert!(
         text.contains("`wall` has the blocks wall.1 to wall.6"),
@@ -383,7 +394,7 @@ fn edge_loads_must_lie_on_an_edge() {
     };
     let model = good(&load("0.5 m"));
     assert!(matches!(
-        model.setup.loads[0].kind,
+        model.setup.planar().unwrap().loads[0].kind,
         LoadKind::Edge {
             pressure: [9000.0, 0.0],
             ..

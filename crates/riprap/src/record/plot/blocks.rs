@@ -38,7 +38,7 @@ pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
     let (stem, part) = Part::split(field);
     let (column, part) = match (find(field), find(stem)) {
         (Some(c), _) => (c, Part::Whole),
-        (None, Some(c)) if c.components == 2 => (c, part),
+        (None, Some(c)) if c.components > 1 => (c, part),
         (None, Some(_)) => {
             return Err(FieldError::NoComponents {
                 name: field.to_owned(),
@@ -56,7 +56,7 @@ pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
             });
         }
     };
-    let part = if column.components == 2 && part == Part::Whole {
+    let part = if column.components > 1 && part == Part::Whole {
         Part::Magnitude
     } else {
         part
@@ -65,6 +65,7 @@ pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
         Part::Whole => "",
         Part::X => ", x",
         Part::Y => ", y",
+        Part::Z => ", z",
         Part::Magnitude => " magnitude",
     };
     Ok(Chosen {
@@ -301,7 +302,7 @@ fn outlines(
         let points: Vec<[f64; 2]> = frame
             .outline(i)
             .iter()
-            .map(|p| window.pixel(*p, corner))
+            .map(|p| window.pixel([p[0], p[1]], corner))
             .collect();
         if points.iter().flatten().all(|v| v.is_finite()) {
             let colour = map.at(scale.share(*value));
@@ -347,7 +348,7 @@ fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
     let line = format!("stroke=\"#d00060\" stroke-width=\"{thick:.2}\" stroke-linecap=\"round\"");
     let force = force_column(frame).filter(|_| largest > 0.0);
     for (i, p) in frame.contact_points.iter().enumerate() {
-        let [x, y] = window.pixel(*p, corner);
+        let [x, y] = window.pixel([p[0], p[1]], corner);
         if let Some(column) = force {
             let (fx, fy) = (
                 column.data[2 * i] / largest * reach,

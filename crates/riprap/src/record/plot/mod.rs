@@ -432,9 +432,9 @@ fn interpolated(line: &Line, x: f64) -> f64 {
     y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 }
 
-fn middle(outline: &[[f64; 2]]) -> [f64; 2] {
+fn middle(outline: &[[f64; 3]]) -> [f64; 2] {
     // Centroid by triangles from the first vertex, which keeps its digits far from the origin.
-    let [ox, oy] = outline.first().copied().unwrap_or_default();
+    let [ox, oy, _] = outline.first().copied().unwrap_or_default();
     let (mut area, mut x, mut y) = (0.0, 0.0, 0.0);
     for pair in outline.windows(2) {
         let (ax, ay, bx, by) = (

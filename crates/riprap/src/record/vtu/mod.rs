@@ -5,9 +5,9 @@
 //! crates. The format needed here is small: one piece, raw appended data, zlib blocks.
 //!
 //! Choices, tried with VTK 9.7:
-//! - blocks are polygons (cell type 7) at z = 0 with cell data; contacts are vertices (cell type 1) with point data,
+//! - blocks are polygons (cell type 7) at z = 0, hexahedra (12) or polyhedra (42), with cell data; contacts are vertices (cell type 1) with point data,
 //!   in a file of their own, since ParaView glyphs want points and a threshold on blocks must not touch contacts;
-//! - vectors get a zero third component, so that *Warp* and *Glyph* take them;
+//! - vectors in the plane get a zero third component, so that *Warp* and *Glyph* take them;
 //! - an array is named after its quantity alone (`displacement`), because names with blanks and brackets cannot be
 //!   typed into ParaView's calculator. The unit stands in the array's information key `UNITS_LABEL`, which VTK
 //!   reads back, and in the field list of `manifest.json`;
@@ -25,7 +25,7 @@ pub use read::{ReadError, Vtu, parse, read};
 pub(crate) use write::escape;
 pub use write::{blocks, contacts};
 
-use super::frame::Frame;
+use super::frame::{Frame, Solids};
 use std::path::Path;
 
 /// Reads a frame back from its two files; `contacts` may be missing.
@@ -34,7 +34,12 @@ use std::path::Path;
 /// Files that are missing, foreign or damaged.
 pub fn read_frame(blocks: &Path, contacts: Option<&Path>) -> Result<Frame, ReadError> {
     let b = read(blocks)?;
+    let solids = solids(&b).map_err(|reason| ReadError::Damaged {
+        path: blocks.to_owned(),
+        reason,
+    })?;
     let mut frame = Frame {
+        solids,
         step: b.step,
         time: b.time,
         phase: b.phase,
@@ -60,4 +65,40 @@ pub fn read_frame(blocks: &Path, contacts: Option<&Path>) -> Result<Frame, ReadE
             reason,
         }),
     }
+}
+
+/// Faces of the cells of a file in space.
+fn solids(file: &Vtu) -> Result<Option<Solids>, String> {
+    if file.dimension != 3 {
+        return Ok(None);
+    }
+    let mut out = Solids {
+        faces: vec![0],
+        ends: vec![0],
+        corners: Vec::new(),
+    };
+    let bad = || "its faces cannot be read".to_owned();
+    let mut at = 0;
+    let mut first = 0_i64;
+    for (cell, end) in file.offsets.iter().enumerate() {
+        if let Some(&stop) = file.face_ends.get(cell).filter(|e| **e >= 0) {
+            let stop = usize::try_from(stop).map_err(|_| bad())?;
+            let mut rest = file.faces.get(at..stop).ok_or_else(bad)?.iter();
+            rest.next().ok_or_else(bad)?;
+            while let Some(&count) = rest.next() {
+                let count = usize::try_from(count).map_err(|_| bad())?;
+                let corners = rest.as_slice().get(..count).ok_or_else(bad)?;
+                for c in corners {
+                    out.corners
+                        .push(u32::try_from(c - first).map_err(|_| bad())?);
+                }
+                out.ends.push(out.corners.len() as u32);
+                rest = rest.as_slice()[count..].iter();
+            }
+            at = stop;
+        }
+        out.faces.push(out.ends.len() as u32 - 1);
+        first = i64::from(*end);
+    }
+    Ok(Some(out))
 }

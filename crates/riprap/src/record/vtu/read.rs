@@ -44,10 +44,18 @@ pub struct Vtu {
     pub step: u64,
     /// Phase name.
     pub phase: String,
+    /// 2 or 3: vectors of files in the plane have two components.
+    pub dimension: u8,
     /// Points in m.
-    pub points: Vec<[f64; 2]>,
+    pub points: Vec<[f64; 3]>,
     /// Shape `[cells]`: end of each cell's run of points.
     pub offsets: Vec<u32>,
+    /// Shape `[cells]`: VTK cell types.
+    pub kinds: Vec<u8>,
+    /// VTK's stream of polyhedron faces.
+    pub faces: Vec<i64>,
+    /// Shape `[cells]` or empty: where each cell ends in `faces`, -1 where it is no polyhedron.
+    pub face_ends: Vec<i64>,
     /// Numbers on cells.
     pub cell_columns: Vec<Column>,
     /// Numbers on points.
@@ -112,7 +120,10 @@ fn contents(tags: &[Tag], data: &[u8]) -> Result<Vtu, String> {
             return Err(format!("{key} is not {value}"));
         }
     }
-    let mut out = Vtu::default();
+    let mut out = Vtu {
+        dimension: 2,
+        ..Vtu::default()
+    };
     let (mut points, mut cells) = (0, 0);
     let mut section = "";
     let mut i = 0;
@@ -140,8 +151,11 @@ fn contents(tags: &[Tag], data: &[u8]) -> Result<Vtu, String> {
         return Err("it has no points or no cells".to_owned());
     }
     let end = out.offsets.last().map_or(0, |o| *o as usize);
-    if !out.offsets.is_sorted() || end != points {
+    if !out.offsets.is_sorted() || end != points || out.kinds.len() != cells {
         return Err("its cells do not fit its points".to_owned());
+    }
+    if !out.face_ends.is_empty() && out.face_ends.len() != cells {
+        return Err("its faces do not fit its cells".to_owned());
     }
     Ok(out)
 }
@@ -160,13 +174,21 @@ fn array(
     match (section, name.as_str()) {
         ("FieldData", "TimeValue") => out.time = t.text.trim().parse().map_err(|_| bad())?,
         ("FieldData", "step") => out.step = t.text.trim().parse().map_err(|_| bad())?,
+        ("FieldData", "dimension") => {
+            out.dimension = t.text.trim().parse().map_err(|_| bad())?;
+        }
         ("FieldData", "phase") => {
             let codes: Result<Vec<u8>, _> = t.text.split_whitespace().map(str::parse).collect();
             let mut codes = codes.map_err(|_| bad())?;
             codes.pop();
             out.phase = String::from_utf8(codes).map_err(|_| bad())?;
         }
-        ("Points", "Points") => out.points = pairs(&numbers(&load()?)?, points, &name)?,
+        ("Points", "Points") => {
+            out.points = triples(&numbers(&load()?)?, points, &name)?;
+        }
+        ("Cells", "types") => out.kinds = load()?,
+        ("Cells", "faces") => out.faces = integers(&load()?)?,
+        ("Cells", "faceoffsets") => out.face_ends = integers(&load()?)?,
         ("Cells", "offsets") => {
             let bytes = load()?;
             let (ends, rest) = bytes.as_chunks::<8>();
@@ -184,7 +206,13 @@ fn array(
             let items = if on_points { points } else { cells };
             let values = numbers(&load()?)?;
             let column = if t.attribute("NumberOfComponents").as_deref() == Some("3") {
-                Column::vector(&name, &unit, &pairs(&values, items, &name)?)
+                let vectors = triples(&values, items, &name)?;
+                if out.dimension == 3 {
+                    Column::vector3(&name, &unit, &vectors)
+                } else {
+                    let flat: Vec<[f64; 2]> = vectors.iter().map(|v| [v[0], v[1]]).collect();
+                    Column::vector(&name, &unit, &flat)
+                }
             } else if values.len() == items {
                 Column::scalar(&name, &unit, values)
             } else {
@@ -200,7 +228,7 @@ fn array(
             }
             .push(column);
         }
-        // Connectivity and types are the same in all our files.
+        // Connectivity is the same in all our files.
         (_, _) => {}
     }
     Ok(())
@@ -214,7 +242,15 @@ fn numbers(bytes: &[u8]) -> Result<Vec<f64>, String> {
     Ok(values.iter().map(|v| f64::from_le_bytes(*v)).collect())
 }
 
-fn pairs(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 2]>, String> {
+fn integers(bytes: &[u8]) -> Result<Vec<i64>, String> {
+    let (values, rest) = bytes.as_chunks::<8>();
+    if !rest.is_empty() {
+        return Err("an array ends inside a number".to_owned());
+    }
+    Ok(values.iter().map(|v| i64::from_le_bytes(*v)).collect())
+}
+
+fn triples(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 3]>, String> {
     let (triples, rest) = values.as_chunks::<3>();
     if !rest.is_empty() || triples.len() != items {
         return Err(format!(
@@ -222,7 +258,7 @@ fn pairs(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 2]>, Stri
             values.len()
         ));
     }
-    Ok(triples.iter().map(|v| [v[0], v[1]]).collect())
+    Ok(triples.to_vec())
 }
 
 /// One array out of the appended data. Memory: never more than its compressed bytes times [`MAX_RATIO`].

@@ -8,8 +8,11 @@ use std::io::{self, Write as _};
 
 /// Uncompressed bytes per zlib block, as VTK's own writer uses.
 const BLOCK: usize = 1 << 15;
-const POLYGON: u8 = 7;
-const VERTEX: u8 = 1;
+/// VTK cell types.
+pub(super) const VERTEX: u8 = 1;
+pub(super) const POLYGON: u8 = 7;
+pub(super) const HEXAHEDRON: u8 = 12;
+pub(super) const POLYHEDRON: u8 = 42;
 
 /// The blocks of a frame as a `.vtu` file.
 ///
@@ -23,10 +26,19 @@ pub fn blocks(frame: &Frame) -> io::Result<Vec<u8>> {
         .skip(1)
         .map(|o| i64::from(*o))
         .collect();
+    let kinds = match &frame.solids {
+        None => vec![POLYGON; ends.len()],
+        Some(solids) => solids
+            .faces
+            .windows(2)
+            .map(|f| if f[0] == f[1] { HEXAHEDRON } else { POLYHEDRON })
+            .collect(),
+    };
     let mesh = Mesh {
         points: &frame.points,
         ends: &ends,
-        kind: POLYGON,
+        kinds: &kinds,
+        faces: face_stream(frame),
         on_cells: &frame.block_columns,
         on_points: &[],
     };
@@ -43,7 +55,8 @@ pub fn contacts(frame: &Frame) -> io::Result<Vec<u8>> {
     let mesh = Mesh {
         points: &frame.contact_points,
         ends: &ends,
-        kind: VERTEX,
+        kinds: &vec![VERTEX; ends.len()],
+        faces: None,
         on_cells: &[],
         on_points: &frame.contact_columns,
     };
@@ -58,12 +71,35 @@ fn check(frame: &Frame) -> io::Result<()> {
 }
 
 struct Mesh<'a> {
-    points: &'a [[f64; 2]],
+    points: &'a [[f64; 3]],
     /// Shape `[cells]`: end of each cell's run of points.
     ends: &'a [i64],
-    kind: u8,
+    /// Shape `[cells]`: VTK cell types.
+    kinds: &'a [u8],
+    /// For polyhedra: VTK's stream of faces and where each cell ends in it (-1 for other cells).
+    faces: Option<(Vec<i64>, Vec<i64>)>,
     on_cells: &'a [Column],
     on_points: &'a [Column],
+}
+
+/// Of each polyhedron: number of faces, then for each face its number of corners and their points.
+fn face_stream(frame: &Frame) -> Option<(Vec<i64>, Vec<i64>)> {
+    let solids = frame.solids.as_ref().filter(|s| !s.corners.is_empty())?;
+    let (mut stream, mut ends) = (Vec::new(), Vec::new());
+    for (i, range) in solids.faces.windows(2).enumerate() {
+        if range[0] == range[1] {
+            ends.push(-1);
+            continue;
+        }
+        let faces = solids.of(i);
+        stream.push(faces.len() as i64);
+        for face in faces {
+            stream.push(face.len() as i64);
+            stream.extend(face.iter().map(|&c| i64::from(frame.offsets[i] + c)));
+        }
+        ends.push(stream.len() as i64);
+    }
+    Some((stream, ends))
 }
 
 fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
@@ -83,6 +119,10 @@ fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
     w.put(&format!(
         "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
         frame.step
+    ));
+    let dimension = if frame.solids.is_some() { 3 } else { 2 };
+    w.put(&format!(
+        "<DataArray type=\"Int64\" Name=\"dimension\" NumberOfTuples=\"1\" format=\"ascii\">{dimension}</DataArray>\n"
     ));
     let codes: String = frame.phase.bytes().fold(String::new(), |mut s, b| {
         // Writing into a String cannot fail.
@@ -108,8 +148,8 @@ fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
     let flat: Vec<u8> = mesh
         .points
         .iter()
-        .flat_map(|p| [p[0], p[1], 0.0])
-        .flat_map(f64::to_le_bytes)
+        .flatten()
+        .flat_map(|x| x.to_le_bytes())
         .collect();
     w.array("Float64", "Points", "NumberOfComponents=\"3\"", "m", &flat)?;
     w.put("</Points>\n<Cells>\n");
@@ -118,9 +158,14 @@ fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
         .flat_map(i64::to_le_bytes)
         .collect();
     w.array("Int64", "connectivity", "", "-", &ids)?;
-    let ends: Vec<u8> = mesh.ends.iter().flat_map(|e| e.to_le_bytes()).collect();
-    w.array("Int64", "offsets", "", "-", &ends)?;
-    w.array("UInt8", "types", "", "-", &vec![mesh.kind; mesh.ends.len()])?;
+    let integers =
+        |list: &[i64]| -> Vec<u8> { list.iter().flat_map(|e| e.to_le_bytes()).collect() };
+    w.array("Int64", "offsets", "", "-", &integers(mesh.ends))?;
+    w.array("UInt8", "types", "", "-", mesh.kinds)?;
+    if let Some((stream, ends)) = &mesh.faces {
+        w.array("Int64", "faces", "", "-", &integers(stream))?;
+        w.array("Int64", "faceoffsets", "", "-", &integers(ends))?;
+    }
     w.put("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
     let mut out = w.head.into_bytes();
     out.extend_from_slice(&w.data);
@@ -139,6 +184,7 @@ impl Writer {
     }
 
     fn column(&mut self, c: &Column) -> io::Result<()> {
+        let names = "NumberOfComponents=\"3\" ComponentName0=\"x\" ComponentName1=\"y\" ComponentName2=\"z\"";
         if c.components == 2 {
             let padded: Vec<u8> = c
                 .data
@@ -148,11 +194,11 @@ impl Writer {
                 .flat_map(|v| [v[0], v[1], 0.0])
                 .flat_map(f64::to_le_bytes)
                 .collect();
-            let names = "NumberOfComponents=\"3\" ComponentName0=\"x\" ComponentName1=\"y\" ComponentName2=\"z\"";
             self.array("Float64", &c.name, names, &c.unit, &padded)
         } else {
             let flat: Vec<u8> = c.data.iter().flat_map(|v| v.to_le_bytes()).collect();
-            self.array("Float64", &c.name, "", &c.unit, &flat)
+            let more = if c.components == 3 { names } else { "" };
+            self.array("Float64", &c.name, more, &c.unit, &flat)
         }
     }
 

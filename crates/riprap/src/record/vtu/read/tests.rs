@@ -2,7 +2,10 @@
 
 use super::super::{PvdEntry, blocks, contacts, read_frame, read_pvd, write_pvd};
 use super::*;
-use crate::record::frame::{Frame, tests::sample};
+use crate::record::frame::{
+    Frame,
+    tests::{sample, solid_sample},
+};
 use proptest::prelude::*;
 
 fn parsed(bytes: &[u8]) -> Result<Vtu, ReadError> {
@@ -17,7 +20,7 @@ fn frame_round_trip() {
     odd.phase = "böse <\"&\"> phase".to_owned();
     odd.block_columns[0].name = "a<b & \"c\"".to_owned();
     odd.time = 1e-300;
-    for frame in [sample(), Frame::default(), odd] {
+    for frame in [sample(), Frame::default(), odd, solid_sample()] {
         std::fs::write(&b, blocks(&frame).unwrap()).unwrap();
         std::fs::write(&c, contacts(&frame).unwrap()).unwrap();
         assert_eq!(read_frame(&b, Some(&c)).unwrap(), frame);
@@ -30,7 +33,7 @@ fn several_zlib_blocks() {
     let frame = Frame {
         offsets: (0..=n).map(|i| 3 * i).collect(),
         points: (0..3 * n)
-            .map(|i| [f64::from(i).sin(), f64::from(i).cos()])
+            .map(|i| [f64::from(i).sin(), f64::from(i).cos(), 0.0])
             .collect(),
         block_columns: vec![Column::scalar("id", "-", (0..n).map(f64::from).collect())],
         ..Frame::default()
@@ -42,6 +45,17 @@ fn several_zlib_blocks() {
 
 #[test]
 fn every_truncation_is_told_and_no_flip_panics() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("solid.vtu");
+    let bytes = blocks(&solid_sample()).unwrap();
+    for n in 0..bytes.len() {
+        let mut bad = bytes.clone();
+        bad[n] ^= 1 << (n % 8);
+        if parsed(&bad).is_ok() {
+            std::fs::write(&path, &bad).unwrap();
+            let _ = read_frame(&path, None);
+        }
+    }
     let bytes = blocks(&sample()).unwrap();
     for n in 0..bytes.len() {
         assert!(parsed(&bytes[..n]).is_err(), "{n}");

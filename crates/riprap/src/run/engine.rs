@@ -1,0 +1,527 @@
+//! The engines behind one face: what the run loop, the recorder and the checks ask of whichever engine
+//! a scene needs. A closed choice: every question is a `match` over both.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::plan::{Damping, Gauge, Phase};
+use crate::Vec2;
+use crate::exec::Exec;
+use crate::ledger::{Balance, Works};
+use crate::model::Setup;
+use crate::planar;
+use crate::profile::Profile;
+use crate::record::field::{FieldError, FieldInfo};
+use crate::record::frame::Frame;
+
+/// A block may cross at most this share of its neighbourhood's inscribed radius in one step.
+const TRANSIT: f64 = 0.2;
+
+/// Which engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Kind {
+    /// Polygons in the plane.
+    Planar,
+    /// Blocks in space.
+    Spatial,
+}
+
+impl Kind {
+    /// The engine a model needs.
+    #[must_use]
+    pub fn of(setup: &Setup) -> Self {
+        match setup {
+            Setup::Planar(_) => Kind::Planar,
+            Setup::Spatial(_) => Kind::Spatial,
+        }
+    }
+
+    /// Everything that can be read from it.
+    #[must_use]
+    pub fn fields(self) -> &'static [FieldInfo] {
+        match self {
+            Kind::Planar => planar::readings::INFOS,
+            Kind::Spatial => &[],
+        }
+    }
+
+    /// Unit of energies: J per metre of thickness in the plane.
+    #[must_use]
+    pub fn energy_unit(self) -> &'static str {
+        match self {
+            Kind::Planar => "J/m",
+            Kind::Spatial => "J",
+        }
+    }
+}
+
+/// Why an engine could not be made.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum BuildError {
+    /// What is wrong with the model.
+    #[error("{0}")]
+    Model(String),
+}
+
+/// State of an engine: what a checkpoint holds.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub enum State {
+    /// Of the planar engine.
+    Planar(Box<planar::world::World>),
+}
+
+/// An engine with its workspace.
+#[derive(Debug)]
+pub enum Engine {
+    /// Polygons in the plane.
+    Planar(Box<Planar>),
+}
+
+/// The planar engine.
+#[derive(Debug)]
+pub struct Planar {
+    world: planar::world::World,
+    scratch: planar::step::Scratch,
+}
+
+impl Planar {
+    fn view(&self) -> planar::fields::View<'_> {
+        planar::fields::View {
+            world: &self.world,
+            scratch: &self.scratch,
+        }
+    }
+}
+
+/// An engine with its forces evaluated, ready to be read.
+#[derive(Clone, Copy)]
+pub enum View<'a> {
+    /// Of the planar engine.
+    Planar(planar::fields::View<'a>),
+}
+
+/// One number that is read again and again.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reading {
+    /// From the planar engine.
+    Planar(planar::readings::Reading),
+}
+
+/// A stable time step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stable {
+    /// Longest stable step, s; infinite when nothing can touch.
+    pub dt: f64,
+    /// Block that sets it.
+    pub block: Option<u32>,
+}
+
+/// The fastest or the deepest: who, and how much.
+pub type Who = (String, f64);
+
+impl Engine {
+    /// A new engine.
+    ///
+    /// # Errors
+    /// A model that cannot be built.
+    pub fn new(setup: Setup, exec: Exec) -> Result<Self, BuildError> {
+        match setup {
+            Setup::Planar(setup) => {
+                let (world, scratch) = planar::world::World::new(setup, exec);
+                Ok(Self::Planar(Box::new(Planar { world, scratch })))
+            }
+            Setup::Spatial(_) => Err(BuildError::Model(
+                "the spatial engine is not joined to the run loop yet".to_owned(),
+            )),
+        }
+    }
+
+    /// An engine that goes on from a state.
+    #[must_use]
+    pub fn resume(state: State, exec: Exec) -> Self {
+        match state {
+            State::Planar(mut world) => {
+                let scratch = planar::step::Scratch::new(&mut world, exec);
+                Self::Planar(Box::new(Planar {
+                    world: *world,
+                    scratch,
+                }))
+            }
+        }
+    }
+
+    /// Which engine it is.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Planar(_) => Kind::Planar,
+        }
+    }
+
+    /// A copy of the state.
+    #[must_use]
+    pub fn state(&self) -> State {
+        match self {
+            Self::Planar(e) => State::Planar(Box::new(e.world.clone())),
+        }
+    }
+
+    /// For reading.
+    #[must_use]
+    pub fn view(&self) -> View<'_> {
+        match self {
+            Self::Planar(e) => View::Planar(e.view()),
+        }
+    }
+
+    /// Changes whenever the stable step may have changed.
+    #[must_use]
+    pub fn revision(&self) -> u64 {
+        match self {
+            Self::Planar(e) => e.scratch.rebuilds,
+        }
+    }
+
+    /// The stable step of the present contacts, with the stiffness-proportional damping of the phase (s).
+    #[must_use]
+    pub fn stable(&self, stiffness_damping: f64) -> Stable {
+        match self {
+            Self::Planar(e) => {
+                let found = planar::stable::stable_step(
+                    &e.world,
+                    &e.scratch.shapes,
+                    &e.scratch.candidates,
+                    stiffness_damping,
+                );
+                Stable {
+                    dt: found.dt,
+                    block: found.block,
+                }
+            }
+        }
+    }
+
+    /// Longest step that the present motion allows whatever the rule of the phase, s: fast blocks in the
+    /// plane, the gas of a cavity in space.
+    #[must_use]
+    pub fn step_limit(&self) -> f64 {
+        match self {
+            Self::Planar(e) => TRANSIT * e.scratch.transit,
+        }
+    }
+
+    /// Finds the forces at the present time and the velocity changes for a step of `dt` (s).
+    ///
+    /// # Errors
+    /// A block whose forces are not finite.
+    pub fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), u32> {
+        match self {
+            Self::Planar(e) => planar::step::evaluate(&mut e.world, &mut e.scratch, damping, dt)
+                .map_err(|e| e.block),
+        }
+    }
+
+    /// Moves on by `dt` (s).
+    pub fn advance(&mut self, dt: f64) {
+        match self {
+            Self::Planar(e) => planar::step::advance(&mut e.world, &mut e.scratch, dt),
+        }
+    }
+
+    /// Gravity now, m/s²; in the plane the third component is 0.
+    #[must_use]
+    pub fn gravity(&self) -> [f64; 3] {
+        match self {
+            Self::Planar(e) => [e.world.gravity.x, e.world.gravity.y, 0.0],
+        }
+    }
+
+    /// Changes gravity, m/s².
+    pub fn set_gravity(&mut self, [x, y, _z]: [f64; 3]) {
+        match self {
+            Self::Planar(e) => e.world.gravity = Vec2::new(x, y),
+        }
+    }
+
+    /// Measures displacements from here on.
+    pub fn zero_displacements(&mut self) {
+        match self {
+            Self::Planar(e) => e.world.zero_displacements(),
+        }
+    }
+
+    /// Applies what a phase changes in blocks, supports and laws; forces must be evaluated anew afterwards.
+    pub fn edit(&mut self, phase: &Phase) {
+        match self {
+            Self::Planar(e) => {
+                planar_edit(&mut e.world, phase);
+                e.scratch.invalidate(&mut e.world);
+            }
+        }
+    }
+
+    /// The running sums of the ledger.
+    pub fn works(&mut self) -> &mut Works {
+        match self {
+            Self::Planar(e) => &mut e.world.works,
+        }
+    }
+
+    /// Kinetic and stored energy at the start, once known.
+    pub fn start_energy(&mut self) -> &mut Option<f64> {
+        match self {
+            Self::Planar(e) => &mut e.world.start_energy,
+        }
+    }
+
+    /// Stage times.
+    #[must_use]
+    pub fn profile(&self) -> &Profile {
+        match self {
+            Self::Planar(e) => &e.scratch.profile,
+        }
+    }
+
+    /// blake3 of the state: equal hashes mean equal bits of motion and contact memory.
+    #[must_use]
+    pub fn hash(&self) -> String {
+        match self {
+            Self::Planar(e) => super::hash::planar(&e.world),
+        }
+    }
+}
+
+fn planar_edit(world: &mut planar::world::World, phase: &Phase) {
+    use planar::setup::Motion;
+    for &b in &phase.remove {
+        world.alive[b as usize] = false;
+    }
+    let alive = std::mem::take(&mut world.alive);
+    world
+        .bonds
+        .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
+    world.alive = alive;
+    for &b in &phase.fix {
+        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
+            x: true,
+            y: true,
+            rotation: true,
+        }));
+    }
+    for &b in &phase.release {
+        world.motion[b as usize] = None;
+    }
+    for (row, law) in &phase.contacts {
+        world.setup.interfaces[*row as usize].contact = *law;
+    }
+    if phase.zero_velocities {
+        for body in &mut world.bodies {
+            body.velocity = Vec2::ZERO;
+            body.spin = 0.0;
+        }
+        world.last_dt = 0.0;
+    }
+    planar::step::hold_driven(world);
+}
+
+impl<'a> View<'a> {
+    /// The planar view, for what only that engine has.
+    #[must_use]
+    pub fn planar(self) -> Option<planar::fields::View<'a>> {
+        match self {
+            Self::Planar(view) => Some(view),
+        }
+    }
+
+    /// Model time, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.world.time,
+        }
+    }
+
+    /// Steps done.
+    #[must_use]
+    pub fn step(&self) -> u64 {
+        match self {
+            Self::Planar(v) => v.world.step,
+        }
+    }
+
+    /// Length of the last step, s; 0 before the first.
+    #[must_use]
+    pub fn last_dt(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.world.last_dt,
+        }
+    }
+
+    /// Name of a block.
+    #[must_use]
+    pub fn name(&self, block: u32) -> String {
+        match self {
+            Self::Planar(v) => v.world.setup.blocks[block as usize].name.clone(),
+        }
+    }
+
+    /// Kinetic energy, J or J/m.
+    #[must_use]
+    pub fn kinetic(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.living().map(|b| v.kinetic(b)).sum(),
+        }
+    }
+
+    /// Sum over the blocks of `m dv² + I dw²` of the coming half kick: what the books need at the start.
+    #[must_use]
+    pub fn half_kick(&self) -> f64 {
+        match self {
+            Self::Planar(v) => {
+                let shapes = &v.scratch.shapes;
+                let one = |b: usize| {
+                    let change = &v.scratch.changes[b];
+                    shapes.mass[b] * change.velocity.length_squared()
+                        + shapes.inertia[b] * change.spin * change.spin
+                };
+                v.living().map(one).sum()
+            }
+        }
+    }
+
+    /// Energy that has been put in so far, J or J/m: the scale of a blow-up.
+    #[must_use]
+    pub fn put_in(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v
+                .world
+                .works
+                .put_in(v.world.start_energy.unwrap_or_default()),
+        }
+    }
+
+    /// Unbalanced-force ratio.
+    #[must_use]
+    pub fn unbalanced(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.unbalanced(),
+        }
+    }
+
+    /// The energy ledger.
+    #[must_use]
+    pub fn balance(&self) -> Balance {
+        match self {
+            Self::Planar(v) => v.balance(),
+        }
+    }
+
+    /// Number of touching contacts.
+    #[must_use]
+    pub fn contacts(&self) -> usize {
+        match self {
+            Self::Planar(v) => v.contacts().count(),
+        }
+    }
+
+    /// Deepest overlap over the smaller inscribed radius of its pair, with the pair.
+    #[must_use]
+    pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
+        match self {
+            Self::Planar(v) => v.worst_overlap(),
+        }
+    }
+
+    /// Fastest block and its speed, m/s.
+    #[must_use]
+    pub fn fastest(&self) -> Option<Who> {
+        match self {
+            Self::Planar(v) => v
+                .living()
+                .map(|b| (b, v.velocity(b).length()))
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .map(|(b, speed)| (v.world.setup.blocks[b].name.clone(), speed)),
+        }
+    }
+
+    /// A picture.
+    #[must_use]
+    pub fn frame(&self, phase: &str) -> Frame {
+        match self {
+            Self::Planar(v) => planar::readings::frame(v, phase),
+        }
+    }
+
+    /// What has happened in the last step, one JSON object each: joints broken, blocks split, charges fired.
+    #[must_use]
+    pub fn events(&self) -> Vec<serde_json::Value> {
+        match self {
+            Self::Planar(v) => planar_events(v),
+        }
+    }
+}
+
+/// Joints that have broken since the last look.
+fn planar_events(v: &planar::fields::View<'_>) -> Vec<serde_json::Value> {
+    let world = v.world;
+    let name = |b: u32| &world.setup.blocks[b as usize].name;
+    world
+        .bonds
+        .iter()
+        .filter(|b| b.broken_at == Some(world.step))
+        .map(|bond| {
+            serde_json::json!({
+                "event": "joint_broken",
+                "step": world.step,
+                "time": world.time,
+                "blocks": [name(bond.i), name(bond.j)],
+                "length": bond.length,
+            })
+        })
+        .collect()
+}
+
+impl Reading {
+    /// A reading of one engine.
+    ///
+    /// # Errors
+    /// Unknown names and parts of scalars.
+    pub fn new(kind: Kind, gauge: &Gauge) -> Result<Self, FieldError> {
+        match kind {
+            Kind::Planar => {
+                let along = gauge.along.map(|[x, y, _z]| [x, y]);
+                let reading = planar::readings::Reading::new(&gauge.field, &gauge.of, along)?;
+                Ok(Self::Planar(reading))
+            }
+            Kind::Spatial => Err(FieldError::Unknown {
+                name: gauge.field.clone(),
+                suggestion: None,
+                known: Vec::new(),
+            }),
+        }
+    }
+
+    /// Table entry.
+    #[must_use]
+    pub fn info(&self) -> &'static FieldInfo {
+        match self {
+            Self::Planar(r) => r.info(),
+        }
+    }
+
+    /// Whether reading it costs as much as a step.
+    #[must_use]
+    pub fn costly(&self) -> bool {
+        match self {
+            Self::Planar(r) => r.costly(),
+        }
+    }
+
+    /// The number; NaN from a view of another engine.
+    #[must_use]
+    pub fn value(&self, view: &View<'_>) -> f64 {
+        match (self, view) {
+            (Self::Planar(r), View::Planar(v)) => r.value(v),
+        }
+    }
+}
