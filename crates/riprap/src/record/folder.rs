@@ -11,7 +11,7 @@ use super::frame::Frame;
 use super::manifest::{Manifest, ManifestError};
 use super::vtu::{self, PvdEntry};
 use serde::{Deserialize, Serialize};
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -45,6 +45,12 @@ pub enum FolderError {
     #[error("{} is a file, a run needs a folder", path.display())]
     NotAFolder {
         /// The path.
+        path: PathBuf,
+    },
+    /// Another process writes it.
+    #[error("{} is being written by another riprap process; wait for it or choose another folder", path.display())]
+    InUse {
+        /// The folder.
         path: PathBuf,
     },
     /// A frame that the checkpoint names is missing.
@@ -102,15 +108,21 @@ struct Series {
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
+    /// Held as long as the folder is written; the system lets go of it when the process dies.
+    _lock: File,
     histories: Option<Series>,
     energy: Option<Series>,
     events: AppendFile,
     frames: Vec<FrameEntry>,
 }
 
+/// File whose lock says that a process writes the folder.
+const LOCK: &str = ".lock";
+
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 8] = [
+const FILES: [&str; 9] = [
+    LOCK,
     "scenario.resolved.toml",
     "checks.jsonl",
     "histories.csv",
@@ -173,9 +185,14 @@ impl RunFolder {
                         path: path.to_owned(),
                     });
                 }
-                (Existing::ReplaceRun, true) | (Existing::Force, _) => clear(path)?,
+                (Existing::ReplaceRun, true) | (Existing::Force, _) => {
+                    drop(lock(path)?);
+                    clear(path)?;
+                }
             }
         }
+        fs::create_dir_all(path).at(path)?;
+        let lock = lock(path)?;
         for sub in ["frames", "checkpoints"] {
             let folder = path.join(sub);
             fs::create_dir_all(&folder).at(&folder)?;
@@ -184,6 +201,7 @@ impl RunFolder {
         let events = AppendFile::create(&path.join("events.jsonl"))?;
         let run = RunFolder {
             path: path.to_owned(),
+            _lock: lock,
             histories: None,
             energy: None,
             events,
@@ -200,6 +218,7 @@ impl RunFolder {
     /// Files that are shorter than their marks or changed, missing frames, the disk.
     pub fn reopen(path: &Path, marks: &Marks) -> Result<Self, FolderError> {
         Manifest::read(path)?;
+        let lock = lock(path)?;
         for entry in &marks.frames {
             for file in [block_file(entry.index), contact_file(entry.index)] {
                 let file = path.join(file);
@@ -223,6 +242,7 @@ impl RunFolder {
             };
         let run = RunFolder {
             path: path.to_owned(),
+            _lock: lock,
             histories: series("histories.csv", marks.histories, marks.history_columns)?,
             energy: series("energy.csv", marks.energy, marks.energy_columns)?,
             events: AppendFile::reopen(&path.join("events.jsonl"), marks.events)?,
@@ -462,6 +482,21 @@ fn remove_if_there(path: &Path) -> Result<(), OutputError> {
             source: e,
         }),
         Ok(()) | Err(_) => Ok(()),
+    }
+}
+
+/// Takes the folder for this process.
+fn lock(path: &Path) -> Result<File, FolderError> {
+    let file = path.join(LOCK);
+    let handle = File::create(&file).at(&file)?;
+    match handle.try_lock() {
+        Ok(()) => Ok(handle),
+        Err(TryLockError::WouldBlock) => Err(FolderError::InUse {
+            path: path.to_owned(),
+        }),
+        // File systems without locks: better unguarded than not at all.
+        Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => Ok(handle),
+        Err(TryLockError::Error(error)) => Err(error).at(&file).map_err(FolderError::from),
     }
 }
 

@@ -5,13 +5,13 @@
 //! Nothing here knows an engine: whoever advances the world reads the field and calls
 //! [`Watch::observe`].
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::plan::Gauge;
 use crate::dynamics::Formula;
 
 /// One check with SI numbers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Check {
     /// What is checked, in words.
     pub name: String,
@@ -32,7 +32,7 @@ pub struct Check {
 }
 
 /// When a check is read.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Window {
     /// Before the first step.
     Start,
@@ -52,7 +52,7 @@ pub enum Window {
 }
 
 /// How values over an interval become one number.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Reduce {
     /// Largest value.
     Max,
@@ -69,7 +69,7 @@ pub enum Reduce {
 }
 
 /// What a check must come out as.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Expected {
     /// A number.
     Value(f64),
@@ -126,10 +126,12 @@ pub struct CheckResult {
     pub note: String,
 }
 
-/// A check while the run goes on.
-#[derive(Clone, Debug)]
+/// A check while the run goes on; part of checkpoints.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Watch {
     check: Check,
+    /// Model time before which the field need not be read again, s; kept by whoever reads it.
+    pub next: f64,
     last: Option<(f64, f64)>,
     first_time: f64,
     sum: f64,
@@ -145,6 +147,7 @@ impl Watch {
     pub fn new(check: Check) -> Self {
         Self {
             check,
+            next: 0.0,
             last: None,
             first_time: f64::NAN,
             sum: 0.0,

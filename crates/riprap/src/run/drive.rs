@@ -90,7 +90,6 @@ struct Watched<'a> {
     reading: Reading,
     /// For costly fields over an interval: model time between two readings, s.
     rhythm: f64,
-    next: f64,
 }
 
 impl Watched<'_> {
@@ -102,11 +101,11 @@ impl Watched<'_> {
             Window::Start => view.step() == 0,
             Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::End => last,
-            Window::Over { .. } => last || time >= self.next,
+            Window::Over { .. } => last || time >= self.watch.next,
         };
         if near && self.watch.wants(time) {
             self.watch.observe(time, self.reading.value(&view));
-            self.next = time + self.rhythm;
+            self.watch.next = time + self.rhythm;
         }
     }
 }
@@ -133,7 +132,7 @@ pub fn drive(
             Ok(stage) => stage,
             Err(error) => {
                 if let Some(r) = recorder.as_deref_mut() {
-                    r.checkpoint(simulation)?;
+                    r.checkpoint(simulation, state(&watched))?;
                 }
                 return Ok(Ending::Unstable(error));
             }
@@ -160,7 +159,7 @@ pub fn drive(
                 }
                 simulation.next_phase();
                 if let Some(r) = recorder.as_deref_mut() {
-                    r.checkpoint(simulation)?;
+                    r.checkpoint(simulation, state(&watched))?;
                 }
                 if last {
                     return Ok(Ending::Finished);
@@ -175,24 +174,29 @@ pub fn drive(
         if let Some(r) = recorder.as_deref_mut()
             && r.checkpoint_due(simulation)
         {
-            r.checkpoint(simulation)?;
+            r.checkpoint(simulation, state(&watched))?;
         }
         if clock.due(simulation.steps()) {
             if let Some(r) = recorder.as_deref_mut()
                 && saved.elapsed() >= AUTOSAVE
             {
-                r.checkpoint(simulation)?;
+                r.checkpoint(simulation, state(&watched))?;
                 saved = Instant::now();
             }
             let progress = clock.progress(simulation);
             if look(&progress) == Control::Stop {
                 if let Some(r) = recorder.as_deref_mut() {
-                    r.checkpoint(simulation)?;
+                    r.checkpoint(simulation, state(&watched))?;
                 }
                 return Ok(Ending::Stopped);
             }
         }
     }
+}
+
+/// The checks as they stand, for a checkpoint.
+fn state(watched: &[Watched<'_>]) -> Vec<Watch> {
+    watched.iter().map(|w| w.watch.clone()).collect()
 }
 
 fn watch_list<'a>(
@@ -221,7 +225,6 @@ fn watch_list<'a>(
                 watch,
                 reading,
                 rhythm,
-                next: 0.0,
             })
         })
         .collect()

@@ -42,7 +42,7 @@ pub struct Outcome {
     pub ending: Ending,
     /// The manifest at the end.
     pub manifest: Manifest,
-    /// One result a check, in the order of the scene; empty after a resume.
+    /// One result a check, in the order of the scene.
     pub checks: Vec<CheckResult>,
 }
 
@@ -130,8 +130,8 @@ pub fn run(
     folder.write_scenario(&job.resolved)?;
     let mut recorder = Recorder::new(folder, kind, simulation.plan(), None)?;
     // Whatever happens from now on, there is something to resume from.
-    recorder.checkpoint(&simulation)?;
     let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
+    recorder.checkpoint(&simulation, watches.clone())?;
     go_on(&mut simulation, &mut recorder, &mut watches, manifest, look)
 }
 
@@ -168,11 +168,12 @@ pub fn resume(
         snapshot,
         marks,
         counts,
+        mut watches,
     } = latest.value;
     let folder = RunFolder::reopen(folder, &marks)?;
     let mut simulation = Simulation::resume(snapshot, exec);
     let mut recorder = Recorder::new(folder, simulation.kind(), simulation.plan(), Some(counts))?;
-    go_on(&mut simulation, &mut recorder, &mut [], manifest, look)
+    go_on(&mut simulation, &mut recorder, &mut watches, manifest, look)
 }
 
 /// Runs a job for its checks alone; nothing is written.
@@ -425,7 +426,14 @@ mod tests {
         checkpoint::write(&checkpoint::path_for(&died, 0), KIND, &start).unwrap();
         let resumed = resume(&died, 1, &mut go).unwrap();
         assert_eq!(resumed.manifest.state_hash, wanted.manifest.state_hash);
-        for file in ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"] {
+        assert_eq!(resumed.checks, wanted.checks);
+        for file in [
+            "histories.csv",
+            "energy.csv",
+            "events.jsonl",
+            "checks.jsonl",
+            "run.pvd",
+        ] {
             let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
             assert_eq!(bytes(&whole), bytes(&died), "{file}");
         }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use super::checks::Watch;
 use super::engine::{Kind, Reading};
 use super::plan::{Every, Plan};
 use super::simulation::{Simulation, Snapshot};
@@ -28,6 +29,8 @@ pub struct Checkpoint {
     pub marks: Marks,
     /// How far the rhythms had come.
     pub counts: Counts,
+    /// How far the checks had come.
+    pub watches: Vec<Watch>,
 }
 
 /// Kind word of checkpoints of runs.
@@ -185,11 +188,15 @@ impl Recorder {
         }
     }
 
-    /// Writes a checkpoint of the present state.
+    /// Writes a checkpoint of the present state and of the checks.
     ///
     /// # Errors
     /// The disk.
-    pub fn checkpoint(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+    pub fn checkpoint(
+        &mut self,
+        simulation: &Simulation,
+        watches: Vec<Watch>,
+    ) -> Result<(), OutputError> {
         let snapshot = simulation.snapshot();
         let step = simulation.steps();
         let marks = self.folder.marks(step);
@@ -197,6 +204,7 @@ impl Recorder {
             snapshot,
             marks,
             counts: self.counts.clone(),
+            watches,
         };
         self.folder.checkpoint(KIND, step, &value)?;
         Ok(())

@@ -93,6 +93,7 @@ fn continuing_from_before_the_first_row() {
     let marks = run.marks(0);
     steps(&mut run, 0..5);
     let full = snapshot(&path);
+    drop(run);
     let mut run = RunFolder::reopen(&path, &marks).unwrap();
     assert!(!path.join("histories.csv").exists());
     steps(&mut run, 0..5);
@@ -106,6 +107,7 @@ fn changed_folders_are_not_continued() {
     let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
     steps(&mut run, 0..8);
     let marks = run.marks(7);
+    drop(run);
     let frame = path.join(block_file(2));
     let bytes = fs::read(&frame).unwrap();
     fs::remove_file(&frame).unwrap();
@@ -142,6 +144,7 @@ fn other_folders_are_left_alone() {
     }
     let mut run = RunFolder::create(&other, Existing::Force, &m).unwrap();
     steps(&mut run, 0..5);
+    drop(run);
     let run = RunFolder::create(&other, Existing::ReplaceRun, &m).unwrap();
     assert!(other.join("chapter.tex").exists() && !other.join(block_file(1)).exists());
     assert_eq!(run.marks(0).frames, vec![]);
@@ -227,4 +230,22 @@ fn each_frame_is_in_both_lists() {
             ..sample()
         }
     );
+}
+
+#[test]
+fn two_writers_cannot_share_a_folder() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.run");
+    let manifest = Manifest::default();
+    let mut first = RunFolder::create(&path, Existing::Refuse, &manifest).unwrap();
+    steps(&mut first, 0..5);
+    for existing in [Existing::ReplaceRun, Existing::Force] {
+        let second = RunFolder::create(&path, existing, &manifest).unwrap_err();
+        assert!(matches!(second, FolderError::InUse { .. }), "{second}");
+    }
+    let again = RunFolder::reopen(&path, &first.marks(4)).unwrap_err();
+    assert!(matches!(again, FolderError::InUse { .. }), "{again}");
+    let marks = first.marks(4);
+    drop(first);
+    RunFolder::reopen(&path, &marks).unwrap();
 }
