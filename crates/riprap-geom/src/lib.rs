@@ -6,6 +6,8 @@
 //! blocks share their vertices bit for bit; `heal` merges what is too small. `shapes` and `pack`
 //! place ready-made blocks.
 //!
+//! `polyhedron` is the same for convex solids in space, `face_overlap` for the faces that two of them share.
+//!
 //! Random numbers come from one seeded generator and elementary functions from `libm`, so the same
 //! input gives the same bits on every machine.
 
@@ -13,11 +15,13 @@ pub mod arrangement;
 pub mod clip;
 pub mod cut;
 mod error;
+pub mod face_overlap;
 pub mod heal;
 pub mod measure;
 pub mod pack;
 pub mod pairs;
 pub mod polygon;
+pub mod polyhedron;
 mod random;
 pub mod shapes;
 pub mod tol;
