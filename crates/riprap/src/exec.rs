@@ -119,6 +119,46 @@ impl Exec {
     }
 }
 
+/// Work that can be cut between two of its chunks.
+pub trait Divide: Sized + Send {
+    /// The chunks before number `middle` (counted from the first of this piece) and the others.
+    fn divide(self, middle: usize) -> (Self, Self);
+}
+
+impl Exec {
+    /// Calls `f(chunk, piece)` once for each of `chunks` chunks of `work`; on a pool in any order.
+    pub fn divided<W: Divide>(&self, work: W, chunks: usize, f: impl Fn(usize, W) + Sync) {
+        match &self.pool {
+            Some(pool) if chunks > 1 => pool.install(|| halve(work, 0, chunks, &f)),
+            _ => {
+                let mut rest = work;
+                for chunk in 0..chunks {
+                    if chunk + 1 == chunks {
+                        f(chunk, rest);
+                        return;
+                    }
+                    let (first, others) = rest.divide(1);
+                    f(chunk, first);
+                    rest = others;
+                }
+            }
+        }
+    }
+}
+
+fn halve<W: Divide>(work: W, at: usize, chunks: usize, f: &(impl Fn(usize, W) + Sync)) {
+    if chunks == 1 {
+        f(at, work);
+        return;
+    }
+    let middle = chunks / 2;
+    let (first, others) = work.divide(middle);
+    rayon::join(
+        || halve(first, at, middle, f),
+        || halve(others, at + middle, chunks - middle, f),
+    );
+}
+
 /// Works on whole items side by side on `threads` threads and hands the results to `done` in the
 /// order of the items, each as soon as all before it are there.
 ///

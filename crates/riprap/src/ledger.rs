@@ -1,7 +1,8 @@
 //! The energy ledger: where every joule is, came from and went, J per metre of thickness in 2D.
 //!
 //! Stored: kinetic, gravity (minus the work of gravity), contact normal and shear, bonds.
-//! Put in: work of loads and supports. Taken out: friction, damping, fracture. Booked apart: the
+//! Put in: work of loads, supports and gas. Taken out: friction, damping, fracture, absorbed at viscous
+//! boundaries. Booked apart: the
 //! energy a non-conservative contact law makes or loses (`law_defect`), and what edits of the
 //! model add (`edit_defect`). What is left over is the **residual**.
 //!
@@ -28,6 +29,10 @@ pub struct Works {
     pub damping: f64,
     /// Released by bond failure.
     pub fracture: f64,
+    /// Absorbed by viscous boundaries.
+    pub absorbed: f64,
+    /// Done by the gas of cavities and other pressures in them.
+    pub gas: f64,
     /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends.
     pub law_defect: f64,
     /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
@@ -47,6 +52,8 @@ impl Works {
             self.friction,
             self.damping,
             self.fracture,
+            self.absorbed,
+            self.gas,
         ]
         .into_iter()
         .fold(self.peak, |peak, work| peak.max(work.abs()));
@@ -72,6 +79,8 @@ impl Works {
         self.friction += other.friction;
         self.damping += other.damping;
         self.fracture += other.fracture;
+        self.absorbed += other.absorbed;
+        self.gas += other.gas;
         self.law_defect += other.law_defect;
         self.edit_defect += other.edit_defect;
     }
@@ -88,7 +97,7 @@ pub struct Balance {
     pub contact_normal: f64,
     /// Elastic energy of the shear springs.
     pub contact_shear: f64,
-    /// Elastic energy of bonds.
+    /// Elastic energy of bonds; of the springs of boundaries in 3D.
     pub bond: f64,
     /// The running sums.
     pub works: Works,
@@ -107,10 +116,11 @@ impl Balance {
     #[must_use]
     pub fn residual(&self) -> f64 {
         let w = &self.works;
-        let expected = self.start + w.loads + w.supports + w.law_defect + w.edit_defect
+        let expected = self.start + w.loads + w.supports + w.gas + w.law_defect + w.edit_defect
             - w.friction
             - w.damping
-            - w.fracture;
+            - w.fracture
+            - w.absorbed;
         self.total() - expected
     }
 

@@ -55,6 +55,7 @@ impl Builder<'_> {
         let part = |q: Option<f64>| q.unwrap_or(0.0);
         let damping = Damping {
             mass: part(damping.and_then(|d| d.mass.as_ref()).map(Quantity::si)),
+            rotation: None,
             stiffness: part(damping.and_then(|d| d.stiffness.as_ref()).map(Quantity::si)),
             local: part(damping.and_then(|d| d.local.as_ref()).map(Quantity::si)),
         };

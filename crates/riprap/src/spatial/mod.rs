@@ -1,5 +1,18 @@
 //! The 3D engine: rigid blocks joined by face patches, boundaries, gas cavities, splitting.
 
+pub mod boundary;
+pub mod build;
+pub mod fields;
+pub mod forces;
+pub mod kick;
+pub mod loads;
+pub mod meet;
+pub mod patch;
 pub mod refine;
 pub mod region;
 pub mod setup;
+pub mod stable;
+pub mod step;
+pub mod sums;
+pub mod tiles;
+pub mod world;

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
 pub use crate::laws::explosive::Explosive;
+pub use crate::laws::face_joint::Strength;
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -191,25 +192,6 @@ pub enum Stiffness {
         /// Shear, Pa/m.
         shear: f64,
     },
-}
-
-/// Mohr-Coulomb strength with tension cut-off.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Strength {
-    /// Cohesion, Pa.
-    pub cohesion: f64,
-    /// Tensile strength, Pa.
-    pub tension: f64,
-    /// tan of the friction angle before failure.
-    pub friction: f64,
-    /// tan of the friction angle after failure.
-    pub residual_friction: f64,
-    /// Cohesion after failure, Pa.
-    pub residual_cohesion: f64,
-    /// tan of the dilation angle of a sliding point.
-    pub dilation: f64,
-    /// Plastic shear displacement at which dilation ends, m.
-    pub dilation_end: f64,
 }
 
 /// What fails as one.

@@ -1,0 +1,365 @@
+//! Conditions on free faces: held, moved, viscous, loaded.
+//!
+//! Springs and dashpots act at four points of a face through the half block behind it (`M/h` and `2G/h` per area,
+//! h from centroid to face). A viscous face puts the dashpots of Lysmer & Kuhlemeyer (1969) behind these
+//! springs: `s = k (u - a)`, `da/dt = s / Z`, backward Euler in `a`; reflection is then of second order in the size
+//! of the block, against first order for a dashpot on the face of the rigid block.
+
+use riprap_geom::{Mat3, Vec3};
+use serde::{Deserialize, Serialize};
+
+use super::build::BuildError;
+use super::patch::Poses;
+use super::setup::{Boundary, BoundaryKind, FaceSet};
+use super::world::World;
+use crate::laws::face_joint::SIGNS;
+use crate::ledger::Works;
+
+/// Largest sine between a face normal and the one that is asked for.
+const PARALLEL: f64 = 1e-6;
+
+/// A face, or a part of one, that no patch covers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Face {
+    /// Block it belongs to.
+    pub block: u32,
+    /// Index into `Setup::boundaries` of the condition that acts on it, if any.
+    pub boundary: Option<u16>,
+    /// Unit outward normal n at the start, then b and c: right-handed.
+    pub frame: [Vec3; 3],
+    /// Centre from the centroid of the block at the start, m.
+    pub arm: Vec3,
+    /// Area, m².
+    pub area: f64,
+    /// Distance of the four points from the centre along b and c, m.
+    pub reach: [f64; 2],
+    /// Normal and shear stiffness of the half block behind the face, Pa/m; 0 without a boundary.
+    pub stiffness: [f64; 2],
+    /// Impedances rho c_P and rho c_S, Pa s/m; 0 without a boundary.
+    pub impedance: [f64; 2],
+    /// Displacement of the far end of the face spring at the four points, m.
+    pub anchor: [Vec3; 4],
+}
+
+impl Face {
+    /// Place of point `p` from the centroid of the block at the start, m.
+    #[must_use]
+    pub fn place(&self, p: usize) -> Vec3 {
+        let [_, b, c] = self.frame;
+        self.arm + SIGNS[0][p] * self.reach[0] * b + SIGNS[1][p] * self.reach[1] * c
+    }
+}
+
+/// Gives free faces their conditions.
+pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError> {
+    for (index, boundary) in world.setup.boundaries.iter().enumerate() {
+        let mut found = false;
+        for face in &mut world.faces {
+            let centre = world.reference[face.block as usize] + face.arm;
+            if !is_on(&boundary.on, face, centre, tolerance) {
+                continue;
+            }
+            found = true;
+            face.boundary = Some(index as u16);
+            if matches!(boundary.kind, BoundaryKind::Traction { .. }) {
+                continue;
+            }
+            let block = &world.setup.blocks[face.block as usize];
+            let material = &world.setup.materials[block.material as usize];
+            let moduli = material.constrained_modulus().zip(material.shear_modulus());
+            let (m, g) = moduli.ok_or_else(|| BuildError::NoModulus {
+                material: material.name.clone(),
+                need: "the boundary on its faces",
+            })?;
+            let depth = face.arm.dot(face.frame[0]);
+            face.stiffness = [m / depth, 2.0 * g / depth];
+            face.impedance = [m, g].map(|modulus| (material.density * modulus).sqrt());
+        }
+        if !found {
+            let boundary = boundary.name.clone();
+            return Err(BuildError::NoFace { boundary });
+        }
+    }
+    Ok(())
+}
+
+/// Whether a face belongs to a choice of faces.
+fn is_on(set: &FaceSet, face: &Face, centre: Vec3, tolerance: f64) -> bool {
+    let along = |normal: &Vec3| {
+        face.frame[0].cross(*normal).length() < PARALLEL && face.frame[0].dot(*normal) > 0.0
+    };
+    match set {
+        FaceSet::Plane { normal, offset } => {
+            along(normal) && (centre.dot(*normal) - offset).abs() <= tolerance
+        }
+        FaceSet::Blocks { blocks, normal } => {
+            blocks.binary_search(&face.block).is_ok() && normal.as_ref().is_none_or(along)
+        }
+        FaceSet::Box { min, max, normal } => {
+            centre.cmpge(*min - Vec3::splat(tolerance)).all()
+                && centre.cmple(*max + Vec3::splat(tolerance)).all()
+                && normal.as_ref().is_none_or(along)
+        }
+    }
+}
+
+/// Force (N) and moment (N m) about the centroid on the block of a face.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Push {
+    /// Force, N.
+    pub force: Vec3,
+    /// Moment, N m.
+    pub moment: Vec3,
+}
+
+impl Push {
+    fn add(&mut self, force: Vec3, arm: Vec3) {
+        self.force += force;
+        self.moment += arm.cross(force);
+    }
+
+    /// Power (W) on a block with this velocity and spin.
+    #[must_use]
+    pub fn power(&self, velocity: Vec3, spin: Vec3) -> f64 {
+        self.force.dot(velocity) + self.moment.dot(spin)
+    }
+}
+
+/// What acts on a face, by the account it is booked on.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pushes {
+    /// Springs: held, moved and viscous faces.
+    pub spring: Push,
+    /// Dashpots without a spring.
+    pub dashpot: Push,
+    /// Tractions with a given value.
+    pub dead: Push,
+}
+
+/// Motion of a point of a face.
+struct PointMotion {
+    /// From the centroid, m.
+    arm: Vec3,
+    /// Displacement, m.
+    u: Vec3,
+    /// Velocity, m/s.
+    v: Vec3,
+}
+
+/// Context of the boundary stage.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// Poses of the blocks.
+    pub poses: Poses<'a>,
+    /// Conditions.
+    pub boundaries: &'a [Boundary],
+    /// Stress at the start.
+    pub in_situ: Option<&'a super::setup::InSitu>,
+    /// Centroids at the start, m.
+    pub reference: &'a [Vec3],
+    /// Present time, s.
+    pub time: f64,
+    /// Time moved since the last evaluation, s.
+    pub pending: f64,
+}
+
+impl<'a> Context<'a> {
+    /// Context of the present time of a world.
+    #[must_use]
+    pub fn new(world: &'a World) -> Self {
+        Self {
+            poses: Poses {
+                bodies: &world.bodies,
+                turned: &world.turned,
+            },
+            boundaries: &world.setup.boundaries,
+            in_situ: world.setup.in_situ.as_ref(),
+            reference: &world.reference,
+            time: world.time,
+            pending: world.pending,
+        }
+    }
+
+    /// Moves the anchors of a face on to the present time and finds what acts on its block; books the works of
+    /// anchors.
+    pub fn act(&self, face: &mut Face, works: &mut Works) -> Pushes {
+        let mut out = Pushes::default();
+        let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
+            return out;
+        };
+        for p in 0..4 {
+            let motion = self.motion(face, p);
+            let (before, after) = (face.anchor[p], self.anchor(boundary, face, p, motion.u));
+            if after != before {
+                let old = face.spring(boundary, motion.u - self.pending * motion.v - before);
+                let new = face.spring(boundary, motion.u - after);
+                let work = 0.125 * face.area * (old + new).dot(after - before);
+                match boundary.kind {
+                    BoundaryKind::Viscous { .. } => works.absorbed += work,
+                    BoundaryKind::Held { .. }
+                    | BoundaryKind::Moved { .. }
+                    | BoundaryKind::Traction { .. } => works.supports -= work,
+                }
+                face.anchor[p] = after;
+            }
+            let [spring, dashpot, dead] = self.forces(boundary, face, p, &motion);
+            out.spring.add(spring, motion.arm);
+            out.dashpot.add(dashpot, motion.arm);
+            out.dead.add(dead, motion.arm);
+        }
+        out
+    }
+
+    /// Motion of point `p` of a face.
+    fn motion(&self, face: &Face, p: usize) -> PointMotion {
+        let (b, start, bodies) = (face.block as usize, face.place(p), self.poses.bodies);
+        let (arm, moved) = match &self.poses.turned[b] {
+            Some(turned) => {
+                let arm = turned.attitude * start;
+                (arm, arm - start)
+            }
+            None => (start, bodies.rotation(b).cross(start)),
+        };
+        PointMotion {
+            arm,
+            u: bodies.displacement(b) + moved,
+            v: bodies.velocity(b) + bodies.spin(b).cross(arm),
+        }
+    }
+
+    /// Forces (N) of spring, dashpot and given traction at point `p`.
+    fn forces(
+        &self,
+        boundary: &Boundary,
+        face: &Face,
+        p: usize,
+        motion: &PointMotion,
+    ) -> [Vec3; 3] {
+        let b = face.block as usize;
+        let (normal, share) = (face.frame[0], 0.25 * face.area);
+        let z = self.reference[b].z + face.place(p).z;
+        let mut dead = match (boundary.in_situ, self.in_situ) {
+            (true, Some(in_situ)) => in_situ.at(z) * normal,
+            _ => Vec3::ZERO,
+        };
+        let (mut spring, mut dashpot) = (Vec3::ZERO, Vec3::ZERO);
+        match &boundary.kind {
+            BoundaryKind::Traction {
+                traction,
+                pressure,
+                gradient,
+                datum,
+                time,
+            } => {
+                let turned = self.poses.turned[b].as_ref();
+                let inward = -turned.map_or(normal, |t| t.attitude * normal);
+                let pressure = pressure + gradient * (datum - z);
+                dead += time.at(self.time) * (*traction + pressure * inward);
+            }
+            BoundaryKind::Viscous { half_cell: false } => {
+                let (vn, vt) = parts(motion.v, normal);
+                dashpot = -(face.impedance[0] * vn + face.impedance[1] * vt);
+            }
+            BoundaryKind::Viscous { half_cell: true }
+            | BoundaryKind::Held { .. }
+            | BoundaryKind::Moved { .. } => {
+                spring = -face.spring(boundary, motion.u - face.anchor[p]);
+            }
+        }
+        [spring, dashpot, dead].map(|t| share * t)
+    }
+
+    /// Energy in the springs of a face, J.
+    #[must_use]
+    pub fn stored(&self, face: &Face) -> f64 {
+        let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
+            return 0.0;
+        };
+        let energy = |p: usize| {
+            let stretch = self.motion(face, p).u - face.anchor[p];
+            0.125 * face.area * face.spring(boundary, stretch).dot(stretch)
+        };
+        (0..4).map(energy).sum()
+    }
+
+    /// Sum of the dyads of arm and force over the points of a face, N m.
+    #[must_use]
+    pub fn dyad(&self, face: &Face) -> Mat3 {
+        let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
+            return Mat3::ZERO;
+        };
+        let mut sum = Mat3::ZERO;
+        for p in 0..4 {
+            let motion = self.motion(face, p);
+            let force: Vec3 = self.forces(boundary, face, p, &motion).into_iter().sum();
+            let r = motion.arm;
+            sum += Mat3::from_cols(force.x * r, force.y * r, force.z * r);
+        }
+        sum
+    }
+
+    /// Present place of the far end of the spring at point `p`, whose near end has moved by `u`.
+    fn anchor(&self, boundary: &Boundary, face: &Face, p: usize, u: Vec3) -> Vec3 {
+        let before = face.anchor[p];
+        match &boundary.kind {
+            BoundaryKind::Viscous { .. } => {
+                let ratio = |k: usize| self.pending * face.stiffness[k] / face.impedance[k];
+                let towards = |a: Vec3, u: Vec3, r: f64| (a + r * u) / (1.0 + r);
+                let (an, at) = parts(before, face.frame[0]);
+                let (un, ut) = parts(u, face.frame[0]);
+                if self.pending == 0.0 {
+                    return before;
+                }
+                towards(an, un, ratio(0)) + towards(at, ut, ratio(1))
+            }
+            BoundaryKind::Moved { velocity } => {
+                let middle = self.time - 0.5 * self.pending;
+                let mut after = before;
+                for k in 0..3 {
+                    if let Some(f) = &velocity[k] {
+                        after[k] += self.pending * f.at(middle);
+                    }
+                }
+                after
+            }
+            BoundaryKind::Held { .. } | BoundaryKind::Traction { .. } => before,
+        }
+    }
+}
+
+impl Face {
+    /// Stress (Pa) of the face spring that is stretched by `stretch` (m).
+    fn spring(&self, boundary: &Boundary, stretch: Vec3) -> Vec3 {
+        let [kn, ks] = self.stiffness;
+        let full = |stretch: Vec3| {
+            let (n, t) = parts(stretch, self.frame[0]);
+            kn * n + ks * t
+        };
+        match &boundary.kind {
+            BoundaryKind::Held { normal, shear } => {
+                let (n, t) = parts(stretch, self.frame[0]);
+                f64::from(u8::from(*normal)) * kn * n + f64::from(u8::from(*shear)) * ks * t
+            }
+            BoundaryKind::Viscous { half_cell: true } => full(stretch),
+            BoundaryKind::Moved { velocity } => {
+                // A direction that is left free neither stretches nor pulls.
+                let free = |v: Vec3| {
+                    Vec3::from_array([0, 1, 2].map(|k| match velocity[k] {
+                        Some(_) => v[k],
+                        None => 0.0,
+                    }))
+                };
+                free(full(free(stretch)))
+            }
+            BoundaryKind::Viscous { half_cell: false } | BoundaryKind::Traction { .. } => {
+                Vec3::ZERO
+            }
+        }
+    }
+}
+
+/// Parts of a vector along a unit normal and across it.
+fn parts(v: Vec3, normal: Vec3) -> (Vec3, Vec3) {
+    let along = normal.dot(v) * normal;
+    (along, v - along)
+}

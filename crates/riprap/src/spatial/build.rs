@@ -1,0 +1,483 @@
+//! From plain data to a world: mass properties, patches between blocks, free faces.
+
+use std::collections::BTreeMap;
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::boundary::{self, Face};
+use super::meet::{self, Cell, Free, Rectangle, Shared};
+use super::refine::{self, Origin, RefineError};
+use super::setup::{InSitu, Points, Setup, Shape, Stiffness};
+use super::step::Scratch;
+use super::world::{Bodies, PatchClass, Patches, SolidClass, World};
+use crate::exec::Exec;
+use crate::ledger::Works;
+
+/// Largest gap between faces that touch, over the shortest half edge of all blocks.
+const GAP: f64 = 1e-6;
+/// Lengths are rounded to this share of the shortest half edge, so that equal patches are equal bits.
+const ROUNDING: f64 = 1.0 / (1u64 << 34) as f64;
+
+/// Why a model cannot be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// A stiffness from the material needs moduli that it lacks.
+    #[error("the material `{material}` needs `young` and `poisson` for {need}")]
+    NoModulus {
+        /// Name of the material.
+        material: String,
+        /// What needs them.
+        need: &'static str,
+    },
+    /// A block has no volume.
+    #[error("the block `{block}` has no volume: {reason}")]
+    Shape {
+        /// Name of the block.
+        block: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The blocks cannot be split as asked for.
+    #[error("{0}")]
+    Refine(#[from] RefineError),
+    /// A condition for faces finds none.
+    #[error(
+        "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
+    )]
+    NoFace {
+        /// Name of the boundary.
+        boundary: String,
+    },
+}
+
+impl World {
+    /// A world at rest at time zero, with patches and boundaries built; the scratch data come with it.
+    ///
+    /// # Errors
+    /// A block without volume, a stiffness without modulus, a boundary without faces.
+    pub fn new(setup: Setup, exec: Exec) -> Result<(Self, Scratch), BuildError> {
+        let mut setup = setup;
+        let lineage = refine::before_run(&mut setup)?;
+        let n = setup.blocks.len();
+        let mut alive = vec![true; n];
+        for origin in lineage.iter().filter(|o| o.parent != Origin::NONE) {
+            alive[origin.parent as usize] = false;
+        }
+        let mut world = Self {
+            gravity: setup.gravity,
+            time: 0.0,
+            step: 0,
+            last_dt: 0.0,
+            pending: 0.0,
+            fresh: true,
+            bodies: Bodies::at_rest(n),
+            reference: Vec::with_capacity(n),
+            solid: Vec::with_capacity(n),
+            solids: Vec::new(),
+            turned: vec![None; n],
+            alive,
+            lineage,
+            motion: vec![None; n],
+            peak_speed_squared: vec![0.0; n],
+            patches: Patches::default(),
+            classes: Vec::new(),
+            faces: Vec::new(),
+            works: Works::default(),
+            start_energy: None,
+            setup,
+        };
+        world.find_solids()?;
+        for (b, block) in world.setup.blocks.iter().enumerate() {
+            world.bodies.set_rate(b, block.velocity, block.spin);
+        }
+        for support in &world.setup.supports {
+            for &b in &support.blocks {
+                world.motion[b as usize] = Some(Box::new(support.motion.clone()));
+            }
+        }
+        world.hold_driven();
+        world.build_patches()?;
+        let scratch = Scratch::new(&mut world, exec);
+        Ok((world, scratch))
+    }
+
+    /// Name of a block, as `rock`, `rock.17` or `rock.17/3`.
+    #[must_use]
+    pub fn name(&self, b: usize) -> String {
+        refine::name(&self.setup, &self.lineage, b)
+    }
+
+    /// Mass properties of a block.
+    #[must_use]
+    pub fn solid_of(&self, b: usize) -> &SolidClass {
+        &self.solids[self.solid[b] as usize]
+    }
+
+    /// Reference centroids and mass properties of all blocks.
+    fn find_solids(&mut self) -> Result<(), BuildError> {
+        let mut known: BTreeMap<[u64; 4], u32> = BTreeMap::new();
+        for b in 0..self.setup.blocks.len() {
+            let block = &self.setup.blocks[b];
+            let density = self.setup.materials[block.material as usize].density;
+            let (centre, class) = solid(&block.shape, density).map_err(|reason| {
+                let block = self.name(b);
+                BuildError::Shape { block, reason }
+            })?;
+            self.reference.push(centre);
+            let key = match block.shape {
+                Shape::Brick { half, .. } => {
+                    Some([half.x, half.y, half.z, density].map(f64::to_bits))
+                }
+                Shape::Polyhedron(_) => None,
+            };
+            let index = key.and_then(|k| known.get(&k).copied());
+            let index = index.unwrap_or_else(|| {
+                self.solids.push(class);
+                let index = self.solids.len() as u32 - 1;
+                if let Some(key) = key {
+                    known.insert(key, index);
+                }
+                index
+            });
+            self.solid.push(index);
+        }
+        Ok(())
+    }
+
+    /// Shortest half edge of a living block, m.
+    #[must_use]
+    pub fn finest(&self) -> f64 {
+        let living = (0..self.alive.len()).filter(|b| self.alive[*b]);
+        living
+            .map(|b| self.solid_of(b).half.min_element())
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Builds patches and free faces of all living blocks, without history.
+    fn build_patches(&mut self) -> Result<(), BuildError> {
+        let finest = self.finest();
+        let tolerance = GAP * finest;
+        let cells: Vec<Cell> = (0..self.alive.len())
+            .filter(|b| self.alive[*b])
+            .map(|b| Cell {
+                block: b as u32,
+                centre: self.reference[b],
+                half: self.solid_of(b).half,
+            })
+            .collect();
+        let (shared, free) = meet::meet(&cells, self.setup.periodic, tolerance);
+        let mut table = ClassTable::new(self, finest);
+        for s in &shared {
+            let overlap = overlap(&cells, s);
+            self.add_patch(&mut table, &overlap)?;
+        }
+        self.patches.sort(&self.classes);
+        self.faces = free.iter().map(|f| face(&cells, f)).collect();
+        self.faces.sort_by_key(|f| f.block);
+        boundary::assign(self, tolerance)
+    }
+
+    /// Appends a patch; `Patches::sort` puts it in its place later.
+    ///
+    /// # Errors
+    /// A stiffness without modulus.
+    pub fn add_patch(
+        &mut self,
+        table: &mut ClassTable,
+        overlap: &Overlap,
+    ) -> Result<(), BuildError> {
+        let class = table.class_of(self, overlap)?;
+        let k = &self.classes[class as usize];
+        if let Some(in_situ) = &self.setup.in_situ {
+            let centre = self.reference[overlap.blocks[0] as usize] + k.arms[0];
+            let stress = in_situ.at(centre.z);
+            self.patches.prestress.push(stress * k.frame[0]);
+        }
+        let strength = self.setup.interfaces[k.row as usize].joint.strength;
+        self.patches.ends.push(overlap.blocks);
+        self.patches.class.push(class);
+        self.patches.flags.push(0);
+        if strength.is_some() || !self.patches.slip.is_empty() {
+            self.patches.need_slip();
+        }
+        let dilates = strength.is_some_and(|s| s.dilation > 0.0);
+        if dilates || !self.patches.lift.is_empty() {
+            self.patches.need_lift();
+        }
+        if dilates || !self.patches.path.is_empty() {
+            self.patches.need_path();
+        }
+        Ok(())
+    }
+}
+
+/// Two blocks that share a part of a face, in the reference configuration.
+#[derive(Clone, Copy, Debug)]
+pub struct Overlap {
+    /// Blocks i and j.
+    pub blocks: [u32; 2],
+    /// Unit vectors n (from i to j), b and c: right-handed, b and c principal axes of the part.
+    pub frame: [Vec3; 3],
+    /// Axis of the normal, 0 to 2, with b and c the next two axes; 3 for any other direction.
+    pub axis: u8,
+    /// Centre of the part from the centroids of i and j, m.
+    pub arms: [Vec3; 2],
+    /// Area, m².
+    pub area: f64,
+    /// Radii of gyration of the part along b and along c, m.
+    pub gyration: [f64; 2],
+}
+
+/// Axis frame: normal along `axis`, b and c the next two axes.
+#[must_use]
+pub fn axis_frame(axis: usize) -> [Vec3; 3] {
+    [0, 1, 2].map(|k| Vec3::AXES[(axis + k) % 3])
+}
+
+fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
+    let (low, high, axis) = (&cells[shared.low], &cells[shared.high], shared.axis);
+    let [length_b, length_c] = shared.part.size();
+    let to = |cell: &Cell, sign: f64| arm(cell, axis, sign, &shared.part);
+    Overlap {
+        blocks: [low.block, high.block],
+        frame: axis_frame(axis),
+        axis: axis as u8,
+        arms: [to(low, 1.0), to(high, -1.0)],
+        area: length_b * length_c,
+        gyration: [length_b / 12f64.sqrt(), length_c / 12f64.sqrt()],
+    }
+}
+
+/// From the centroid of a cell to the centre of a part of its face.
+fn arm(cell: &Cell, axis: usize, sign: f64, part: &Rectangle) -> Vec3 {
+    let [b, c] = [(axis + 1) % 3, (axis + 2) % 3];
+    let mut arm = Vec3::ZERO;
+    arm[axis] = sign * cell.half[axis];
+    arm[b] = part.centre()[0] - cell.centre[b];
+    arm[c] = part.centre()[1] - cell.centre[c];
+    arm
+}
+
+fn face(cells: &[Cell], free: &Free) -> Face {
+    let cell = &cells[free.cell];
+    let [length_b, length_c] = free.part.size();
+    let [n, b, c] = axis_frame(free.axis);
+    let sign = if free.upward { 1.0 } else { -1.0 };
+    let frame = if free.upward { [n, b, c] } else { [-n, c, b] };
+    let mut reach = [length_b / 12f64.sqrt(), length_c / 12f64.sqrt()];
+    if !free.upward {
+        reach.swap(0, 1);
+    }
+    Face {
+        block: cell.block,
+        boundary: None,
+        frame,
+        arm: arm(cell, free.axis, sign, &free.part),
+        area: length_b * length_c,
+        reach,
+        stiffness: [0.0; 2],
+        impedance: [0.0; 2],
+        anchor: [Vec3::ZERO; 4],
+    }
+}
+
+/// Centroid and mass properties of a shape.
+fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
+    match shape {
+        Shape::Brick { centre, half } => {
+            if !(half.min_element() > 0.0 && half.is_finite() && centre.is_finite()) {
+                return Err(format!("its half edges are {half} m"));
+            }
+            let volume = 8.0 * half.x * half.y * half.z;
+            let mass = density * volume;
+            let square = *half * *half;
+            let inertia = mass / 3.0
+                * Vec3::new(
+                    square.y + square.z,
+                    square.z + square.x,
+                    square.x + square.y,
+                );
+            let class = SolidClass {
+                mass,
+                volume,
+                inertia: Mat3::from_diagonal(inertia),
+                inverse: Mat3::from_diagonal(inertia.recip()),
+                half: *half,
+                radius: half.length(),
+                diagonal: true,
+            };
+            Ok((*centre, class))
+        }
+        Shape::Polyhedron(_) => Err("polyhedra are not built yet".to_owned()),
+    }
+}
+
+impl InSitu {
+    /// Stress tensor at height `z` (m), Pa, tension-positive.
+    #[must_use]
+    pub fn at(&self, z: f64) -> Mat3 {
+        let depth = self.datum - z;
+        tensor(std::array::from_fn(|k| {
+            self.stress[k] + self.gradient[k] * depth
+        }))
+    }
+
+    /// Change of the stress tensor for each metre upward, Pa/m.
+    #[must_use]
+    pub fn upward(&self) -> Mat3 {
+        -tensor(self.gradient)
+    }
+}
+
+/// Symmetric tensor from xx, yy, zz, yz, zx, xy.
+fn tensor([xx, yy, zz, yz, zx, xy]: [f64; 6]) -> Mat3 {
+    Mat3::from_cols_array(&[xx, xy, zx, xy, yy, yz, zx, yz, zz])
+}
+
+/// Finds the class of a patch among those there are, or adds it.
+pub struct ClassTable {
+    quantum: f64,
+    known: BTreeMap<[i64; 22], u32>,
+}
+
+impl ClassTable {
+    /// A table for the classes of `world`; `finest` is the shortest half edge, m.
+    #[must_use]
+    pub fn new(world: &World, finest: f64) -> Self {
+        let mut table = Self {
+            // A power of two leaves dyadic lengths as they are.
+            quantum: libm::exp2(libm::log2(finest).floor()) * ROUNDING,
+            known: BTreeMap::new(),
+        };
+        for (k, class) in world.classes.iter().enumerate() {
+            let (arms, pair) = (&class.arms, class.materials);
+            let key = table.key(&class.frame, arms, class.area, class.reach, pair);
+            table.known.insert(key, k as u32);
+        }
+        table
+    }
+
+    fn round(&self, length: f64) -> f64 {
+        (length / self.quantum).round() * self.quantum
+    }
+
+    fn key(
+        &self,
+        frame: &[Vec3; 3],
+        arms: &[Vec3; 2],
+        area: f64,
+        reach: [f64; 2],
+        materials: [u16; 2],
+    ) -> [i64; 22] {
+        let mut key = [0; 22];
+        let lengths = arms.iter().flat_map(Vec3::to_array).chain(reach);
+        let units = frame.iter().flat_map(Vec3::to_array);
+        let numbers = lengths
+            .map(|x| (x / self.quantum).round())
+            .chain(units.map(|x| (x / ROUNDING).round()))
+            .chain([(area / (self.quantum * reach[0].max(reach[1]))).round()]);
+        for (slot, number) in key.iter_mut().zip(numbers) {
+            *slot = number as i64;
+        }
+        key[20] = i64::from(materials[0]);
+        key[21] = i64::from(materials[1]);
+        key
+    }
+
+    /// Index of the class of a patch.
+    ///
+    /// # Errors
+    /// A stiffness without modulus.
+    pub fn class_of(&mut self, world: &mut World, overlap: &Overlap) -> Result<u32, BuildError> {
+        let setup = &world.setup;
+        let materials = overlap
+            .blocks
+            .map(|b| setup.blocks[b as usize].material as usize);
+        let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
+        let joint = &setup.interfaces[row as usize].joint;
+        let arms = overlap
+            .arms
+            .map(|a| a.to_array().map(|x| self.round(x)).into());
+        // Four equal points at this distance have the exact second moments of the part.
+        let spread = match joint.points {
+            Points::Gauss => 1.0,
+            Points::Quarter => 0.75f64.sqrt(),
+        };
+        let reach = overlap.gyration.map(|g| spread * g);
+        let pair = materials.map(|m| m as u16);
+        let key = self.key(&overlap.frame, &arms, overlap.area, reach, pair);
+        if let Some(&class) = self.known.get(&key) {
+            return Ok(class);
+        }
+        let n = overlap.frame[0];
+        let depths = [arms[0].dot(n), -arms[1].dot(n)];
+        let (stiffness, travel) = stiffness(setup, row, materials, depths)?;
+        let slope = setup.in_situ.map_or([[0.0; 3]; 2], |in_situ| {
+            let upward = in_situ.upward() * n;
+            [overlap.frame[1], overlap.frame[2]].map(|along: Vec3| {
+                let traction = upward * along.z / (spread * spread);
+                overlap.frame.map(|e| traction.dot(e))
+            })
+        });
+        world.classes.push(PatchClass {
+            frame: overlap.frame,
+            area: overlap.area,
+            reach,
+            arms,
+            stiffness,
+            beta: joint.damping * travel,
+            materials: pair,
+            row,
+            axis: overlap.axis,
+            distance: depths[0] + depths[1],
+            slope,
+        });
+        let class = world.classes.len() as u32 - 1;
+        self.known.insert(key, class);
+        Ok(class)
+    }
+}
+
+/// Normal and shear stiffness (Pa/m) of a patch between materials, with the depths (m) of the blocks
+/// behind it, and the time a P wave takes from centroid to centroid, s.
+///
+/// Half-block compliances in series: `1/Kn = h1/M1 + h2/M2`, `1/Ks = h1/2G1 + h2/2G2`; for equal
+/// materials `Kn = M/d`, `Ks = 2G/d`, which give the right wave speeds along the axes of a lattice
+/// whose blocks turn.
+fn stiffness(
+    setup: &Setup,
+    row: u16,
+    materials: [usize; 2],
+    depths: [f64; 2],
+) -> Result<([f64; 2], f64), BuildError> {
+    let sides = [0, 1].map(|k| (&setup.materials[materials[k]], depths[k]));
+    let series = |modulus: &dyn Fn(usize) -> Option<f64>| -> Result<f64, BuildError> {
+        let mut compliance = 0.0;
+        for (k, (material, depth)) in sides.iter().enumerate() {
+            let modulus = modulus(k).ok_or_else(|| BuildError::NoModulus {
+                material: material.name.clone(),
+                need: "the stiffness of its joints",
+            })?;
+            compliance += depth / modulus;
+        }
+        Ok(1.0 / compliance)
+    };
+    let shear = |k: usize| sides[k].0.shear_modulus().map(|g| 2.0 * g);
+    let stiffness = match setup.interfaces[row as usize].joint.stiffness {
+        Stiffness::Given { normal, shear } => [normal, shear],
+        Stiffness::Material => [
+            series(&|k| sides[k].0.constrained_modulus())?,
+            series(&shear)?,
+        ],
+        Stiffness::MaterialUniaxial => [series(&|k| sides[k].0.young)?, series(&shear)?],
+    };
+    let mut travel = 0.0;
+    for (material, depth) in sides {
+        let distance: f64 = depths.iter().sum();
+        let modulus = material
+            .constrained_modulus()
+            .unwrap_or(stiffness[0] * distance);
+        travel += depth * (material.density / modulus).sqrt();
+    }
+    Ok((stiffness, travel))
+}

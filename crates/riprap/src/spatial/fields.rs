@@ -1,0 +1,311 @@
+//! What can be read from a spatial model.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::boundary;
+use super::patch::{self, Points, Poses, Resultant, turned_inertia};
+use super::step::Scratch;
+use super::world::{PatchClass, World, flag};
+use crate::laws::face_joint::{self, Traction};
+use crate::ledger::Balance;
+
+/// A world with its forces evaluated, ready to be read.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// State.
+    pub world: &'a World,
+    /// Forces at the same time.
+    pub scratch: &'a Scratch,
+}
+
+impl View<'_> {
+    /// Share of the coming kick that lies before the present time: velocities are those of half a
+    /// step before, the kick spans both halves.
+    fn past(&self) -> f64 {
+        let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
+        if before > 0.0 {
+            before / (before + after)
+        } else {
+            0.0
+        }
+    }
+
+    /// Name of block `b`.
+    #[must_use]
+    pub fn name(&self, b: usize) -> String {
+        self.world.name(b)
+    }
+
+    /// Living blocks.
+    pub fn living(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.world.alive.len()).filter(|&b| self.world.alive[b])
+    }
+
+    /// Velocity of the centroid of block `b` at the present time, m/s.
+    #[must_use]
+    pub fn velocity(&self, b: usize) -> Vec3 {
+        let change = self.scratch.change(self.world, b);
+        self.world.bodies.velocity(b) + self.past() * change.velocity
+    }
+
+    /// Spin of block `b` at the present time, rad/s.
+    #[must_use]
+    pub fn spin(&self, b: usize) -> Vec3 {
+        let change = self.scratch.change(self.world, b);
+        match &self.world.turned[b] {
+            Some(turned) => {
+                let inverse = turned_inertia(&self.world.solid_of(b).inverse, turned.attitude);
+                inverse * (turned.momentum + self.past() * change.momentum)
+            }
+            None => self.world.bodies.spin(b) + self.past() * change.spin,
+        }
+    }
+
+    /// Displacement of the centroid, m.
+    #[must_use]
+    pub fn displacement(&self, b: usize) -> Vec3 {
+        self.world.bodies.displacement(b)
+    }
+
+    /// Position of the centroid, m.
+    #[must_use]
+    pub fn position(&self, b: usize) -> Vec3 {
+        self.world.reference[b] + self.world.bodies.displacement(b)
+    }
+
+    /// Rotation vector, rad.
+    #[must_use]
+    pub fn rotation(&self, b: usize) -> Vec3 {
+        self.world.bodies.rotation(b)
+    }
+
+    /// Largest speed of the centroid so far, m/s.
+    #[must_use]
+    pub fn peak_speed(&self, b: usize) -> f64 {
+        self.world.peak_speed_squared[b].sqrt()
+    }
+
+    /// Kinetic energy of block `b`, J: `m v(n-1/2).v(n+1/2)/2` and the same for rotation, with the second
+    /// velocity taken half a step as long as the last one after the present time.
+    #[must_use]
+    pub fn kinetic(&self, b: usize) -> f64 {
+        let world = self.world;
+        let (solid, change) = (world.solid_of(b), self.scratch.change(world, b));
+        let whole = 2.0 * self.past();
+        let v = world.bodies.velocity(b);
+        let turning = match &world.turned[b] {
+            Some(turned) => {
+                let inverse = turned_inertia(&solid.inverse, turned.attitude);
+                let after = turned.momentum + whole * change.momentum;
+                turned.momentum.dot(inverse * after)
+            }
+            None => {
+                let w = world.bodies.spin(b);
+                w.dot(solid.inertia * (w + whole * change.spin))
+            }
+        };
+        0.5 * (solid.mass * v.dot(v + whole * change.velocity) + turning)
+    }
+
+    /// Momentum of all blocks, N s.
+    #[must_use]
+    pub fn momentum(&self) -> Vec3 {
+        self.living()
+            .map(|b| self.world.solid_of(b).mass * self.velocity(b))
+            .sum()
+    }
+
+    /// Angular momentum of all blocks about the local origin, N m s. With small kinematics it is that about
+    /// the reference positions (the one which forces on frozen arms conserve), with finite rotations that about
+    /// the present ones.
+    #[must_use]
+    pub fn angular_momentum(&self) -> Vec3 {
+        let finite = self.world.turned.iter().any(Option::is_some);
+        self.living()
+            .map(|b| {
+                let solid = self.world.solid_of(b);
+                let place = if finite {
+                    self.position(b)
+                } else {
+                    self.world.reference[b]
+                };
+                let own = match &self.world.turned[b] {
+                    Some(turned) => {
+                        let change = self.scratch.change(self.world, b);
+                        turned.momentum + self.past() * change.momentum
+                    }
+                    None => solid.inertia * self.spin(b),
+                };
+                place.cross(solid.mass * self.velocity(b)) + own
+            })
+            .sum()
+    }
+
+    /// Unbalanced-force ratio: sum of |net force| of the free blocks over the sum of the forces that
+    /// act on them.
+    #[must_use]
+    pub fn unbalanced(&self) -> f64 {
+        let (mut net, mut all) = (0.0, 0.0);
+        let world = self.world;
+        let free = |b: usize| world.alive[b] && world.motion[b].is_none();
+        for b in self.living().filter(|b| free(*b)) {
+            let solid = world.solid_of(b);
+            net += self.scratch.net.force(b).length()
+                + self.scratch.net.moment(b).length() / solid.radius;
+            all += solid.mass * world.gravity.length();
+            all += self
+                .scratch
+                .applied
+                .get(b)
+                .map_or(0.0, |l| l.force.length());
+        }
+        for p in 0..world.patches.len() {
+            let force = self.patch_resultant(p).force.length();
+            let blocks = world.patches.ends[p].map(|b| b as usize);
+            all += force * blocks.iter().filter(|b| free(**b)).count() as f64;
+        }
+        if all > 0.0 { net / all } else { 0.0 }
+    }
+
+    fn poses(&self) -> Poses<'_> {
+        Poses {
+            bodies: &self.world.bodies,
+            turned: &self.world.turned,
+        }
+    }
+
+    /// Class of patch `p`.
+    #[must_use]
+    pub fn patch_class(&self, p: usize) -> &PatchClass {
+        &self.world.classes[self.world.patches.class[p] as usize]
+    }
+
+    /// Kinematics of patch `p`.
+    #[must_use]
+    pub fn patch_points(&self, p: usize) -> Points {
+        let list = &self.world.patches;
+        let finite = list.flags[p] & flag::FINITE != 0;
+        self.poses()
+            .points(self.patch_class(p), list.ends[p], finite)
+    }
+
+    /// Tractions on block i at the four points of patch `p` (n, b, c), Pa, without dashpots.
+    #[must_use]
+    pub fn patch_tractions(&self, p: usize) -> [Traction; 4] {
+        self.tractions(p, &self.patch_points(p))
+    }
+
+    fn tractions(&self, p: usize, points: &Points) -> [Traction; 4] {
+        let (list, class) = (&self.world.patches, self.patch_class(p));
+        let joint = patch::joint(&self.world.setup.interfaces, class);
+        let (slip, lift) = (list.slip.get(p), list.lift.get(p));
+        let memory = patch::memories(list.flags[p], slip, lift, list.path.get(p));
+        let start = patch::start(class, list.prestress.get(p));
+        patch::carried(joint, class, points, &start, &memory)
+    }
+
+    /// Forces of patch `p` on its blocks, without dashpots.
+    #[must_use]
+    pub fn patch_resultant(&self, p: usize) -> Resultant {
+        let points = self.patch_points(p);
+        points.resultant(self.patch_class(p), &self.tractions(p, &points))
+    }
+
+    /// Energy in the normal and shear springs of patch `p`, J.
+    #[must_use]
+    pub fn patch_energy(&self, p: usize) -> [f64; 2] {
+        let class = self.patch_class(p);
+        let mut sum = [0.0; 2];
+        for t in self.patch_tractions(p) {
+            let all = face_joint::stored(class.stiffness, &t);
+            let normal = 0.5 * t[0] * t[0] / class.stiffness[0];
+            sum[0] += 0.25 * class.area * normal;
+            sum[1] += 0.25 * class.area * (all - normal);
+        }
+        sum
+    }
+
+    /// Average stress of every block, Pa, tension-positive: `(1/V) sum r (x) f` over patches and boundary
+    /// faces, symmetrised.
+    #[must_use]
+    pub fn stresses(&self) -> Vec<Mat3> {
+        let world = self.world;
+        let mut sum = vec![Mat3::ZERO; world.alive.len()];
+        let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
+        for p in 0..world.patches.len() {
+            let class = self.patch_class(p);
+            let points = self.patch_points(p);
+            for (q, t) in self.tractions(p, &points).iter().enumerate() {
+                let e = points.frame;
+                let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);
+                let [i, j] = world.patches.ends[p].map(|b| b as usize);
+                let offset = patch::place(class, q);
+                sum[i] += outer(self.turn(i, class.arms[0] + offset), force);
+                sum[j] += outer(self.turn(j, class.arms[1] + offset), -force);
+            }
+        }
+        let context = boundary::Context::new(world);
+        for face in &world.faces {
+            sum[face.block as usize] += context.dyad(face);
+        }
+        for (b, s) in sum.iter_mut().enumerate() {
+            let volume = world.solid_of(b).volume;
+            *s = (0.5 / volume) * (*s + s.transpose());
+        }
+        sum
+    }
+
+    /// A vector of the start turned with block `b`.
+    fn turn(&self, b: usize, v: Vec3) -> Vec3 {
+        match &self.world.turned[b] {
+            Some(turned) => turned.attitude * v,
+            None => v,
+        }
+    }
+
+    /// Energy in the springs of boundaries, J.
+    #[must_use]
+    pub fn boundary_energy(&self) -> f64 {
+        let context = boundary::Context::new(self.world);
+        self.world.faces.iter().map(|f| context.stored(f)).sum()
+    }
+
+    /// The energy ledger at the present time: patches as contact springs, boundary springs as bonds.
+    #[must_use]
+    pub fn balance(&self) -> Balance {
+        let mut out = Balance {
+            works: self.world.works,
+            ..Balance::default()
+        };
+        out.kinetic = self.living().map(|b| self.kinetic(b)).sum();
+        out.gravity = -self.world.works.gravity;
+        for p in 0..self.world.patches.len() {
+            let [normal, shear] = self.patch_energy(p);
+            out.contact_normal += normal;
+            out.contact_shear += shear;
+        }
+        out.bond = self.boundary_energy();
+        out.start = self.world.start_energy.unwrap_or_else(|| out.total());
+        out
+    }
+
+    /// Largest closing of a patch point over the distance of the centroids, with the blocks: how far rigid
+    /// blocks have been pressed into each other.
+    #[must_use]
+    pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
+        let list = &self.world.patches;
+        (0..list.len())
+            .map(|p| {
+                let class = self.patch_class(p);
+                let deepest = self
+                    .patch_points(p)
+                    .at
+                    .iter()
+                    .map(|a| -a[0])
+                    .fold(0.0, f64::max);
+                let [i, j] = list.ends[p];
+                (deepest / class.distance, i, j)
+            })
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}

@@ -1,0 +1,276 @@
+//! Velocity changes of blocks: mass, damping, prescribed motion, finite rotations.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::patch::turned_inertia;
+use super::setup::Motion;
+use super::world::World;
+use crate::dynamics::damping::Damping;
+use crate::ledger::Works;
+
+/// Velocity change of one block in the coming kick.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Change {
+    /// m/s.
+    pub velocity: Vec3,
+    /// rad/s; for a block with finite rotations at its present attitude.
+    pub spin: Vec3,
+    /// Change of angular momentum, N m s.
+    pub momentum: Vec3,
+}
+
+/// Forces on a block: all but damping and supports, then contact dashpots.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Acting {
+    /// Force, N.
+    pub force: Vec3,
+    /// Moment about the centroid, N m.
+    pub moment: Vec3,
+    /// Force of contact dashpots, N.
+    pub drag: Vec3,
+    /// Moment of contact dashpots, N m.
+    pub drag_moment: Vec3,
+}
+
+/// The kick: what is the same for all blocks.
+#[derive(Clone, Copy)]
+pub struct Kick<'a> {
+    /// State.
+    pub world: &'a World,
+    /// Damping of the phase.
+    pub damping: Damping,
+    /// Halves of the step before and after the present time, s.
+    pub half: [f64; 2],
+    /// Time between the two half-step velocities, s.
+    pub span: f64,
+}
+
+/// Forces that are not in [`Acting`], for the works.
+#[derive(Clone, Copy, Debug, Default)]
+struct Extra {
+    damping: Vec3,
+    damping_moment: Vec3,
+    support: Vec3,
+    support_moment: Vec3,
+}
+
+impl Kick<'_> {
+    /// Velocity change of block `b`.
+    #[must_use]
+    pub fn change(&self, b: usize, acting: &Acting) -> Change {
+        self.full(b, acting).0
+    }
+
+    /// Velocity change, and the forces that came in on the way.
+    fn full(&self, b: usize, acting: &Acting) -> (Change, Extra) {
+        let world = self.world;
+        let solid = world.solid_of(b);
+        let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
+        let mass = solid.mass;
+        let attitude = world.turned[b].as_ref().map(|t| t.attitude);
+        let inertia = attitude.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
+        let inverse = attitude.map_or(solid.inverse, |q| turned_inertia(&solid.inverse, q));
+        let before = match &world.turned[b] {
+            Some(turned) => turned.momentum,
+            None => inertia * w,
+        };
+        let local = self.damping.local;
+        let against = |f: Vec3, v: Vec3| -> Vec3 {
+            Vec3::from_array([0, 1, 2].map(|k| {
+                if v[k] == 0.0 || local == 0.0 {
+                    0.0
+                } else {
+                    -local * f[k].abs() * v[k].signum()
+                }
+            }))
+        };
+        let drag = against(acting.force, v);
+        let twist = against(acting.moment, w);
+        // Mass damping acts on the mean of the velocities before and after (implicit, stable).
+        let alpha = self.damping.mass;
+        let alpha_turn = self.damping.rotation.unwrap_or(alpha);
+        let fade = 0.5 * alpha * self.span;
+        let fade_turn = 0.5 * alpha_turn * self.span;
+        let push = acting.force + acting.drag + drag;
+        let torque = acting.moment + acting.drag_moment + twist;
+        let mut dv = (self.span / mass * push - 2.0 * fade * v) / (1.0 + fade);
+        let mut dl = (self.span * torque - 2.0 * fade_turn * before) / (1.0 + fade_turn);
+        // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
+        let now = if attitude.is_some() {
+            inverse * before
+        } else {
+            w
+        };
+        let mut dw = inverse * dl;
+        let mut extra = Extra::default();
+        if let Some(motion) = world.motion[b].as_deref() {
+            let free = (dv, dl);
+            (dv, dw) = self.prescribed(motion, v, now, dv, dw);
+            dl = inertia * dw;
+            if self.span > 0.0 {
+                extra.support = (1.0 + fade) * mass / self.span * (dv - free.0);
+                extra.support_moment = (1.0 + fade_turn) / self.span * (dl - free.1);
+            }
+        }
+        extra.damping = acting.drag + drag - alpha * mass * (v + 0.5 * dv);
+        extra.damping_moment = acting.drag_moment + twist - alpha_turn * (before + 0.5 * dl);
+        let change = Change {
+            velocity: dv,
+            spin: dw,
+            momentum: dl,
+        };
+        (change, extra)
+    }
+
+    /// Works on block `b` before and after the present time, each half with its velocity; `load` is the part of
+    /// the force and moment that loads make.
+    pub fn works(
+        &self,
+        b: usize,
+        acting: &Acting,
+        load: (Vec3, Vec3),
+        arrival: &mut Works,
+        departure: &mut Works,
+    ) -> Change {
+        let world = self.world;
+        let (change, extra) = self.full(b, acting);
+        let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
+        let weight = world.solid_of(b).mass * world.gravity;
+        let moved = world.motion[b].is_some();
+        for (half, v, w, works) in [
+            (self.half[0], v, w, arrival),
+            (
+                self.half[1],
+                v + change.velocity,
+                w + change.spin,
+                departure,
+            ),
+        ] {
+            works.gravity += half * weight.dot(v);
+            works.loads += half * (load.0.dot(v) + load.1.dot(w));
+            works.damping -= half * (extra.damping.dot(v) + extra.damping_moment.dot(w));
+            if moved {
+                works.supports += half * (extra.support.dot(v) + extra.support_moment.dot(w));
+            }
+        }
+        change
+    }
+
+    /// Velocity change of a block whose motion is prescribed in some freedoms: a prescribed velocity is met
+    /// in the middle of the step.
+    fn prescribed(&self, motion: &Motion, v: Vec3, w: Vec3, dv: Vec3, dw: Vec3) -> (Vec3, Vec3) {
+        let (mut dv, mut dw) = (dv, dw);
+        let time = self.world.time;
+        match motion {
+            Motion::Fixed {
+                translation,
+                rotation,
+            } => {
+                for k in 0..3 {
+                    if translation[k] {
+                        dv[k] = -v[k];
+                    }
+                    if rotation[k] {
+                        dw[k] = -w[k];
+                    }
+                }
+            }
+            Motion::Velocity { translation, spin } => {
+                let t = time + self.half[1];
+                for k in 0..3 {
+                    if let Some(f) = &translation[k] {
+                        dv[k] = f.at(t) - v[k];
+                    }
+                    if let Some(f) = &spin[k] {
+                        dw[k] = f.at(t) - w[k];
+                    }
+                }
+            }
+            Motion::Acceleration { translation } => {
+                for k in 0..3 {
+                    if let Some(f) = &translation[k] {
+                        dv[k] = self.span * f.at(time);
+                    }
+                    dw[k] = -w[k];
+                }
+            }
+        }
+        (dv, dw)
+    }
+}
+
+impl World {
+    /// Gives driven blocks their prescribed velocity at the present time.
+    pub fn hold_driven(&mut self) {
+        let t = self.time;
+        for (b, motion) in self.motion.iter().enumerate() {
+            let (mut v, mut w) = (self.bodies.velocity(b), self.bodies.spin(b));
+            match motion.as_deref() {
+                None => continue,
+                Some(Motion::Acceleration { .. }) => w = Vec3::ZERO,
+                Some(Motion::Fixed {
+                    translation,
+                    rotation,
+                }) => {
+                    for k in 0..3 {
+                        if translation[k] {
+                            v[k] = 0.0;
+                        }
+                        if rotation[k] {
+                            w[k] = 0.0;
+                        }
+                    }
+                }
+                Some(Motion::Velocity { translation, spin }) => {
+                    for k in 0..3 {
+                        if let Some(f) = &translation[k] {
+                            v[k] = f.at(t);
+                        }
+                        if let Some(f) = &spin[k] {
+                            w[k] = f.at(t);
+                        }
+                    }
+                }
+            }
+            self.bodies.set_rate(b, v, w);
+            let solid = &self.solids[self.solid[b] as usize];
+            if let Some(turned) = &mut self.turned[b] {
+                turned.momentum = turned_inertia(&solid.inertia, turned.attitude) * w;
+            }
+        }
+    }
+}
+
+/// Attitude after `dt` (s) with constant angular momentum, and the spin on the way (space frame).
+///
+/// Implicit midpoint with the Cayley map: the body-frame momentum follows from the constant one in space, and the
+/// rotational energy is conserved to round-off (Austin, Krishnaprasad & Wang 1993, J. Comput. Phys. 107,
+/// 105-117).
+#[must_use]
+pub fn turn(
+    attitude: riprap_geom::Quat,
+    momentum: Vec3,
+    inverse: &Mat3,
+    dt: f64,
+) -> (riprap_geom::Quat, Vec3) {
+    let body = attitude.conjugate() * momentum;
+    let mut omega = *inverse * body;
+    for _ in 0..50 {
+        let after = cayley(-dt * omega) * body;
+        let next = *inverse * (0.5 * (body + after));
+        let close = (next - omega).length() <= 1e-15 * next.length();
+        omega = next;
+        if close {
+            break;
+        }
+    }
+    let after = (attitude * cayley(dt * omega)).normalize();
+    // The mean of both attitudes turns the body-frame spin into space.
+    (after, 0.5 * (attitude * omega + after * omega))
+}
+
+/// Rotation of the Cayley map of a rotation vector.
+fn cayley(vector: Vec3) -> riprap_geom::Quat {
+    let half = 0.5 * vector;
+    riprap_geom::Quat::from_xyzw(half.x, half.y, half.z, 1.0).normalize()
+}

@@ -1,0 +1,375 @@
+//! One patch at a time: kinematics, law and resultant, for any state. The wide kernel takes over where
+//! all points are certainly elastic; this module is what it must agree with.
+
+use riprap_geom::{Mat3, Quat, Vec3};
+
+use super::setup::{Failure, Interface, JointLaw};
+use super::world::{Bodies, PatchClass, Turned, flag};
+use crate::laws::face_joint::{self, Loss, Memory, SIGNS, Traction};
+
+/// Forces of a patch on its blocks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Resultant {
+    /// Force on block i, N; block j gets the opposite.
+    pub force: Vec3,
+    /// Moments on i and on j about their centroids, N m.
+    pub moments: [Vec3; 2],
+}
+
+impl Resultant {
+    /// Force `force` and moment `moment` about the patch centre on i, with the arms of the centre.
+    #[inline]
+    #[must_use]
+    pub fn at(force: Vec3, moment: Vec3, arms: [Vec3; 2]) -> Self {
+        Self {
+            force,
+            moments: [
+                arms[0].cross(force) + moment,
+                -(arms[1].cross(force) + moment),
+            ],
+        }
+    }
+
+    /// Sum of two resultants.
+    #[inline]
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            force: self.force + other.force,
+            moments: [
+                self.moments[0] + other.moments[0],
+                self.moments[1] + other.moments[1],
+            ],
+        }
+    }
+}
+
+/// Kinematics of the four points of a patch, in the frame of the patch.
+#[derive(Clone, Copy, Debug)]
+pub struct Points {
+    /// Unit vectors n, b, c now.
+    pub frame: [Vec3; 3],
+    /// Relative displacement (j minus i), m.
+    pub at: [[f64; 3]; 4],
+    /// Relative velocity, m/s.
+    pub rate: [[f64; 3]; 4],
+    /// Places of the points from the centroids of i and j, m; `None` with small kinematics.
+    arms: Option<[[Vec3; 2]; 4]>,
+}
+
+/// What kinematics reads.
+#[derive(Clone, Copy)]
+pub struct Poses<'a> {
+    /// Displacements and velocities.
+    pub bodies: &'a Bodies,
+    /// Attitudes of the blocks with finite rotations.
+    pub turned: &'a [Option<Box<Turned>>],
+}
+
+impl Poses<'_> {
+    /// Turns the frame of the start into the present one.
+    #[must_use]
+    pub fn attitude(&self, b: usize) -> Quat {
+        match &self.turned[b] {
+            Some(turned) => turned.attitude,
+            None => rotation(self.bodies.rotation(b)),
+        }
+    }
+
+    /// Points of a patch, with finite rotations or with small ones.
+    #[must_use]
+    pub fn points(&self, class: &PatchClass, ends: [u32; 2], finite: bool) -> Points {
+        if finite {
+            self.finite_points(class, ends)
+        } else {
+            self.small_points(class, ends)
+        }
+    }
+
+    /// Physics of small displacements: arms and frame of the start, rotations as vectors.
+    fn small_points(&self, class: &PatchClass, ends: [u32; 2]) -> Points {
+        let [i, j] = ends.map(|b| b as usize);
+        let bodies = self.bodies;
+        let between = |shift: &dyn Fn(usize) -> Vec3, turn: &dyn Fn(usize) -> Vec3| {
+            let centre =
+                shift(j) - shift(i) + turn(j).cross(class.arms[1]) - turn(i).cross(class.arms[0]);
+            spread(class, centre, turn(j) - turn(i))
+        };
+        Points {
+            frame: class.frame,
+            at: between(&|b| bodies.displacement(b), &|b| bodies.rotation(b)),
+            rate: between(&|b| bodies.velocity(b), &|b| bodies.spin(b)),
+            arms: None,
+        }
+    }
+
+    /// Finite rotations: normal is the mean of both turned normals, each pair of points acts at its middle.
+    fn finite_points(&self, class: &PatchClass, ends: [u32; 2]) -> Points {
+        let blocks = ends.map(|b| b as usize);
+        let q = blocks.map(|b| self.attitude(b));
+        let [n, b, _] = class.frame;
+        let normal = (q[0] * n + q[1] * n).normalize_or(q[0] * n);
+        let along = q[0] * b + q[1] * b;
+        let along = (along - normal * normal.dot(along)).normalize_or(q[0] * b);
+        let frame = [normal, along, normal.cross(along)];
+        let mut points = Points {
+            frame,
+            at: [[0.0; 3]; 4],
+            rate: [[0.0; 3]; 4],
+            arms: Some([[Vec3::ZERO; 2]; 4]),
+        };
+        let mut arms = [[Vec3::ZERO; 2]; 4];
+        for (p, arms) in arms.iter_mut().enumerate() {
+            let offset = place(class, p);
+            let start = class.arms.map(|a| a + offset);
+            let now = [q[0] * start[0], q[1] * start[1]];
+            let moved = [0, 1].map(|k| self.bodies.displacement(blocks[k]) + (now[k] - start[k]));
+            let gap = moved[1] - moved[0];
+            *arms = [now[0] + 0.5 * gap, now[1] - 0.5 * gap];
+            let speed = [0, 1].map(|k| {
+                self.bodies.velocity(blocks[k]) + self.bodies.spin(blocks[k]).cross(arms[k])
+            });
+            points.at[p] = frame.map(|e| e.dot(gap));
+            points.rate[p] = frame.map(|e| e.dot(speed[1] - speed[0]));
+        }
+        points.arms = Some(arms);
+        points
+    }
+}
+
+/// Place of point `p` relative to the patch centre at the start, m.
+#[must_use]
+pub fn place(class: &PatchClass, p: usize) -> Vec3 {
+    SIGNS[0][p] * class.reach[0] * class.frame[1] + SIGNS[1][p] * class.reach[1] * class.frame[2]
+}
+
+/// Rotation of a rotation vector.
+#[must_use]
+pub fn rotation(vector: Vec3) -> Quat {
+    let half = 0.5 * vector.length();
+    let (s, c) = libm::sincos(half);
+    let scale = if half > 1e-9 { 0.5 * s / half } else { 0.5 };
+    let v = scale * vector;
+    Quat::from_xyzw(v.x, v.y, v.z, c)
+}
+
+/// Rotation vector of a rotation, length at most pi.
+#[must_use]
+pub fn rotation_vector(q: Quat) -> Vec3 {
+    let q = if q.w < 0.0 { -q } else { q };
+    let v = Vec3::new(q.x, q.y, q.z);
+    let sine = v.length();
+    let scale = if sine > 1e-9 {
+        2.0 * libm::atan2(sine, q.w) / sine
+    } else {
+        2.0 / q.w
+    };
+    scale * v
+}
+
+/// Spreads the motion of the centre and the relative rotation over the four points, patch frame.
+fn spread(class: &PatchClass, centre: Vec3, turn: Vec3) -> [[f64; 3]; 4] {
+    let d = class.frame.map(|e| e.dot(centre));
+    let w = class.frame.map(|e| e.dot(turn));
+    std::array::from_fn(|p| {
+        let (b, c) = (SIGNS[0][p] * class.reach[0], SIGNS[1][p] * class.reach[1]);
+        [d[0] + w[1] * c - w[2] * b, d[1] - w[0] * c, d[2] + w[0] * b]
+    })
+}
+
+impl Points {
+    /// Resultant of tractions (on i, patch frame) at the points.
+    #[must_use]
+    pub fn resultant(&self, class: &PatchClass, t: &[Traction; 4]) -> Resultant {
+        let share = 0.25 * class.area;
+        let global =
+            |v: [f64; 3]| v[0] * self.frame[0] + v[1] * self.frame[1] + v[2] * self.frame[2];
+        if let Some(arms) = &self.arms {
+            let mut sum = Resultant::default();
+            for (t, arms) in t.iter().zip(arms) {
+                sum = sum.plus(&Resultant::at(share * global(*t), Vec3::ZERO, *arms));
+            }
+            return sum;
+        }
+        let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
+        for (p, t) in t.iter().enumerate() {
+            let (b, c) = (SIGNS[0][p] * class.reach[0], SIGNS[1][p] * class.reach[1]);
+            for k in 0..3 {
+                force[k] += t[k];
+            }
+            moment[0] += b * t[2] - c * t[1];
+            moment[1] += c * t[0];
+            moment[2] -= b * t[0];
+        }
+        Resultant::at(share * global(force), share * global(moment), class.arms)
+    }
+}
+
+/// Traction at the points at zero displacement: in-situ stress, linear over the patch.
+#[must_use]
+pub fn start(class: &PatchClass, prestress: Option<&Vec3>) -> [Traction; 4] {
+    let Some(centre) = prestress else {
+        return [[0.0; 3]; 4];
+    };
+    let mean = class.frame.map(|e| e.dot(*centre));
+    std::array::from_fn(|p| {
+        let (b, c) = (SIGNS[0][p] * class.reach[0], SIGNS[1][p] * class.reach[1]);
+        std::array::from_fn(|k| mean[k] + b * class.slope[0][k] + c * class.slope[1][k])
+    })
+}
+
+/// Memory of one patch, taken out of the lists and put back.
+pub struct State<'a> {
+    /// Bits of [`flag`].
+    pub flags: &'a mut u16,
+    /// Slip of the points, where the model has any.
+    pub slip: Option<&'a mut [[f64; 4]; 2]>,
+    /// Lift of the points, where the model has any.
+    pub lift: Option<&'a mut [f64; 4]>,
+    /// Slip path of the points, where the model has any.
+    pub path: Option<&'a mut [f64; 4]>,
+}
+
+/// Memories of the four points from the lists of a patch.
+#[must_use]
+pub fn memories(
+    flags: u16,
+    slip: Option<&[[f64; 4]; 2]>,
+    lift: Option<&[f64; 4]>,
+    path: Option<&[f64; 4]>,
+) -> [Memory; 4] {
+    std::array::from_fn(|p| Memory {
+        slip: slip.map_or([0.0; 2], |s| [s[0][p], s[1][p]]),
+        lift: lift.map_or(0.0, |l| l[p]),
+        path: path.map_or(0.0, |l| l[p]),
+        broken: flags & flag::of(flag::BROKEN, p) != 0,
+        open: flags & flag::of(flag::OPEN, p) != 0,
+        sliding: flags & flag::of(flag::SLIDING, p) != 0,
+    })
+}
+
+impl State<'_> {
+    /// Memories of the four points.
+    #[must_use]
+    pub fn read(&self) -> [Memory; 4] {
+        memories(
+            *self.flags,
+            self.slip.as_deref(),
+            self.lift.as_deref(),
+            self.path.as_deref(),
+        )
+    }
+
+    /// Stores the memories.
+    pub fn write(&mut self, memories: &[Memory; 4]) {
+        let mut flags = *self.flags & !(flag::BROKEN | flag::OPEN | flag::SLIDING);
+        for (p, m) in memories.iter().enumerate() {
+            for (set, group) in [
+                (m.broken, flag::BROKEN),
+                (m.open, flag::OPEN),
+                (m.sliding, flag::SLIDING),
+            ] {
+                if set {
+                    flags |= flag::of(group, p);
+                }
+            }
+            if let Some(slip) = self.slip.as_deref_mut() {
+                slip[0][p] = m.slip[0];
+                slip[1][p] = m.slip[1];
+            }
+            if let Some(lift) = self.lift.as_deref_mut() {
+                lift[p] = m.lift;
+            }
+            if let Some(path) = self.path.as_deref_mut() {
+                path[p] = m.path;
+            }
+        }
+        *self.flags = flags;
+    }
+}
+
+/// Tractions at the points of a patch, after its law has seen the motion of the last `elapsed` seconds; with
+/// `frozen` memory the law is not asked.
+#[must_use]
+pub fn respond(
+    joint: &JointLaw,
+    class: &PatchClass,
+    points: &Points,
+    start: &[Traction; 4],
+    elapsed: Option<f64>,
+    state: &mut State,
+) -> ([Traction; 4], Loss) {
+    let springs = class.stiffness;
+    let mut memory = state.read();
+    let (Some(strength), Some(elapsed)) = (&joint.strength, elapsed) else {
+        return (
+            carried(joint, class, points, start, &memory),
+            Loss::default(),
+        );
+    };
+    let moved = points.rate.map(|r| r.map(|v| v * elapsed));
+    let result = match joint.failure {
+        Failure::Point => {
+            let (mut t, mut loss) = ([[0.0; 3]; 4], Loss::default());
+            for p in 0..4 {
+                let (at, moved) = (&points.at[p], &moved[p]);
+                let (traction, lost) =
+                    face_joint::point(strength, springs, &start[p], at, moved, &mut memory[p]);
+                t[p] = traction;
+                loss.friction += 0.25 * lost.friction;
+                loss.fracture += 0.25 * lost.fracture;
+            }
+            (t, loss)
+        }
+        Failure::Face => face_joint::face(
+            strength,
+            springs,
+            start,
+            &points.at,
+            &moved,
+            class.reach,
+            &mut memory,
+        ),
+    };
+    state.write(&memory);
+    result
+}
+
+/// Tractions at the points with the memory they have.
+#[must_use]
+pub fn carried(
+    joint: &JointLaw,
+    class: &PatchClass,
+    points: &Points,
+    start: &[Traction; 4],
+    memory: &[Memory; 4],
+) -> [Traction; 4] {
+    let alone = joint.failure == Failure::Point;
+    std::array::from_fn(|p| {
+        face_joint::carried(class.stiffness, &start[p], &points.at[p], &memory[p], alone)
+    })
+}
+
+/// Dashpot tractions at the closed points: `beta` (s) times spring times rate.
+#[must_use]
+pub fn dashpots(class: &PatchClass, points: &Points, beta: f64, flags: u16) -> [Traction; 4] {
+    std::array::from_fn(|p| {
+        if flags & flag::of(flag::OPEN, p) != 0 {
+            return [0.0; 3];
+        }
+        std::array::from_fn(|k| beta * class.stiffness[k.min(1)] * points.rate[p][k])
+    })
+}
+
+/// Law of a class.
+#[must_use]
+pub fn joint<'a>(interfaces: &'a [Interface], class: &PatchClass) -> &'a JointLaw {
+    &interfaces[class.row as usize].joint
+}
+
+/// Inertia tensor of a turned block, kg m².
+#[must_use]
+pub fn turned_inertia(inertia: &Mat3, attitude: Quat) -> Mat3 {
+    let r = Mat3::from_quat(attitude);
+    r * *inertia * r.transpose()
+}

@@ -1,0 +1,4 @@
+//! The spatial engine against closed answers, without scenario files.
+
+mod conserve;
+mod rock;
