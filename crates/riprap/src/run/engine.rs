@@ -5,14 +5,14 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::plan::{Damping, Gauge, Phase};
-use crate::Vec2;
 use crate::exec::Exec;
 use crate::ledger::{Balance, Works};
 use crate::model::Setup;
-use crate::planar;
 use crate::profile::Profile;
 use crate::record::field::{FieldError, FieldInfo};
 use crate::record::frame::Frame;
+use crate::{Vec2, Vec3};
+use crate::{planar, spatial};
 
 /// A block may cross at most this share of its neighbourhood's inscribed radius in one step.
 const TRANSIT: f64 = 0.2;
@@ -41,7 +41,7 @@ impl Kind {
     pub fn fields(self) -> &'static [FieldInfo] {
         match self {
             Kind::Planar => planar::readings::INFOS,
-            Kind::Spatial => &[],
+            Kind::Spatial => spatial::readings::INFOS,
         }
     }
 
@@ -58,9 +58,9 @@ impl Kind {
 /// Why an engine could not be made.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum BuildError {
-    /// What is wrong with the model.
-    #[error("{0}")]
-    Model(String),
+    /// The spatial engine cannot build the model.
+    #[error(transparent)]
+    Spatial(#[from] spatial::build::BuildError),
 }
 
 /// State of an engine: what a checkpoint holds.
@@ -68,6 +68,8 @@ pub enum BuildError {
 pub enum State {
     /// Of the planar engine.
     Planar(Box<planar::world::World>),
+    /// Of the spatial engine.
+    Spatial(Box<spatial::world::World>),
 }
 
 /// An engine with its workspace.
@@ -75,6 +77,8 @@ pub enum State {
 pub enum Engine {
     /// Polygons in the plane.
     Planar(Box<Planar>),
+    /// Blocks in space.
+    Spatial(Box<Spatial>),
 }
 
 /// The planar engine.
@@ -93,11 +97,29 @@ impl Planar {
     }
 }
 
+/// The spatial engine.
+#[derive(Debug)]
+pub struct Spatial {
+    world: spatial::world::World,
+    scratch: spatial::step::Scratch,
+}
+
+impl Spatial {
+    fn view(&self) -> spatial::fields::View<'_> {
+        spatial::fields::View {
+            world: &self.world,
+            scratch: &self.scratch,
+        }
+    }
+}
+
 /// An engine with its forces evaluated, ready to be read.
 #[derive(Clone, Copy)]
 pub enum View<'a> {
     /// Of the planar engine.
     Planar(planar::fields::View<'a>),
+    /// Of the spatial engine.
+    Spatial(spatial::fields::View<'a>),
 }
 
 /// One number that is read again and again.
@@ -105,6 +127,8 @@ pub enum View<'a> {
 pub enum Reading {
     /// From the planar engine.
     Planar(planar::readings::Reading),
+    /// From the spatial engine.
+    Spatial(spatial::readings::Reading),
 }
 
 /// A stable time step.
@@ -130,9 +154,10 @@ impl Engine {
                 let (world, scratch) = planar::world::World::new(setup, exec);
                 Ok(Self::Planar(Box::new(Planar { world, scratch })))
             }
-            Setup::Spatial(_) => Err(BuildError::Model(
-                "the spatial engine is not joined to the run loop yet".to_owned(),
-            )),
+            Setup::Spatial(setup) => {
+                let (world, scratch) = spatial::world::World::new(*setup, exec)?;
+                Ok(Self::Spatial(Box::new(Spatial { world, scratch })))
+            }
         }
     }
 
@@ -147,6 +172,13 @@ impl Engine {
                     scratch,
                 }))
             }
+            State::Spatial(mut world) => {
+                let scratch = spatial::step::Scratch::new(&mut world, exec);
+                Self::Spatial(Box::new(Spatial {
+                    world: *world,
+                    scratch,
+                }))
+            }
         }
     }
 
@@ -155,6 +187,7 @@ impl Engine {
     pub fn kind(&self) -> Kind {
         match self {
             Self::Planar(_) => Kind::Planar,
+            Self::Spatial(_) => Kind::Spatial,
         }
     }
 
@@ -163,6 +196,7 @@ impl Engine {
     pub fn state(&self) -> State {
         match self {
             Self::Planar(e) => State::Planar(Box::new(e.world.clone())),
+            Self::Spatial(e) => State::Spatial(Box::new(e.world.clone())),
         }
     }
 
@@ -171,6 +205,7 @@ impl Engine {
     pub fn view(&self) -> View<'_> {
         match self {
             Self::Planar(e) => View::Planar(e.view()),
+            Self::Spatial(e) => View::Spatial(e.view()),
         }
     }
 
@@ -179,6 +214,7 @@ impl Engine {
     pub fn revision(&self) -> u64 {
         match self {
             Self::Planar(e) => e.scratch.rebuilds,
+            Self::Spatial(e) => e.scratch.rebuilds,
         }
     }
 
@@ -198,6 +234,13 @@ impl Engine {
                     block: found.block,
                 }
             }
+            Self::Spatial(e) => {
+                let found = spatial::stable::stable_step(&e.world, &e.scratch, stiffness_damping);
+                Stable {
+                    dt: found.dt,
+                    block: found.block,
+                }
+            }
         }
     }
 
@@ -207,6 +250,7 @@ impl Engine {
     pub fn step_limit(&self) -> f64 {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
+            Self::Spatial(_) => f64::INFINITY,
         }
     }
 
@@ -218,6 +262,8 @@ impl Engine {
         match self {
             Self::Planar(e) => planar::step::evaluate(&mut e.world, &mut e.scratch, damping, dt)
                 .map_err(|e| e.block),
+            Self::Spatial(e) => spatial::step::evaluate(&mut e.world, &mut e.scratch, damping, dt)
+                .map_err(|e| e.block),
         }
     }
 
@@ -225,6 +271,7 @@ impl Engine {
     pub fn advance(&mut self, dt: f64) {
         match self {
             Self::Planar(e) => planar::step::advance(&mut e.world, &mut e.scratch, dt),
+            Self::Spatial(e) => spatial::step::advance(&mut e.world, &mut e.scratch, dt),
         }
     }
 
@@ -233,13 +280,15 @@ impl Engine {
     pub fn gravity(&self) -> [f64; 3] {
         match self {
             Self::Planar(e) => [e.world.gravity.x, e.world.gravity.y, 0.0],
+            Self::Spatial(e) => e.world.gravity.to_array(),
         }
     }
 
     /// Changes gravity, m/s².
-    pub fn set_gravity(&mut self, [x, y, _z]: [f64; 3]) {
+    pub fn set_gravity(&mut self, gravity: [f64; 3]) {
         match self {
-            Self::Planar(e) => e.world.gravity = Vec2::new(x, y),
+            Self::Planar(e) => e.world.gravity = Vec2::new(gravity[0], gravity[1]),
+            Self::Spatial(e) => e.world.gravity = Vec3::from(gravity),
         }
     }
 
@@ -247,6 +296,7 @@ impl Engine {
     pub fn zero_displacements(&mut self) {
         match self {
             Self::Planar(e) => e.world.zero_displacements(),
+            Self::Spatial(e) => e.world.zero_displacements(),
         }
     }
 
@@ -257,6 +307,10 @@ impl Engine {
                 planar_edit(&mut e.world, phase);
                 e.scratch.invalidate(&mut e.world);
             }
+            Self::Spatial(e) => {
+                spatial_edit(&mut e.world, phase);
+                e.scratch.invalidate(&mut e.world);
+            }
         }
     }
 
@@ -264,6 +318,7 @@ impl Engine {
     pub fn works(&mut self) -> &mut Works {
         match self {
             Self::Planar(e) => &mut e.world.works,
+            Self::Spatial(e) => &mut e.world.works,
         }
     }
 
@@ -271,6 +326,7 @@ impl Engine {
     pub fn start_energy(&mut self) -> &mut Option<f64> {
         match self {
             Self::Planar(e) => &mut e.world.start_energy,
+            Self::Spatial(e) => &mut e.world.start_energy,
         }
     }
 
@@ -279,6 +335,7 @@ impl Engine {
     pub fn profile(&self) -> &Profile {
         match self {
             Self::Planar(e) => &e.scratch.profile,
+            Self::Spatial(e) => &e.scratch.profile,
         }
     }
 
@@ -287,6 +344,7 @@ impl Engine {
     pub fn hash(&self) -> String {
         match self {
             Self::Planar(e) => super::hash::planar(&e.world),
+            Self::Spatial(e) => super::hash::spatial(&e.world),
         }
     }
 }
@@ -324,12 +382,45 @@ fn planar_edit(world: &mut planar::world::World, phase: &Phase) {
     planar::step::hold_driven(world);
 }
 
+fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
+    use spatial::setup::Motion;
+    for &b in &phase.remove {
+        world.alive[b as usize] = false;
+    }
+    for &b in &phase.fix {
+        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
+            translation: [true; 3],
+            rotation: [true; 3],
+        }));
+    }
+    for &b in &phase.release {
+        world.motion[b as usize] = None;
+    }
+    for (row, law) in &phase.joints {
+        world.setup.interfaces[*row as usize].joint = *law;
+    }
+    if phase.zero_velocities {
+        world.halt();
+    }
+    world.hold_driven();
+}
+
 impl<'a> View<'a> {
     /// The planar view, for what only that engine has.
     #[must_use]
     pub fn planar(self) -> Option<planar::fields::View<'a>> {
         match self {
             Self::Planar(view) => Some(view),
+            Self::Spatial(_) => None,
+        }
+    }
+
+    /// The spatial view, for what only that engine has.
+    #[must_use]
+    pub fn spatial(self) -> Option<spatial::fields::View<'a>> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(view) => Some(view),
         }
     }
 
@@ -338,6 +429,7 @@ impl<'a> View<'a> {
     pub fn time(&self) -> f64 {
         match self {
             Self::Planar(v) => v.world.time,
+            Self::Spatial(v) => v.world.time,
         }
     }
 
@@ -346,6 +438,7 @@ impl<'a> View<'a> {
     pub fn step(&self) -> u64 {
         match self {
             Self::Planar(v) => v.world.step,
+            Self::Spatial(v) => v.world.step,
         }
     }
 
@@ -354,6 +447,7 @@ impl<'a> View<'a> {
     pub fn last_dt(&self) -> f64 {
         match self {
             Self::Planar(v) => v.world.last_dt,
+            Self::Spatial(v) => v.world.last_dt,
         }
     }
 
@@ -362,6 +456,7 @@ impl<'a> View<'a> {
     pub fn name(&self, block: u32) -> String {
         match self {
             Self::Planar(v) => v.world.setup.blocks[block as usize].name.clone(),
+            Self::Spatial(v) => v.name(block as usize),
         }
     }
 
@@ -370,6 +465,7 @@ impl<'a> View<'a> {
     pub fn kinetic(&self) -> f64 {
         match self {
             Self::Planar(v) => v.living().map(|b| v.kinetic(b)).sum(),
+            Self::Spatial(v) => v.living().map(|b| v.kinetic(b)).sum(),
         }
     }
 
@@ -386,6 +482,7 @@ impl<'a> View<'a> {
                 };
                 v.living().map(one).sum()
             }
+            Self::Spatial(v) => v.half_kick(),
         }
     }
 
@@ -397,6 +494,10 @@ impl<'a> View<'a> {
                 .world
                 .works
                 .put_in(v.world.start_energy.unwrap_or_default()),
+            Self::Spatial(v) => v
+                .world
+                .works
+                .put_in(v.world.start_energy.unwrap_or_default()),
         }
     }
 
@@ -405,6 +506,7 @@ impl<'a> View<'a> {
     pub fn unbalanced(&self) -> f64 {
         match self {
             Self::Planar(v) => v.unbalanced(),
+            Self::Spatial(v) => v.unbalanced(),
         }
     }
 
@@ -413,14 +515,16 @@ impl<'a> View<'a> {
     pub fn balance(&self) -> Balance {
         match self {
             Self::Planar(v) => v.balance(),
+            Self::Spatial(v) => v.balance(),
         }
     }
 
-    /// Number of touching contacts.
+    /// Number of touching contacts, or of patches.
     #[must_use]
     pub fn contacts(&self) -> usize {
         match self {
             Self::Planar(v) => v.contacts().count(),
+            Self::Spatial(v) => v.world.patches.len(),
         }
     }
 
@@ -429,6 +533,7 @@ impl<'a> View<'a> {
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
         match self {
             Self::Planar(v) => v.worst_overlap(),
+            Self::Spatial(v) => v.worst_overlap(),
         }
     }
 
@@ -441,6 +546,11 @@ impl<'a> View<'a> {
                 .map(|b| (b, v.velocity(b).length()))
                 .max_by(|a, b| a.1.total_cmp(&b.1))
                 .map(|(b, speed)| (v.world.setup.blocks[b].name.clone(), speed)),
+            Self::Spatial(v) => v
+                .living()
+                .map(|b| (b, v.velocity(b).length()))
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .map(|(b, speed)| (v.name(b), speed)),
         }
     }
 
@@ -449,6 +559,7 @@ impl<'a> View<'a> {
     pub fn frame(&self, phase: &str) -> Frame {
         match self {
             Self::Planar(v) => planar::readings::frame(v, phase),
+            Self::Spatial(v) => spatial::picture::frame(v, phase),
         }
     }
 
@@ -457,6 +568,7 @@ impl<'a> View<'a> {
     pub fn events(&self) -> Vec<serde_json::Value> {
         match self {
             Self::Planar(v) => planar_events(v),
+            Self::Spatial(_) => Vec::new(),
         }
     }
 }
@@ -493,11 +605,11 @@ impl Reading {
                 let reading = planar::readings::Reading::new(&gauge.field, &gauge.of, along)?;
                 Ok(Self::Planar(reading))
             }
-            Kind::Spatial => Err(FieldError::Unknown {
-                name: gauge.field.clone(),
-                suggestion: None,
-                known: Vec::new(),
-            }),
+            Kind::Spatial => {
+                let (at, along) = (gauge.at.map(Vec3::from), gauge.along.map(Vec3::from));
+                let reading = spatial::readings::Reading::new(&gauge.field, &gauge.of, at, along)?;
+                Ok(Self::Spatial(reading))
+            }
         }
     }
 
@@ -506,6 +618,7 @@ impl Reading {
     pub fn info(&self) -> &'static FieldInfo {
         match self {
             Self::Planar(r) => r.info(),
+            Self::Spatial(r) => r.info(),
         }
     }
 
@@ -514,6 +627,7 @@ impl Reading {
     pub fn costly(&self) -> bool {
         match self {
             Self::Planar(r) => r.costly(),
+            Self::Spatial(r) => r.costly(),
         }
     }
 
@@ -522,6 +636,8 @@ impl Reading {
     pub fn value(&self, view: &View<'_>) -> f64 {
         match (self, view) {
             (Self::Planar(r), View::Planar(v)) => r.value(v),
+            (Self::Spatial(r), View::Spatial(v)) => r.value(v),
+            (Self::Planar(_), View::Spatial(_)) | (Self::Spatial(_), View::Planar(_)) => f64::NAN,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::Vec2;
 use crate::planar::world::World;
+use crate::spatial;
 
 /// blake3 of the state of a planar model.
 #[must_use]
@@ -42,6 +43,45 @@ pub fn planar(world: &World) -> String {
             put(p.slip);
             put(f64::from(u8::from(p.failed)));
         }
+    }
+    hasher.finalize().to_hex().to_string()
+}
+
+/// blake3 of the state of a spatial model.
+#[must_use]
+pub fn spatial(world: &spatial::world::World) -> String {
+    let mut hasher = blake3::Hasher::new();
+    let mut put = |x: f64| {
+        hasher.update(&x.to_bits().to_le_bytes());
+    };
+    put(world.time);
+    put(world.step as f64);
+    let bodies = &world.bodies;
+    for list in bodies.pose.iter().chain(&bodies.rate) {
+        list.iter().for_each(|&x| put(x));
+    }
+    for (alive, turned) in world.alive.iter().zip(&world.turned) {
+        put(f64::from(u8::from(*alive)));
+        if let Some(t) = turned {
+            t.attitude.to_array().into_iter().for_each(&mut put);
+            t.momentum.to_array().into_iter().for_each(&mut put);
+        }
+    }
+    let patches = &world.patches;
+    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        ends.iter().for_each(|&b| put(f64::from(b)));
+        put(f64::from(*flags));
+    }
+    patches
+        .slip
+        .iter()
+        .flatten()
+        .flatten()
+        .for_each(|&x| put(x));
+    patches.lift.iter().flatten().for_each(|&x| put(x));
+    patches.path.iter().flatten().for_each(|&x| put(x));
+    for anchor in world.faces.iter().flat_map(|f| f.anchor) {
+        anchor.to_array().into_iter().for_each(&mut put);
     }
     hasher.finalize().to_hex().to_string()
 }

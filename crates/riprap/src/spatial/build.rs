@@ -72,6 +72,7 @@ impl World {
             fresh: true,
             bodies: Bodies::at_rest(n),
             reference: Vec::with_capacity(n),
+            datum: Vec::new(),
             solid: Vec::with_capacity(n),
             solids: Vec::new(),
             turned: vec![None; n],

@@ -61,10 +61,10 @@ impl View<'_> {
         }
     }
 
-    /// Displacement of the centroid, m.
+    /// Displacement of the centroid since the start or the last reset, m.
     #[must_use]
     pub fn displacement(&self, b: usize) -> Vec3 {
-        self.world.bodies.displacement(b)
+        self.world.bodies.displacement(b) - self.world.datum(b)[0]
     }
 
     /// Position of the centroid, m.
@@ -73,10 +73,10 @@ impl View<'_> {
         self.world.reference[b] + self.world.bodies.displacement(b)
     }
 
-    /// Rotation vector, rad.
+    /// Rotation vector since the start or the last reset (difference of the vectors), rad.
     #[must_use]
     pub fn rotation(&self, b: usize) -> Vec3 {
-        self.world.bodies.rotation(b)
+        self.world.bodies.rotation(b) - self.world.datum(b)[1]
     }
 
     /// Largest speed of the centroid so far, m/s.

@@ -36,6 +36,9 @@ pub struct World {
     pub bodies: Bodies,
     /// Centroids that displacements are measured from, m.
     pub reference: Vec<Vec3>,
+    /// Displacement (m) and rotation vector (rad) of each block at which outputs begin to measure; shorter or
+    /// empty where they measure from the start.
+    pub datum: Vec<[Vec3; 2]>,
     /// Index into `solids`, per block.
     pub solid: Vec<u32>,
     /// Mass properties, shared by equal blocks.

@@ -1,0 +1,171 @@
+//! Frames of a spatial model: solids at their present positions, patches as points.
+
+use riprap_geom::Vec3;
+
+use super::fields::View;
+use super::patch;
+use super::readings::principal;
+use super::setup::Shape;
+use super::world::flag;
+use crate::record::frame::{BRICK, Column, Frame, Solids};
+
+/// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
+/// three million patches.
+pub const MANY_PATCHES: usize = 200_000;
+
+/// A picture of the living blocks and their patches.
+#[must_use]
+pub fn frame(view: &View<'_>, phase: &str) -> Frame {
+    let world = view.world;
+    let living: Vec<usize> = view.living().collect();
+    let mut frame = Frame {
+        step: world.step,
+        time: world.time,
+        phase: phase.to_owned(),
+        offsets: vec![0],
+        ..Frame::default()
+    };
+    let mut solids = Solids {
+        faces: vec![0],
+        ends: vec![0],
+        corners: Vec::new(),
+    };
+    for &b in &living {
+        put_block(view, b, &mut frame, &mut solids);
+    }
+    frame.solids = Some(solids);
+    frame.block_columns = block_columns(view, &living);
+    put_patches(view, &mut frame);
+    frame
+}
+
+/// Corners and faces of one block.
+fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) {
+    let world = view.world;
+    let place = view.position(b) + world.setup.origin;
+    let attitude = match &world.turned[b] {
+        Some(turned) => turned.attitude,
+        None => patch::rotation(world.bodies.rotation(b)),
+    };
+    match &world.setup.blocks[b].shape {
+        Shape::Brick { half, .. } => {
+            for corner in BRICK {
+                let arm = attitude * (*half * Vec3::from(corner));
+                frame.points.push((place + arm).to_array());
+            }
+        }
+        Shape::Polyhedron(solid) => {
+            let centroid = world.reference[b];
+            for corner in &solid.vertices {
+                let arm = attitude * (*corner - centroid);
+                frame.points.push((place + arm).to_array());
+            }
+            for face in &solid.faces {
+                solids.corners.extend_from_slice(face);
+                solids.ends.push(solids.corners.len() as u32);
+            }
+        }
+    }
+    solids.faces.push(solids.ends.len() as u32 - 1);
+    frame.offsets.push(frame.points.len() as u32);
+}
+
+fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
+    let world = view.world;
+    let stresses = view.stresses();
+    let surface = view.surface();
+    let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
+        Column::scalar(name, unit, living.iter().map(|&b| get(b)).collect())
+    };
+    let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec3| {
+        let data: Vec<[f64; 3]> = living.iter().map(|&b| get(b).to_array()).collect();
+        Column::vector3(name, unit, &data)
+    };
+    let ends: Vec<[f64; 3]> = living.iter().map(|&b| principal(&stresses[b])).collect();
+    let broken = broken_shares(view);
+    vec![
+        scalar("block", "-", &|b| b as f64),
+        scalar("material", "-", &|b| {
+            f64::from(world.setup.blocks[b].material)
+        }),
+        scalar("level", "-", &|b| f64::from(world.level(b))),
+        vector("displacement", "m", &|b| view.displacement(b)),
+        vector("rotation", "rad", &|b| view.rotation(b)),
+        vector("velocity", "m/s", &|b| view.velocity(b)),
+        scalar("peak_speed", "m/s", &|b| view.peak_speed(b)),
+        Column::scalar(
+            "sigma1_compressive",
+            "Pa",
+            ends.iter().map(|e| -e[2]).collect(),
+        ),
+        Column::scalar(
+            "sigma3_compressive",
+            "Pa",
+            ends.iter().map(|e| -e[0]).collect(),
+        ),
+        Column::scalar(
+            "pressure",
+            "Pa",
+            ends.iter().map(|e| -(e[0] + e[1] + e[2]) / 3.0).collect(),
+        ),
+        scalar("broken_share", "-", &|b| broken[b]),
+        scalar("surface", "-", &|b| f64::from(u8::from(surface[b]))),
+        scalar("held", "-", &|b| {
+            f64::from(u8::from(world.motion[b].is_some()))
+        }),
+    ]
+}
+
+/// Share of the failed points among the points of each block's patches.
+fn broken_shares(view: &View<'_>) -> Vec<f64> {
+    let list = &view.world.patches;
+    let mut sums = vec![[0.0_f64; 2]; view.world.alive.len()];
+    for (ends, flags) in list.ends.iter().zip(&list.flags) {
+        let broken = f64::from((flags & flag::BROKEN).count_ones());
+        for b in ends {
+            sums[*b as usize][0] += broken;
+            sums[*b as usize][1] += 4.0;
+        }
+    }
+    sums.iter().map(|[n, all]| n / all.max(1.0)).collect()
+}
+
+fn put_patches(view: &View<'_>, frame: &mut Frame) {
+    let list = &view.world.patches;
+    let active = flag::BROKEN | flag::OPEN | flag::SLIDING;
+    let many = list.len() > MANY_PATCHES;
+    let chosen: Vec<usize> = (0..list.len())
+        .filter(|&p| !many || list.flags[p] & active != 0)
+        .collect();
+    let mut forces = Vec::with_capacity(chosen.len());
+    let mut means = Vec::with_capacity(chosen.len());
+    for &p in &chosen {
+        let class = view.patch_class(p);
+        let i = list.ends[p][0] as usize;
+        let arm = match &view.world.turned[i] {
+            Some(turned) => turned.attitude * class.arms[0],
+            None => class.arms[0],
+        };
+        let place = view.position(i) + arm + view.world.setup.origin;
+        frame.contact_points.push(place.to_array());
+        forces.push(view.patch_resultant(p).force.to_array());
+        let t = view.patch_tractions(p);
+        let mean = |k: usize| 0.25 * t.iter().map(|t| t[k]).sum::<f64>();
+        means.push([mean(0), mean(1).hypot(mean(2))]);
+    }
+    let column = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
+        Column::scalar(name, unit, (0..chosen.len()).map(get).collect())
+    };
+    let bits = |k: usize, group: u16| f64::from((list.flags[chosen[k]] & group).count_ones());
+    frame.contact_columns = vec![
+        column("block_a", "-", &|k| f64::from(list.ends[chosen[k]][0])),
+        column("block_b", "-", &|k| f64::from(list.ends[chosen[k]][1])),
+        Column::vector3("force_on_a", "N", &forces),
+        column("normal_stress", "Pa", &|k| means[k][0]),
+        column("shear_stress", "Pa", &|k| means[k][1]),
+        column("area", "m2", &|k| view.patch_class(chosen[k]).area),
+        column("broken_points", "-", &|k| bits(k, flag::BROKEN)),
+        column("open_points", "-", &|k| bits(k, flag::OPEN)),
+        column("sliding_points", "-", &|k| bits(k, flag::SLIDING)),
+    ];
+}

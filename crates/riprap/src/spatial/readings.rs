@@ -1,0 +1,335 @@
+//! The field table of the spatial engine: name, unit, meaning and getter of every number that frames,
+//! histories, checks, `riprap fields` and the documentation can ask for.
+
+use std::cell::Cell;
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::fields::View;
+use super::setup::Shape;
+use super::world::flag;
+use crate::record::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
+
+/// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
+type Getter = fn(&View<'_>, &[u32]) -> Vec3;
+
+/// One field: what it is and how it is read.
+pub struct Field {
+    /// Name, unit, meaning.
+    pub info: FieldInfo,
+    get: Getter,
+    /// Whether reading it costs as much as a step.
+    pub costly: bool,
+}
+
+macro_rules! fields {
+    ($($name:literal $unit:literal $site:ident $shape:ident $cost:literal $meaning:literal $get:expr;)*) => {
+        /// Names, units and meanings, in the order of the documentation.
+        pub const INFOS: &[FieldInfo] = &[$(FieldInfo {
+            name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
+        }),*];
+        /// The table with its getters, in the order of [`INFOS`].
+        pub const FIELDS: &[Field] = &[$(Field {
+            info: FieldInfo {
+                name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
+            },
+            get: $get,
+            costly: $cost,
+        }),*];
+    };
+}
+
+const fn one(x: f64) -> Vec3 {
+    Vec3::new(x, 0.0, 0.0)
+}
+
+fn first(of: &[u32]) -> usize {
+    of.first().map_or(0, |&b| b as usize)
+}
+
+fn pair(of: &[u32]) -> (u32, u32) {
+    (
+        of.first().copied().unwrap_or(0),
+        of.get(1).copied().unwrap_or(0),
+    )
+}
+
+/// Blocks of a group that are still there.
+fn members<'a>(v: &'a View<'_>, of: &'a [u32]) -> impl Iterator<Item = usize> + 'a {
+    of.iter().map(|&b| b as usize).filter(|&b| v.world.alive[b])
+}
+
+/// Mean over the living blocks of a group.
+fn mean(v: &View<'_>, of: &[u32], get: impl Fn(usize) -> Vec3) -> Vec3 {
+    let (mut sum, mut count) = (Vec3::ZERO, 0.0);
+    for b in members(v, of) {
+        sum += get(b);
+        count += 1.0;
+    }
+    sum / f64::max(count, 1.0)
+}
+
+fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> Vec3 {
+    one(blocks.map(get).fold(0.0, f64::max))
+}
+
+/// Share of the living blocks of a group for which something holds.
+fn share(v: &View<'_>, of: &[u32], holds: impl Fn(usize) -> bool) -> Vec3 {
+    mean(v, of, |b| one(f64::from(u8::from(holds(b)))))
+}
+
+/// Living blocks without prescribed motion.
+fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
+    v.living().filter(|&b| v.world.motion[b].is_none())
+}
+
+/// Patches between two blocks with the sign that turns "on i" into "on the first".
+fn between<'a>(v: &'a View<'_>, of: &[u32]) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let (a, b) = pair(of);
+    v.world
+        .patches
+        .ends
+        .iter()
+        .enumerate()
+        .filter_map(move |(p, e)| match *e {
+            e if e == [a, b] => Some((p, 1.0)),
+            e if e == [b, a] => Some((p, -1.0)),
+            _ => None,
+        })
+}
+
+/// Sum over the patches of a pair of area times a function of the four tractions, over the whole area.
+fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
+    let (mut sum, mut area) = (0.0, 0.0);
+    for (p, _) in between(v, of) {
+        let part = 0.25 * v.patch_class(p).area;
+        for traction in v.patch_tractions(p) {
+            sum += part * get(&traction);
+            area += part;
+        }
+    }
+    if area > 0.0 { sum / area } else { 0.0 }
+}
+
+/// Number of points of all patches, or of those of a pair, with a bit of a group set.
+fn count(v: &View<'_>, patches: impl Iterator<Item = usize>, group: u16) -> f64 {
+    patches
+        .map(|p| f64::from((v.world.patches.flags[p] & group).count_ones()))
+        .sum()
+}
+
+/// Share of failed points among all points of a block's patches.
+fn broken_share(v: &View<'_>, b: u32) -> f64 {
+    let (mut broken, mut all) = (0.0, 0.0);
+    for (p, _) in v
+        .world
+        .patches
+        .ends
+        .iter()
+        .enumerate()
+        .filter(|(_, e)| e.contains(&b))
+    {
+        broken += count(v, std::iter::once(p), flag::BROKEN);
+        all += 4.0;
+    }
+    if all > 0.0 { broken / all } else { 0.0 }
+}
+
+/// Principal values of a symmetric matrix, largest first (analytic, for 3 x 3).
+#[must_use]
+pub fn principal(m: &Mat3) -> [f64; 3] {
+    let mean = (m.x_axis.x + m.y_axis.y + m.z_axis.z) / 3.0;
+    let off = m.y_axis.x * m.y_axis.x + m.z_axis.x * m.z_axis.x + m.z_axis.y * m.z_axis.y;
+    let d = [m.x_axis.x - mean, m.y_axis.y - mean, m.z_axis.z - mean];
+    let p = ((d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + 2.0 * off) / 6.0).sqrt();
+    if p == 0.0 {
+        return [mean; 3];
+    }
+    let scaled = (1.0 / p) * (*m - mean * Mat3::IDENTITY);
+    let angle = libm::acos((0.5 * scaled.determinant()).clamp(-1.0, 1.0)) / 3.0;
+    let third = 2.0 * std::f64::consts::PI / 3.0;
+    let high = mean + 2.0 * p * libm::cos(angle);
+    let low = mean + 2.0 * p * libm::cos(angle + third);
+    [high, 3.0 * mean - high - low, low]
+}
+
+fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
+    v.stress(first(of))
+}
+
+fields! {
+    "block.position" "m" Block Vector3 false "Position of the centroid." |v, of| v.position(first(of)) + v.world.setup.origin;
+    "block.displacement" "m" Block Vector3 false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of));
+    "block.rotation" "rad" Block Vector3 false "Rotation vector since the start or the last reset." |v, of| v.rotation(first(of));
+    "block.velocity" "m/s" Block Vector3 false "Velocity of the centroid." |v, of| v.velocity(first(of));
+    "block.speed" "m/s" Block Scalar false "Magnitude of the velocity." |v, of| one(v.velocity(first(of)).length());
+    "block.peak_speed" "m/s" Block Scalar false "Peak particle velocity: largest speed of the centroid so far." |v, of| one(v.peak_speed(first(of)));
+    "block.spin" "rad/s" Block Vector3 false "Angular velocity." |v, of| v.spin(first(of));
+    "block.force" "N" Block Vector3 false "Sum of all forces on the block, damping and supports excluded." |v, of| v.scratch.net.force(first(of));
+    "block.moment" "N m" Block Vector3 false "Sum of all moments about the centroid." |v, of| v.scratch.net.moment(first(of));
+    "block.kinetic" "J" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
+    "block.stress_normal" "Pa" Block Vector3 true "Average stress of the block, normal components xx, yy, zz as x, y, z; tension positive." |v, of| { let s = stress(v, of); Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z) };
+    "block.stress_shear" "Pa" Block Vector3 true "Average stress of the block, shear components yz, zx, xy as x, y, z." |v, of| { let s = stress(v, of); Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x) };
+    "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[2]);
+    "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression of the block's average stress (negative in tension)." |v, of| one(-principal(&stress(v, of))[0]);
+    "block.pressure" "Pa" Block Scalar true "Mean compression of the block's average stress." |v, of| { let s = stress(v, of); one(-(s.x_axis.x + s.y_axis.y + s.z_axis.z) / 3.0) };
+    "block.broken_share" "-" Block Scalar true "Share of the points of its patches that have failed." |v, of| one(broken_share(v, first(of) as u32));
+    "block.level" "-" Block Scalar false "How often the block's ancestors were split." |v, of| one(f64::from(v.world.level(first(of))));
+    "block.removed" "-" Block Scalar false "1 once the block has been removed or split." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
+    "pair.force" "N" Pair Vector3 true "Sum of the patch forces of the second block on the first, without dashpots." |v, of| between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum();
+    "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
+    "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
+    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
+    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| t[1].hypot(t[2])));
+    "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
+    "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
+    "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
+    "group.rotation" "rad" Group Vector3 false "Mean rotation vector of the group's blocks." |v, of| mean(v, of, |b| v.rotation(b));
+    "group.velocity" "m/s" Group Vector3 false "Mean velocity of the group's blocks." |v, of| mean(v, of, |b| v.velocity(b));
+    "group.kinetic" "J" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(members(v, of).map(|b| v.kinetic(b)).sum());
+    "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.scratch.net.force(b)).sum();
+    "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(members(v, of), |b| v.displacement(b).length());
+    "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(members(v, of), |b| v.rotation(b).length());
+    "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(members(v, of), |b| v.velocity(b).length());
+    "group.peak_speed" "m/s" Group Scalar false "Largest peak particle velocity in the group." |v, of| largest(members(v, of), |b| v.peak_speed(b));
+    "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
+    "group.blocks" "-" Group Scalar false "Number of the group's blocks that are there." |v, of| one(members(v, of).count() as f64);
+    "model.time" "s" Model Scalar false "Model time." |v, _| one(v.world.time);
+    "model.steps" "-" Model Scalar false "Steps done." |v, _| one(v.world.step as f64);
+    "model.time_step" "s" Model Scalar false "Length of the last step." |v, _| one(v.world.last_dt);
+    "model.kinetic" "J" Model Scalar true "Kinetic energy of all blocks." |v, _| one(v.living().map(|b| v.kinetic(b)).sum());
+    "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
+    "model.blocks" "-" Model Scalar true "Number of blocks that are there." |v, _| one(v.living().count() as f64);
+    "model.patches" "-" Model Scalar false "Number of patches." |v, _| one(v.world.patches.len() as f64);
+    "model.broken_share" "-" Model Scalar true "Share of all points that have failed." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::BROKEN) / (4 * n).max(1) as f64) };
+    "model.open_share" "-" Model Scalar true "Share of all points that are open." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::OPEN) / (4 * n).max(1) as f64) };
+    "model.sliding_share" "-" Model Scalar true "Share of all points that slid in the last step." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::SLIDING) / (4 * n).max(1) as f64) };
+    "model.finite" "-" Model Scalar true "Number of blocks that use finite rotations." |v, _| one(v.living().filter(|&b| v.world.turned[b].is_some()).count() as f64);
+    "model.mass" "kg" Model Scalar true "Mass of all blocks." |v, _| one(v.living().map(|b| v.world.solid_of(b).mass).sum());
+    "model.volume" "m3" Model Scalar true "Volume of all blocks." |v, _| one(v.living().map(|b| v.world.solid_of(b).volume).sum());
+    "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
+    "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).length());
+    "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
+    "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids: how far rigid blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
+    "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
+    "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
+    "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
+    "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
+    "energy.contact_shear" "J" Energy Scalar true "Elastic energy of the shear springs of patches." |v, _| one(v.balance().contact_shear);
+    "energy.joints" "J" Energy Scalar true "Elastic energy of the springs behind boundary faces." |v, _| one(v.balance().bond);
+    "energy.loads" "J" Energy Scalar true "Work of external loads and tractions." |v, _| one(v.world.works.loads);
+    "energy.supports" "J" Energy Scalar true "Work of supports with prescribed motion." |v, _| one(v.world.works.supports);
+    "energy.friction" "J" Energy Scalar true "Dissipated by friction." |v, _| one(v.world.works.friction);
+    "energy.damping" "J" Energy Scalar true "Dissipated by patch, mass and local damping." |v, _| one(v.world.works.damping);
+    "energy.fracture" "J" Energy Scalar true "Released when points fail and open." |v, _| one(v.world.works.fracture);
+    "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws." |v, _| one(v.world.works.edit_defect);
+    "energy.residual" "J" Energy Scalar true "What the books do not explain." |v, _| one(v.balance().residual());
+    "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
+}
+
+/// A field with everything needed to read one number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    index: usize,
+    part: Part,
+    of: Vec<u32>,
+    at: Option<Vec3>,
+    along: Option<Vec3>,
+    /// Block that held the point at the last reading.
+    held_by: Cell<u32>,
+}
+
+impl Reading {
+    /// Finds `name` in the table. With a point `at` (m, local) a block field is read at the block that holds it.
+    ///
+    /// # Errors
+    /// Unknown names and parts of scalars.
+    pub fn new(
+        name: &str,
+        of: &[u32],
+        at: Option<Vec3>,
+        along: Option<Vec3>,
+    ) -> Result<Self, FieldError> {
+        let (info, part) = find(INFOS, name)?;
+        let index = INFOS.iter().position(|f| f.name == info.name).unwrap_or(0);
+        Ok(Self {
+            index,
+            part,
+            of: of.to_vec(),
+            at,
+            along,
+            held_by: Cell::new(0),
+        })
+    }
+
+    /// Table entry.
+    #[must_use]
+    pub fn info(&self) -> &'static FieldInfo {
+        &INFOS[self.index]
+    }
+
+    /// Whether reading it costs as much as a step.
+    #[must_use]
+    pub fn costly(&self) -> bool {
+        FIELDS[self.index].costly
+    }
+
+    /// The number; a vector without part or direction gives its magnitude. NaN where the block is gone or
+    /// no block holds the point.
+    #[must_use]
+    pub fn value(&self, view: &View<'_>) -> f64 {
+        let get = FIELDS[self.index].get;
+        let found;
+        let of: &[u32] = match (self.at, self.info().site) {
+            (Some(point), _) => match self.holder(view, point) {
+                Some(block) => {
+                    found = [block];
+                    &found
+                }
+                None => return f64::NAN,
+            },
+            (None, Site::Block | Site::Pair) if self.gone(view) => return f64::NAN,
+            (None, _) => &self.of,
+        };
+        let v = get(view, of);
+        match (self.info().shape, self.part, self.along) {
+            (FieldShape::Scalar, ..) => v.x,
+            (_, Part::Whole, Some(direction)) => v.dot(direction),
+            (_, Part::Whole, None) => v.length(),
+            (_, part, _) => part.of(&v.to_array()).unwrap_or(f64::NAN),
+        }
+    }
+
+    /// Whether a block asked for is no longer there (`block.removed` can still be read).
+    fn gone(&self, view: &View<'_>) -> bool {
+        self.info().name != "block.removed"
+            && self.of.iter().any(|&b| !view.world.alive[b as usize])
+    }
+
+    fn holder(&self, view: &View<'_>, point: Vec3) -> Option<u32> {
+        let last = self.held_by.get();
+        let there = |b: usize| view.world.alive[b] && holds(view, b, point);
+        if (last as usize) < view.world.alive.len() && there(last as usize) {
+            return Some(last);
+        }
+        let block = (0..view.world.alive.len()).find(|&b| there(b))? as u32;
+        self.held_by.set(block);
+        Some(block)
+    }
+}
+
+/// Whether the volume of block `b` at the start holds a point, its surface included.
+fn holds(view: &View<'_>, b: usize, point: Vec3) -> bool {
+    match &view.world.setup.blocks[b].shape {
+        Shape::Brick { centre, half } => {
+            let out = (point - *centre).abs() - *half;
+            out.max_element() <= 1e-9 * half.max_element()
+        }
+        Shape::Polyhedron(solid) => solid.faces.iter().all(|face| {
+            let corner = |k: usize| solid.vertices[face[k] as usize];
+            let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+            normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
+        }),
+    }
+}

@@ -1,0 +1,123 @@
+//! Further things that can be read from a spatial model: average stress of one block, the free surface,
+//! displacements since a reset.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::boundary;
+use super::fields::View;
+use super::patch;
+use super::setup::BoundaryKind;
+use super::world::World;
+
+/// Least cosine between the outward normal of a face and the direction against gravity for the face to be
+/// part of the free surface: 45 deg.
+const UPWARD: f64 = 0.7;
+
+impl View<'_> {
+    /// Direction against gravity; z without gravity.
+    #[must_use]
+    pub fn up(&self) -> Vec3 {
+        let gravity = self.world.setup.gravity;
+        (-gravity).try_normalize().unwrap_or(Vec3::Z)
+    }
+
+    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the books need at the start.
+    #[must_use]
+    pub fn half_kick(&self) -> f64 {
+        let one = |b: usize| {
+            let (solid, change) = (self.world.solid_of(b), self.scratch.change(self.world, b));
+            solid.mass * change.velocity.length_squared()
+                + change.spin.dot(solid.inertia * change.spin)
+        };
+        self.living().map(one).sum()
+    }
+
+    /// Average stress of one block, Pa, tension-positive; see [`View::stresses`].
+    #[must_use]
+    pub fn stress(&self, block: usize) -> Mat3 {
+        let world = self.world;
+        let mut sum = Mat3::ZERO;
+        let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
+        let id = block as u32;
+        for p in (0..world.patches.len()).filter(|&p| world.patches.ends[p].contains(&id)) {
+            let class = self.patch_class(p);
+            let frame = self.patch_points(p).frame;
+            for (q, t) in self.patch_tractions(p).iter().enumerate() {
+                let force =
+                    0.25 * class.area * (t[0] * frame[0] + t[1] * frame[1] + t[2] * frame[2]);
+                for (side, sign) in [(0, 1.0), (1, -1.0)] {
+                    if world.patches.ends[p][side] == id {
+                        let arm = class.arms[side] + patch::place(class, q);
+                        sum += outer(self.turned(block, arm), sign * force);
+                    }
+                }
+            }
+        }
+        let context = boundary::Context::new(world);
+        for face in world.faces.iter().filter(|f| f.block == id) {
+            sum += context.dyad(face);
+        }
+        (0.5 / world.solid_of(block).volume) * (sum + sum.transpose())
+    }
+
+    /// Whether each block has a face in the free surface: one that looks up and on which nothing but a traction
+    /// acts.
+    #[must_use]
+    pub fn surface(&self) -> Vec<bool> {
+        let (world, up) = (self.world, self.up());
+        let mut surface = vec![false; world.alive.len()];
+        for face in &world.faces {
+            let free = face.boundary.is_none_or(|k| {
+                matches!(
+                    world.setup.boundaries[k as usize].kind,
+                    BoundaryKind::Traction { .. }
+                )
+            });
+            if free && face.frame[0].dot(up) > UPWARD {
+                surface[face.block as usize] = world.alive[face.block as usize];
+            }
+        }
+        surface
+    }
+
+    /// A vector of the start turned with a block.
+    fn turned(&self, b: usize, v: Vec3) -> Vec3 {
+        match &self.world.turned[b] {
+            Some(turned) => turned.attitude * v,
+            None => v,
+        }
+    }
+}
+
+impl World {
+    /// Number of splits between a block as given and block `b`.
+    #[must_use]
+    pub fn level(&self, b: usize) -> u8 {
+        self.lineage[b].level
+    }
+
+    /// Measures displacements and rotations from the present poses on.
+    pub fn zero_displacements(&mut self) {
+        let bodies = &self.bodies;
+        self.datum = (0..bodies.len())
+            .map(|b| [bodies.displacement(b), bodies.rotation(b)])
+            .collect();
+    }
+
+    /// Displacement (m) and rotation vector (rad) at which those of outputs are zero.
+    #[must_use]
+    pub fn datum(&self, b: usize) -> [Vec3; 2] {
+        self.datum.get(b).copied().unwrap_or_default()
+    }
+
+    /// Stops all blocks.
+    pub fn halt(&mut self) {
+        for b in 0..self.bodies.len() {
+            self.bodies.set_rate(b, Vec3::ZERO, Vec3::ZERO);
+            if let Some(turned) = &mut self.turned[b] {
+                turned.momentum = Vec3::ZERO;
+            }
+        }
+        self.last_dt = 0.0;
+    }
+}

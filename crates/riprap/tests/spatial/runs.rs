@@ -1,0 +1,150 @@
+//! The spatial engine through the run loop: phases, histories, frames, checkpoints, run folders.
+
+use std::path::Path;
+
+use riprap::Vec3;
+use riprap::record::folder::Existing;
+use riprap::record::table::Table;
+use riprap::record::{Manifest, vtu};
+use riprap::run::checks::{Check, Expected, Status, Window};
+use riprap::run::drive::{Control, Ending, Progress};
+use riprap::run::job::{self, Job};
+use riprap::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, Plan, TimeStep, Until};
+use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet};
+
+use crate::rock::{elastic, lattice, rock};
+
+fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
+    Gauge {
+        field: field.to_owned(),
+        of: of.to_vec(),
+        at,
+        along: None,
+    }
+}
+
+/// A column of three cubes on a held face that settles under its weight.
+fn column() -> Job {
+    let mut setup = rock(lattice([1, 1, 3], 1.0), elastic());
+    setup.gravity = Vec3::new(0.0, 0.0, -10.0);
+    setup.boundaries = vec![Boundary {
+        name: "floor".to_owned(),
+        on: FaceSet::Plane {
+            normal: -Vec3::Z,
+            offset: 0.0,
+        },
+        kind: BoundaryKind::Held {
+            normal: true,
+            shear: true,
+        },
+        in_situ: false,
+    }];
+    let phase = Phase {
+        name: "settle".to_owned(),
+        kind: PhaseKind::Static,
+        until: Until {
+            unbalanced: Some(1e-9),
+            time: Some(1.0),
+            ..Until::default()
+        },
+        time_step: TimeStep::Auto { safety: 0.5 },
+        damping: Damping::default(),
+        remove: Vec::new(),
+        fix: Vec::new(),
+        release: Vec::new(),
+        gravity: None,
+        gravity_ramp: None,
+        contacts: Vec::new(),
+        joints: Vec::new(),
+        zero_velocities: false,
+        zero_displacements: false,
+    };
+    // M = 21.6 GPa: the half block under the lowest centroid carries 3 blocks, then whole ones 2 and 1.
+    let weight = 2400.0 * 10.0;
+    let settled = -weight * (1.5 + 2.0 + 1.0) / 21.6e9;
+    let check = Check {
+        name: "settlement of the top block".to_owned(),
+        gauge: gauge("block.displacement.z", &[2], None),
+        unit: "m".to_owned(),
+        window: Window::End,
+        expected: Expected::Value(settled),
+        relative: Some(1e-6),
+        absolute: None,
+        known: None,
+    };
+    let history = History {
+        name: "top".to_owned(),
+        gauge: gauge("block.displacement.z", &[], Some([0.5, 0.5, 2.7])),
+        every: Every::Steps(1),
+    };
+    Job {
+        setup: setup.into(),
+        plan: Plan {
+            title: "column".to_owned(),
+            phases: vec![phase],
+            histories: vec![history],
+            ..Plan::default()
+        },
+        checks: vec![check],
+        resolved: "riprap = 1\n".to_owned(),
+        manifest: Manifest::default(),
+    }
+}
+
+fn go(_: &Progress) -> Control {
+    Control::Continue
+}
+
+#[test]
+fn a_column_settles_and_leaves_a_folder() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("column.run");
+    let outcome = job::run(column(), &folder, Existing::Refuse, 1, &mut go).unwrap();
+    assert_eq!(outcome.ending, Ending::Finished);
+    let check = &outcome.checks[0];
+    assert_eq!(check.status, Status::Passed, "{check:?}");
+    assert!(outcome.manifest.time < 1.0, "settled: {outcome:?}");
+
+    let table = Table::read(&folder.join("histories.csv")).unwrap();
+    let top = &table.column("top").unwrap().values;
+    assert_eq!(top.last().copied(), check.measured);
+
+    let frames = vtu::read_pvd(&folder.join("run.pvd")).unwrap();
+    let last = vtu::read_frame(&folder.join(&frames.last().unwrap().file), None).unwrap();
+    assert_eq!((last.blocks(), last.points.len()), (3, 24));
+    let stress = last.column("sigma1_compressive").unwrap();
+    // Averages: the block carries half its weight in the middle.
+    for (block, above) in [(0, 2.5), (1, 1.5), (2, 0.5)] {
+        let expected = 2400.0 * 10.0 * above;
+        assert!(
+            (stress.data[block] / expected - 1.0).abs() < 1e-6,
+            "{stress:?}"
+        );
+    }
+}
+
+#[test]
+fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| Path::join(dir.path(), name);
+    let mut long = column();
+    long.plan.phases[0].until = Until {
+        steps: Some(60_000),
+        ..Until::default()
+    };
+    long.plan.histories.clear();
+    let whole = job::run(long.clone(), &at("whole"), Existing::Refuse, 1, &mut go).unwrap();
+    let mut stop = |p: &Progress| {
+        if p.step > 0 {
+            Control::Stop
+        } else {
+            Control::Continue
+        }
+    };
+    let half = job::run(long, &at("half"), Existing::Refuse, 1, &mut stop).unwrap();
+    assert_eq!(half.ending, Ending::Stopped);
+    let resumed = job::resume(&at("half"), 2, &mut go).unwrap();
+    assert_eq!(resumed.manifest.steps, 60_000);
+    assert_eq!(whole.manifest.state_hash, resumed.manifest.state_hash);
+    assert_eq!(whole.checks, resumed.checks);
+}
