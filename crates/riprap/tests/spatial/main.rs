@@ -3,3 +3,4 @@
 mod conserve;
 mod rock;
 mod runs;
+mod stability;
