@@ -2,8 +2,9 @@
 //!
 //! Springs and dashpots act at four points of a face through the half block behind it (`M/h` and `2G/h` per area,
 //! h from centroid to face). A viscous face puts the dashpots of Lysmer & Kuhlemeyer (1969) behind these
-//! springs: `s = k (u - a)`, `da/dt = s / Z`, backward Euler in `a`; reflection is then of second order in the size
-//! of the block, against first order for a dashpot on the face of the rigid block.
+//! springs: `s = k (u - a)`, `da/dt = s / Z`, by the trapezoidal rule in `a`; reflection is then of second order in
+//! the size of the block, against first order for a dashpot on the face of the rigid block. Dashpots without
+//! springs take the mean of the velocities before and after the kick: a lag of half a step would reflect too.
 
 use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
@@ -11,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::build::BuildError;
 use super::patch::Poses;
 use super::setup::{Boundary, BoundaryKind, FaceSet};
-use super::world::World;
+use super::world::{SolidClass, World};
 use crate::laws::face_joint::SIGNS;
 use crate::ledger::Works;
 
@@ -130,10 +131,82 @@ impl Push {
 pub struct Pushes {
     /// Springs: held, moved and viscous faces.
     pub spring: Push,
-    /// Dashpots without a spring.
-    pub dashpot: Push,
     /// Tractions with a given value.
     pub dead: Push,
+}
+
+/// Dashpots on one block: force and moment are minus this matrix times velocity and spin.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Dashpots {
+    matrix: [[f64; 6]; 6],
+}
+
+impl Dashpots {
+    /// Adds the dashpots at a point with a share of the area, m².
+    fn add(&mut self, share: f64, impedance: [f64; 2], normal: Vec3, arm: Vec3) {
+        // The point moves by v + w x arm for each of the six rates.
+        let point = |k: usize| match k {
+            0..3 => Vec3::AXES[k],
+            _ => Vec3::AXES[k - 3].cross(arm),
+        };
+        for k in 0..6 {
+            let (along, across) = parts(point(k), normal);
+            let force = share * (impedance[0] * along + impedance[1] * across);
+            for (l, row) in self.matrix.iter_mut().enumerate() {
+                row[k] += point(l).dot(force);
+            }
+        }
+    }
+
+    /// What the dashpots do to a block in the coming kick over `span` (s), with the mean of the velocities before
+    /// and after: `(M + span C / 2) dv = span (F - C v)`.
+    #[must_use]
+    pub fn push(&self, solid: &SolidClass, rate: [Vec3; 2], other: &Push, span: f64) -> Push {
+        let rate: [f64; 6] = six(rate);
+        let times = |v: &[f64; 6]| {
+            self.matrix
+                .map(|row| (0..6).map(|k| row[k] * v[k]).sum::<f64>())
+        };
+        let drag = times(&rate);
+        let mut a = self.matrix.map(|row| row.map(|c| 0.5 * span * c));
+        for k in 0..3 {
+            a[k][k] += solid.mass;
+            for l in 0..3 {
+                a[k + 3][l + 3] += solid.inertia.col(l)[k];
+            }
+        }
+        let force = six([other.force, other.moment]);
+        let change = solve(a, std::array::from_fn(|k| span * (force[k] - drag[k])));
+        let mean = std::array::from_fn(|k| rate[k] + 0.5 * change[k]);
+        let t = times(&mean);
+        Push {
+            force: -Vec3::new(t[0], t[1], t[2]),
+            moment: -Vec3::new(t[3], t[4], t[5]),
+        }
+    }
+}
+
+fn six([a, b]: [Vec3; 2]) -> [f64; 6] {
+    [a.x, a.y, a.z, b.x, b.y, b.z]
+}
+
+/// Solves a symmetric positive definite system by elimination.
+fn solve(mut a: [[f64; 6]; 6], mut b: [f64; 6]) -> [f64; 6] {
+    for k in 0..6 {
+        let pivot = a[k];
+        for l in k + 1..6 {
+            let factor = a[l][k] / pivot[k];
+            for (x, p) in a[l].iter_mut().zip(pivot) {
+                *x -= factor * p;
+            }
+            b[l] -= factor * b[k];
+        }
+    }
+    for k in (0..6).rev() {
+        let known: f64 = (k + 1..6).map(|l| a[k][l] * b[l]).sum();
+        b[k] = (b[k] - known) / a[k][k];
+    }
+    b
 }
 
 /// Motion of a point of a face.
@@ -181,15 +254,20 @@ impl<'a> Context<'a> {
     }
 
     /// Moves the anchors of a face on to the present time and finds what acts on its block; books the works of
-    /// anchors.
-    pub fn act(&self, face: &mut Face, works: &mut Works) -> Pushes {
+    /// anchors. Dashpots without springs are added to `dashpots`.
+    pub fn act(
+        &self,
+        face: &mut Face,
+        works: &mut Works,
+        dashpots: &mut Option<Dashpots>,
+    ) -> Pushes {
         let mut out = Pushes::default();
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return out;
         };
         for p in 0..4 {
             let motion = self.motion(face, p);
-            let (before, after) = (face.anchor[p], self.anchor(boundary, face, p, motion.u));
+            let (before, after) = (face.anchor[p], self.anchor(boundary, face, p, &motion));
             if after != before {
                 let old = face.spring(boundary, motion.u - self.pending * motion.v - before);
                 let new = face.spring(boundary, motion.u - after);
@@ -202,10 +280,13 @@ impl<'a> Context<'a> {
                 }
                 face.anchor[p] = after;
             }
-            let [spring, dashpot, dead] = self.forces(boundary, face, p, &motion);
+            let [spring, dead] = self.forces(boundary, face, p, &motion);
             out.spring.add(spring, motion.arm);
-            out.dashpot.add(dashpot, motion.arm);
             out.dead.add(dead, motion.arm);
+            if let BoundaryKind::Viscous { half_cell: false } = boundary.kind {
+                let dashpots = dashpots.get_or_insert_default();
+                dashpots.add(0.25 * face.area, face.impedance, face.frame[0], motion.arm);
+            }
         }
         out
     }
@@ -227,14 +308,14 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Forces (N) of spring, dashpot and given traction at point `p`.
+    /// Forces (N) of spring and given traction at point `p`.
     fn forces(
         &self,
         boundary: &Boundary,
         face: &Face,
         p: usize,
         motion: &PointMotion,
-    ) -> [Vec3; 3] {
+    ) -> [Vec3; 2] {
         let b = face.block as usize;
         let (normal, share) = (face.frame[0], 0.25 * face.area);
         let z = self.reference[b].z + face.place(p).z;
@@ -242,7 +323,7 @@ impl<'a> Context<'a> {
             (true, Some(in_situ)) => in_situ.at(z) * normal,
             _ => Vec3::ZERO,
         };
-        let (mut spring, mut dashpot) = (Vec3::ZERO, Vec3::ZERO);
+        let mut spring = Vec3::ZERO;
         match &boundary.kind {
             BoundaryKind::Traction {
                 traction,
@@ -256,17 +337,14 @@ impl<'a> Context<'a> {
                 let pressure = pressure + gradient * (datum - z);
                 dead += time.at(self.time) * (*traction + pressure * inward);
             }
-            BoundaryKind::Viscous { half_cell: false } => {
-                let (vn, vt) = parts(motion.v, normal);
-                dashpot = -(face.impedance[0] * vn + face.impedance[1] * vt);
-            }
+            BoundaryKind::Viscous { half_cell: false } => {}
             BoundaryKind::Viscous { half_cell: true }
             | BoundaryKind::Held { .. }
             | BoundaryKind::Moved { .. } => {
                 spring = -face.spring(boundary, motion.u - face.anchor[p]);
             }
         }
-        [spring, dashpot, dead].map(|t| share * t)
+        [spring, dead].map(|t| share * t)
     }
 
     /// Energy in the springs of a face, J.
@@ -282,7 +360,8 @@ impl<'a> Context<'a> {
         (0..4).map(energy).sum()
     }
 
-    /// Sum of the dyads of arm and force over the points of a face, N m.
+    /// Sum of the dyads of arm and force over the points of a face, N m; dashpots without springs, which follow
+    /// from the kick, are left out.
     #[must_use]
     pub fn dyad(&self, face: &Face) -> Mat3 {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
@@ -298,18 +377,18 @@ impl<'a> Context<'a> {
         sum
     }
 
-    /// Present place of the far end of the spring at point `p`, whose near end has moved by `u`.
-    fn anchor(&self, boundary: &Boundary, face: &Face, p: usize, u: Vec3) -> Vec3 {
+    /// Present place of the far end of the spring at point `p`.
+    fn anchor(&self, boundary: &Boundary, face: &Face, p: usize, motion: &PointMotion) -> Vec3 {
         let before = face.anchor[p];
         match &boundary.kind {
             BoundaryKind::Viscous { .. } => {
-                let ratio = |k: usize| self.pending * face.stiffness[k] / face.impedance[k];
-                let towards = |a: Vec3, u: Vec3, r: f64| (a + r * u) / (1.0 + r);
-                let (an, at) = parts(before, face.frame[0]);
-                let (un, ut) = parts(u, face.frame[0]);
                 if self.pending == 0.0 {
                     return before;
                 }
+                let ratio = |k: usize| 0.5 * self.pending * face.stiffness[k] / face.impedance[k];
+                let towards = |a: Vec3, u: Vec3, r: f64| ((1.0 - r) * a + 2.0 * r * u) / (1.0 + r);
+                let (an, at) = parts(before, face.frame[0]);
+                let (un, ut) = parts(motion.u - 0.5 * self.pending * motion.v, face.frame[0]);
                 towards(an, un, ratio(0)) + towards(at, ut, ratio(1))
             }
             BoundaryKind::Moved { velocity } => {

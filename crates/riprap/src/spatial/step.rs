@@ -348,15 +348,11 @@ impl Gathering<'_> {
         let world = self.kick.world;
         for b in tile.blocks {
             let mut load = self.applied.get(b).copied().unwrap_or_default();
-            let mut dashpot = Push::default();
+            let mut dashpots = None;
             let mut other = self.pushed.get(b).copied().unwrap_or_default();
             while let Some(face) = faces.next_if(|f| f.block as usize == b) {
-                let pushes = self.boundary.act(face, &mut partial.arrival);
-                for (sum, push) in [
-                    (&mut other, pushes.spring),
-                    (&mut dashpot, pushes.dashpot),
-                    (&mut load, pushes.dead),
-                ] {
+                let pushes = self.boundary.act(face, &mut partial.arrival, &mut dashpots);
+                for (sum, push) in [(&mut other, pushes.spring), (&mut load, pushes.dead)] {
                     sum.force += push.force;
                     sum.moment += push.moment;
                 }
@@ -367,9 +363,18 @@ impl Gathering<'_> {
             let weight = world.solid_of(b).mass * world.gravity;
             work.net[0].add(
                 b - base,
-                weight + load.force + other.force + dashpot.force,
-                load.moment + other.moment + dashpot.moment,
+                weight + load.force + other.force,
+                load.moment + other.moment,
             );
+            let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
+            let dashpot = dashpots.map(|d| {
+                let (force, moment) = work.net[0].get(b - base);
+                let acting = Push { force, moment };
+                d.push(world.solid_of(b), [v, w], &acting, self.kick.span)
+            });
+            if let Some(dashpot) = &dashpot {
+                work.net[0].add(b - base, dashpot.force, dashpot.moment);
+            }
             let (force, moment) = work.net[0].get(b - base);
             let (drag, drag_moment) = if damped {
                 work.net[1].get(b - base)
@@ -388,10 +393,11 @@ impl Gathering<'_> {
             let (arrival, departure) = (&mut partial.arrival, &mut partial.departure);
             let loads = (load.force, load.moment);
             let change = self.kick.works(b, &acting, loads, arrival, departure);
-            let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
-            let [before, after] = self.kick.half;
-            arrival.absorbed -= before * dashpot.power(v, w);
-            departure.absorbed -= after * dashpot.power(v + change.velocity, w + change.spin);
+            if let Some(dashpot) = &dashpot {
+                let [before, after] = self.kick.half;
+                arrival.absorbed -= before * dashpot.power(v, w);
+                departure.absorbed -= after * dashpot.power(v + change.velocity, w + change.spin);
+            }
         }
     }
 }

@@ -1,6 +1,9 @@
-//! The spatial engine against closed answers, without scenario files.
+//! The spatial engine against closed answers.
 
+mod bits;
 mod conserve;
 mod rock;
 mod runs;
-mod stability;
+mod statics;
+mod turning;
+mod waves;

@@ -106,7 +106,10 @@ impl Run {
     pub fn evaluate(&mut self, dt: f64) {
         evaluate(&mut self.world, &mut self.scratch, &self.damping, dt).expect("finite forces");
         if self.world.start_energy.is_none() {
-            self.world.start_energy = Some(self.view().balance().total());
+            let view = self.view();
+            // The books begin with the half kick behind them.
+            let start = view.balance().total() - 0.5 * view.half_kick();
+            self.world.start_energy = Some(start);
         }
     }
 

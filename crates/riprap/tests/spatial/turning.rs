@@ -1,0 +1,123 @@
+//! Finite rotations: free tops, spinning bodies, the change from small to finite.
+
+use riprap::Vec3;
+use riprap::spatial::setup::{Kinematics, Setup};
+
+use crate::rock::{CP, Draws, Run, brick, elastic, lattice, rock};
+
+#[test]
+fn an_asymmetric_top_flips_on_time() {
+    let mut block = brick(Vec3::ZERO, Vec3::new(0.5, 1.0, 1.5));
+    block.spin = Vec3::new(0.01, 5.0, 0.01);
+    let mut setup = Setup {
+        kinematics: Kinematics::Finite,
+        ..rock(vec![block], elastic())
+    };
+    setup.materials[0].density = 2500.0;
+    let mut run = Run::new(setup);
+    let dt = 1e-3;
+    run.evaluate(dt);
+    let (l0, e0) = {
+        let view = run.view();
+        (view.angular_momentum(), view.balance().kinetic)
+    };
+    assert!((e0 - 156_251.125).abs() < 1e-6, "{e0}");
+    let body_spin = |run: &Run| {
+        let turned = run.world.turned[0]
+            .as_ref()
+            .expect("it uses finite rotations");
+        (turned.attitude.conjugate() * run.view().spin(0)).y
+    };
+    let (mut flips, mut before) = (Vec::new(), body_spin(&run));
+    let (mut worst_l, mut worst_e) = (0.0f64, 0.0f64);
+    for _ in 0..16_500 {
+        run.steps(1, dt);
+        let now = body_spin(&run);
+        if now * before < 0.0 {
+            flips.push(run.world.time - dt * now / (now - before));
+        }
+        before = now;
+        let view = run.view();
+        worst_l = worst_l.max((view.angular_momentum() - l0).length() / l0.length());
+        worst_e = worst_e.max((view.balance().kinetic / e0 - 1.0).abs());
+    }
+    println!("flips {flips:.4?}, |dL|/L {worst_l:.1e}, dE/E {worst_e:.1e}");
+    assert!(worst_l < 1e-6 && worst_e < 1e-6);
+    for (found, expected) in flips.iter().zip([2.7672, 9.2178, 15.6684]) {
+        assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+    }
+    assert_eq!(flips.len(), 3);
+}
+
+/// A bonded body of 4 x 3 x 2 cubes that spins about a slanted axis, with some vibration.
+fn spinning(kinematics: Kinematics, vibration: f64) -> Run {
+    let mut blocks = lattice([4, 3, 2], 1.0);
+    let centre = Vec3::new(2.0, 1.5, 1.0);
+    let spin = 20.0 * Vec3::new(0.3, 0.2, 1.0).normalize();
+    let mut draws = Draws::new(5);
+    for block in &mut blocks {
+        let riprap::spatial::setup::Shape::Brick { centre: at, .. } = &block.shape else {
+            unreachable!("the lattice is made of bricks");
+        };
+        block.velocity = spin.cross(*at - centre) + vibration * draws.vector();
+        block.spin = spin + vibration * draws.vector();
+    }
+    Run::new(Setup {
+        kinematics,
+        ..rock(blocks, elastic())
+    })
+}
+
+#[test]
+fn a_bonded_body_turns_through_twelve_radians() {
+    for vibration in [0.0, 0.05] {
+        let mut run = spinning(Kinematics::Finite, vibration);
+        let dt = 0.2 * 0.6325 / CP;
+        run.evaluate(dt);
+        let (p0, l0, e0) = {
+            let v = run.view();
+            (v.momentum(), v.angular_momentum(), v.balance().total())
+        };
+        run.steps((12.0 / 20.0 / dt) as usize, dt);
+        let view = run.view();
+        let turned = (view.angular_momentum() - l0).length() / l0.length();
+        let moved = (view.momentum() - p0).length();
+        let drift = view.balance().total() / e0 - 1.0;
+        println!("vibration {vibration}: |dL|/L {turned:.1e}, dP {moved:.1e}, dE/E {drift:.1e}");
+        assert!(turned < 1e-10 && drift.abs() < 1e-4, "{turned:e} {drift:e}");
+    }
+}
+
+#[test]
+fn small_changes_to_finite_with_continuous_force() {
+    let mut run = spinning(Kinematics::Automatic { bound: 0.01 }, 0.05);
+    let dt = 0.2 * 0.6325 / CP;
+    run.evaluate(dt);
+    let (mut biggest, mut changed) = (0.0f64, 0);
+    let mut before: Vec<Vec3> = Vec::new();
+    let mut finite = 0;
+    let mut typical = 0.0f64;
+    for _ in 0..60 {
+        run.steps(1, dt);
+        let now = run.world.turned.iter().flatten().count();
+        let forces: Vec<Vec3> = (0..24).map(|b| run.scratch.net.force(b)).collect();
+        if !before.is_empty() {
+            let jump = forces
+                .iter()
+                .zip(&before)
+                .map(|(a, b)| (*a - *b).length())
+                .fold(0.0, f64::max);
+            if now > finite {
+                biggest = biggest.max(jump);
+                changed += 1;
+            } else {
+                typical = typical.max(jump);
+            }
+        }
+        finite = now;
+        before = forces;
+    }
+    println!("{changed} changes, jump {biggest:.2e} N against {typical:.2e} N in other steps");
+    assert!(changed > 0 && finite == 24);
+    assert!(biggest < 3.0 * typical);
+}

@@ -1,0 +1,277 @@
+//! Standing and running waves in lattices: speeds, dispersion, coarse to fine, viscous faces.
+
+use std::f64::consts::{PI, TAU};
+
+use riprap::Vec3;
+use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Points, Setup};
+
+use crate::rock::{CP, Run, brick, elastic, lattice, rock};
+
+const CS: f64 = 1_732.050_807_568_877_2;
+
+/// Frequency over the frequency `speed |k|` of a standing wave with wave vector `k` (whole waves over the box) and
+/// the polarisation, from the recurrence `q(n+1) + q(n-1) = 2 cos(w dt) q(n)`.
+fn speed_ratio(cells: [usize; 3], waves: [f64; 3], polarisation: Vec3, speed: f64) -> f64 {
+    let size = Vec3::from_array(cells.map(|n| n as f64));
+    let setup = Setup {
+        periodic: size.to_array().map(Some),
+        ..rock(lattice(cells, 1.0), elastic())
+    };
+    let mut run = Run::new(setup);
+    let k = TAU * Vec3::from_array(waves) / size;
+    let polarisation = polarisation.normalize();
+    let phases: Vec<f64> = run.world.reference.iter().map(|x| k.dot(*x)).collect();
+    for (b, phase) in phases.iter().enumerate() {
+        // The rotation of the medium, half the curl.
+        let turn = -0.5 * phase.sin() * k.cross(polarisation);
+        let u = 1e-6 * phase.cos() * polarisation;
+        run.world.bodies.set_pose(b, u, 1e-6 * turn);
+    }
+    let dt = 0.2 / CP;
+    let project = |run: &Run| -> f64 {
+        let u = |b: usize| run.world.bodies.displacement(b).dot(polarisation);
+        phases.iter().enumerate().map(|(b, p)| u(b) * p.cos()).sum()
+    };
+    let period = TAU / (speed * k.length());
+    let mut q = Vec::new();
+    for _ in 0..(period / dt) as usize {
+        q.push(project(&run));
+        run.steps(1, dt);
+    }
+    let (mut top, mut bottom) = (0.0, 0.0);
+    for w in q[1..].windows(3) {
+        top += (w[2] + w[0]) * w[1];
+        bottom += w[1] * w[1];
+    }
+    // The leapfrog's own frequency is taken back: sin(w dt / 2) = w0 dt / 2.
+    let turn = (0.5 * top / bottom).acos();
+    2.0 / dt * (0.5 * turn).sin() / (speed * k.length())
+}
+
+#[test]
+fn waves_along_an_axis_have_the_right_speeds() {
+    let [x, y] = [Vec3::X, Vec3::Y];
+    let p = speed_ratio([32, 1, 1], [1.0, 0.0, 0.0], x, CP);
+    let s = speed_ratio([32, 1, 1], [1.0, 0.0, 0.0], y, CS);
+    println!("P {p:.4} (0.9984), S {s:.4} (1.0009)");
+    assert!((p - 0.9984).abs() < 2e-3 && (s - 1.0009).abs() < 2e-3);
+    for n in [4, 6, 8, 12, 16, 64] {
+        let half = PI / n as f64;
+        let p = speed_ratio([n, 1, 1], [1.0, 0.0, 0.0], x, CP);
+        println!("P, {n} blocks a wave: {p:.4} ({:.4})", half.sin() / half);
+        assert!((p / (half.sin() / half) - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn waves_along_diagonals_have_the_speeds_of_the_cubic_medium() {
+    let diagonal = Vec3::new(1.0, 1.0, 0.0);
+    for (cells, waves, polarisation, speed, expected) in [
+        (
+            [24, 24, 1],
+            [1.0, 1.0, 0.0],
+            diagonal,
+            CP,
+            (5.0f64 / 6.0).sqrt(),
+        ),
+        ([24, 24, 1], [1.0, 1.0, 0.0], Vec3::Z, CS, 1.0),
+        (
+            [24, 24, 1],
+            [1.0, 1.0, 0.0],
+            Vec3::new(1.0, -1.0, 0.0),
+            CS,
+            1.5f64.sqrt(),
+        ),
+        (
+            [28, 28, 28],
+            [1.0, 1.0, 1.0],
+            Vec3::ONE,
+            CP,
+            (7.0f64 / 9.0).sqrt(),
+        ),
+    ] {
+        let ratio = speed_ratio(cells, waves, polarisation, speed);
+        println!("{waves:?} along {polarisation}: {ratio:.4} ({expected:.4})");
+        assert!((ratio / expected - 1.0).abs() < 0.01);
+    }
+}
+
+/// A column along x, periodic across: `coarse` cubes of 1 m, then `fine` layers of four half as large.
+fn column(coarse: usize, fine: usize) -> Setup {
+    let mut blocks = lattice([coarse, 1, 1], 1.0);
+    for k in 0..fine {
+        for (y, z) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)] {
+            let x = coarse as f64 + 0.5 * k as f64 + 0.25;
+            blocks.push(brick(Vec3::new(x, y, z), Vec3::splat(0.25)));
+        }
+    }
+    Setup {
+        periodic: [None, Some(1.0), Some(1.0)],
+        ..rock(blocks, elastic())
+    }
+}
+
+/// Packet of wavelength `length` around `centre`, running towards +x (or -x).
+fn launch(run: &mut Run, centre: f64, length: f64, shear: bool, backward: bool) {
+    let (k, width) = (TAU / length, 1.5 * length);
+    let cell = |b: usize| 2.0 * run.world.solid_of(b).half.x;
+    let axis = if shear { Vec3::Y } else { Vec3::X };
+    let sign = if backward { -1.0 } else { 1.0 };
+    let mut rates = Vec::new();
+    for b in 0..run.world.alive.len() {
+        let x = run.world.reference[b].x - centre;
+        let speed = if shear {
+            CS
+        } else {
+            CP * (0.5 * k * cell(b)).sin() / (0.5 * k * cell(b))
+        };
+        let envelope = (-(x / width).powi(2)).exp();
+        let (s, c) = (k * x).sin_cos();
+        let u = envelope * c;
+        let slope = envelope * (-k * s - 2.0 * x / (width * width) * c);
+        let curve = envelope
+            * ((-k * k - 2.0 / (width * width) + 4.0 * x * x / width.powi(4)) * c
+                + 4.0 * x / (width * width) * k * s);
+        let spin = if shear { 0.5 } else { 0.0 } * Vec3::Z;
+        rates.push((
+            [u * axis, slope * spin],
+            [-sign * speed * slope * axis, -sign * speed * curve * spin],
+        ));
+    }
+    for (b, (pose, rate)) in rates.into_iter().enumerate() {
+        run.world.bodies.set_pose(b, 1e-6 * pose[0], 1e-6 * pose[1]);
+        run.world.bodies.set_rate(b, 1e-6 * rate[0], 1e-6 * rate[1]);
+    }
+}
+
+/// Largest displacement (over that at the start) of blocks between two places.
+fn largest(run: &Run, from: f64, to: f64) -> f64 {
+    (0..run.world.alive.len())
+        .filter(|b| (from..to).contains(&run.world.reference[*b].x))
+        .map(|b| 1e6 * run.world.bodies.displacement(b).length())
+        .fold(0.0, f64::max)
+}
+
+/// Share that comes back from the step between 1 m and 0.5 m.
+fn interface_reflection(length: f64, shear: bool, from_fine: bool) -> f64 {
+    let half = 3.2 * 1.5 * length;
+    let n = (2.0 * half) as usize;
+    let mut run = Run::new(column(n, 2 * n));
+    let edge = n as f64;
+    let centre = if from_fine { edge + half } else { edge - half };
+    launch(&mut run, centre, length, shear, from_fine);
+    let speed = if shear { CS } else { CP };
+    let dt = 0.3 / CP;
+    run.steps((2.0 * half / speed / dt) as usize, dt);
+    if from_fine {
+        largest(&run, edge + 2.0, 3.0 * edge)
+    } else {
+        largest(&run, 0.0, edge - 2.0)
+    }
+}
+
+#[test]
+fn a_step_in_size_reflects_little() {
+    for (length, shear, expected, bound) in [
+        (16.0, false, 0.0083, 0.012),
+        (32.0, false, 0.0023, 0.005),
+        (16.0, true, 0.015, 0.02),
+        (32.0, true, 0.0078, 0.01),
+    ] {
+        for from_fine in [false, true] {
+            let share = interface_reflection(length, shear, from_fine);
+            println!(
+                "{} {length} L, from fine: {from_fine}: {:.2} % (source {:.2} %)",
+                if shear { "S" } else { "P" },
+                100.0 * share,
+                100.0 * expected
+            );
+            assert!(share < bound);
+        }
+    }
+}
+
+/// Share that comes back from a viscous end.
+fn end_reflection(length: f64, shear: bool, half_cell: bool) -> f64 {
+    let half = 3.2 * 1.5 * length;
+    let n = (2.0 * half) as usize;
+    let mut setup = column(n, 0);
+    setup.boundaries.push(Boundary {
+        name: "end".into(),
+        on: FaceSet::Plane {
+            normal: Vec3::X,
+            offset: n as f64,
+        },
+        kind: BoundaryKind::Viscous { half_cell },
+        in_situ: false,
+    });
+    let mut run = Run::new(setup);
+    launch(&mut run, n as f64 - half, length, shear, false);
+    let speed = if shear { CS } else { CP };
+    let dt = 0.3 / CP;
+    run.steps((2.0 * half / speed / dt) as usize, dt);
+    let books = run.balance();
+    assert!(
+        books.residual().abs() < 1e-6 * books.start,
+        "{} of {}",
+        books.residual(),
+        books.start
+    );
+    assert!(books.works.absorbed > 0.9 * books.start);
+    largest(&run, 0.0, n as f64)
+}
+
+#[test]
+fn viscous_ends_absorb_as_the_theory_says() {
+    for length in [16.0, 32.0] {
+        let plain = end_reflection(length, false, false);
+        let theory = (0.5 * PI / length).tan();
+        let p = end_reflection(length, false, true);
+        let s = end_reflection(length, true, true);
+        println!(
+            "{length} L: plain {:.2} % ({:.2} %), half cell P {:.2} %, S {:.2} %",
+            100.0 * plain,
+            100.0 * theory,
+            100.0 * p,
+            100.0 * s
+        );
+        assert!((plain - theory).abs() < 0.005);
+        let bound = if length == 16.0 { 0.02 } else { 0.01 };
+        assert!(p < bound && s < bound);
+    }
+}
+
+#[test]
+fn the_stable_step_is_that_of_the_lattice() {
+    for (points, expected) in [(Points::Quarter, 0.6325), (Points::Gauss, 0.6124)] {
+        let law = riprap::spatial::setup::JointLaw {
+            points,
+            ..elastic()
+        };
+        let setup = Setup {
+            periodic: [Some(4.0); 3],
+            ..rock(lattice([4, 4, 4], 1.0), law)
+        };
+        let mut first = Run::new(setup.clone());
+        let stable = riprap::spatial::stable::stable_step(&first.world, &first.scratch, 0.0);
+        let ratio = stable.dt * CP;
+        println!("{points:?}: {ratio:.4} ({expected}), {}", stable.why);
+        assert!((ratio / expected - 1.0).abs() < 0.01);
+        assert!(ratio <= 1.0005 * expected, "{ratio}");
+        for (share, bounded) in [(0.98, true), (1.02, false)] {
+            let mut run = Run::new(setup.clone());
+            let mut draws = crate::rock::Draws::new(3);
+            for b in 0..64 {
+                run.world
+                    .bodies
+                    .set_pose(b, 1e-9 * draws.vector(), 1e-9 * draws.vector());
+            }
+            run.steps(if bounded { 4000 } else { 400 }, share * expected / CP);
+            let far = (0..64)
+                .map(|b| run.world.bodies.rotation(b).length())
+                .fold(0.0, f64::max);
+            assert_eq!(far < 1e-7, bounded, "{share}: {far:e}");
+        }
+        first.steps(1, stable.dt);
+    }
+}
