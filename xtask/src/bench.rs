@@ -3,9 +3,47 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
-/// Builds and runs the benchmark of the library; its CSV is printed and kept in `target/bench.csv`.
+use crate::shell::cargo;
+use crate::source_tree::files;
+
+/// Cases that a benchmark scene has: the scene as it stands and two variants.
+const SIZES: [&str; 3] = ["default", "medium", "large"];
+
+/// Builds the benchmark of the library and runs it on every scene under `scenes/bench` in three sizes, each
+/// in its own process; the CSV is printed and kept in `target/bench.csv`.
 pub fn run(root: &Path) -> ExitCode {
-    let output = Command::new("cargo")
+    match measure(root) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn measure(root: &Path) -> Result<(), String> {
+    let mut kept: Vec<String> = Vec::new();
+    for scene in files(&root.join("scenes").join("bench"), &["toml"]) {
+        for size in SIZES {
+            for line in timed(root, &scene, size)?.lines() {
+                // The machine and the head of the table stand in every output, and once in the whole.
+                if kept.iter().all(|known| known != line) {
+                    println!("{line}");
+                    kept.push(line.to_owned());
+                }
+            }
+        }
+    }
+    let path = root.join("target").join("bench.csv");
+    std::fs::write(&path, kept.join("\n") + "\n")
+        .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
+    println!("kept in {}", path.display());
+    Ok(())
+}
+
+/// What the benchmark prints about one size of one scene.
+fn timed(root: &Path, scene: &Path, size: &str) -> Result<String, String> {
+    let output = Command::new(cargo())
         .args([
             "run",
             "--release",
@@ -14,27 +52,16 @@ pub fn run(root: &Path) -> ExitCode {
             "riprap",
             "--example",
             "bench_planar",
+            "--",
         ])
+        .arg(scene)
+        .arg(size)
         .current_dir(root)
-        .output();
-    let output = match output {
-        Ok(output) => output,
-        Err(error) => {
-            eprintln!("cargo could not be started: {error}");
-            return ExitCode::FAILURE;
-        }
-    };
-    let text = String::from_utf8_lossy(&output.stdout);
-    print!("{text}");
+        .output()
+        .map_err(|error| format!("cargo could not be started: {error}"))?;
     if !output.status.success() {
-        eprint!("{}", String::from_utf8_lossy(&output.stderr));
-        return ExitCode::FAILURE;
+        let why = String::from_utf8_lossy(&output.stderr);
+        return Err(format!("{} ({size}): {why}", scene.display()));
     }
-    let path = root.join("target").join("bench.csv");
-    if let Err(error) = std::fs::write(&path, text.as_bytes()) {
-        eprintln!("{} could not be written: {error}", path.display());
-        return ExitCode::FAILURE;
-    }
-    println!("kept in {}", path.display());
-    ExitCode::SUCCESS
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }

@@ -225,6 +225,7 @@ impl PointStore {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shapes::letter_u;
     use proptest::prelude::*;
 
     fn cut(from: (f64, f64), to: (f64, f64)) -> Cut {
@@ -301,18 +302,7 @@ mod tests {
 
     #[test]
     fn concave_regions_are_cut_in_all_their_arms() {
-        let u: Vec<Vec2> = [
-            (0., 0.),
-            (5., 0.),
-            (5., 4.),
-            (4., 4.),
-            (4., 1.),
-            (1., 1.),
-            (1., 4.),
-            (0., 4.),
-        ]
-        .map(Vec2::from)
-        .to_vec();
+        let u = letter_u();
         let s = cut_region(&u, &[cut((-1.0, 2.0), (9.0, 2.5))]).unwrap();
         assert_eq!(s.faces.len(), 3);
         // Along an edge, through corners: nothing new from the first, a cut from the second.

@@ -232,7 +232,7 @@ fn deepest(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes::{rectangle, regular};
+    use crate::shapes::{letter_u, rectangle, regular};
     use proptest::prelude::*;
 
     #[test]
@@ -254,18 +254,7 @@ mod tests {
 
     #[test]
     fn a_line_through_a_u_leaves_two_arms() {
-        let u: Vec<Vec2> = [
-            (0., 0.),
-            (5., 0.),
-            (5., 4.),
-            (4., 4.),
-            (4., 1.),
-            (1., 1.),
-            (1., 4.),
-            (0., 4.),
-        ]
-        .map(Vec2::from)
-        .to_vec();
+        let u = letter_u();
         let half = HalfPlane {
             point: Vec2::new(0.0, 2.0),
             direction: Vec2::X,

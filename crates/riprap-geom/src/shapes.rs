@@ -203,6 +203,24 @@ pub(crate) fn capped(what: &'static str, count: f64) -> Result<(), GeomError> {
     }
 }
 
+/// A U for tests, 5 m wide and 4 m high, its arms 1 m thick: the simplest outline that a line leaves in
+/// two parts.
+#[cfg(test)]
+pub(crate) fn letter_u() -> Vec<Vec2> {
+    [
+        (0.0, 0.0),
+        (5.0, 0.0),
+        (5.0, 4.0),
+        (4.0, 4.0),
+        (4.0, 1.0),
+        (1.0, 1.0),
+        (1.0, 4.0),
+        (0.0, 4.0),
+    ]
+    .map(Vec2::from)
+    .to_vec()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,181 +1,155 @@
-//! Times the step of a settled running-bond wall and prints CSV: `bench_planar [BLOCKS]...`.
+//! Times the steps of one scene and prints CSV: `bench_planar SCENE.toml CASE [THREADS]...`.
 //!
-//! Run by `cargo xtask bench`. One row per size and number of threads; times are medians over
-//! repeats with the smallest and largest beside them. The courses stand on each other with the static
-//! overlap that their load needs, so that the wall is at rest from the start.
+//! `cargo xtask bench` runs it for every scene and size under `scenes/bench`. The scene is loaded as
+//! `riprap run` loads it and its loop is the one of a run. All phases but the last only prepare; the steps
+//! that are timed belong to the last one, begin at the same state for every number of threads and
+//! end at the same state hash. Times are medians over repeats with the smallest and largest beside.
 
+use std::path::Path;
 use std::time::Instant;
 
-use riprap::Vec2;
 use riprap::exec::Exec;
-use riprap::planar::fields::View;
-use riprap::planar::setup::{
-    BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Setup, Support,
-};
-use riprap::planar::step::{Damping, Scratch, advance, evaluate};
-use riprap::planar::world::World;
 use riprap::record::manifest::Machine;
-use riprap::run::hash;
+use riprap::run::job::Job;
+use riprap::run::scene::Scene;
+use riprap::run::simulation::{Simulation, Snapshot, Stage};
 
-const DENSITY: f64 = 2600.0;
-const GRAVITY: f64 = 9.81;
-const STIFFNESS: f64 = 1e10;
-const DT: f64 = 2e-5;
-const SETTLE: usize = 300;
 const REPEATS: usize = 5;
 /// Block-steps per repeat: long enough to time, short enough to wait for.
-const WORK: usize = 1_000_000;
+const WORK: usize = 500_000;
+/// Fewest steps per repeat.
+const FEWEST: usize = 5;
 
-/// A running-bond wall of about `blocks` blocks of 1 m x 0.5 m on a fixed base.
-fn wall(blocks: usize) -> Setup {
-    let rows = (blocks as f64 / 2.0).sqrt().round().max(1.0) as usize;
-    let per_row = blocks.div_ceil(rows);
-    let rectangle = |x: f64, y: f64, w: f64, h: f64| {
-        [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
-            .map(Vec2::from)
-            .to_vec()
-    };
-    let mut outlines = vec![rectangle(-5.0, -1.0, per_row as f64 + 10.0, 1.0)];
-    let mut sunk = 0.0;
-    for r in 0..rows {
-        sunk += (rows - r) as f64 * 0.5 * DENSITY * GRAVITY / STIFFNESS;
-        for c in 0..per_row {
-            let x = c as f64 + 0.5 * (r % 2) as f64;
-            outlines.push(rectangle(x, 0.5 * r as f64 - sunk, 1.0, 0.5));
+/// Reads a case of a scene.
+fn load(path: &Path, case: &str) -> Result<Job, String> {
+    let scene = Scene::load(path, &[]).map_err(|wrong| wrong.render())?;
+    let found = scene
+        .case(case)
+        .ok_or_else(|| format!("{} has no case {case:?}", path.display()))?;
+    Ok(scene.prepare(&found).map_err(|wrong| wrong.render())?.job())
+}
+
+/// Number of living blocks.
+fn blocks(simulation: &Simulation) -> usize {
+    let view = simulation.view().planar();
+    view.map_or(0, |view| view.living().count()).max(1)
+}
+
+/// Runs up to the first step of the last phase.
+fn up_to_last_phase(simulation: &mut Simulation) -> Result<(), String> {
+    let last = simulation.plan().phases.len().saturating_sub(1);
+    while simulation.cursor().phase < last {
+        match simulation.prepare().map_err(|e| e.to_string())? {
+            Stage::Within => simulation.step(),
+            Stage::PhaseEnd => simulation.next_phase(),
+            Stage::Done => return Err("the scene has no phases".to_owned()),
         }
     }
-    Setup {
-        gravity: [0.0, -GRAVITY],
-        materials: vec!["rock".into()],
-        blocks: outlines
-            .into_iter()
-            .enumerate()
-            .map(|(k, vertices)| BlockSpec {
-                name: k.to_string(),
-                vertices,
-                material: 0,
-                density: DENSITY,
-                velocity: Vec2::ZERO,
-                spin: 0.0,
-            })
-            .collect(),
-        interfaces: vec![Interface {
-            name: "default".into(),
-            contact: ContactLaw {
-                normal: NormalLaw::DistancePotential,
-                normal_stiffness: STIFFNESS,
-                shear_stiffness: 0.5 * STIFFNESS,
-                friction: 0.6,
-                cohesion: 0.0,
-                friction_law: FrictionLaw::ShearSpring,
-                damping_ratio: 0.2,
-            },
-            bond: None,
-        }],
-        pair_table: vec![0],
-        supports: vec![Support {
-            blocks: vec![0],
-            motion: Motion::Fixed {
-                x: true,
-                y: true,
-                rotation: true,
-            },
-        }],
-        ..Setup::default()
-    }
+    Ok(())
 }
 
-fn run(world: &mut World, scratch: &mut Scratch, steps: usize) -> Result<(), String> {
-    let damping = Damping {
-        local: 0.7,
-        ..Damping::default()
-    };
+/// Makes `steps` steps; the forces of the state behind them are known.
+fn advance(simulation: &mut Simulation, steps: usize) -> Result<(), String> {
     for _ in 0..steps {
-        evaluate(world, scratch, &damping, DT).map_err(|e| e.to_string())?;
-        advance(world, scratch, DT);
+        simulation.step();
+        if simulation.prepare().map_err(|e| e.to_string())? != Stage::Within {
+            return Err("the last phase ends too soon to be timed".to_owned());
+        }
     }
-    evaluate(world, scratch, &damping, DT).map_err(|e| e.to_string())
+    Ok(())
 }
 
-/// Memory in use by this process, kB; 0 where the system does not tell.
-fn resident_kb() -> f64 {
-    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = text.lines().find(|l| l.starts_with("VmRSS:"));
-    line.and_then(|l| l.split_whitespace().nth(1)?.parse().ok())
-        .unwrap_or(0.0)
+/// Memory in use by this process, kB; `None` where the system does not tell.
+fn resident_kb() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|l| l.starts_with("VmRSS:"))?;
+    line.split_whitespace().nth(1)?.parse().ok()
 }
 
-fn measure(blocks: usize, threads: usize) -> Result<String, String> {
-    let before = resident_kb();
+/// One row: the last phase from `start` on `threads` threads.
+fn measure(
+    label: &str,
+    start: Snapshot,
+    threads: usize,
+    kb_per_block: f64,
+) -> Result<String, String> {
     let exec = Exec::new(threads).map_err(|e| e.to_string())?;
-    let (mut world, mut scratch) = World::new(wall(blocks), exec);
-    run(&mut world, &mut scratch, SETTLE)?;
-    let memory = resident_kb() - before;
-    let count = world.bodies.len();
-    let contacts = View {
-        world: &world,
-        scratch: &scratch,
-    }
-    .contacts()
-    .count();
-    let steps = (WORK / count).max(5);
-    let stages = scratch.profile.seconds();
+    let mut simulation = Simulation::resume(start, exec);
+    simulation.prepare().map_err(|e| e.to_string())?;
+    // One step untimed: memory is claimed and every stage has its row.
+    advance(&mut simulation, 1)?;
+    let blocks = blocks(&simulation);
+    let steps = (WORK / blocks).max(FEWEST);
+    let before = simulation.engine().profile().seconds();
     let mut times = Vec::new();
     for _ in 0..REPEATS {
-        let start = Instant::now();
-        run(&mut world, &mut scratch, steps)?;
-        times.push(start.elapsed().as_secs_f64() / steps as f64);
+        let begun = Instant::now();
+        advance(&mut simulation, steps)?;
+        times.push(begun.elapsed().as_secs_f64() / steps as f64);
     }
     times.sort_by(f64::total_cmp);
     let median = times[REPEATS / 2];
-    let spent: Vec<(String, f64)> = scratch
-        .profile
-        .seconds()
-        .into_iter()
-        .zip(stages)
-        .map(|((name, after), (_, before))| (name, after - before))
-        .collect();
-    let all: f64 = spent.iter().map(|(_, s)| s).sum();
-    let split: Vec<String> = spent
+    let contacts = simulation.view().contacts();
+    let after = simulation.engine().profile().seconds();
+    let spent = after.iter().zip(&before).map(|((_, a), (_, b))| a - b);
+    let all: f64 = spent.clone().sum();
+    let split: Vec<String> = after
         .iter()
-        .map(|(name, s)| format!("{name} {:.0} %", 100.0 * s / all))
+        .zip(spent)
+        .map(|((name, _), s)| format!("{name} {:.0} %", 100.0 * s / all))
         .collect();
     Ok(format!(
-        "wall,{count},{contacts},{threads},{steps},{:.4},{:.4},{:.4},{:.3},{:.1},{:.2},{},{}",
+        "{label},{blocks},{contacts},{threads},{steps},{:.4},{:.4},{:.4},{:.3},{:.1},{kb_per_block:.2},{},{}",
         1e3 * median,
         1e3 * times[0],
         1e3 * times[REPEATS - 1],
         1e-6 * contacts as f64 / median,
-        1e9 * median / count as f64,
-        memory / count as f64,
+        1e9 * median / blocks as f64,
         split.join(" | "),
-        &hash::planar(&world)[..16],
+        &simulation.engine().hash()[..16],
     ))
 }
 
 fn main() -> Result<(), String> {
-    let sizes: Vec<usize> = std::env::args()
-        .skip(1)
-        .filter_map(|a| a.parse().ok())
-        .collect();
-    let sizes = if sizes.is_empty() {
-        vec![1_000, 10_000, 100_000]
-    } else {
-        sizes
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [path, case, threads @ ..] = arguments.as_slice() else {
+        return Err("usage: bench_planar SCENE.toml CASE [THREADS]...".to_owned());
     };
+    let threads: Vec<usize> = threads
+        .iter()
+        .map(|text| text.parse().map_err(|_| format!("{text:?} is no number")))
+        .collect::<Result<_, _>>()?;
+    let threads = if threads.is_empty() {
+        vec![1, 2]
+    } else {
+        threads
+    };
+    let path = Path::new(path);
+    let job = load(path, case)?;
+    let before = resident_kb();
+    let most = threads.iter().copied().max().unwrap_or(1);
+    let exec = Exec::new(most).map_err(|e| e.to_string())?;
+    let mut simulation = Simulation::new(job.setup, job.plan, exec).map_err(|e| e.to_string())?;
+    up_to_last_phase(&mut simulation)?;
+    let blocks = blocks(&simulation);
+    let kb_per_block = resident_kb()
+        .zip(before)
+        .map_or(f64::NAN, |(now, before)| (now - before) / blocks as f64);
+    let start = simulation.snapshot();
+    drop(simulation);
     let machine = Machine::this();
     println!(
         "# {} ({} cores), {} {}",
         machine.cpu, machine.cores, machine.os, machine.arch
     );
     println!(
-        "scene,blocks,contacts,threads,steps,median_ms_per_step,min_ms,max_ms,\
+        "scene,size,blocks,contacts,threads,steps,median_ms_per_step,min_ms,max_ms,\
          million_contacts_per_s,ns_per_block_step,kb_per_block,stages,state_hash"
     );
-    for &blocks in &sizes {
-        for threads in [1, 2] {
-            println!("{}", measure(blocks, threads)?);
-        }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let label = format!("{name},{case}");
+    for &count in &threads {
+        println!("{}", measure(&label, start.clone(), count, kb_per_block)?);
     }
     Ok(())
 }

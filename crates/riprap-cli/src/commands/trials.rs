@@ -97,6 +97,7 @@ fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
 /// `riprap bisect`.
 pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    let case = scenes::case(&scene, &args.scene.change)?;
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(args.how.quiet || args.json);
     let stop = || {
@@ -109,7 +110,7 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     let mut count = 0;
     let found = trials::search(
         &scene,
-        &scene.plain(),
+        &case,
         threads(&args.how),
         &mut |progress| {
             display.show(progress);

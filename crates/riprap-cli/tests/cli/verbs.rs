@@ -195,6 +195,23 @@ fn bisect_finds_the_limit() {
         serde_json::from_str(said.out.lines().last().unwrap_or("")).expect("JSON");
     let limit = last["limit"].as_f64().expect("a limit");
     assert!((-7.5..-4.5).contains(&limit), "{limit}");
+    // Every case has its own limit: v0 = 2.83 m/s at seven times the gravity.
+    let heavy =
+        "[variants.heavy]\n\"space.planar.gravity\" = [\"0 m/s2\", \"-70 m/s2\"]\n\n[bisect]";
+    bench.file("cases.toml", FALL.replace("[bisect]", heavy));
+    let limit_of = |case: &str| {
+        let said = bench.run(&["bisect", "cases.toml", "--json", "--case", case]);
+        let said = said.expect(0);
+        let last: serde_json::Value =
+            serde_json::from_str(said.out.lines().last().unwrap_or("")).expect("JSON");
+        last["limit"].as_f64().expect("a limit")
+    };
+    assert_eq!(limit_of("default"), limit);
+    assert!((-4.0..-1.5).contains(&limit_of("heavy")));
+    bench
+        .run(&["bisect", "cases.toml", "--case", "light"])
+        .expect(2)
+        .warns(&["its cases are"]);
     bench.file(
         "none.toml",
         FALL.split("[bisect]").next().unwrap_or_default(),

@@ -1,8 +1,9 @@
 //! Stable time step: which block sets it, and why.
 //!
-//! Power iteration for the highest frequency of the present springs (patches, boundary springs) with their masses.
-//! The leapfrog with the velocity of half a step before in the dashpots is stable up to
-//! `dt = 2/w (sqrt(1 + z²) - z)`, `z = beta w / 2`, with the largest ratio `beta` of dashpot and spring.
+//! With the velocity of half a step before in the dashpots the leapfrog is stable while
+//! `x . (dt² K + 2 dt C) x <= 4 x . M x` for every motion x. Power iteration finds the motion that comes nearest, with the
+//! springs and dashpots of all patches and boundaries and their masses. One damping ratio for the whole model would
+//! let the dashpots of its coarsest blocks shorten the step of its finest.
 
 use riprap_geom::Vec3;
 
@@ -11,9 +12,11 @@ use super::step::Scratch;
 use super::world::{PatchClass, World};
 use crate::laws::face_joint::SIGNS;
 
-/// Sweeps of the power iteration.
+/// Sweeps of the power iteration for the springs alone.
 const SWEEPS: usize = 60;
-/// The estimate comes from below; what is added to it.
+/// Rounds that bring in the dashpots, and sweeps in each.
+const ROUNDS: (usize, usize) = (6, 12);
+/// The estimate of the highest squared frequency comes from below; what is added to it.
 const MARGIN: f64 = 1.005;
 
 /// The largest stable step and the block that sets it.
@@ -43,60 +46,62 @@ pub fn stable_step(world: &World, _scratch: &Scratch, stiffness_damping: f64) ->
         .map(|_| [0, 1].map(|_| Vec3::new(draw(), draw(), draw())))
         .collect();
     let mut y = vec![[Vec3::ZERO; 2]; n];
-    let mut omega2 = 0.0_f64;
+    let ck = stiffness_damping;
     for _ in 0..SWEEPS {
-        springs.times(world, &x, &mut y);
-        let norm = |x: &[[Vec3; 2]]| x.iter().flatten().map(|v| v.length_squared()).sum::<f64>();
-        let dot: f64 = x
-            .iter()
-            .zip(&y)
-            .map(|(a, b)| a[0].dot(b[0]) + a[1].dot(b[1]))
-            .sum();
-        let length = norm(&x);
-        if length == 0.0 {
-            break;
-        }
-        omega2 = dot / length;
-        let scale = norm(&y).sqrt();
-        if scale == 0.0 {
-            break;
-        }
-        for (a, b) in x.iter_mut().zip(&y) {
-            *a = b.map(|v| v / scale);
+        springs.times(world, Weights::SPRINGS, &x, &mut y);
+        if !normalise(&mut x, &y) {
+            return Stable {
+                dt: f64::INFINITY,
+                block: None,
+                why: "nothing holds the blocks",
+            };
         }
     }
-    finish(world, &springs, &x, omega2 * MARGIN, stiffness_damping)
+    springs.times(world, Weights::SPRINGS, &x, &mut y);
+    let mut dt = 2.0 / (MARGIN * dot(&x, &y)).sqrt();
+    if springs.damped(world, ck) {
+        for _ in 0..ROUNDS.0 {
+            for _ in 0..ROUNDS.1 {
+                springs.times(world, Weights::step(dt, ck), &x, &mut y);
+                normalise(&mut x, &y);
+            }
+            springs.times(world, Weights::SPRINGS, &x, &mut y);
+            let k = MARGIN * dot(&x, &y);
+            springs.times(world, Weights::dashpots(ck), &x, &mut y);
+            let c = MARGIN * dot(&x, &y);
+            // k dt² + 2 c dt = 4, in the form without cancellation.
+            dt = 4.0 / (c + (c * c + 4.0 * k).sqrt());
+        }
+    }
+    name(world, &springs, &x, dt)
 }
 
-fn finish(
-    world: &World,
-    springs: &Springs,
-    x: &[[Vec3; 2]],
-    omega2: f64,
-    stiffness_damping: f64,
-) -> Stable {
-    if omega2 <= 0.0 {
-        return Stable {
-            dt: f64::INFINITY,
-            block: None,
-            why: "nothing holds the blocks",
-        };
+/// x <- y / |y|; false when y is nil.
+fn normalise(x: &mut [[Vec3; 2]], y: &[[Vec3; 2]]) -> bool {
+    let scale = dot(y, y).sqrt();
+    if scale == 0.0 {
+        return false;
     }
+    for (a, b) in x.iter_mut().zip(y) {
+        *a = b.map(|v| v / scale);
+    }
+    true
+}
+
+fn dot(x: &[[Vec3; 2]], y: &[[Vec3; 2]]) -> f64 {
+    let one = |(a, b): (&[Vec3; 2], &[Vec3; 2])| a[0].dot(b[0]) + a[1].dot(b[1]);
+    x.iter().zip(y).map(one).sum()
+}
+
+/// Says which block moves most in the fastest motion.
+fn name(world: &World, springs: &Springs, x: &[[Vec3; 2]], dt: f64) -> Stable {
     let size = |v: &[Vec3; 2]| v[0].length_squared() + v[1].length_squared();
     let mut block = 0;
     for (b, v) in x.iter().enumerate() {
-        if size(v) > size(&x[block]) {
+        if world.alive[b] && size(v) > size(&x[block]) {
             block = b;
         }
     }
-    let used = world
-        .patches
-        .class
-        .iter()
-        .map(|c| world.classes[*c as usize].beta);
-    let beta = used.fold(0.0, f64::max) + stiffness_damping;
-    let omega = omega2.sqrt();
-    let z = 0.5 * beta * omega;
     let (turning, moving) = (x[block][1].length_squared(), x[block][0].length_squared());
     let why = if springs.faces.iter().any(|f| f.block as usize == block) {
         "springs of patches and of a boundary"
@@ -106,9 +111,47 @@ fn finish(
         "translation against the springs of its patches"
     };
     Stable {
-        dt: 2.0 / omega * ((1.0 + z * z).sqrt() - z),
+        dt,
         block: Some(block as u32),
         why,
+    }
+}
+
+/// What of springs and dashpots goes into a matrix: `spring K + dashpot C`.
+#[derive(Clone, Copy)]
+struct Weights {
+    spring: f64,
+    dashpot: f64,
+    /// Stiffness-proportional damping of the phase, s.
+    ck: f64,
+}
+
+impl Weights {
+    const SPRINGS: Self = Self {
+        spring: 1.0,
+        dashpot: 0.0,
+        ck: 0.0,
+    };
+
+    fn dashpots(ck: f64) -> Self {
+        Self {
+            spring: 0.0,
+            dashpot: 1.0,
+            ck,
+        }
+    }
+
+    fn step(dt: f64, ck: f64) -> Self {
+        Self {
+            spring: dt * dt,
+            dashpot: 2.0 * dt,
+            ck,
+        }
+    }
+
+    /// For a spring with a dashpot of `beta` times its stiffness.
+    fn of(self, beta: f64) -> f64 {
+        self.spring + self.dashpot * (beta + self.ck)
     }
 }
 
@@ -126,6 +169,8 @@ struct FaceSpring {
     area: f64,
     reach: [f64; 2],
     stiffness: [f64; 2],
+    /// Dashpots on the velocity of the face, Pa s/m.
+    impedance: [f64; 2],
 }
 
 impl Springs {
@@ -156,17 +201,17 @@ impl Springs {
             .filter_map(|f| {
                 let boundary = &boundaries[f.boundary? as usize];
                 let [kn, ks] = f.stiffness;
-                let stiffness = match &boundary.kind {
-                    BoundaryKind::Held { normal, shear } => [
-                        if *normal { kn } else { 0.0 },
-                        if *shear { ks } else { 0.0 },
-                    ],
+                let none = [0.0; 2];
+                let (stiffness, impedance) = match &boundary.kind {
+                    BoundaryKind::Held { normal, shear } => {
+                        let kn = if *normal { kn } else { 0.0 };
+                        ([kn, if *shear { ks } else { 0.0 }], none)
+                    }
                     BoundaryKind::Moved { .. } | BoundaryKind::Viscous { half_cell: true } => {
-                        [kn, ks]
+                        ([kn, ks], none)
                     }
-                    BoundaryKind::Viscous { half_cell: false } | BoundaryKind::Traction { .. } => {
-                        return None;
-                    }
+                    BoundaryKind::Viscous { half_cell: false } => (none, f.impedance),
+                    BoundaryKind::Traction { .. } => return None,
                 };
                 Some(FaceSpring {
                     block: f.block,
@@ -175,14 +220,22 @@ impl Springs {
                     area: f.area,
                     reach: f.reach,
                     stiffness,
+                    impedance,
                 })
             })
             .collect();
         Self { root, faces }
     }
 
-    /// `y = M^(-1/2) K M^(-1/2) x`.
-    fn times(&self, world: &World, x: &[[Vec3; 2]], y: &mut [[Vec3; 2]]) {
+    /// Whether there are dashpots at all.
+    fn damped(&self, world: &World, ck: f64) -> bool {
+        ck > 0.0
+            || self.faces.iter().any(|f| f.impedance != [0.0; 2])
+            || world.classes.iter().any(|c| c.beta > 0.0)
+    }
+
+    /// `y = M^(-1/2) A M^(-1/2) x` with A the weighted sum of springs and dashpots.
+    fn times(&self, world: &World, weights: Weights, x: &[[Vec3; 2]], y: &mut [[Vec3; 2]]) {
         y.fill([Vec3::ZERO; 2]);
         let at = |b: usize| [0, 1].map(|k| self.root[b][k] * x[b][k]);
         let list = &world.patches;
@@ -191,7 +244,8 @@ impl Springs {
             let [i, j] = ends.map(|b| b as usize);
             let (a, b) = (at(i), at(j));
             let d = b[0] - a[0] + b[1].cross(k.arms[1]) - a[1].cross(k.arms[0]);
-            let (f, m) = pull(&k.frame, k.area, k.reach, k.stiffness, d, b[1] - a[1]);
+            let stiffness = k.stiffness.map(|s| weights.of(k.beta) * s);
+            let (f, m) = pull(&k.frame, k.area, k.reach, stiffness, d, b[1] - a[1]);
             y[i][0] -= f;
             y[i][1] -= k.arms[0].cross(f) + m;
             y[j][0] += f;
@@ -201,7 +255,10 @@ impl Springs {
             let b = s.block as usize;
             let a = at(b);
             let d = a[0] + a[1].cross(s.arm);
-            let (f, m) = pull(&s.frame, s.area, s.reach, s.stiffness, d, a[1]);
+            // Springs of boundaries have no dashpots parallel to them.
+            let stiffness =
+                [0, 1].map(|k| weights.spring * s.stiffness[k] + weights.dashpot * s.impedance[k]);
+            let (f, m) = pull(&s.frame, s.area, s.reach, stiffness, d, a[1]);
             y[b][0] += f;
             y[b][1] += s.arm.cross(f) + m;
         }
