@@ -35,6 +35,8 @@ pub struct Bond {
     pub points: Vec<BondPoint>,
     /// Whether it still acts; a joint that has slid or opened hands over to found contact.
     pub active: bool,
+    /// Whether a point has failed and slid or opened too far for the others to hold.
+    pub torn: bool,
     /// Elastic and frictional part at the last evaluation.
     pub stress: Wrench,
     /// Damping part at the last evaluation.
@@ -67,7 +69,10 @@ pub struct BondPoint {
 }
 
 /// Share of the length that a failed joint slides or opens before found contact takes over.
-const HAND_OVER: f64 = 0.01;
+const SLIP_SHARE: f64 = 0.01;
+/// Opening of a failed point at which a joint is torn, over its elastic displacement at its
+/// strength or under its present load.
+const OPENING: f64 = 3.0;
 
 /// Gauss points and weights on 0..1.
 fn gauss(n: u8) -> &'static [(f64, f64)] {
@@ -145,6 +150,7 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
                     mass: 0.0,
                     points,
                     active: true,
+                    torn: false,
                     stress: Wrench::default(),
                     damping: Wrench::default(),
                     energy: 0.0,
@@ -189,12 +195,7 @@ pub fn force(
         return Wrench::default();
     }
     let (i, j) = (&bodies[bond.i as usize], &bodies[bond.j as usize]);
-    let relative = Relative {
-        shift: i.position - j.position,
-        velocity: i.velocity - j.velocity,
-        spin_i: i.spin,
-        spin_j: j.spin,
-    };
+    let relative = Relative::of(bodies, bond.i, bond.j);
     let turn = |angle: f64| {
         let (s, c) = libm::sincos(angle);
         move |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
@@ -206,7 +207,7 @@ pub fn force(
     let mut failing = false;
     // A joint that is open or has slid at one point cannot be a hinge at another: the tip of the crack
     // runs through.
-    let torn = bond.torn();
+    let torn = bond.torn;
     for point in &mut bond.points {
         let (arm_i, arm_j) = (turn_i(point.on_i), turn_j(point.on_j));
         let u = arm_j - arm_i - relative.shift;
@@ -258,7 +259,23 @@ pub fn force(
     }
     works.damping -= half * relative.power_of(&bond.damping.plus(&damp));
     (bond.stress, bond.damping, bond.energy) = (stress, damp, energy);
+    bond.torn |= is_torn(bond, law);
     stress.plus(&damp)
+}
+
+/// Whether a point has failed and slid by more than a small share of the length, or opened by more
+/// than that or a few times what the joint gives way at its strength or under its present load.
+///
+/// A joint that opens at one end turns about the other, where the blocks overlap beyond its last
+/// point. No point feels that overlap. With an opening of three times the closure of a point its energy
+/// is less than half of what the point stores.
+fn is_torn(bond: &Bond, law: &BondLaw) -> bool {
+    let far = SLIP_SHARE * bond.length;
+    let strength = (law.tension / law.normal_stiffness).max(law.cohesion / law.shear_stiffness);
+    let closure = bond.points.iter().map(|p| -p.opening).fold(0.0, f64::max);
+    let open = far.min(OPENING * strength.max(closure));
+    let mut failed = bond.points.iter().filter(|p| p.failed);
+    failed.any(|p| p.slip.abs() > far || p.opening > open)
 }
 
 impl Bond {
@@ -268,20 +285,12 @@ impl Bond {
         self.points.iter().all(|p| p.failed)
     }
 
-    /// Whether a point has failed and slid or opened by more than a small share of the length.
-    fn torn(&self) -> bool {
-        let far = HAND_OVER * self.length;
-        self.points
-            .iter()
-            .any(|p| p.failed && (p.slip.abs() > far || p.opening > far))
-    }
-
     /// Whether found contact should take over: all failed, and slid or opened enough somewhere. Not
     /// everywhere: blocks that turn about one end of a joint would overlap there, where no point of
     /// the joint feels it, until found contact throws them apart.
     #[must_use]
     pub fn gives_way(&self) -> bool {
-        self.active && self.broken() && self.torn()
+        self.active && self.broken() && self.torn
     }
 
     /// Shear force on the first block along the left-hand side of the normal, N/m.

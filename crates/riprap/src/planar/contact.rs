@@ -7,6 +7,7 @@
 use riprap_geom::Vec2;
 
 use super::convex::{self, Side, Turned};
+use super::handover;
 use super::pieces::{self, Piece};
 use super::potential;
 use super::profile;
@@ -66,19 +67,6 @@ impl<'a> Context<'a> {
         };
         (side(i, edges_i, nearest_i), side(j, edges_j, nearest_j))
     }
-
-    fn motion(&self, candidate: &Candidate) -> Relative {
-        let (i, j) = (
-            &self.bodies[candidate.i as usize],
-            &self.bodies[candidate.j as usize],
-        );
-        Relative {
-            shift: i.position - j.position,
-            velocity: i.velocity - j.velocity,
-            spin_i: i.spin,
-            spin_j: j.spin,
-        }
-    }
 }
 
 /// Relative placement and motion of a pair.
@@ -95,6 +83,18 @@ pub struct Relative {
 }
 
 impl Relative {
+    /// Of blocks i and j.
+    #[must_use]
+    pub fn of(bodies: &[Body], i: u32, j: u32) -> Self {
+        let (i, j) = (&bodies[i as usize], &bodies[j as usize]);
+        Self {
+            shift: i.position - j.position,
+            velocity: i.velocity - j.velocity,
+            spin_i: i.spin,
+            spin_j: j.spin,
+        }
+    }
+
     /// Velocity of i relative to j at a point `x` from i's centroid, m/s.
     fn at(&self, x: Vec2) -> Vec2 {
         self.velocity + self.spin_i * x.perp() - self.spin_j * (x + self.shift).perp()
@@ -130,43 +130,54 @@ pub fn convex_chunk(
     works: &mut Works,
 ) {
     for ((candidate, state), slot) in candidates.iter().zip(states).zip(slots) {
-        let (i, j) = context.sides(candidate);
-        let relative = context.motion(candidate);
-        let overlap = convex::overlap(i, j, relative.shift);
-        if overlap.weight == 0.0 {
+        let relative = Relative::of(context.bodies, candidate.i, candidate.j);
+        let law = &context.laws[candidate.row as usize];
+        *slot = if let Some(pressed) = press_convex(context, candidate, &relative) {
+            apply(
+                law,
+                candidate.dashpots,
+                context,
+                &relative,
+                &pressed,
+                &mut state.contact,
+                works,
+            )
+        } else {
             if state.contact != Contact::default() {
-                let law = &context.laws[candidate.row as usize];
                 end(law, &relative, context.elapsed, &mut state.contact, works);
             }
-            *slot = Wrench::default();
-            continue;
-        }
-        let law = &context.laws[candidate.row as usize];
-        let half = 0.5 * law.normal_stiffness;
-        let force = half * overlap.force;
-        let moment_i = half * overlap.moment;
-        let pressed = Pressed {
-            // Same points for both: the moment about j's centroid follows from that about i's.
-            normal: Wrench {
-                force,
-                moment_i,
-                moment_j: -moment_i - relative.shift.perp_dot(force),
-            },
-            centre: overlap.weighted / overlap.weight,
-            length: 0.5 * overlap.chord.length(),
-            depth: overlap.depth,
-            friction: None,
+            Wrench::default()
         };
-        *slot = apply(
-            law,
-            candidate.dashpots,
-            context,
-            &relative,
-            &pressed,
-            &mut state.contact,
-            works,
-        );
     }
+}
+
+/// Pressure resultant of two convex blocks; `None` when they do not touch.
+#[inline]
+pub fn press_convex(
+    context: &Context<'_>,
+    candidate: &Candidate,
+    relative: &Relative,
+) -> Option<Pressed> {
+    let (i, j) = context.sides(candidate);
+    let overlap = convex::overlap(i, j, relative.shift);
+    if overlap.weight == 0.0 {
+        return None;
+    }
+    let half = 0.5 * context.laws[candidate.row as usize].normal_stiffness;
+    let force = half * overlap.force;
+    let moment_i = half * overlap.moment;
+    Some(Pressed {
+        // Same points for both: the moment about j's centroid follows from that about i's.
+        normal: Wrench {
+            force,
+            moment_i,
+            moment_j: -moment_i - relative.shift.perp_dot(force),
+        },
+        centre: overlap.weighted / overlap.weight,
+        length: 0.5 * overlap.chord.length(),
+        depth: overlap.depth,
+        friction: None,
+    })
 }
 
 /// Room that the general kernel works in.
@@ -203,16 +214,14 @@ fn general_pair(
     room: &mut Workspace,
     works: &mut Works,
 ) -> Wrench {
-    let (i, j) = context.sides(candidate);
-    let relative = context.motion(candidate);
+    let relative = Relative::of(context.bodies, candidate.i, candidate.j);
     let law = &context.laws[candidate.row as usize];
-    pieces::find(i, j, relative.shift, &mut room.pieces, &mut room.cuts);
-    let count = pieces::regions(&mut room.pieces, i.turned.len(), j.turned.len());
     room.old.clear();
     room.old.append(&mut state.regions);
     let mut total = Wrench::default();
-    for region in 0..count as u16 {
-        let (pressed, edges) = press(law, i, j, &relative, region, room);
+    let count = cut(context, candidate, &relative, room);
+    for region in 0..count {
+        let (pressed, edges) = press(context, candidate, &relative, region, room);
         if pressed.normal.force == Vec2::ZERO {
             continue;
         }
@@ -235,6 +244,30 @@ fn general_pair(
     total
 }
 
+/// Finds the boundary pieces of a pair and returns the number of regions.
+fn cut(
+    context: &Context<'_>,
+    candidate: &Candidate,
+    relative: &Relative,
+    room: &mut Workspace,
+) -> u16 {
+    let (i, j) = context.sides(candidate);
+    pieces::find(i, j, relative.shift, &mut room.pieces, &mut room.cuts);
+    pieces::regions(&mut room.pieces, i.turned.len(), j.turned.len()) as u16
+}
+
+/// Pressure resultants of all regions of a pair, with the bits of their edges.
+pub fn press_general(
+    context: &Context<'_>,
+    candidate: &Candidate,
+    relative: &Relative,
+    room: &mut Workspace,
+) -> Vec<(Pressed, u64)> {
+    (0..cut(context, candidate, relative, room))
+        .map(|region| press(context, candidate, relative, region, room))
+        .collect()
+}
+
 /// The old region with most edges in common, taken out of the list; a new contact if none has any.
 fn take_matching(old: &mut Vec<Region>, edges: u64) -> Contact {
     let mut best = None;
@@ -250,13 +283,14 @@ fn take_matching(old: &mut Vec<Region>, edges: u64) -> Contact {
 
 /// Pressure resultant of one region and the bits of its edges.
 fn press(
-    law: &ContactLaw,
-    i: Side<'_>,
-    j: Side<'_>,
+    context: &Context<'_>,
+    candidate: &Candidate,
     relative: &Relative,
     region: u16,
     room: &mut Workspace,
 ) -> (Pressed, u64) {
+    let law = &context.laws[candidate.row as usize];
+    let (i, j) = context.sides(candidate);
     let mut out = Pressed::default();
     let (mut weight, mut weighted, mut chord, mut edges) = (0.0, Vec2::ZERO, Vec2::ZERO, 0u64);
     let mut friction = Wrench::default();
@@ -354,7 +388,6 @@ fn apply(
     let (x, length) = (pressed.centre, pressed.length);
     let arm_j = x + relative.shift;
     let elastic = pressed.normal.force.length();
-    let fresh = !contact.touches();
     if elastic == 0.0 {
         // Opposite pressures that cancel: no direction to press or slide along.
         end(law, relative, context.elapsed, contact, works);
@@ -369,7 +402,7 @@ fn apply(
     let root = length.sqrt();
     let c = dashpots[0] * root + context.stiffness_damping * stiffness;
     let slip = velocity.dot(tangent) * context.elapsed;
-    let handed = handed_over(contact, elastic, fresh, slip);
+    let handed = handover::offset(contact, elastic, slip);
     let pressing = elastic + handed;
     let total_normal = (pressing - c * velocity.dot(normal)).max(0.0);
     let mut damp = Wrench::at((total_normal - pressing) * normal, x, arm_j);
@@ -419,32 +452,12 @@ fn apply(
     contact.centre = x;
     contact.slipping = slipping;
     let total = pressed.normal.plus(&shear).plus(&damp);
-    if handed == 0.0 {
+    if handed == 0.0 && contact.handed == Wrench::default() {
         return total;
     }
     let handed = Wrench::at(handed * normal, x, arm_j);
-    works.edit_defect += context.elapsed * relative.power_of(&handed);
+    book_handed(relative, context.elapsed, contact, handed, works);
     total.plus(&handed)
-}
-
-/// Normal force taken over from a joint that gave way, beyond the elastic one: continuous at the
-/// hand-over, fading with slip, never pulling in sum. 0 for ordinary contacts.
-fn handed_over(contact: &mut Contact, elastic: f64, fresh: bool, slip: f64) -> f64 {
-    if contact.offset == 0.0 {
-        return 0.0;
-    }
-    if fresh {
-        contact.offset -= elastic;
-    }
-    let left = (contact.offset_left - slip.abs()).max(0.0);
-    contact.offset *= if contact.offset_left > 0.0 {
-        left / contact.offset_left
-    } else {
-        0.0
-    };
-    contact.offset_left = left;
-    contact.offset = contact.offset.max(-elastic);
-    contact.offset
 }
 
 /// Books the trapezoidal works of the three parts over the elapsed time and remembers the parts.
@@ -475,6 +488,18 @@ fn book(
     contact.damping = *damp;
 }
 
+/// Books the work of the offset taken over from a joint: it is no energy of the contact.
+fn book_handed(
+    relative: &Relative,
+    elapsed: f64,
+    contact: &mut Contact,
+    handed: Wrench,
+    works: &mut Works,
+) {
+    works.edit_defect += 0.5 * elapsed * relative.power_of(&contact.handed.plus(&handed));
+    contact.handed = handed;
+}
+
 /// Ends a contact: its shear energy is dissipated, what a law without potential still holds is a
 /// defect of the law.
 fn end(
@@ -486,6 +511,7 @@ fn end(
 ) {
     let zero = Wrench::default();
     book(law, relative, elapsed, contact, &zero, &zero, &zero, works);
+    book_handed(relative, elapsed, contact, zero, works);
     works.friction += contact.shear_energy;
     works.law_defect -= contact.path_energy;
     works.contact_path -= contact.path_energy;

@@ -6,6 +6,7 @@ pub mod contact;
 pub mod convex;
 pub mod energy;
 pub mod fields;
+pub mod handover;
 mod heap;
 pub mod loads;
 pub mod pieces;

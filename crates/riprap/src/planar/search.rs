@@ -14,7 +14,7 @@ use riprap_geom::Vec2;
 use super::convex::MAX_NEAREST;
 use super::setup::{FrictionLaw, Motion, NormalLaw, Setup};
 use super::shapes::{Edge, Shapes};
-use super::world::{GeneralState, PairState, World};
+use super::world::{Contact, GeneralState, PairState, Region, World};
 use crate::laws::damping;
 
 /// Margin of a block over its size (the smaller of its radius and twice the median radius).
@@ -460,43 +460,48 @@ fn segment_box_distance(p: Vec2, q: Vec2, region: &Box2) -> f64 {
     (segment_distance(p, q, centre) - half).max(0.0)
 }
 
-/// Moves the states of touching contacts to the new list; the others start empty.
+/// Moves the states of contacts to the new list; the others start empty. A pair whose nearest edges
+/// have become too many for the convex kernel, or few enough again, takes its state along.
 fn carry_states(world: &mut World, candidates: &Candidates) {
-    let old = std::mem::take(&mut world.pairs);
-    let mut at = 0;
+    let convex = std::mem::take(&mut world.pairs);
+    let mut general = std::mem::take(&mut world.general);
+    let in_convex = |c: &Candidate| convex.binary_search_by_key(&(c.i, c.j), |p| (p.i, p.j));
     world.pairs = candidates
         .convex
         .iter()
         .map(|c| {
-            while at < old.len() && (old[at].i, old[at].j) < (c.i, c.j) {
-                at += 1;
-            }
-            match old.get(at) {
-                Some(state) if (state.i, state.j) == (c.i, c.j) => *state,
-                _ => PairState {
-                    i: c.i,
-                    j: c.j,
-                    ..PairState::default()
+            let contact = in_convex(c).map_or_else(
+                |_| {
+                    let old = general.binary_search_by_key(&(c.i, c.j), |g| (g.i, g.j));
+                    let region = old.ok().and_then(|k| general[k].regions.first());
+                    region.map_or_else(Contact::default, |r| r.contact)
                 },
+                |k| convex[k].contact,
+            );
+            PairState {
+                i: c.i,
+                j: c.j,
+                contact,
             }
         })
         .collect();
-    let mut old = std::mem::take(&mut world.general);
-    let mut at = 0;
     world.general = candidates
         .general
         .iter()
         .map(|c| {
-            while at < old.len() && (old[at].i, old[at].j) < (c.i, c.j) {
-                at += 1;
-            }
-            match old.get_mut(at) {
-                Some(state) if (state.i, state.j) == (c.i, c.j) => std::mem::take(state),
-                _ => GeneralState {
-                    i: c.i,
-                    j: c.j,
-                    ..GeneralState::default()
-                },
+            let old = general.binary_search_by_key(&(c.i, c.j), |g| (g.i, g.j));
+            let regions = match (old, in_convex(c)) {
+                (Ok(k), _) => std::mem::take(&mut general[k].regions),
+                (_, Ok(k)) if convex[k].contact != Contact::default() => vec![Region {
+                    edges: u64::MAX,
+                    contact: convex[k].contact,
+                }],
+                _ => Vec::new(),
+            };
+            GeneralState {
+                i: c.i,
+                j: c.j,
+                regions,
             }
         })
         .collect();

@@ -9,11 +9,12 @@ use riprap_geom::Vec2;
 use super::bond;
 use super::contact::{self, Context, Workspace};
 use super::convex::Turned;
+use super::handover;
 use super::loads::{self, Applied};
 use super::search::{self, Candidates};
 use super::setup::{ContactLaw, Motion, Setup};
 use super::shapes::Shapes;
-use super::world::{Body, PairState, Region, World, Wrench};
+use super::world::{Body, World, Wrench};
 use crate::exec::{CHUNK, Exec};
 use crate::ledger::Works;
 use crate::profile::Profile;
@@ -50,7 +51,8 @@ pub struct Scratch {
     pub applied: Vec<Applied>,
     /// Works of the half step after the present time, booked by `advance`.
     departure: Works,
-    laws: Vec<ContactLaw>,
+    /// Contact laws by row.
+    pub(super) laws: Vec<ContactLaw>,
     partial: Vec<Partial>,
     rooms: Vec<Workspace>,
     stale: bool,
@@ -368,81 +370,12 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
 
 /// Rebuilds the candidate list when a block has moved more than its margin, or a joint gives way.
 fn refresh(world: &mut World, scratch: &mut Scratch) {
-    if world.bonds.iter().any(bond::Bond::gives_way) {
-        hand_over(world, scratch);
+    // Only once the blocks have moved: evaluating twice changes nothing.
+    if world.pending > 0.0 && world.bonds.iter().any(bond::Bond::gives_way) {
+        handover::hand_over(world, scratch);
     }
     if scratch.stale {
         scratch.invalidate(world);
-    }
-}
-
-/// Lets found contact take over from joints that have given way, with continuous force.
-fn hand_over(world: &mut World, scratch: &mut Scratch) {
-    // A pair goes over as a whole: its joints are skipped by the search until then.
-    let waiting: Vec<(u32, u32)> = world
-        .bonds
-        .iter()
-        .filter(|b| b.active && !b.gives_way())
-        .map(|b| (b.i, b.j))
-        .collect();
-    let mut handed: Vec<(u32, u32, f64, f64, f64)> = Vec::new();
-    for bond in &mut world.bonds {
-        let key = (bond.i, bond.j);
-        if !bond.gives_way() || waiting.contains(&key) {
-            continue;
-        }
-        bond.active = false;
-        world.works.edit_defect -= bond.energy;
-        bond.energy = 0.0;
-        let (compression, shear, length) = (bond.compression(), bond.shear(), bond.length);
-        match handed.last_mut() {
-            Some(last) if (last.0, last.1) == key => {
-                last.2 += compression;
-                last.3 += shear;
-                last.4 += length;
-            }
-            _ => handed.push((bond.i, bond.j, compression, shear, length)),
-        }
-    }
-    if handed.is_empty() {
-        return;
-    }
-    scratch.invalidate(world);
-    for (i, j, compression, shear, length) in handed {
-        let Some(law) = world
-            .setup
-            .interfaces
-            .get(search::row_of(&world.setup, i as usize, j as usize) as usize)
-            .map(|r| r.contact)
-        else {
-            continue;
-        };
-        let contact = super::world::Contact {
-            shear: -shear,
-            shear_energy: 0.5 * shear * shear / (law.shear_stiffness * length),
-            offset: compression,
-            offset_left: 0.1 * length,
-            ..Default::default()
-        };
-        if compression <= 0.0 {
-            continue;
-        }
-        let key = (i, j);
-        if let Ok(k) = world
-            .pairs
-            .binary_search_by_key(&key, |p: &PairState| (p.i, p.j))
-        {
-            world.pairs[k].contact = contact;
-        } else if let Ok(k) = world.general.binary_search_by_key(&key, |g| (g.i, g.j)) {
-            world.general[k].regions.push(Region {
-                edges: u64::MAX,
-                contact,
-            });
-        } else {
-            continue;
-        }
-        world.works.edit_defect +=
-            contact.shear_energy + super::fields::pair_energy(world, scratch, key);
     }
 }
 

@@ -130,7 +130,7 @@ pub struct Contact {
     pub shear_energy: f64,
     /// Elastic normal energy by path, J/m (only for laws without potential).
     pub path_energy: f64,
-    /// Normal force kept continuous at a hand-over from a bond, N/m; fades with slip.
+    /// Normal force beyond the elastic one, taken over from a joint, N/m; fades with slip.
     pub offset: f64,
     /// Slip over which the offset still fades, m.
     pub offset_left: f64,
@@ -140,6 +140,8 @@ pub struct Contact {
     pub tangential: Wrench,
     /// Damping part at the last evaluation.
     pub damping: Wrench,
+    /// Offset part at the last evaluation.
+    pub handed: Wrench,
     /// Contact length (chord), m.
     pub length: f64,
     /// Largest depth of a boundary point, m.

@@ -113,6 +113,16 @@ impl Model {
         }
     }
 
+    /// A model that goes on from a state, as from a checkpoint.
+    pub fn on_world(mut world: World) -> Self {
+        let scratch = Scratch::new(&mut world, Exec::serial());
+        Self {
+            world,
+            scratch,
+            damping: Damping::default(),
+        }
+    }
+
     /// Two blocks at rest, forces evaluated.
     pub fn pair(a: &[Vec2], b: &[Vec2], law: ContactLaw) -> Self {
         let mut model = Self::new(setup(vec![block(a), block(b)], law));
