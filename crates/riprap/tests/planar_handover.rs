@@ -6,7 +6,7 @@ mod common;
 use common::{DISTANCE, Model, block, law, points, rectangle, setup};
 use riprap::Vec2;
 use riprap::planar::setup::{BondLaw, Setup};
-use riprap::run::simulation::state_hash;
+use riprap::run::hash::planar as state_hash;
 
 const STIFFNESS: f64 = 1e10;
 

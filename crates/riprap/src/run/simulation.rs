@@ -38,7 +38,8 @@ pub enum RunError {
     /// Two blocks have gone too far into each other.
     #[error(
         "blocks `{first}` and `{second}` overlap by {percent:.0} % of the smaller one's inscribed \
-         radius at step {step} (t = {time:.6e} s); use a stiffer contact or a smaller time step"
+         radius at step {step} (t = {time:.6e} s); use a stiffer contact, or larger smallest blocks \
+         (`smallest_edge` of the generator)"
     )]
     Overlap {
         /// One block.
