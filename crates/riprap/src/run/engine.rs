@@ -250,7 +250,7 @@ impl Engine {
     pub fn step_limit(&self) -> f64 {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
-            Self::Spatial(_) => f64::INFINITY,
+            Self::Spatial(e) => spatial::cavity::step_limit(&e.world),
         }
     }
 
@@ -264,6 +264,21 @@ impl Engine {
                 .map_err(|e| e.block),
             Self::Spatial(e) => spatial::step::evaluate(&mut e.world, &mut e.scratch, damping, dt)
                 .map_err(|e| e.block),
+        }
+    }
+
+    /// Splits blocks whose criterion is met, after [`Engine::evaluate`] with the same numbers.
+    ///
+    /// # Errors
+    /// The edit is not exact, or makes too many blocks: what is wrong, in words.
+    pub fn refine(&mut self, damping: &Damping, dt: f64) -> Result<(), String> {
+        match self {
+            Self::Planar(_) => Ok(()),
+            Self::Spatial(e) => {
+                spatial::edit::refine_running(&mut e.world, &mut e.scratch, damping, dt)
+                    .map(|_| ())
+                    .map_err(|error| error.to_string())
+            }
         }
     }
 
@@ -384,9 +399,7 @@ fn planar_edit(world: &mut planar::world::World, phase: &Phase) {
 
 fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
     use spatial::setup::Motion;
-    for &b in &phase.remove {
-        world.alive[b as usize] = false;
-    }
+    spatial::edit::take_out(world, &phase.remove);
     for &b in &phase.fix {
         world.motion[b as usize] = Some(Box::new(Motion::Fixed {
             translation: [true; 3],

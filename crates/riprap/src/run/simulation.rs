@@ -53,6 +53,16 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// Splitting blocks failed.
+    #[error("blocks could not be split at step {step} (t = {time:.6e} s): {reason}")]
+    Edit {
+        /// What is wrong.
+        reason: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// Energy came from nowhere.
     #[error(
         "kinetic energy {kinetic:.3e} J/m at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
@@ -261,6 +271,7 @@ impl Simulation {
         self.dt = self.next_step(&phase);
         let revision = self.engine.revision();
         self.evaluate(&damping, self.dt)?;
+        self.refine(&damping)?;
         if self.engine.revision() != revision {
             // New neighbours can shorten the step.
             let dt = self.next_step(&phase);
@@ -330,6 +341,15 @@ impl Simulation {
                 step: self.steps(),
                 time: self.time(),
             })
+    }
+
+    fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
+        let refined = self.engine.refine(damping, self.dt);
+        refined.map_err(|reason| RunError::Edit {
+            reason,
+            step: self.steps(),
+            time: self.time(),
+        })
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.

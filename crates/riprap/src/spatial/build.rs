@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use riprap_geom::{Mat3, Vec3};
 
 use super::boundary::{self, Face};
+use super::cavity::{self, Cavity, CavityError, Wall};
 use super::meet::{self, Cell, Free, Rectangle, Shared};
 use super::refine::{self, Origin, RefineError};
 use super::setup::{InSitu, Points, Setup, Shape, Stiffness};
@@ -14,7 +15,7 @@ use crate::exec::Exec;
 use crate::ledger::Works;
 
 /// Largest gap between faces that touch, over the shortest half edge of all blocks.
-const GAP: f64 = 1e-6;
+pub(super) const GAP: f64 = 1e-6;
 /// Lengths are rounded to this share of the shortest half edge, so that equal patches are equal bits.
 const ROUNDING: f64 = 1.0 / (1u64 << 34) as f64;
 
@@ -40,6 +41,9 @@ pub enum BuildError {
     /// The blocks cannot be split as asked for.
     #[error("{0}")]
     Refine(#[from] RefineError),
+    /// A source cannot be built.
+    #[error("{0}")]
+    Source(#[from] CavityError),
     /// A condition for faces finds none.
     #[error(
         "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
@@ -54,7 +58,7 @@ impl World {
     /// A world at rest at time zero, with patches and boundaries built; the scratch data come with it.
     ///
     /// # Errors
-    /// A block without volume, a stiffness without modulus, a boundary without faces.
+    /// A block without volume, a stiffness without modulus, a boundary without faces, a source without blocks.
     pub fn new(setup: Setup, exec: Exec) -> Result<(Self, Scratch), BuildError> {
         let mut setup = setup;
         let lineage = refine::before_run(&mut setup)?;
@@ -83,6 +87,9 @@ impl World {
             patches: Patches::default(),
             classes: Vec::new(),
             faces: Vec::new(),
+            cavities: Vec::new(),
+            looked: 0,
+            events: Vec::new(),
             works: Works::default(),
             start_energy: None,
             setup,
@@ -97,7 +104,8 @@ impl World {
             }
         }
         world.hold_driven();
-        world.build_patches()?;
+        let charges = cavity::charges(&world.setup, &world.lineage, &world.alive)?;
+        world.build_patches(&charges)?;
         let scratch = Scratch::new(&mut world, exec);
         Ok((world, scratch))
     }
@@ -154,10 +162,9 @@ impl World {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Builds patches and free faces of all living blocks, without history.
-    fn build_patches(&mut self) -> Result<(), BuildError> {
-        let finest = self.finest();
-        let tolerance = GAP * finest;
+    /// Builds patches, free faces and walls of cavities of all living blocks, without history; the blocks of
+    /// `charges` (one list per source) go.
+    fn build_patches(&mut self, charges: &[Vec<u32>]) -> Result<(), BuildError> {
         let cells: Vec<Cell> = (0..self.alive.len())
             .filter(|b| self.alive[*b])
             .map(|b| Cell {
@@ -166,16 +173,45 @@ impl World {
                 half: self.solid_of(b).half,
             })
             .collect();
+        let finest = self.finest();
+        let tolerance = GAP * finest;
+        let mut owner: BTreeMap<u32, usize> = BTreeMap::new();
+        for (k, blocks) in charges.iter().enumerate() {
+            for &b in blocks {
+                owner.insert(b, k);
+                self.alive[b as usize] = false;
+            }
+        }
+        let mut walls: Vec<Vec<Wall>> = vec![Vec::new(); charges.len()];
         let (shared, free) = meet::meet(&cells, self.setup.periodic, tolerance);
         let mut table = ClassTable::new(self, finest);
         for s in &shared {
             let overlap = overlap(&cells, s);
-            self.add_patch(&mut table, &overlap)?;
+            match overlap.blocks.map(|b| owner.get(&b)) {
+                [None, None] => self.add_patch(&mut table, &overlap)?,
+                [Some(_), Some(_)] => {}
+                [Some(&k), None] => {
+                    walls[k].push(Wall::new(&self.setup, &self.reference, &overlap, 1));
+                }
+                [None, Some(&k)] => {
+                    walls[k].push(Wall::new(&self.setup, &self.reference, &overlap, 0));
+                }
+            }
         }
         self.patches.sort(&self.classes);
-        self.faces = free.iter().map(|f| face(&cells, f)).collect();
+        let living = |f: &&Free| self.alive[cells[f.cell].block as usize];
+        self.faces = free
+            .iter()
+            .filter(living)
+            .map(|f| face(&cells, f))
+            .collect();
         self.faces.sort_by_key(|f| f.block);
-        boundary::assign(self, tolerance)
+        boundary::assign(self, tolerance)?;
+        for (source, (blocks, walls)) in charges.iter().zip(walls).enumerate() {
+            let cavity = Cavity::new(self, source, blocks.clone(), walls)?;
+            self.cavities.push(cavity);
+        }
+        Ok(())
     }
 
     /// Appends a patch; `Patches::sort` puts it in its place later.
@@ -235,7 +271,8 @@ pub fn axis_frame(axis: usize) -> [Vec3; 3] {
     [0, 1, 2].map(|k| Vec3::AXES[(axis + k) % 3])
 }
 
-fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
+/// The overlap of two cells.
+pub(super) fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
     let (low, high, axis) = (&cells[shared.low], &cells[shared.high], shared.axis);
     let [length_b, length_c] = shared.part.size();
     let to = |cell: &Cell, sign: f64| arm(cell, axis, sign, &shared.part);
@@ -259,7 +296,8 @@ fn arm(cell: &Cell, axis: usize, sign: f64, part: &Rectangle) -> Vec3 {
     arm
 }
 
-fn face(cells: &[Cell], free: &Free) -> Face {
+/// A free face without condition.
+pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
     let cell = &cells[free.cell];
     let [length_b, length_c] = free.part.size();
     let [n, b, c] = axis_frame(free.axis);

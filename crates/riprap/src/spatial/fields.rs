@@ -225,8 +225,8 @@ impl View<'_> {
         sum
     }
 
-    /// Average stress of every block, Pa, tension-positive: `(1/V) sum r (x) f` over patches and boundary
-    /// faces, symmetrised.
+    /// Average stress of every block, Pa, tension-positive: `(1/V) sum r (x) f` over patches, boundary
+    /// faces and walls of cavities, symmetrised.
     #[must_use]
     pub fn stresses(&self) -> Vec<Mat3> {
         let world = self.world;
@@ -247,6 +247,9 @@ impl View<'_> {
         let context = boundary::Context::new(world);
         for face in &world.faces {
             sum[face.block as usize] += context.dyad(face);
+        }
+        for (b, arm, force) in self.cavity_forces() {
+            sum[b] += outer(arm, force);
         }
         for (b, s) in sum.iter_mut().enumerate() {
             let volume = world.solid_of(b).volume;

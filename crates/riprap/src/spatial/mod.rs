@@ -2,6 +2,8 @@
 
 pub mod boundary;
 pub mod build;
+pub mod cavity;
+pub mod edit;
 pub mod fields;
 pub mod forces;
 pub mod kick;

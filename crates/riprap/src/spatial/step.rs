@@ -7,6 +7,7 @@
 use riprap_geom::Vec3;
 
 use super::boundary::{self, Face, Push};
+use super::cavity;
 use super::forces::{self, First, Memory, Shared};
 use super::kick::{self, Acting, Change, Kick};
 use super::loads;
@@ -107,6 +108,7 @@ impl Scratch {
         let (blocks, count) = (world.alive.len(), self.tiles.list.len());
         self.net = Sums::zeros(blocks);
         self.drag = Sums::default();
+        self.pushed = Vec::new();
         self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
         self.works = vec![Works::default(); count];
         self.partial = vec![Partial::default(); count];
@@ -192,6 +194,7 @@ pub fn evaluate(
         }
     });
     profile.stage("kinematics", || change_over(world, scratch));
+    profile.stage("cavities", || cavity::act(world, scratch, dt));
     profile.stage("patches", || patches(world, scratch));
     let result = profile.stage("gather", || gather(world, scratch));
     world.pending = 0.0;

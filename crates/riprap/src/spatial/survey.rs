@@ -4,6 +4,7 @@
 use riprap_geom::{Mat3, Vec3};
 
 use super::boundary;
+use super::cavity::Cavity;
 use super::fields::View;
 use super::patch;
 use super::setup::BoundaryKind;
@@ -32,6 +33,18 @@ impl View<'_> {
         self.living().map(one).sum()
     }
 
+    /// Charges and other pressures inside the rock, in the order of the sources.
+    #[must_use]
+    pub fn cavities(&self) -> &[Cavity] {
+        &self.world.cavities
+    }
+
+    /// What the walls of all cavities carry: block, present arm from its centroid (m), force (N).
+    pub fn cavity_forces(&self) -> impl Iterator<Item = (usize, Vec3, Vec3)> + '_ {
+        let world = self.world;
+        world.cavities.iter().flat_map(|c| c.forces(world))
+    }
+
     /// Average stress of one block, Pa, tension-positive; see [`View::stresses`].
     #[must_use]
     pub fn stress(&self, block: usize) -> Mat3 {
@@ -56,6 +69,9 @@ impl View<'_> {
         let context = boundary::Context::new(world);
         for face in world.faces.iter().filter(|f| f.block == id) {
             sum += context.dyad(face);
+        }
+        for (_, arm, force) in self.cavity_forces().filter(|f| f.0 == block) {
+            sum += outer(arm, force);
         }
         (0.5 / world.solid_of(block).volume) * (sum + sum.transpose())
     }

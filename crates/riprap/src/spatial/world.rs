@@ -8,6 +8,8 @@ use riprap_geom::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::boundary::Face;
+use super::cavity::Cavity;
+use super::edit::EditEvent;
 use super::refine::Origin;
 use super::setup::{Motion, Setup};
 use super::tiles::tile_of;
@@ -59,6 +61,12 @@ pub struct World {
     pub classes: Vec<PatchClass>,
     /// Free faces, or parts of faces, sorted by block.
     pub faces: Vec<Face>,
+    /// Charges and other pressures inside the rock.
+    pub cavities: Vec<Cavity>,
+    /// Step at which the criteria of splitting were last looked at: once a step is enough.
+    pub looked: u64,
+    /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.
+    pub events: Vec<EditEvent>,
     /// Running sums of the energy ledger.
     pub works: Works,
     /// Kinetic and stored energy at the start, J; set by the first evaluation.

@@ -1,7 +1,9 @@
 //! The spatial engine against closed answers, without scenario files.
 
 mod bits;
+mod blast;
 mod conserve;
+mod edit;
 mod rock;
 mod runs;
 mod stability;

@@ -1,0 +1,636 @@
+//! Cavities: charges and other pressures that push on the faces around removed blocks.
+//!
+//! The finest blocks that touch a charge are taken out when the model is built. Faces they shared with others are walls:
+//! area A, normal n into the block, arm r. Until the charge goes off a wall carries the in-situ traction that the charge
+//! carried; from then on the pressure alone.
+//!
+//! Volume and force are conjugate: `V = V0 + f sum A n.(u + th x r)` and a force `P f A n` at the centre of each wall,
+//! so that the work on the blocks is `P dV`. Gas work is booked as the analytic integral of its adiabat; what the
+//! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start.
+//!
+//! Source: Tian & Li, eqs. (19)-(22) and assumption 1 (the charge turns to gas at once). Deviation: the coupling of
+//! volume and faces, and the limit of the time step, are ours; the source gives none.
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::frame;
+use serde::{Deserialize, Serialize};
+
+use super::boundary::Push;
+use super::build::Overlap;
+use super::edit::{EditEvent, EditKind};
+use super::refine::Origin;
+use super::region::Bounds;
+use super::setup::{Coupling, Place, Region, Setup, Venting};
+use super::step::Scratch;
+use super::world::World;
+use crate::laws::explosive::{Adiabat, ExplosiveError};
+
+/// Share of the period (over 2 pi) of the gas spring that a step may take: with 0.1 the energy budget closes to about
+/// 1 % of the gas work, the error being made in the first steps of the expansion.
+pub const GAS_STEP: f64 = 0.1;
+/// A share of the last step by which an ignition may be early: times are sums of steps.
+const EARLY: f64 = 1e-9;
+/// Blocks are equally fine when their volumes differ by less than this share.
+const EQUAL: f64 = 1e-6;
+
+/// Why a source cannot be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CavityError {
+    /// Nothing there.
+    #[error("the source `{source}` touches no block; move it into the model", source = .name)]
+    NoBlock {
+        /// Name of the source.
+        name: String,
+    },
+    /// Two sources on one block.
+    #[error(
+        "the sources `{name}` and `{other}` remove the same block {block}; move them apart or refine around them"
+    )]
+    Shared {
+        /// Name of one source.
+        name: String,
+        /// Name of the other.
+        other: String,
+        /// Name of the block.
+        block: String,
+    },
+    /// Nobody to push.
+    #[error("the blocks of the source `{name}` share no face with any other block")]
+    NoWall {
+        /// Name of the source.
+        name: String,
+    },
+    /// Heave needs a surface.
+    #[error("the source `{name}` vents by heave, but no free face lies above it (against gravity)")]
+    NoSurface {
+        /// Name of the source.
+        name: String,
+    },
+    /// No adiabat.
+    #[error("the source `{name}`: {reason}")]
+    Explosive {
+        /// Name of the source.
+        name: String,
+        /// What is wrong.
+        reason: ExplosiveError,
+    },
+}
+
+/// A cavity and what pushes in it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cavity {
+    /// Index into `Setup::sources`.
+    pub source: u16,
+    /// Blocks that were removed.
+    pub blocks: Vec<u32>,
+    /// Their volume Vc, m³.
+    pub removed: f64,
+    /// Walls, sorted by block.
+    pub walls: Vec<Wall>,
+    /// The gas, for charges.
+    pub gas: Option<Gas>,
+    /// Time of ignition once it has gone off, s.
+    pub ignited: Option<f64>,
+    /// Time at which the gas began to escape, s.
+    pub venting: Option<f64>,
+    /// Swept volume `sum A n.u` at which the volume is the one at the start, m³.
+    pub base: f64,
+    /// Volume of the gas (of the cavity, for a pressure history) now, m³.
+    pub volume: f64,
+    /// Pressure now, Pa.
+    pub pressure: f64,
+    /// Work done since the ignition, J.
+    pub work: f64,
+    /// Work of the in-situ tractions before the ignition, J.
+    pub held: f64,
+    /// Blocks at the free surface above, for venting by heave.
+    pub above: Vec<u32>,
+}
+
+/// Gas of a charge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gas {
+    /// Pressure over volume.
+    pub adiabat: Adiabat,
+    /// Volume at the ignition, m³.
+    pub start: f64,
+    /// Factor on the faces.
+    pub factor: f64,
+}
+
+/// A face that a removed block shared with one that stays, or a part of it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Wall {
+    /// Block that is pushed.
+    pub block: u32,
+    /// The removed block behind the face.
+    pub behind: u32,
+    /// Unit normal into the block that is pushed.
+    pub normal: Vec3,
+    /// Area, m².
+    pub area: f64,
+    /// Centre from the centroid of the block at the start, m.
+    pub arm: Vec3,
+    /// Force that the removed block carried at the start, N.
+    pub hold: Vec3,
+    /// Moment of the same about the centroid, N m.
+    pub hold_moment: Vec3,
+}
+
+impl Wall {
+    /// The wall of an overlap whose block number `side` (0 or 1) stays.
+    #[must_use]
+    pub fn new(setup: &Setup, reference: &[Vec3], overlap: &Overlap, side: usize) -> Self {
+        let [n, b, c] = overlap.frame;
+        let block = overlap.blocks[side];
+        let arm = overlap.arms[side];
+        let outward = if side == 0 { n } else { -n };
+        let (mut hold, mut hold_moment) = (Vec3::ZERO, Vec3::ZERO);
+        if let Some(in_situ) = &setup.in_situ {
+            for (s, t) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+                let at = arm + s * overlap.gyration[0] * b + t * overlap.gyration[1] * c;
+                let height = reference[block as usize].z + at.z;
+                let force = 0.25 * overlap.area * (in_situ.at(height) * outward);
+                hold += force;
+                hold_moment += at.cross(force);
+            }
+        }
+        Self {
+            block,
+            behind: overlap.blocks[1 - side],
+            normal: -outward,
+            area: overlap.area,
+            arm,
+            hold,
+            hold_moment,
+        }
+    }
+
+    /// Displacement of the centre (m) and its present arm (m).
+    fn motion(&self, world: &World) -> (Vec3, Vec3) {
+        let b = self.block as usize;
+        match &world.turned[b] {
+            Some(turned) => {
+                let arm = turned.attitude * self.arm;
+                (world.bodies.displacement(b) + arm - self.arm, arm)
+            }
+            None => {
+                let moved = world.bodies.rotation(b).cross(self.arm);
+                (world.bodies.displacement(b) + moved, self.arm)
+            }
+        }
+    }
+
+    /// Work of the in-situ traction since the start, J.
+    fn held(&self, world: &World) -> f64 {
+        let b = self.block as usize;
+        self.hold.dot(world.bodies.displacement(b)) + self.hold_moment.dot(world.bodies.rotation(b))
+    }
+
+    /// Volume that the wall has swept since the start, m³.
+    fn swept(&self, world: &World) -> f64 {
+        self.area * self.normal.dot(self.motion(world).0)
+    }
+}
+
+/// Blocks that each source removes, ascending.
+///
+/// # Errors
+/// A source outside the model, two sources on one block.
+pub fn charges(
+    setup: &Setup,
+    lineage: &[Origin],
+    alive: &[bool],
+) -> Result<Vec<Vec<u32>>, CavityError> {
+    let mut taken: Vec<(u32, usize)> = Vec::new();
+    let mut all = Vec::with_capacity(setup.sources.len());
+    for (k, source) in setup.sources.iter().enumerate() {
+        let blocks = match &source.place {
+            Place::Point { centre } => finest(setup, alive, &Region::Point(*centre)),
+            Place::Line { from, to } => finest(setup, alive, &Region::Line(*from, *to)),
+            Place::Blocks { blocks } => {
+                let living = blocks.iter().copied().filter(|b| alive[*b as usize]);
+                living.collect()
+            }
+        };
+        if blocks.is_empty() {
+            let name = source.name.clone();
+            return Err(CavityError::NoBlock { name });
+        }
+        for &b in &blocks {
+            if let Some((_, other)) = taken.iter().find(|(block, _)| *block == b) {
+                return Err(CavityError::Shared {
+                    name: source.name.clone(),
+                    other: setup.sources[*other].name.clone(),
+                    block: super::refine::name(setup, lineage, b as usize),
+                });
+            }
+        }
+        taken.extend(blocks.iter().map(|&b| (b, k)));
+        all.push(blocks);
+    }
+    Ok(all)
+}
+
+/// Living blocks that touch the region, only the smallest of them.
+fn finest(setup: &Setup, alive: &[bool], region: &Region) -> Vec<u32> {
+    let mut touching: Vec<(u32, f64)> = Vec::new();
+    for (b, block) in setup.blocks.iter().enumerate() {
+        if alive[b] {
+            let bounds = Bounds::of(&block.shape);
+            if bounds.touches(region) {
+                touching.push((b as u32, bounds.half.element_product()));
+            }
+        }
+    }
+    let smallest = touching.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
+    touching
+        .iter()
+        .filter(|t| t.1 <= (1.0 + EQUAL) * smallest)
+        .map(|t| t.0)
+        .collect()
+}
+
+impl Cavity {
+    /// The cavity of source number `source` after its blocks are gone.
+    ///
+    /// # Errors
+    /// No walls, no free face above for venting by heave, constants that make no adiabat.
+    pub fn new(
+        world: &World,
+        source: usize,
+        blocks: Vec<u32>,
+        mut walls: Vec<Wall>,
+    ) -> Result<Self, CavityError> {
+        use super::setup::Push as Kind;
+        let what = &world.setup.sources[source];
+        let name = || what.name.clone();
+        if walls.is_empty() {
+            return Err(CavityError::NoWall { name: name() });
+        }
+        walls.sort_by_key(|w| w.block);
+        let removed = blocks
+            .iter()
+            .map(|&b| world.solid_of(b as usize).volume)
+            .sum();
+        let (gas, venting) = match &what.push {
+            Kind::Pressure { .. } => (None, None),
+            Kind::Gas {
+                explosive,
+                mass,
+                coupling,
+                venting,
+            } => {
+                let adiabat = explosive.adiabat(*mass).map_err(|reason| {
+                    let name = name();
+                    CavityError::Explosive { name, reason }
+                })?;
+                (Some(Gas::new(adiabat, removed, *coupling)), *venting)
+            }
+        };
+        let mut cavity = Self {
+            source: source as u16,
+            blocks,
+            removed,
+            walls,
+            ignited: None,
+            venting: None,
+            base: 0.0,
+            volume: gas.map_or(removed, |g| g.start),
+            pressure: 0.0,
+            work: 0.0,
+            held: 0.0,
+            above: Vec::new(),
+            gas,
+        };
+        if matches!(venting, Some(Venting::Heave { .. })) {
+            cavity.find_surface(world);
+            if cavity.above.is_empty() {
+                return Err(CavityError::NoSurface { name: name() });
+            }
+        }
+        Ok(cavity)
+    }
+
+    /// What the walls carry now: block, present arm (m), force (N).
+    pub fn forces<'a>(
+        &'a self,
+        world: &'a World,
+    ) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
+        let factor = self.gas.map_or(1.0, |g| g.factor);
+        self.walls.iter().map(move |wall| {
+            let force = match self.ignited {
+                Some(_) => self.pressure * factor * wall.area * wall.normal,
+                None => wall.hold,
+            };
+            (wall.block as usize, wall.motion(world).1, force)
+        })
+    }
+
+    /// Volume of the charge V0, m³; that of the removed blocks for a pressure history.
+    #[must_use]
+    pub fn charge_volume(&self) -> f64 {
+        self.gas.map_or(self.removed, |g| g.adiabat.v0)
+    }
+
+    /// Volume of the removed blocks over that of the charge, Vc/V0.
+    #[must_use]
+    pub fn volume_ratio(&self) -> f64 {
+        self.removed / self.charge_volume()
+    }
+
+    /// Forgets walls of dead blocks; the volume stays what it is.
+    pub fn drop_walls(&mut self, world: &World) {
+        let dead = |w: &Wall| !world.alive[w.block as usize];
+        let lost: f64 = self
+            .walls
+            .iter()
+            .filter(|w| dead(w))
+            .map(|w| w.swept(world))
+            .sum();
+        if self.ignited.is_some() {
+            self.base -= lost;
+        }
+        self.walls.retain(|w| !dead(w));
+        if self.ignited.is_none() {
+            self.held = self.walls.iter().map(|w| w.held(world)).sum();
+        }
+    }
+
+    /// Finds the surface above anew if the gas vents by heave.
+    pub fn renew_surface(&mut self, world: &World) {
+        if !self.above.is_empty() {
+            self.find_surface(world);
+        }
+    }
+
+    /// Notes the living blocks with a free face over the removed blocks: seen along gravity, their boxes overlap.
+    pub fn find_surface(&mut self, world: &World) {
+        let [up, b, c] = frame(upward(world.gravity));
+        let boxes: Vec<Bounds> = self
+            .blocks
+            .iter()
+            .map(|&b| Bounds::of(&world.setup.blocks[b as usize].shape))
+            .collect();
+        let mut found: Vec<u32> = Vec::new();
+        for face in &world.faces {
+            let block = face.block as usize;
+            if !world.alive[block] || face.frame[0].dot(up) < 0.9 {
+                continue;
+            }
+            let (centre, half) = (world.reference[block], world.solid_of(block).half);
+            let over = boxes.iter().any(|charge| {
+                let apart = centre - charge.centre;
+                let overlaps =
+                    |t: Vec3| t.dot(apart).abs() < (1.0 - EQUAL) * t.abs().dot(half + charge.half);
+                apart.dot(up) > 0.0 && overlaps(b) && overlaps(c)
+            });
+            if over {
+                found.push(face.block);
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        self.above = found;
+    }
+
+    /// Share of the gas pressure that is left at `time` (s).
+    fn sealed(&self, venting: Option<Venting>, time: f64) -> f64 {
+        match (venting, self.ignited) {
+            (Some(Venting::Time { start, span }), Some(ignited)) => {
+                let gone = time - ignited - start;
+                if gone <= 0.0 {
+                    1.0
+                } else if gone >= span {
+                    0.0
+                } else {
+                    1.0 - gone / span
+                }
+            }
+            (Some(Venting::Heave { .. }), _) if self.venting.is_some() => 0.0,
+            (Some(Venting::Heave { .. } | Venting::Time { .. }) | None, _) => 1.0,
+        }
+    }
+
+    /// Sum over the blocks at the walls of `|a|²/m + m.I⁻¹ m`, with a the sum of `A n` and m that of `r x A n`: how
+    /// much faster the volume grows for each unit of pressure and time, m⁴/kg.
+    fn mobility(&self, world: &World) -> f64 {
+        let mut sum = 0.0;
+        for walls in self.walls.chunk_by(|a, b| a.block == b.block) {
+            let b = walls[0].block as usize;
+            if world.motion[b].is_some() {
+                continue;
+            }
+            let (mut area, mut moment) = (Vec3::ZERO, Vec3::ZERO);
+            for wall in walls {
+                area += wall.area * wall.normal;
+                moment += wall.arm.cross(wall.area * wall.normal);
+            }
+            let solid = world.solid_of(b);
+            sum += area.length_squared() / solid.mass + moment.dot(solid.inverse * moment);
+        }
+        sum
+    }
+
+    /// Largest step that resolves the gas spring, `0.1/w` with `w² = g P f² mobility / V`, s.
+    fn gas_limit(&self, world: &World) -> f64 {
+        let Some(gas) = &self.gas else {
+            return f64::INFINITY;
+        };
+        let (volume, pressure) = match self.ignited {
+            Some(_) => (self.volume, self.pressure),
+            None => (gas.start, gas.adiabat.pressure(gas.start)),
+        };
+        let squared = gas.adiabat.exponent(volume)
+            * pressure
+            * gas.factor
+            * gas.factor
+            * self.mobility(world)
+            / volume;
+        if squared > 0.0 {
+            GAS_STEP / squared.sqrt()
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+impl Gas {
+    fn new(adiabat: Adiabat, removed: f64, coupling: Coupling) -> Self {
+        let (start, factor) = match coupling {
+            Coupling::Scaled { exponent } => {
+                (adiabat.v0, libm::pow(adiabat.v0 / removed, exponent))
+            }
+            Coupling::Coupled => (adiabat.v0, 1.0),
+            Coupling::Decoupled => (removed, 1.0),
+        };
+        Self {
+            adiabat,
+            start,
+            factor,
+        }
+    }
+}
+
+/// Direction against gravity; z without gravity.
+fn upward(gravity: Vec3) -> Vec3 {
+    (-gravity).normalize_or(Vec3::Z)
+}
+
+/// Largest step that cavities allow at the present state, s; the run loop takes the smallest of all limits, every step.
+///
+/// A charge that has not gone off yet is met on time, and its first step is already limited.
+#[must_use]
+pub fn step_limit(world: &World) -> f64 {
+    let mut limit = f64::INFINITY;
+    for cavity in &world.cavities {
+        let remaining = match cavity.ignited {
+            Some(_) => 0.0,
+            None => world.setup.sources[cavity.source as usize].delay - world.time,
+        };
+        let gas = cavity.gas_limit(world);
+        let own = if remaining <= EARLY * world.last_dt {
+            gas
+        } else if gas.is_finite() {
+            remaining.max(gas)
+        } else {
+            remaining
+        };
+        limit = limit.min(own);
+    }
+    limit
+}
+
+/// Finds volumes and pressures at the present positions and what they push with; `dt` is the coming step (s).
+///
+/// Calling it again without moving changes nothing.
+pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    if world.cavities.is_empty() {
+        return;
+    }
+    let pushed = &mut scratch.pushed;
+    pushed.resize(world.alive.len(), Push::default());
+    let mut cavities = std::mem::take(&mut world.cavities);
+    for wall in cavities.iter().flat_map(|c| &c.walls) {
+        pushed[wall.block as usize] = Push::default();
+    }
+    for (k, cavity) in cavities.iter_mut().enumerate() {
+        ignite(world, k, cavity, dt);
+        match cavity.ignited {
+            None => hold(world, cavity, pushed),
+            Some(at) => {
+                // A push that begins now acts on the part of the kick after the present time only.
+                let share = if at == world.time && dt > 0.0 {
+                    dt / (world.last_dt + dt)
+                } else {
+                    1.0
+                };
+                expand(world, k, cavity, share, pushed);
+            }
+        }
+    }
+    world.cavities = cavities;
+}
+
+fn ignite(world: &mut World, k: usize, cavity: &mut Cavity, dt: f64) {
+    let delay = world.setup.sources[cavity.source as usize].delay;
+    if cavity.ignited.is_some() || world.time + EARLY * dt < delay {
+        return;
+    }
+    cavity.ignited = Some(world.time);
+    let swept = swept(world, cavity);
+    match &cavity.gas {
+        Some(gas) => {
+            cavity.base = swept;
+            cavity.volume = gas.start;
+        }
+        None => cavity.volume = cavity.removed + swept,
+    }
+    world
+        .events
+        .push(EditEvent::at(world, EditKind::Ignited, k as u32));
+}
+
+fn swept(world: &World, cavity: &Cavity) -> f64 {
+    cavity.walls.iter().map(|w| w.swept(world)).sum()
+}
+
+/// Before the ignition: walls carry what the charge carried.
+fn hold(world: &mut World, cavity: &mut Cavity, pushed: &mut [Push]) {
+    let mut work = 0.0;
+    for wall in &cavity.walls {
+        let b = wall.block as usize;
+        pushed[b].force += wall.hold;
+        pushed[b].moment += wall.hold_moment;
+        work += wall.held(world);
+    }
+    world.works.gas += work - cavity.held;
+    cavity.held = work;
+}
+
+/// After the ignition: volume, pressure, work, venting.
+fn expand(world: &mut World, k: usize, cavity: &mut Cavity, share: f64, pushed: &mut [Push]) {
+    use super::setup::Push as Kind;
+    let source = &world.setup.sources[cavity.source as usize];
+    let ignited = cavity.ignited.unwrap_or(world.time);
+    let swept = swept(world, cavity);
+    let before = (cavity.volume, cavity.pressure);
+    let (factor, work);
+    match (&source.push, &cavity.gas) {
+        (Kind::Gas { venting, .. }, Some(gas)) => {
+            let began = begins_to_vent(world, cavity, *venting, ignited);
+            if began {
+                cavity.venting = Some(world.time);
+                let event = EditEvent::at(world, EditKind::Vented, k as u32);
+                world.events.push(event);
+            }
+            factor = gas.factor;
+            cavity.volume = gas.start + factor * (swept - cavity.base);
+            cavity.pressure =
+                cavity.sealed(*venting, world.time) * gas.adiabat.pressure(cavity.volume);
+            work = if cavity.venting.is_some() {
+                0.5 * (before.1 + cavity.pressure) * (cavity.volume - before.0)
+            } else {
+                gas.adiabat.work(cavity.volume) - gas.adiabat.work(before.0)
+            };
+        }
+        (Kind::Pressure { time }, _) => {
+            factor = 1.0;
+            cavity.volume = cavity.removed + swept - cavity.base;
+            cavity.pressure = time.at(world.time - ignited);
+            work = 0.5 * (before.1 + cavity.pressure) * (cavity.volume - before.0);
+        }
+        (Kind::Gas { .. }, None) => return,
+    }
+    cavity.work += work;
+    world.works.gas += work;
+    for wall in &cavity.walls {
+        let force = share * cavity.pressure * factor * wall.area * wall.normal;
+        let push = &mut pushed[wall.block as usize];
+        push.force += force;
+        push.moment += wall.motion(world).1.cross(force);
+    }
+}
+
+/// Whether the gas begins to escape now.
+fn begins_to_vent(world: &World, cavity: &Cavity, venting: Option<Venting>, ignited: f64) -> bool {
+    if cavity.venting.is_some() {
+        return false;
+    }
+    match venting {
+        None => false,
+        Some(Venting::Time { start, .. }) => world.time >= ignited + start,
+        Some(Venting::Heave { height }) => {
+            let up = upward(world.gravity);
+            let living: Vec<f64> = cavity
+                .above
+                .iter()
+                .map(|&b| b as usize)
+                .filter(|&b| world.alive[b])
+                .map(|b| world.bodies.displacement(b).dot(up))
+                .collect();
+            let mean = living.iter().sum::<f64>() / living.len() as f64;
+            mean >= height
+        }
+    }
+}

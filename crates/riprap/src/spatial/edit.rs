@@ -1,0 +1,240 @@
+//! Changes of topology between two steps: splitting blocks 1 to 8, taking blocks out.
+//!
+//! One transaction: plan (read only) -> apply -> audit -> lay out and evaluate anew. It happens between
+//! `step::evaluate` and `step::advance`, when forces and positions belong to one instant. Children start with the rigid
+//! motion of their parent, so mass, momentum, angular momentum and kinetic energy stay; outer patches keep their
+//! tractions at the new stiffness, inner ones get that of the parent's average stress. What this does to the
+//! energy of springs, and to the time-centred kinetic energy through new forces, is booked as edit defect: the residual
+//! of the ledger is the same before and after.
+
+mod measure;
+mod patches;
+mod split;
+
+use serde::{Deserialize, Serialize};
+
+use super::boundary::Face;
+use super::build::BuildError;
+use super::fields::View;
+use super::refine::{self, Forest, RefineError};
+use super::region::Bounds;
+use super::setup::During;
+use super::step::{self, Damping, NonFinite, Scratch};
+use super::world::World;
+
+/// What has happened to blocks and cavities, for the record.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EditEvent {
+    /// Step number.
+    pub step: u64,
+    /// Time, s.
+    pub time: f64,
+    /// What.
+    pub kind: EditKind,
+    /// Block that was split or removed; number of the cavity otherwise.
+    pub subject: u32,
+    /// Children of a split block, in octant order.
+    pub children: Vec<u32>,
+    /// Patches of the block before, and of its children (inner ones included) after.
+    pub patches: [u32; 2],
+}
+
+/// Kinds of event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum EditKind {
+    /// A block was split 1 to 8.
+    Split,
+    /// A block was taken out.
+    Removed,
+    /// A cavity went off.
+    Ignited,
+    /// The gas of a cavity began to escape.
+    Vented,
+}
+
+impl EditEvent {
+    /// An event now, without children.
+    #[must_use]
+    pub fn at(world: &World, kind: EditKind, subject: u32) -> Self {
+        Self {
+            step: world.step,
+            time: world.time,
+            kind,
+            subject,
+            children: Vec::new(),
+            patches: [0; 2],
+        }
+    }
+}
+
+/// Why an edit failed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum EditError {
+    /// Forces after the edit are not finite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
+    /// Patches cannot be built.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// Too many blocks.
+    #[error(transparent)]
+    Refine(#[from] RefineError),
+    /// What must not change has changed: our mistake.
+    #[error("{what} changed from {before:e} to {after:e} while block {block} was edited")]
+    Audit {
+        /// What.
+        what: &'static str,
+        /// Name of the block.
+        block: String,
+        /// Before the edit.
+        before: f64,
+        /// After it.
+        after: f64,
+    },
+}
+
+/// Splits the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance`; a second
+/// call at the same step does nothing.
+///
+/// # Errors
+/// Too many blocks, a failed audit.
+pub fn refine_running(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+) -> Result<usize, EditError> {
+    if world.looked == world.step {
+        return Ok(0);
+    }
+    world.looked = world.step;
+    let splits = plan(world, scratch)?;
+    if !splits.is_empty() {
+        split(world, scratch, &splits, damping, dt)?;
+    }
+    Ok(splits.len())
+}
+
+/// Blocks to split at the present step, coarser neighbours before the blocks that need them.
+///
+/// # Errors
+/// Too many blocks.
+pub fn plan(world: &World, scratch: &Scratch) -> Result<Vec<u32>, EditError> {
+    let due = |during: &During| {
+        during.every > 0 && world.step > 0 && world.step.is_multiple_of(during.every)
+    };
+    let mut hits: Vec<u32> = Vec::new();
+    for refinement in &world.setup.refinements {
+        let Some(during) = refinement.during.filter(due) else {
+            continue;
+        };
+        let levels = refinement.levels.min(refine::MAX_LEVELS);
+        let measure = measure::of(&View { world, scratch }, during.criterion);
+        for (b, value) in measure.iter().enumerate() {
+            if world.alive[b]
+                && *value > during.above
+                && world.lineage[b].level < levels
+                && Bounds::of(&world.setup.blocks[b].shape).touches(&refinement.around)
+            {
+                hits.push(b as u32);
+            }
+        }
+    }
+    hits.sort_unstable();
+    hits.dedup();
+    if hits.is_empty() {
+        return Ok(hits);
+    }
+    let mut forest = Forest::new(&world.setup, &world.lineage, &world.alive);
+    for b in hits {
+        match forest.split(b) {
+            Ok(()) => {}
+            // A polyhedron has no eight parts: it stays.
+            Err(Some(_)) => {}
+            Err(None) => return Err(RefineError::TooMany.into()),
+        }
+    }
+    Ok(forest.into_splits())
+}
+
+/// Splits blocks (in this order; children may be split again by their future number) and evaluates anew.
+///
+/// # Errors
+/// A failed audit.
+pub fn split(
+    world: &mut World,
+    scratch: &mut Scratch,
+    splits: &[u32],
+    damping: &Damping,
+    dt: f64,
+) -> Result<(), EditError> {
+    let before = View { world, scratch }.balance().residual();
+    let plan = split::Plan::new(&View { world, scratch }, splits);
+    split::apply(world, &plan)?;
+    split::audit(world, &plan)?;
+    settle(world, scratch, damping, dt, before)
+}
+
+/// Takes blocks out and evaluates anew. Faces they shared with others become free, walls of cavities on them are
+/// gone.
+///
+/// # Errors
+/// Forces that are not finite.
+pub fn remove(
+    world: &mut World,
+    scratch: &mut Scratch,
+    blocks: &[u32],
+    damping: &Damping,
+    dt: f64,
+) -> Result<(), EditError> {
+    let before = View { world, scratch }.balance().residual();
+    take_out(world, blocks);
+    settle(world, scratch, damping, dt, before)
+}
+
+/// Lays out and evaluates anew; books the change of the residual as edit defect.
+fn settle(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+    residual: f64,
+) -> Result<(), EditError> {
+    scratch.invalidate(world);
+    step::evaluate(world, scratch, damping, dt)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.edit_defect += after - residual;
+    Ok(())
+}
+
+/// Removes blocks from all lists that hold living things; lay out and evaluate anew afterwards ([`remove`] does it).
+pub fn take_out(world: &mut World, blocks: &[u32]) {
+    for &b in blocks {
+        if std::mem::replace(&mut world.alive[b as usize], false) {
+            let event = EditEvent::at(world, EditKind::Removed, b);
+            world.events.push(event);
+        }
+    }
+    let gone = |b: u32| !world.alive[b as usize];
+    let list = &world.patches;
+    let (mut keep, mut bared) = (Vec::new(), Vec::new());
+    for (p, &ends) in list.ends.iter().enumerate() {
+        match ends.map(gone) {
+            [false, false] => keep.push(p as u32),
+            [true, true] => {}
+            [i_gone, _] => bared.push(patches::bare(world, p, usize::from(i_gone))),
+        }
+    }
+    let mut faces: Vec<Face> = std::mem::take(&mut world.faces);
+    faces.retain(|f| world.alive[f.block as usize]);
+    faces.extend(bared);
+    faces.sort_by_key(|f| f.block);
+    world.faces = faces;
+    world.patches.keep(&keep);
+    let mut cavities = std::mem::take(&mut world.cavities);
+    for cavity in &mut cavities {
+        cavity.drop_walls(world);
+        cavity.renew_surface(world);
+    }
+    world.cavities = cavities;
+}
