@@ -144,7 +144,7 @@ impl Balance {
 pub type Term = fn(&Balance) -> f64;
 
 /// Columns of `energy.csv`: name (behind `energy.` in the field table) and how it is read.
-pub const COLUMNS: [(&str, Term); 13] = [
+pub const COLUMNS: [(&str, Term); 15] = [
     ("kinetic", |b| b.kinetic),
     ("gravity", |b| b.gravity),
     ("contact_normal", |b| b.contact_normal),
@@ -152,9 +152,11 @@ pub const COLUMNS: [(&str, Term); 13] = [
     ("joints", |b| b.bond),
     ("loads", |b| b.works.loads),
     ("supports", |b| b.works.supports),
+    ("gas", |b| b.works.gas),
     ("friction", |b| b.works.friction),
     ("damping", |b| b.works.damping),
     ("fracture", |b| b.works.fracture),
+    ("absorbed", |b| b.works.absorbed),
     ("law_defect", |b| b.works.law_defect),
     ("edit_defect", |b| b.works.edit_defect),
     ("residual", Balance::residual),

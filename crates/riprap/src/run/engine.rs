@@ -329,6 +329,23 @@ impl Engine {
         }
     }
 
+    /// Takes what has happened since the last look, one JSON object each: joints broken, blocks split or
+    /// removed, charges fired. `again`: the step has been looked at before.
+    pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
+        match self {
+            Self::Planar(_) if again => Vec::new(),
+            Self::Planar(e) => planar_events(&e.view()),
+            Self::Spatial(e) => {
+                let events = std::mem::take(&mut e.world.events);
+                let view = e.view();
+                events
+                    .iter()
+                    .map(|event| spatial_event(&view, event))
+                    .collect()
+            }
+        }
+    }
+
     /// The running sums of the ledger.
     pub fn works(&mut self) -> &mut Works {
         match self {
@@ -575,15 +592,6 @@ impl<'a> View<'a> {
             Self::Spatial(v) => spatial::picture::frame(v, phase),
         }
     }
-
-    /// What has happened in the last step, one JSON object each: joints broken, blocks split, charges fired.
-    #[must_use]
-    pub fn events(&self) -> Vec<serde_json::Value> {
-        match self {
-            Self::Planar(v) => planar_events(v),
-            Self::Spatial(_) => Vec::new(),
-        }
-    }
 }
 
 /// Joints that have broken since the last look.
@@ -604,6 +612,40 @@ fn planar_events(v: &planar::fields::View<'_>) -> Vec<serde_json::Value> {
             })
         })
         .collect()
+}
+
+fn spatial_event(
+    v: &spatial::fields::View<'_>,
+    event: &spatial::edit::EditEvent,
+) -> serde_json::Value {
+    use spatial::edit::EditKind;
+    let (step, time) = (event.step, event.time);
+    let source = || {
+        let cavity = &v.world.cavities[event.subject as usize];
+        &v.world.setup.sources[cavity.source as usize].name
+    };
+    match event.kind {
+        EditKind::Split => {
+            let children: Vec<String> =
+                event.children.iter().map(|&b| v.name(b as usize)).collect();
+            serde_json::json!({
+                "event": "block_split", "step": step, "time": time,
+                "block": v.name(event.subject as usize),
+                "children": children,
+                "patches_before": event.patches[0], "patches_after": event.patches[1],
+            })
+        }
+        EditKind::Removed => serde_json::json!({
+            "event": "block_removed", "step": step, "time": time,
+            "block": v.name(event.subject as usize),
+        }),
+        EditKind::Ignited => serde_json::json!({
+            "event": "charge_fired", "step": step, "time": time, "source": source(),
+        }),
+        EditKind::Vented => serde_json::json!({
+            "event": "gas_vented", "step": step, "time": time, "source": source(),
+        }),
+    }
 }
 
 impl Reading {

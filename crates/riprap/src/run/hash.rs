@@ -80,6 +80,11 @@ pub fn spatial(world: &spatial::world::World) -> String {
         .for_each(|&x| put(x));
     patches.lift.iter().flatten().for_each(|&x| put(x));
     patches.path.iter().flatten().for_each(|&x| put(x));
+    for cavity in &world.cavities {
+        for x in [cavity.volume, cavity.pressure, cavity.work, cavity.base] {
+            put(x);
+        }
+    }
     for anchor in world.faces.iter().flat_map(|f| f.anchor) {
         anchor.to_array().into_iter().for_each(&mut put);
     }

@@ -93,10 +93,19 @@ impl Recorder {
     ///
     /// # Errors
     /// The disk.
-    pub fn record(&mut self, simulation: &Simulation, phase_end: bool) -> Result<(), OutputError> {
+    pub fn record(
+        &mut self,
+        simulation: &mut Simulation,
+        phase_end: bool,
+    ) -> Result<(), OutputError> {
+        let (step, time) = (simulation.steps(), simulation.time());
+        let again = self.counts.last_step == Some(step);
+        for event in simulation.take_events(again) {
+            self.folder.event(&event)?;
+        }
+        let simulation = &*simulation;
         let view = simulation.view();
-        let (step, time) = (view.step(), view.time());
-        if self.counts.last_step == Some(step) {
+        if again {
             // The first look of a phase is the last one of the phase before.
             return Ok(());
         }
@@ -142,7 +151,7 @@ impl Recorder {
             self.folder.frame(&view.frame(phase))?;
             self.last_frame = Some(step);
         }
-        self.events(simulation)
+        Ok(())
     }
 
     fn energy_row(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
@@ -150,13 +159,6 @@ impl Recorder {
         let balance = view.balance();
         let row = COLUMNS.map(|(_, get)| get(&balance));
         self.folder.energy_row(view.step(), view.time(), &row)
-    }
-
-    fn events(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        for event in simulation.view().events() {
-            self.folder.event(&event)?;
-        }
-        Ok(())
     }
 
     /// Notes the start or end of a phase.

@@ -310,6 +310,11 @@ impl Simulation {
         }
     }
 
+    /// Takes what has happened since the last look; `again`: the step has been looked at before.
+    pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
+        self.engine.take_events(again)
+    }
+
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.
     pub fn next_phase(&mut self) {
         self.cursor.phase += 1;

@@ -5,6 +5,8 @@ use std::cell::Cell;
 
 use riprap_geom::{Mat3, Vec3};
 
+use super::cavity::Cavity;
+use super::crater::UPLIFT;
 use super::fields::View;
 use super::setup::Shape;
 use super::world::flag;
@@ -81,6 +83,17 @@ fn share(v: &View<'_>, of: &[u32], holds: impl Fn(usize) -> bool) -> Vec3 {
 /// Living blocks without prescribed motion.
 fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
     v.living().filter(|&b| v.world.motion[b].is_none())
+}
+
+/// A number of the cavity of a source; NaN if it has none.
+fn of_cavity(v: &View<'_>, of: &[u32], get: impl Fn(&Cavity) -> f64) -> Vec3 {
+    let source = first(of);
+    let cavity = v
+        .world
+        .cavities
+        .iter()
+        .find(|c| c.source as usize == source);
+    one(cavity.map_or(f64::NAN, get))
 }
 
 /// Patches between two blocks with the sign that turns "on i" into "on the first".
@@ -213,6 +226,15 @@ fields! {
     "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids: how far rigid blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
     "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
+    "cavity.pressure" "Pa" Cavity Scalar false "Pressure in the cavity." |v, of| of_cavity(v, of, |c| c.pressure);
+    "cavity.volume" "m3" Cavity Scalar false "Volume of the gas (of the cavity, for a pressure history)." |v, of| of_cavity(v, of, |c| c.volume);
+    "cavity.expansion" "-" Cavity Scalar false "Volume of the gas over that of the charge, V/V0." |v, of| of_cavity(v, of, |c| c.volume / c.charge_volume());
+    "cavity.volume_ratio" "-" Cavity Scalar false "Volume of the removed blocks over that of the charge, Vc/V0." |v, of| of_cavity(v, of, Cavity::volume_ratio);
+    "cavity.gas_work" "J" Cavity Scalar false "Work done by the gas since the ignition." |v, of| of_cavity(v, of, |c| c.work);
+    "cavity.depth" "m" Cavity Scalar true "Depth of the charge below the free surface over it." |v, of| of_cavity(v, of, |c| v.profile(c).depth);
+    "cavity.dome" "m" Cavity Scalar true "Mean uplift of the surface blocks nearest to the axis of the charge." |v, of| of_cavity(v, of, |c| v.profile(c).dome());
+    "cavity.crater_radius" "m" Cavity Scalar true "Radius about the axis of the charge within which the free surface has risen by more than 0.02 of the depth of the charge (mean over rings)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) });
+    "cavity.crater_ratio" "-" Cavity Scalar true "The same radius over the depth of the charge (n of Boreskov's formula)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) / p.depth });
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
@@ -220,6 +242,8 @@ fields! {
     "energy.joints" "J" Energy Scalar true "Elastic energy of the springs behind boundary faces." |v, _| one(v.balance().bond);
     "energy.loads" "J" Energy Scalar true "Work of external loads and tractions." |v, _| one(v.world.works.loads);
     "energy.supports" "J" Energy Scalar true "Work of supports with prescribed motion." |v, _| one(v.world.works.supports);
+    "energy.gas" "J" Energy Scalar true "Work of the gas of cavities and of other pressures in them." |v, _| one(v.world.works.gas);
+    "energy.absorbed" "J" Energy Scalar true "Absorbed at viscous boundaries." |v, _| one(v.world.works.absorbed);
     "energy.friction" "J" Energy Scalar true "Dissipated by friction." |v, _| one(v.world.works.friction);
     "energy.damping" "J" Energy Scalar true "Dissipated by patch, mass and local damping." |v, _| one(v.world.works.damping);
     "energy.fracture" "J" Energy Scalar true "Released when points fail and open." |v, _| one(v.world.works.fracture);
