@@ -8,7 +8,9 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use riprap::model::{Model, build};
 use riprap::planar::readings::INFOS;
+use riprap::run::engine::Kind;
 use riprap::scenario::diagnostic::{Diagnostics, Severity, Source};
+use riprap::scenario::language::Space;
 use riprap::scenario::{load, parse};
 
 fn files(folder: &str) -> Vec<PathBuf> {
@@ -25,7 +27,12 @@ fn files(folder: &str) -> Vec<PathBuf> {
 }
 
 fn built(path: &Path) -> Result<Model, Diagnostics> {
-    build(&load(path, &[])?, "default", INFOS)
+    let parsed = load(path, &[])?;
+    let kind = match parsed.scenario.space {
+        Space::Planar(_) => Kind::Planar,
+        Space::Spatial(_) => Kind::Spatial,
+    };
+    build(&parsed, "default", kind.fields())
 }
 
 /// Line and expected text of every `#^` comment; see `tests/scenarios/README.md`.
@@ -87,7 +94,7 @@ fn bad_models_are_refused_with_their_message() {
 fn good_files_that_name_no_missing_file_are_built() {
     for path in files("good") {
         match built(&path) {
-            Ok(model) => assert!(!model.setup.planar().unwrap().blocks.is_empty()),
+            Ok(model) => assert!(model.summary.blocks > 0),
             Err(found) => {
                 let mut errors = found
                     .list

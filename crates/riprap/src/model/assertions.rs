@@ -1,7 +1,7 @@
 //! Checks and the search of `[bisect]`.
 
 use super::builder::Builder;
-use super::fields::FieldUse;
+use super::fields::{FieldUse, Said as Place};
 use crate::run::checks::{Check, Expected, Reduce, Window};
 use crate::scenario::language::{self, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
@@ -59,7 +59,12 @@ impl Builder<'_> {
             self.error_at("field.bisect", &said.field, message, help);
             return None;
         };
-        if said.of.is_some() || said.along.is_some() || said.at.is_some() || said.reduce.is_some() {
+        if said.of.is_some()
+            || said.at_point.is_some()
+            || said.along.is_some()
+            || said.at.is_some()
+            || said.reduce.is_some()
+        {
             let message = format!("`{LIMIT}` is one number for all runs of the search");
             let help = "leave out `of`, `along`, `at`, `over` and `reduce`";
             self.error_at("field.bisect", &said.field, message, help);
@@ -69,8 +74,9 @@ impl Builder<'_> {
             field: LIMIT.to_owned(),
             unit: "",
             of: Vec::new(),
+            at: None,
             along: None,
-            is_vector: false,
+            suffixes: &[""],
         };
         let unit = searched_unit(bisect);
         Some((
@@ -87,7 +93,12 @@ impl Builder<'_> {
         let (used, unit) = if said.field.as_str() == LIMIT {
             self.limit_use(said)?
         } else {
-            let used = self.number(&said.field, said.of.as_ref(), said.along.as_ref())?;
+            let place = Place {
+                of: said.of.as_ref(),
+                point: said.at_point.as_ref(),
+                along: said.along.as_ref(),
+            };
+            let used = self.number(&said.field, place)?;
             let unit = used.unit.to_owned();
             (used, unit)
         };
@@ -155,16 +166,13 @@ impl Builder<'_> {
     }
 
     /// A field that is one number.
-    fn number(
-        &mut self,
-        field: &Name,
-        of: Option<&crate::scenario::Names>,
-        along: Option<&Quantity<crate::scenario::quantity::Angle>>,
-    ) -> Option<FieldUse> {
-        let used = self.field(field, of, along)?;
-        if used.is_vector {
+    fn number(&mut self, field: &Name, place: Place<'_>) -> Option<FieldUse> {
+        let used = self.field(field, place)?;
+        if used.is_vector() {
             let message = format!("`{field}` is a vector");
-            let help = format!("write `{field}.x`, `.y` or `.magnitude`, or give `along`");
+            let parts: Vec<String> = used.suffixes.iter().map(|s| format!("`{s}`")).collect();
+            let parts = parts[1..].join(", ");
+            let help = format!("write `{field}.x`, {parts} or `.magnitude`, or give `along`");
             self.error_at("field.direction", field, message, &help);
             return None;
         }
@@ -279,11 +287,12 @@ impl Builder<'_> {
     pub(super) fn bisect(&mut self, checks: Vec<Check>) -> Option<Bisection> {
         let said = self.parsed.scenario.bisect.as_ref()?;
         let criterion = &said.fails_when;
-        let used = self.number(
-            &criterion.field,
-            criterion.of.as_ref(),
-            criterion.along.as_ref(),
-        )?;
+        let place = Place {
+            of: criterion.of.as_ref(),
+            point: criterion.at_point.as_ref(),
+            along: criterion.along.as_ref(),
+        };
+        let used = self.number(&criterion.field, place)?;
         let window = match criterion.reduce {
             Some(reduce) => {
                 let reduce = self.reduce(reduce, None, used.unit, &criterion.field)?;

@@ -47,7 +47,13 @@ impl Generated {
 pub(super) fn places(block: &Block) -> Vec<Vec2> {
     let all = |points: &[Point]| points.iter().map(global).collect();
     match block.geometry() {
-        None | Some(Geometry::Polygon(Polygon::Csv(_))) => Vec::new(),
+        None
+        | Some(
+            Geometry::Polygon(Polygon::Csv(_))
+            | Geometry::Brick(_)
+            | Geometry::Grid(_)
+            | Geometry::Polyhedron(_),
+        ) => Vec::new(),
         Some(Geometry::Polygon(Polygon::Points(points))) => all(points),
         Some(Geometry::Rectangle(r)) => r.corner.iter().chain(&r.centre).map(global).collect(),
         Some(Geometry::Regular(r)) => vec![global(&r.centre)],
@@ -118,6 +124,8 @@ impl Builder<'_> {
                     .map(Generated::several)?
             }
             Geometry::Cut(c) => self.cut(block, c)?,
+            // Refused by the language: shapes of the other space.
+            Geometry::Brick(_) | Geometry::Grid(_) | Geometry::Polyhedron(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
             Geometry::Pour(p) => {
                 let [few, many] = p.vertices.unwrap_or([4, 7]);
@@ -173,7 +181,7 @@ impl Builder<'_> {
             }
         }
         if let Some(shift) = &block.shift {
-            let shift = global(shift);
+            let shift = Vec2::from(shift.xy());
             outlines.iter_mut().flatten().for_each(|v| *v += shift);
         }
     }
@@ -190,7 +198,7 @@ impl Builder<'_> {
             self.geometry_error(block, &error, None);
             return;
         }
-        let step = global(&copies.step);
+        let step = Vec2::from(copies.step.xy());
         let first = std::mem::take(&mut made.outlines);
         made.numbered = true;
         for k in 0..copies.count {

@@ -1,26 +1,37 @@
 //! The order in which a model is made.
 
-use riprap_geom::Vec2;
+use std::collections::BTreeMap;
+
+use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::assertions::LIMIT;
 use super::blocks::Generated;
 use super::explain::{Explained, Provenance, with_unit};
 use super::names::{Directory, Entry};
 use super::{Model, Summary, inspect};
-use crate::planar::setup::{BlockSpec, Setup};
+use crate::planar::setup::{BlockSpec, Group, Setup};
 use crate::record::field::FieldInfo;
 use crate::run::plan::Plan;
-use crate::scenario::language::{Block, Point, Space};
-use crate::scenario::quantity::Kind;
+use crate::scenario::language::{Block, BoxRegion, Planar, Point, Space, Target};
+use crate::scenario::quantity::{Acceleration, Axial, Down, Kind};
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Diagnostics, Name, Parsed, Quantity, Severity};
+use crate::spatial::setup as spatial;
 
 /// What the parts of the model builder share.
 pub(super) struct Builder<'a> {
     pub(super) parsed: &'a Parsed,
     pub(super) fields: &'a [FieldInfo],
     pub(super) variant: &'a str,
+    pub(super) space: InSpace,
+    /// Global position of the local origin in the plane, m; the setup in space has its own.
     pub(super) origin: Vec2,
+    /// What the planar engine is built from; empty in space.
     pub(super) setup: Setup,
+    /// What the spatial engine is built from; empty in the plane.
+    pub(super) spatial: spatial::Setup,
+    /// Levels around charges to which a grid was fitted.
+    pub(super) fitted_levels: BTreeMap<String, u8>,
     pub(super) plan: Plan,
     pub(super) directory: Directory,
     pub(super) found: Vec<Diagnostic>,
@@ -40,8 +51,14 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         parsed,
         fields,
         variant,
+        space: match parsed.scenario.space {
+            Space::Planar(_) => InSpace::Planar,
+            Space::Spatial(_) => InSpace::Spatial,
+        },
         origin: Vec2::ZERO,
         setup: Setup::default(),
+        spatial: spatial::Setup::default(),
+        fitted_levels: BTreeMap::new(),
         plan: Plan {
             title: parsed.scenario.title.clone(),
             ..Plan::default()
@@ -51,16 +68,11 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         explained: Vec::new(),
         summary: Summary::default(),
     };
-    b.space();
-    b.find_origin();
-    b.blocks();
-    // Names and sizes of blocks that could not be made would only give follow-up errors.
-    let sound = b.errors() == 0;
+    let sound = match &parsed.scenario.space {
+        Space::Planar(space) => b.planar(space),
+        Space::Spatial(space) => b.solid(space),
+    };
     if sound {
-        b.setup.groups = b.directory.groups();
-        b.supports();
-        b.interfaces();
-        b.loads();
         b.phases();
         b.reduce_strength();
         b.outputs();
@@ -71,7 +83,10 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         checks = of_run;
         bisect = b.bisect(of_limit);
         if b.errors() == 0 {
-            inspect::inspect(&mut b);
+            match b.space {
+                InSpace::Planar => inspect::inspect(&mut b),
+                InSpace::Spatial => b.inspect_solid(),
+            }
         }
     }
     let diagnostics = Diagnostics::new(parsed.source.clone(), b.found);
@@ -79,7 +94,10 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         return Err(diagnostics);
     }
     Ok(Model {
-        setup: b.setup.into(),
+        setup: match b.space {
+            InSpace::Planar => b.setup.into(),
+            InSpace::Spatial => b.spatial.into(),
+        },
         plan: b.plan,
         checks,
         bisect,
@@ -148,8 +166,92 @@ impl Builder<'_> {
         global(point) - self.origin
     }
 
-    fn space(&mut self) {
-        let Space::Planar(planar) = &self.parsed.scenario.space;
+    /// Everything of the plane up to the loads; whether names and sizes are known.
+    fn planar(&mut self, space: &Planar) -> bool {
+        self.planar_gravity(space);
+        self.find_origin();
+        self.blocks();
+        // Names and sizes of blocks that could not be made would only give follow-up errors.
+        if self.errors() > 0 {
+            return false;
+        }
+        self.groups();
+        self.setup.groups = self
+            .directory
+            .groups()
+            .into_iter()
+            .map(|(name, blocks)| Group { name, blocks })
+            .collect();
+        self.supports();
+        self.interfaces();
+        self.loads();
+        true
+    }
+
+    /// Groups by place or by name.
+    pub(super) fn groups(&mut self) {
+        for (name, group) in self.parsed.scenario.groups.iter() {
+            let mut blocks = Vec::new();
+            if let Some(region) = &group.region {
+                blocks = self.inside(region);
+                if blocks.is_empty() {
+                    let message = format!("no block has its centroid in the box of `{name}`");
+                    let help = "check the box; the group is empty";
+                    let note = Diagnostic::warning("group.empty", message).help(help);
+                    self.found.push(note.at(region.min.span.clone()));
+                }
+            }
+            let named = self.directory.all(&group.blocks);
+            blocks.extend(self.take(named).unwrap_or_default());
+            self.directory.extend(name.as_str(), blocks);
+        }
+    }
+
+    /// Blocks whose centroid lies in a box.
+    pub(super) fn inside(&self, region: &BoxRegion) -> Vec<u32> {
+        let (min, max) = (self.local3(region.min.xyz()), self.local3(region.max.xyz()));
+        self.directory.inside(min, max)
+    }
+
+    /// Blocks of a target, ascending.
+    pub(super) fn target(&mut self, target: &Target) -> Option<Vec<u32>> {
+        let names = match target {
+            Target::Block(name) | Target::Group(name) => std::slice::from_ref(name),
+            Target::Blocks(names) => names,
+            Target::Box(region) => {
+                let blocks = self.inside(region);
+                if blocks.is_empty() {
+                    let error =
+                        Diagnostic::error("target.empty", "no block has its centroid in this box");
+                    let help = "check the box and its units";
+                    self.found
+                        .push(error.at(region.min.span.clone()).help(help));
+                    return None;
+                }
+                return Some(blocks);
+            }
+        };
+        let blocks = self.directory.all(names);
+        self.take(blocks)
+    }
+
+    /// A place in local coordinates; in the plane z stays.
+    fn local3(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match self.space {
+            InSpace::Planar => [x - self.origin.x, y - self.origin.y, z],
+            InSpace::Spatial => (Vec3::new(x, y, z) - self.spatial.origin).into(),
+        }
+    }
+
+    /// Gravity as the scenario gives it.
+    pub(super) fn gravity(&self, said: &Down<Acceleration>) -> [f64; 3] {
+        match said.single() {
+            Some(down) => [0.0, 0.0, -down],
+            None => said.xyz(),
+        }
+    }
+
+    fn planar_gravity(&mut self, planar: &Planar) {
         let [x, y] = [planar.gravity[0].si(), planar.gravity[1].si()];
         let raw = format!("[{}, {}]", planar.gravity[0].raw, planar.gravity[1].raw);
         self.explain("space.planar.gravity", raw, Provenance::Given, "");
@@ -162,7 +264,7 @@ impl Builder<'_> {
     fn find_origin(&mut self) {
         let mut points: Vec<Vec2> = Vec::new();
         for block in &self.parsed.scenario.blocks {
-            let shift = block.shift.as_ref().map_or(Vec2::ZERO, global);
+            let shift = block.shift.as_ref().map_or(Vec2::ZERO, |s| s.xy().into());
             points.extend(super::blocks::places(block).into_iter().map(|p| p + shift));
         }
         let bounds = riprap_geom::polygon::Aabb::of(&points);
@@ -239,15 +341,18 @@ impl Builder<'_> {
             count: generated.outlines.len() as u32,
             numbered: generated.numbered,
         };
-        let names = self.directory.add(entry, &block.groups);
+        self.directory.add(entry, &block.groups);
         let velocity = block
             .velocity
             .as_ref()
-            .map_or(Vec2::ZERO, |v| Vec2::new(v[0].si(), v[1].si()));
-        let spin = block.spin.as_ref().map_or(0.0, Quantity::si);
-        for (name, vertices) in names.into_iter().zip(generated.outlines) {
+            .map_or(Vec2::ZERO, |v| v.xy().into());
+        let spin = block.spin.as_ref().and_then(Axial::single).unwrap_or(0.0);
+        for vertices in generated.outlines {
+            let number = self.setup.blocks.len() as u32;
+            let centroid = polygon::mass_properties(&vertices).centroid;
+            self.directory.centroids.push([centroid.x, centroid.y, 0.0]);
             self.setup.blocks.push(BlockSpec {
-                name,
+                name: self.directory.name(number),
                 vertices,
                 material: material as u16,
                 density,

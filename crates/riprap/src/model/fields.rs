@@ -1,11 +1,14 @@
 //! Fields that histories and checks ask for.
 
+use riprap_geom::{Vec2, polygon};
+
 use super::builder::Builder;
 use crate::record::field::{FieldError, Part, Shape, Site, find};
 use crate::run::plan::Gauge;
 use crate::scenario::diagnostic::suggest;
-use crate::scenario::quantity::{Angle, Any};
+use crate::scenario::quantity::{Any, Direction, Length, Vector};
 use crate::scenario::units::{self, Dim};
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Names, Quantity};
 
 /// A field at some blocks.
@@ -14,18 +17,32 @@ pub(super) struct FieldUse {
     pub(super) field: String,
     pub(super) unit: &'static str,
     pub(super) of: Vec<u32>,
+    pub(super) at: Option<[f64; 3]>,
     pub(super) along: Option<[f64; 3]>,
-    /// Whether it still is two numbers.
-    pub(super) is_vector: bool,
+    /// Suffixes of what it still is made of; one empty one for a number.
+    pub(super) suffixes: &'static [&'static str],
+}
+
+/// Where and how a field is read, as the scenario says it.
+#[derive(Clone, Copy)]
+pub(super) struct Said<'a> {
+    pub(super) of: Option<&'a Names>,
+    pub(super) point: Option<&'a Vector<Length>>,
+    pub(super) along: Option<&'a Direction>,
 }
 
 impl FieldUse {
+    /// Whether it is more than one number.
+    pub(super) fn is_vector(&self) -> bool {
+        self.suffixes.len() > 1
+    }
+
     /// What is read.
     pub(super) fn gauge(self) -> Gauge {
         Gauge {
             field: self.field,
             of: self.of,
-            at: None,
+            at: self.at,
             along: self.along,
         }
     }
@@ -33,12 +50,7 @@ impl FieldUse {
 
 impl Builder<'_> {
     /// Resolves a field, its blocks and its direction; `None` after an error.
-    pub(super) fn field(
-        &mut self,
-        name: &Name,
-        of: Option<&Names>,
-        along: Option<&Quantity<Angle>>,
-    ) -> Option<FieldUse> {
+    pub(super) fn field(&mut self, name: &Name, said: Said<'_>) -> Option<FieldUse> {
         let fields = self.fields;
         let (info, part) = match find(fields, name.as_str()) {
             Ok(found) => found,
@@ -64,27 +76,82 @@ impl Builder<'_> {
             }
         };
         let vector = info.shape != Shape::Scalar && part == Part::Whole;
-        if let Some(angle) = along.filter(|_| !vector) {
+        if let Some(direction) = said.along.filter(|_| !vector) {
             let error = Diagnostic::error("field.direction", format!("`{name}` has no direction"));
             let help = "`along` is for vector fields without component; leave it out";
-            self.found.push(error.at(angle.span.clone()).help(help));
+            self.found.push(error.at(direction.span.clone()).help(help));
             return None;
         }
-        let of = self.field_blocks(name, info.site, of)?;
-        let direction =
-            |angle: &Quantity<Angle>| [libm::cos(angle.si()), libm::sin(angle.si()), 0.0];
+        let along = match said.along.map(|along| (along.unit(), along)) {
+            Some((None, along)) => {
+                let error = Diagnostic::error("value.direction", "this is no direction");
+                let help = "at least one component is not zero, for example [0, 0, 1]";
+                self.found.push(error.at(along.span.clone()).help(help));
+                return None;
+            }
+            Some((unit, _)) => unit,
+            None => None,
+        };
+        let (of, at) = match said.point {
+            Some(point) => self.field_point(name, info.site, point)?,
+            None => (self.field_blocks(name, info.site, said.of)?, None),
+        };
+        let whole = vector && along.is_none();
         Some(FieldUse {
             field: name.text.clone(),
             unit: info.unit,
             of,
-            along: along.map(direction),
-            is_vector: vector && along.is_none(),
+            at,
+            along,
+            suffixes: if whole { info.shape.suffixes() } else { &[""] },
         })
+    }
+
+    /// The block that holds a point: its number in the plane, the point itself in space, where
+    /// blocks may be split.
+    fn field_point(
+        &mut self,
+        name: &Name,
+        site: Site,
+        point: &Vector<Length>,
+    ) -> Option<(Vec<u32>, Option<[f64; 3]>)> {
+        let error = |code: &'static str, message: &str, help: &str| {
+            Diagnostic::error(code, message)
+                .at(point.span.clone())
+                .help(help)
+        };
+        if site != Site::Block {
+            let message = format!("`{name}` is not read at a point");
+            let help = "`at_point` is for fields of a block";
+            self.found.push(error("field.of", &message, help));
+            return None;
+        }
+        let found = match self.space {
+            InSpace::Planar => {
+                let at = Vec2::from(point.xy()) - self.origin;
+                let mut blocks = (0u32..).zip(&self.setup.blocks);
+                let holder = blocks.find(|(_, b)| polygon::contains(&b.vertices, at));
+                holder.map(|(block, _)| (vec![block], None))
+            }
+            InSpace::Spatial => {
+                let at = self.local(point.xyz());
+                self.holder(at).map(|_| (Vec::new(), Some(at.into())))
+            }
+        };
+        if found.is_none() {
+            let message = "no block holds this point at the start";
+            let help = "give a point inside a block, in the coordinates of the file";
+            self.found.push(error("field.point", message, help));
+        }
+        found
     }
 
     /// The blocks a field is read at.
     fn field_blocks(&mut self, name: &Name, site: Site, of: Option<&Names>) -> Option<Vec<u32>> {
         let names: &[Name] = of.map_or(&[], |names| &names.0);
+        if site == Site::Cavity {
+            return self.field_source(name, names);
+        }
         let (need, example): (usize, &str) = match site {
             Site::Block => (1, "of = \"block\""),
             Site::Pair => (2, "of = [\"a\", \"b\"]"),
@@ -130,9 +197,7 @@ impl Builder<'_> {
             if !group && blocks.len() != 1 {
                 let count = blocks.len();
                 let message = format!("`{one}` is {count} blocks, and `{name}` needs single ones");
-                let first = blocks
-                    .first()
-                    .map(|&b| self.setup.blocks[b as usize].name.clone());
+                let first = blocks.first().map(|&b| self.directory.name(b));
                 let first = first.unwrap_or_default();
                 self.error_at(
                     "field.of",
@@ -158,6 +223,25 @@ impl Builder<'_> {
             return None;
         }
         Some(all)
+    }
+
+    /// The source a field is read at.
+    fn field_source(&mut self, name: &Name, names: &[Name]) -> Option<Vec<u32>> {
+        let [one] = names else {
+            let message = format!("`{name}` needs one source");
+            let place = names.first().unwrap_or(name);
+            self.error_at("field.of", place, message, "write of = \"charge\"");
+            return None;
+        };
+        let sources = &self.directory.sources;
+        if let Some(number) = sources.iter().position(|source| *source == one.text) {
+            return Some(vec![number as u32]);
+        }
+        let message = format!("there is no source `{one}`");
+        let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
+        error.help = suggest(one.as_str(), sources.iter().map(String::as_str));
+        self.found.push(error);
+        None
     }
 
     /// SI value of a quantity that must suit a unit; `None` after an error.

@@ -85,11 +85,11 @@ fn sizes(b: &mut Builder<'_>) {
 /// model could press as deep (a model that starts in equilibrium), or where a static phase comes first
 /// and pushes blocks apart slowly.
 fn allowance(b: &Builder<'_>, i: usize, j: usize, size: f64) -> f64 {
-    let Space::Planar(planar) = &b.parsed.scenario.space;
-    let said = planar
-        .allow_overlap
-        .as_ref()
-        .map_or(0.0, crate::scenario::Quantity::si);
+    let said = match &b.parsed.scenario.space {
+        Space::Planar(planar) => planar.allow_overlap.as_ref(),
+        Space::Spatial(_) => None,
+    };
+    let said = said.map_or(0.0, crate::scenario::Quantity::si);
     let (a, c) = (&b.setup.blocks[i], &b.setup.blocks[j]);
     let row =
         b.setup.pair_table[a.material as usize * b.setup.materials.len() + c.material as usize];

@@ -4,6 +4,7 @@ use riprap_geom::polygon;
 
 use super::builder::Builder;
 use super::explain::{Provenance, with_unit};
+use super::solid::reduce_joint;
 use crate::planar::setup::{self, BondLaw, ContactLaw, Motion, Reflex};
 use crate::scenario::language::{self, Bond, FrictionLaw, InterfaceChange, NormalLaw};
 use crate::scenario::{Diagnostic, Quantity, Table};
@@ -74,8 +75,14 @@ impl Builder<'_> {
                 }
             }
         }
+        for interface in &mut self.spatial.interfaces {
+            reduce_joint(&mut interface.joint, factor);
+        }
         for phase in &mut self.plan.phases {
             phase.contacts.iter_mut().for_each(|(_, law)| reduce(law));
+            for (_, law) in &mut phase.joints {
+                reduce_joint(law, factor);
+            }
         }
     }
 

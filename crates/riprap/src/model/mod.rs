@@ -22,37 +22,39 @@ mod interfaces;
 mod motion;
 mod names;
 mod phases;
+mod solid;
 mod summary;
 
 pub use assertions::{Bisection, LIMIT};
 pub use builder::build;
 pub use explain::{Explained, Provenance};
-pub use summary::{Region, Summary};
+pub use summary::{Charge, Region, Summary};
 
 use serde::{Deserialize, Serialize};
 
+use crate::planar::setup as planar;
 use crate::run::checks::Check;
 use crate::run::plan::Plan;
 use crate::scenario::Diagnostic;
-use crate::{planar, spatial};
+use crate::spatial::setup as spatial;
 
 /// What an engine is built from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Setup {
     /// Polygons in the plane.
-    Planar(planar::setup::Setup),
+    Planar(planar::Setup),
     /// Blocks in space.
-    Spatial(Box<spatial::setup::Setup>),
+    Spatial(Box<spatial::Setup>),
 }
 
-impl From<planar::setup::Setup> for Setup {
-    fn from(setup: planar::setup::Setup) -> Self {
+impl From<planar::Setup> for Setup {
+    fn from(setup: planar::Setup) -> Self {
         Self::Planar(setup)
     }
 }
 
-impl From<spatial::setup::Setup> for Setup {
-    fn from(setup: spatial::setup::Setup) -> Self {
+impl From<spatial::Setup> for Setup {
+    fn from(setup: spatial::Setup) -> Self {
         Self::Spatial(Box::new(setup))
     }
 }
@@ -60,7 +62,7 @@ impl From<spatial::setup::Setup> for Setup {
 impl Setup {
     /// The planar setup, for what only that engine has.
     #[must_use]
-    pub fn planar(&self) -> Option<&planar::setup::Setup> {
+    pub fn planar(&self) -> Option<&planar::Setup> {
         match self {
             Self::Planar(setup) => Some(setup),
             Self::Spatial(_) => None,

@@ -6,7 +6,7 @@ use super::builder::Builder;
 use crate::dynamics::{Formula, TimeFunction};
 use crate::planar::setup::{Load, LoadKind, Motion, Support};
 use crate::scenario::language::{self, EdgeLoad, Point};
-use crate::scenario::quantity::Kind;
+use crate::scenario::quantity::{Kind, Length, Vector};
 use crate::scenario::time_function::CsvFunction;
 use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns};
 
@@ -16,8 +16,7 @@ const ON_BOUNDARY: f64 = 1e-6;
 impl Builder<'_> {
     pub(super) fn supports(&mut self) {
         for support in &self.parsed.scenario.supports {
-            let blocks = self.directory.target(&support.on);
-            let Some(blocks) = self.take(blocks) else {
+            let Some(blocks) = self.target(&support.on) else {
                 continue;
             };
             let motion = match (&support.fixed, &support.motion) {
@@ -51,12 +50,18 @@ impl Builder<'_> {
         }
     }
 
-    fn maybe<K: Kind>(&mut self, f: Option<&scenario::TimeFunction<K>>) -> Option<TimeFunction> {
+    pub(super) fn maybe<K: Kind>(
+        &mut self,
+        f: Option<&scenario::TimeFunction<K>>,
+    ) -> Option<TimeFunction> {
         f.and_then(|f| self.time_function(f))
     }
 
     /// A function of time in SI; `None` after an error.
-    fn time_function<K: Kind>(&mut self, f: &scenario::TimeFunction<K>) -> Option<TimeFunction> {
+    pub(super) fn time_function<K: Kind>(
+        &mut self,
+        f: &scenario::TimeFunction<K>,
+    ) -> Option<TimeFunction> {
         use scenario::TimeFunction as Said;
         let or_zero = |q: Option<f64>| q.unwrap_or(0.0);
         Some(match f {
@@ -79,6 +84,8 @@ impl Builder<'_> {
                 start: or_zero(pulse.start.as_ref().map(Quantity::si)),
                 end: pulse.end.si(),
             },
+            Said::Duvall(d) => TimeFunction::duvall(d.peak.si(), d.decay.si(), d.rise.si()),
+            Said::Triangle(t) => TimeFunction::triangle(t.peak.si(), t.rise.si(), t.fall.si()),
             Said::Csv(csv) => {
                 let (t, v) = self.csv_function(csv)?;
                 TimeFunction::Table { t, v }
@@ -134,8 +141,7 @@ impl Builder<'_> {
 
     pub(super) fn loads(&mut self) {
         for load in &self.parsed.scenario.loads {
-            let blocks = self.directory.target(&load.on);
-            let Some(blocks) = self.take(blocks) else {
+            let Some(blocks) = self.target(&load.on) else {
                 continue;
             };
             let time = match &load.time {
@@ -147,11 +153,12 @@ impl Builder<'_> {
             };
             let mut kinds = Vec::new();
             if let Some(point) = &load.point {
-                let at = point.at.as_ref().map(|at| self.point(at));
+                let place = |at: &Vector<Length>| Vec2::from(at.xy()) - self.origin;
+                let at = point.at.as_ref().map(place);
                 if let (Some(at), Some(said)) = (at, &point.at) {
-                    self.point_in_blocks(&blocks, at, said);
+                    self.point_in_blocks(&blocks, at, &said.span);
                 }
-                let force = Vec2::new(point.force[0].si(), point.force[1].si());
+                let force = point.force.xy().into();
                 kinds.push(LoadKind::Point {
                     force,
                     at,
@@ -163,13 +170,12 @@ impl Builder<'_> {
             }
             if let Some(moment) = &load.moment {
                 kinds.push(LoadKind::Moment {
-                    moment: moment.si(),
+                    moment: moment.single().unwrap_or(0.0),
                 });
             }
             if let Some(body) = &load.body {
-                let [x, y] = &body.acceleration;
                 kinds.push(LoadKind::BodyForce {
-                    acceleration: Vec2::new(x.si(), y.si()),
+                    acceleration: body.acceleration.xy().into(),
                 });
             }
             for kind in kinds {
@@ -182,14 +188,14 @@ impl Builder<'_> {
         }
     }
 
-    fn point_in_blocks(&mut self, blocks: &[u32], at: Vec2, said: &Point) {
+    fn point_in_blocks(&mut self, blocks: &[u32], at: Vec2, span: &Span) {
         for &b in blocks {
             let block = &self.setup.blocks[b as usize];
             let size = polygon::Aabb::of(&block.vertices).size();
             let inside = polygon::contains(&block.vertices, at);
             if !inside && polygon::distance_to_boundary(&block.vertices, at) > ON_BOUNDARY * size {
                 let message = format!("this point is outside of block `{}`", block.name);
-                let note = Diagnostic::warning("load.outside", message).at(span_of(said));
+                let note = Diagnostic::warning("load.outside", message).at(span.clone());
                 let help = "the force acts there all the same, as if on an arm fixed to the block";
                 self.found.push(note.help(help));
             }

@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::planar::setup::Group;
 use crate::scenario::diagnostic::suggest;
-use crate::scenario::language::Target;
 use crate::scenario::{Diagnostic, Name};
 
 /// One `[[blocks]]` table after generation.
@@ -20,24 +18,21 @@ pub(super) struct Entry {
 /// All names of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Directory {
+    /// In the order of their blocks.
     entries: Vec<Entry>,
-    blocks: BTreeMap<String, u32>,
+    /// Place in `entries` by name.
+    places: BTreeMap<String, usize>,
     groups: BTreeMap<String, Vec<u32>>,
+    /// Charges and cavities, in the order of the setup.
+    pub(super) sources: Vec<String>,
+    /// Centroid of every block, local coordinates, m; z is 0 in the plane.
+    pub(super) centroids: Vec<[f64; 3]>,
 }
 
 impl Directory {
-    /// Enters the blocks of one table; returns their names.
-    pub(super) fn add(&mut self, entry: Entry, groups: &[Name]) -> Vec<String> {
-        let name = |k: u32| {
-            if entry.numbered {
-                format!("{}.{}", entry.name, k + 1)
-            } else {
-                entry.name.clone()
-            }
-        };
-        let names: Vec<String> = (0..entry.count).map(name).collect();
+    /// Enters the blocks of one table.
+    pub(super) fn add(&mut self, entry: Entry, groups: &[Name]) {
         let numbers = || entry.first..entry.first + entry.count;
-        self.blocks.extend(names.iter().cloned().zip(numbers()));
         let own = entry.numbered.then_some(entry.name.as_str());
         for group in groups.iter().map(Name::as_str).chain(own) {
             self.groups
@@ -45,27 +40,68 @@ impl Directory {
                 .or_default()
                 .extend(numbers());
         }
+        self.places.insert(entry.name.clone(), self.entries.len());
         self.entries.push(entry);
-        names
+    }
+
+    /// Adds blocks to a group, which need not exist yet.
+    pub(super) fn extend(&mut self, group: &str, blocks: Vec<u32>) {
+        self.groups
+            .entry(group.to_owned())
+            .or_default()
+            .extend(blocks);
+    }
+
+    /// Name of a block.
+    pub(super) fn name(&self, block: u32) -> String {
+        let k = self.entries.partition_point(|e| e.first <= block);
+        match k.checked_sub(1).and_then(|k| self.entries.get(k)) {
+            Some(entry) if entry.numbered => {
+                format!("{}.{}", entry.name, block - entry.first + 1)
+            }
+            Some(entry) => entry.name.clone(),
+            None => format!("number {block}"),
+        }
+    }
+
+    /// Name and blocks of each table.
+    pub(super) fn tables(&self) -> impl Iterator<Item = (&str, std::ops::Range<u32>)> {
+        self.entries
+            .iter()
+            .map(|e| (e.name.as_str(), e.first..e.first + e.count))
+    }
+
+    /// Name of the table that made a block.
+    pub(super) fn table(&self, block: u32) -> &str {
+        let k = self.entries.partition_point(|e| e.first <= block);
+        k.checked_sub(1)
+            .and_then(|k| self.entries.get(k))
+            .map_or("", |entry| entry.name.as_str())
     }
 
     /// Groups by name, their blocks ascending.
-    pub(super) fn groups(&self) -> Vec<Group> {
+    pub(super) fn groups(&self) -> Vec<(String, Vec<u32>)> {
         let group = |(name, blocks): (&String, &Vec<u32>)| {
             let mut blocks = blocks.clone();
             blocks.sort_unstable();
             blocks.dedup();
-            Group {
-                name: name.clone(),
-                blocks,
-            }
+            (name.clone(), blocks)
         };
         self.groups.iter().map(group).collect()
     }
 
     fn lookup(&self, name: &str) -> Option<Vec<u32>> {
-        if let Some(&block) = self.blocks.get(name) {
-            return Some(vec![block]);
+        let single = self.places.get(name).map(|&k| &self.entries[k]);
+        if let Some(entry) = single.filter(|entry| !entry.numbered) {
+            return Some(vec![entry.first]);
+        }
+        if let Some((table, number)) = name.rsplit_once('.')
+            && let Some(entry) = self.places.get(table).map(|&k| &self.entries[k])
+            && entry.numbered
+            && let Ok(number) = number.parse::<u32>()
+            && (1..=entry.count).contains(&number)
+        {
+            return Some(vec![entry.first + number - 1]);
         }
         let mut blocks = self.groups.get(name)?.clone();
         blocks.sort_unstable();
@@ -73,19 +109,20 @@ impl Directory {
         Some(blocks)
     }
 
+    /// Blocks whose centroid lies in a box, bounds included; ascending.
+    pub(super) fn inside(&self, min: [f64; 3], max: [f64; 3]) -> Vec<u32> {
+        let inside = |c: &[f64; 3]| (0..3).all(|k| min[k] <= c[k] && c[k] <= max[k]);
+        (0u32..)
+            .zip(&self.centroids)
+            .filter(|(_, c)| inside(c))
+            .map(|(block, _)| block)
+            .collect()
+    }
+
     /// Blocks of a block, generator or group name.
     pub(super) fn blocks(&self, name: &Name) -> Result<Vec<u32>, Box<Diagnostic>> {
         self.lookup(name.as_str())
             .ok_or_else(|| Box::new(self.unknown(name, "block or group")))
-    }
-
-    /// Blocks of a target, ascending.
-    pub(super) fn target(&self, target: &Target) -> Result<Vec<u32>, Vec<Diagnostic>> {
-        let names = match target {
-            Target::Block(name) | Target::Group(name) => std::slice::from_ref(name),
-            Target::Blocks(names) => names,
-        };
-        self.all(names)
     }
 
     /// Blocks of several names, ascending.

@@ -2,18 +2,24 @@
 
 use super::builder::Builder;
 use super::explain::{Provenance, with_unit};
-use super::fields::FieldUse;
+use super::fields::Said as Place;
 use super::interfaces::changed;
+use super::solid::changed_joint;
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
 use crate::scenario::language::{self, Output, Reset};
 use crate::scenario::quantity::Interval;
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
+use crate::spatial::setup::JointLaw;
 
 impl Builder<'_> {
     pub(super) fn phases(&mut self) {
         // Changes stay until a later phase makes others.
-        let mut laws: Vec<ContactLaw> = self.setup.interfaces.iter().map(|i| i.contact).collect();
+        let mut laws = Laws {
+            contacts: self.setup.interfaces.iter().map(|i| i.contact).collect(),
+            joints: self.spatial.interfaces.iter().map(|i| i.joint).collect(),
+        };
         for phase in &self.parsed.scenario.phases {
             let phase = self.phase(phase, &mut laws);
             self.plan.phases.push(phase);
@@ -22,7 +28,7 @@ impl Builder<'_> {
         self.summary.duration = total;
     }
 
-    fn phase(&mut self, said: &language::Phase, laws: &mut [ContactLaw]) -> Phase {
+    fn phase(&mut self, said: &language::Phase, laws: &mut Laws) -> Phase {
         let key = |word: &str| format!("phases.{}.{word}", said.name);
         let (kind, word) = match said.kind {
             Some(language::PhaseKind::Static) => (PhaseKind::Static, "static"),
@@ -45,7 +51,11 @@ impl Builder<'_> {
                 TimeStep::Given { dt: given.si() }
             }
             None => {
-                let safety = self.or(&key("safety"), said.safety.as_ref(), 0.2, "");
+                let default = match self.space {
+                    InSpace::Planar => 0.2,
+                    InSpace::Spatial => 0.5,
+                };
+                let safety = self.or(&key("safety"), said.safety.as_ref(), default, "");
                 let text = format!("{} of the stable one", with_unit(safety, ""));
                 self.explain(key("time_step"), text, Provenance::Default, "");
                 TimeStep::Auto { safety }
@@ -55,7 +65,7 @@ impl Builder<'_> {
         let part = |q: Option<f64>| q.unwrap_or(0.0);
         let damping = Damping {
             mass: part(damping.and_then(|d| d.mass.as_ref()).map(Quantity::si)),
-            rotation: None,
+            rotation: damping.and_then(|d| d.rotation.as_ref()).map(Quantity::si),
             stiffness: part(damping.and_then(|d| d.stiffness.as_ref()).map(Quantity::si)),
             local: part(damping.and_then(|d| d.local.as_ref()).map(Quantity::si)),
         };
@@ -71,17 +81,20 @@ impl Builder<'_> {
             Provenance::Default
         };
         self.explain(key("damping"), text, from, "");
-        let mut contacts = Vec::new();
+        let (mut contacts, mut joints) = (Vec::new(), Vec::new());
         for (name, change) in said.interfaces.iter() {
-            let row = self
-                .setup
-                .interfaces
-                .iter()
-                .position(|i| i.name == name.as_str());
+            let mut names = self.parsed.scenario.interfaces.names();
             // Unknown interfaces are reported by the rules of the language.
-            if let Some(row) = row {
-                laws[row] = changed(&laws[row], change);
-                contacts.push((row as u16, laws[row]));
+            let Some(row) = names.position(|one| one == name.as_str()) else {
+                continue;
+            };
+            if let Some(law) = laws.contacts.get_mut(row) {
+                *law = changed(law, change);
+                contacts.push((row as u16, *law));
+            }
+            if let Some(law) = laws.joints.get_mut(row) {
+                *law = changed_joint(law, change);
+                joints.push((row as u16, *law));
             }
         }
         let [remove, fix, release] = [&said.remove, &said.fix, &said.release].map(|names| {
@@ -102,14 +115,14 @@ impl Builder<'_> {
             remove,
             fix,
             release,
-            gravity: said.gravity.as_ref().map(|[x, y]| [x.si(), y.si(), 0.0]),
+            gravity: said.gravity.as_ref().map(|g| self.gravity(g)),
             gravity_ramp: said
                 .gravity_ramp
                 .as_ref()
                 .map(Quantity::si)
                 .filter(|&t| t > 0.0),
             contacts,
-            joints: Vec::new(),
+            joints,
             zero_velocities: said.reset.contains(&Reset::Velocities),
             zero_displacements: said.reset.contains(&Reset::Displacements),
         }
@@ -128,15 +141,12 @@ impl Builder<'_> {
     }
 
     fn history(&mut self, said: &language::History) {
-        let used = self.field(&said.field, said.of.as_ref(), said.along.as_ref());
-        let Some(FieldUse {
-            field,
-            of,
-            along,
-            is_vector,
-            ..
-        }) = used
-        else {
+        let place = Place {
+            of: said.of.as_ref(),
+            point: said.at_point.as_ref(),
+            along: said.along.as_ref(),
+        };
+        let Some(used) = self.field(&said.field, place) else {
             return;
         };
         let Some(every) = every(said.every.read()) else {
@@ -145,20 +155,25 @@ impl Builder<'_> {
             self.found.push(note.at(said.every.span.clone()));
             return;
         };
-        let parts: &[&str] = if is_vector { &[".x", ".y"] } else { &[""] };
-        for part in parts {
+        let suffixes = used.suffixes;
+        let gauge = used.gauge();
+        for part in suffixes {
             self.plan.histories.push(History {
                 name: format!("{}{part}", said.name),
                 gauge: Gauge {
-                    field: format!("{field}{part}"),
-                    of: of.clone(),
-                    at: None,
-                    along,
+                    field: format!("{}{part}", gauge.field),
+                    ..gauge.clone()
                 },
                 every,
             });
         }
     }
+}
+
+/// The laws of all interfaces as they are after the phases so far; one list is empty.
+struct Laws {
+    contacts: Vec<ContactLaw>,
+    joints: Vec<JointLaw>,
 }
 
 fn every(interval: Interval) -> Option<Every> {

@@ -22,9 +22,12 @@ pub struct Summary {
     pub bounds: [[f64; 2]; 2],
     /// Origin of the local coordinates, global, m.
     pub origin: [f64; 2],
-    /// Mass of the blocks per metre of thickness, kg/m.
+    /// In space: lowest and highest corner of the model, global, m.
+    pub solid_bounds: Option<[[f64; 3]; 2]>,
+    /// Mass of the blocks, kg; in the plane per metre of thickness, kg/m.
     pub mass: f64,
-    /// Square root of the area of the smallest, the median and the largest block, m.
+    /// Square root of the area (in space cube root of the volume) of the smallest, the median and the
+    /// largest block, m.
     pub size: [f64; 3],
     /// Shortest edge, m, and the block that has it.
     pub shortest_edge: (f64, String),
@@ -36,8 +39,29 @@ pub struct Summary {
     pub slivers: Vec<SliverReport>,
     /// What generators made and left out.
     pub regions: Vec<Region>,
+    /// Grids whose cells were fitted to a charge, in words.
+    pub fitted: Vec<String>,
+    /// Charges and other cavities.
+    pub charges: Vec<Charge>,
     /// Sum of the durations of all phases, s, if each has one.
     pub duration: Option<f64>,
+}
+
+/// A charge or another cavity, and the blocks that it replaces.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Charge {
+    /// Name in the scenario.
+    pub name: String,
+    /// Mass of explosive, kg; absent for a given pressure.
+    pub mass: Option<f64>,
+    /// Volume of the charge, m³.
+    pub volume: Option<f64>,
+    /// Blocks that it replaces, after splitting.
+    pub blocks: usize,
+    /// Their volume, m³.
+    pub cavity: f64,
+    /// Volume of the blocks over that of the charge.
+    pub ratio: Option<f64>,
 }
 
 /// Report of one generator of blocks.

@@ -149,6 +149,7 @@ impl Prepared {
 fn fields(parsed: &Parsed) -> &'static [FieldInfo] {
     match parsed.scenario.space {
         Space::Planar(_) => Kind::Planar.fields(),
+        Space::Spatial(_) => Kind::Spatial.fields(),
     }
 }
 

@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::Path;
 
 use super::diagnostic::suggest;
+use super::units::{self, Dim};
 
 /// Largest CSV file accepted, bytes.
 pub const MAX_CSV_SIZE: u64 = 64 << 20;
@@ -17,6 +18,91 @@ pub type Columns = Vec<Vec<f64>>;
 /// # Errors
 /// A text for the user: no file, too large, no such column, a cell that is no finite number.
 pub fn csv_columns(path: &Path, names: &[&str]) -> Result<Columns, CsvError> {
+    let text = read_text(path)?;
+    read_columns(&text, names).map_err(|error| error.of(path))
+}
+
+/// Reads columns that are named with their unit: `delay_ms` or `delay [ms]` is the column `delay`, in s.
+/// The answer has one entry for each needed column and one for each optional one, SI values; those of the
+/// needed ones are always there.
+///
+/// # Errors
+/// As [`csv_columns`]; a unit that is missing, unknown or of another dimension.
+pub fn csv_quantities(
+    path: &Path,
+    needed: &[(&str, Dim)],
+    optional: &[(&str, Dim)],
+) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
+    let text = read_text(path)?;
+    read_quantities(&text, needed, optional).map_err(|error| error.of(path))
+}
+
+/// The columns of a text; see [`csv_quantities`].
+fn read_quantities(
+    text: &str,
+    needed: &[(&str, Dim)],
+    optional: &[(&str, Dim)],
+) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
+    let header = header_of(text)?;
+    let mut out = Vec::new();
+    let all = needed.iter().map(|one| (one, true));
+    for (&(name, dim), must) in all.chain(optional.iter().map(|one| (one, false))) {
+        let Some((column, factor)) = header.iter().find_map(|cell| {
+            let rest = cell.strip_prefix(name)?;
+            let unit = rest
+                .strip_prefix('_')
+                .or_else(|| rest.trim_start().strip_prefix('[')?.strip_suffix(']'))
+                .or(rest.is_empty().then_some(""))?;
+            Some((cell, units::parse(&format!("1 {}", unit.replace('_', "/")))))
+        }) else {
+            if must {
+                let known: Vec<&str> = header.iter().map(String::as_str).collect();
+                return Err(CsvError {
+                    message: format!("there is no column `{name}` with its unit behind it"),
+                    help: suggest(name, known),
+                });
+            }
+            out.push(None);
+            continue;
+        };
+        let factor = match factor {
+            Ok((factor, found)) if found == dim => factor,
+            Ok((_, found)) => {
+                return Err(CsvError {
+                    message: format!("the column `{column}` is {}", found.describe()),
+                    help: Some(format!(
+                        "{} is expected, with its unit behind an underscore",
+                        dim.describe()
+                    )),
+                });
+            }
+            Err(error) => {
+                return Err(CsvError {
+                    message: format!("the column `{column}`: {}", error.message),
+                    help: error.help,
+                });
+            }
+        };
+        let values = read_columns(text, &[column])?.swap_remove(0);
+        out.push(Some(values.into_iter().map(|v| v * factor).collect()));
+    }
+    Ok(out)
+}
+
+/// The names of the columns.
+fn header_of(text: &str) -> Result<Vec<String>, CsvError> {
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|error| CsvError {
+        message: error.to_string(),
+        help: None,
+    })?;
+    Ok(header.iter().map(str::to_owned).collect())
+}
+
+fn read_text(path: &Path) -> Result<String, CsvError> {
     let shown = path.display();
     let fail = |message: String, help: Option<String>| CsvError { message, help };
     let io = |error: std::io::Error| {
@@ -42,8 +128,7 @@ pub fn csv_columns(path: &Path, names: &[&str]) -> Result<Columns, CsvError> {
             Some("save it as CSV in UTF-8".to_owned()),
         )
     })?;
-    read_columns(text.trim_start_matches('\u{feff}'), names)
-        .map_err(|error| fail(format!("`{shown}`: {}", error.message), error.help))
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
 /// Why a CSV file could not be used.
@@ -54,6 +139,16 @@ pub struct CsvError {
     pub message: String,
     /// What to do.
     pub help: Option<String>,
+}
+
+impl CsvError {
+    /// With the name of the file.
+    fn of(self, path: &Path) -> Self {
+        CsvError {
+            message: format!("`{}`: {}", path.display(), self.message),
+            help: self.help,
+        }
+    }
 }
 
 /// Reads the named columns of a text.

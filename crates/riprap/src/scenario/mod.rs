@@ -28,6 +28,8 @@ pub mod time_function;
 pub mod units;
 mod validate;
 mod values;
+pub mod vectors;
+pub mod words;
 
 pub use csv_columns::{Columns, csv_columns};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity, Source};

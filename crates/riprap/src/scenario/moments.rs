@@ -58,6 +58,38 @@ impl Interval {
     }
 }
 
+/// What [`super::language::Period`] says: a period in m, or none.
+///
+/// # Errors
+/// Anything else; a length that is not greater than zero.
+pub fn read_period(raw: &Raw, bare_is_si: bool) -> Result<Option<f64>, UnitError> {
+    let wrong = |message: &str| UnitError {
+        message: message.to_owned(),
+        help: Some("write a length (\"32 m\") or \"none\"".to_owned()),
+    };
+    let (length, dim) = match raw {
+        Raw::Number(length) if bare_is_si => (*length, Dim::LENGTH),
+        Raw::Number(_) => return Err(wrong("the unit is missing")),
+        Raw::Text(text) if text.trim() == "none" => return Ok(None),
+        Raw::Text(text) => units::parse(text).map_err(|error| {
+            if text.starts_with(|c: char| c.is_ascii_digit()) {
+                error
+            } else {
+                wrong("this is no period")
+            }
+        })?,
+    };
+    if dim == Dim::NONE {
+        Err(wrong("the unit is missing"))
+    } else if dim != Dim::LENGTH {
+        Err(wrong(&format!("this is {}", dim.describe())))
+    } else if !length.is_finite() || length <= 0.0 {
+        Err(wrong("a period is greater than zero"))
+    } else {
+        Ok(Some(length))
+    }
+}
+
 /// What [`super::language::Moment`] says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum When {

@@ -74,6 +74,7 @@ pub(super) fn resolve<'a, 'i>(
         } else {
             walked.join(".")
         };
+        node = node.towards(word);
         let variants = node.variants();
         if let Some((_, schema)) = node.properties().find(|(key, _)| key == word) {
             node = Node::resolve(schema);

@@ -16,6 +16,8 @@ use super::diagnostic::Diagnostic;
 pub use super::moments::{Interval, When};
 pub use super::names::{Name, Names, Table};
 use super::units::{self, Dim, UnitError};
+use super::vectors::InSpace;
+pub use super::vectors::{Axial, Direction, Down, Edges, Vector};
 
 /// Bytes of the source text.
 pub type Span = Range<usize>;
@@ -98,6 +100,19 @@ pub trait Kind: fmt::Debug + Clone + PartialEq + JsonSchema + 'static {
     const WHAT: &'static str;
     /// A value to copy.
     const EXAMPLE: &'static str;
+    /// What it is in `[space.spatial]`, if that differs: in the plane it is per metre of thickness.
+    const SPATIAL: Option<Other>;
+}
+
+/// What a kind is in the other space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Other {
+    /// Expected dimension.
+    pub dim: Dim,
+    /// What it is called.
+    pub what: &'static str,
+    /// A value to copy.
+    pub example: &'static str,
 }
 
 const ALL: Bounds = Bounds {
@@ -133,6 +148,8 @@ pub struct KindInfo {
     pub what: &'static str,
     /// [`Kind::EXAMPLE`]
     pub example: &'static str,
+    /// [`Kind::SPATIAL`]
+    pub spatial: Option<Other>,
 }
 
 impl KindInfo {
@@ -143,7 +160,19 @@ impl KindInfo {
             bounds: K::BOUNDS,
             what: K::WHAT,
             example: K::EXAMPLE,
+            spatial: K::SPATIAL,
         }
+    }
+
+    /// The kind as it is in a space.
+    #[must_use]
+    pub fn in_space(mut self, space: Option<InSpace>) -> Self {
+        if let (Some(InSpace::Spatial), Some(other)) = (space, self.spatial) {
+            self.dim = Some(other.dim);
+            self.what = other.what;
+            self.example = other.example;
+        }
+        self
     }
 
     /// The kind of that name.
@@ -153,7 +182,8 @@ impl KindInfo {
 }
 
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $name:ident: $dim:expr, $bounds:expr, $what:literal, $example:literal;)*) => {$(
+    ($($(#[$doc:meta])* $name:ident: $dim:expr, $bounds:expr, $what:literal, $example:literal
+        $(, in space $other:expr, $other_what:literal, $other_example:literal)?;)*) => {$(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum $name {}
@@ -163,6 +193,7 @@ macro_rules! kinds {
             const BOUNDS: Bounds = $bounds;
             const WHAT: &'static str = $what;
             const EXAMPLE: &'static str = $example;
+            const SPATIAL: Option<Other> = kinds!(@other $($other, $other_what, $other_example)?);
         }
         impl JsonSchema for $name {
             fn schema_name() -> Cow<'static, str> {
@@ -175,6 +206,10 @@ macro_rules! kinds {
     )*
     /// All kinds.
     pub const KINDS: &[KindInfo] = &[$(KindInfo::of::<$name>()),*];
+    };
+    (@other) => { None };
+    (@other $dim:expr, $what:literal, $example:literal) => {
+        Some(Other { dim: $dim, what: $what, example: $example })
     };
 }
 
@@ -238,15 +273,25 @@ kinds! {
     /// An acceleration, m/s2.
     Acceleration: Some(Dim::ACCELERATION), ALL, "an acceleration", "-9.81 m/s2";
     /// A force per metre of thickness, N/m.
-    ForcePerLength: Some(Dim::FORCE_PER_LENGTH), ALL, "a force per metre of thickness (2D)", "-10 kN/m";
+    ForcePerLength: Some(Dim::FORCE_PER_LENGTH), ALL, "a force per metre of thickness (2D)", "-10 kN/m", in space Dim::FORCE, "a force", "-10 kN";
     /// A moment per metre of thickness, N (= N m/m).
-    MomentPerLength: Some(Dim::FORCE), ALL, "a moment per metre of thickness (N m/m = N)", "3 N";
+    MomentPerLength: Some(Dim::FORCE), ALL, "a moment per metre of thickness (N m/m = N)", "3 N", in space Dim::ENERGY, "a moment", "3 N m";
     /// A frequency > 0, Hz.
     Frequency: Some(Dim::RATE), POSITIVE, "a frequency", "2 Hz";
+    /// A rate > 0, 1/s.
+    PositiveRate: Some(Dim::RATE), POSITIVE, "a rate", "1500 1/s";
+    /// A mass > 0, kg.
+    Mass: Some(Dim::MASS), POSITIVE, "a mass", "0.03 kg";
+    /// Energy per mass, J/kg.
+    SpecificEnergy: Some(Dim::SPECIFIC_ENERGY), POSITIVE, "an energy per mass", "4180 kJ/kg";
+    /// Change of a pressure with depth, Pa/m.
+    PressureGradient: Some(Dim::STIFFNESS_PER_AREA), ALL, "a pressure per length", "26 kPa/m";
+    /// An angle > 0, rad.
+    PositiveAngle: Some(Dim::ANGLE), POSITIVE, "an angle", "0.01 rad";
     /// A rate >= 0, 1/s.
     Rate: Some(Dim::RATE), NOT_NEGATIVE, "a rate", "5 1/s";
     /// An energy per metre of thickness > 0, J/m.
-    EnergyPerLength: Some(Dim::FORCE), POSITIVE, "an energy per metre of thickness", "1 J/m";
+    EnergyPerLength: Some(Dim::FORCE), POSITIVE, "an energy per metre of thickness", "1 J/m", in space Dim::ENERGY, "an energy", "1 J";
 }
 
 /// A value of one kind, with its place in the file.
@@ -260,6 +305,15 @@ pub struct Quantity<K: Kind> {
 }
 
 impl<K: Kind> Quantity<K> {
+    /// A quantity as it stands in the file.
+    pub fn new(raw: Raw, span: Span) -> Self {
+        Quantity {
+            raw,
+            span,
+            kind: PhantomData,
+        }
+    }
+
     /// A quantity from text, at no place; for tests and defaults.
     pub fn from_text(text: &str) -> Self {
         Quantity {
@@ -339,8 +393,14 @@ fn quantity_schema<K: Kind>() -> Schema {
     let description = match K::DIM {
         Some(dim) if dim == Dim::NONE => format!("A number without unit, {}.", K::BOUNDS.text),
         Some(_) => {
+            let other = K::SPATIAL.map_or_else(String::new, |other| {
+                format!(
+                    " In [space.spatial] {}, for example \"{}\".",
+                    other.what, other.example
+                )
+            });
             format!(
-                "{}, for example \"{}\"; {}.",
+                "{}, for example \"{}\"; {}.{other}",
                 capital(K::WHAT),
                 K::EXAMPLE,
                 K::BOUNDS.text

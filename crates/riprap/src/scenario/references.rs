@@ -5,10 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use toml::de::DeTable;
 
 use super::diagnostic::{Diagnostic, suggest};
-use super::language::{Output, Scenario, Target};
+use super::language::{Around, Output, Scenario, Source, Target};
 use super::load::key_si;
 use super::quantity::{Name, Names, Raw};
 use super::values::short;
+use super::words::WordOr;
 
 /// What stands for nothing, or twice.
 pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Diagnostic>) {
@@ -25,6 +26,7 @@ pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Dia
             .flat_map(|block| &block.groups)
             .map(Name::as_str),
     );
+    groups.extend(scenario.groups.names());
     let mut references = References {
         scenario,
         blocks,
@@ -34,6 +36,8 @@ pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Dia
     references.unique();
     references.materials();
     references.targets();
+    references.ground();
+    references.sources();
     references.checks(root);
 }
 
@@ -161,12 +165,89 @@ impl<'a> References<'a> {
                     self.unknown("group", name, known);
                 }
             }
+            Target::Box(_) => {}
         }
     }
 
+    /// Blocks, groups, or sources: which of them a field wants, the model knows.
     fn of(&mut self, names: Option<&Names>) {
         for name in names.iter().flat_map(|names| &names.0) {
-            self.block_or_group(name);
+            if !self.is_source(name.as_str()) {
+                self.block_or_group(name);
+            }
+        }
+    }
+
+    /// Names of sources; those of a pattern are called name.1, name.2, ...
+    fn is_source(&self, name: &str) -> bool {
+        let sources = &self.scenario.sources;
+        sources.get(name).is_some()
+            || name.rsplit_once('.').is_some_and(|(pattern, number)| {
+                let many = match sources.get(pattern) {
+                    Some(Source::GasCavity(gas)) => gas.pattern.is_some(),
+                    Some(Source::PressureCavity(_)) | None => false,
+                };
+                many && number.parse::<u32>().is_ok_and(|number| number > 0)
+            })
+    }
+
+    fn ground(&mut self) {
+        let scenario = self.scenario;
+        for (name, group) in scenario.groups.iter() {
+            if let Some(&many) = self.blocks.get(name.as_str()) {
+                let what = if many {
+                    "a generator of blocks"
+                } else {
+                    "a block"
+                };
+                let message = format!("`{}` is the name of {what} already", short(&name.text));
+                self.found.push(
+                    Diagnostic::error("name.twice", message)
+                        .at(name.span.clone())
+                        .help("give the group another name"),
+                );
+            }
+            for block in &group.blocks {
+                self.block(block);
+            }
+        }
+        for boundary in &scenario.boundaries {
+            let on = &boundary.on;
+            for name in on.block.iter().chain(on.blocks.iter().flatten()) {
+                self.block(name);
+            }
+            if let Some(name) = &on.group {
+                self.block_or_group(name);
+            }
+        }
+    }
+
+    fn sources(&mut self) {
+        let scenario = self.scenario;
+        let explosives: Vec<&str> = scenario.explosives.names().collect();
+        for (_, source) in scenario.sources.iter() {
+            let group = match source {
+                Source::GasCavity(gas) => {
+                    if let WordOr::Word(name, _) = &gas.explosive
+                        && !explosives.contains(&name.as_str())
+                    {
+                        self.unknown("explosive", name, explosives.iter().copied());
+                    }
+                    &gas.group
+                }
+                Source::PressureCavity(cavity) => &cavity.group,
+            };
+            if let Some(name) = group {
+                self.block_or_group(name);
+            }
+        }
+        for refine in &scenario.refine {
+            if let Around::Source(name) = &refine.octree.around
+                && !self.is_source(name.as_str())
+            {
+                let known: Vec<&str> = scenario.sources.names().collect();
+                self.unknown("source", name, known);
+            }
         }
     }
 

@@ -4,7 +4,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::quantity::{
-    Angle, Frequency, Kind, Name, NotNegativeTime, Plain, PositivePlain, Quantity, Time,
+    Angle, Frequency, Kind, Name, NotNegativeTime, Plain, PositivePlain, PositiveRate,
+    PositiveTime, Quantity, Time,
 };
 
 /// A value over time; `K` is the kind of the value. Exactly one form.
@@ -19,6 +20,10 @@ pub enum TimeFunction<K: Kind> {
     Sine(Sine<K>),
     /// `value` between `start` and `end`, zero outside.
     Pulse(Pulse<K>),
+    /// Two exponentials (Duvall): zero at time 0, a fast rise to `peak`, a slow decay.
+    Duvall(Duvall<K>),
+    /// A triangle: zero at time 0, straight up to `peak`, straight down to zero.
+    Triangle(Triangle<K>),
     /// A column of a CSV file over a time column: straight lines between the rows, the first and
     /// last value outside. Values are SI times `scale`.
     Csv(CsvFunction),
@@ -67,6 +72,30 @@ pub struct Pulse<K: Kind> {
     pub start: Option<Quantity<NotNegativeTime>>,
     /// End of the pulse, s; after `start`.
     pub end: Quantity<Time>,
+}
+
+/// amplitude (exp(-decay t) - exp(-rise t)), the amplitude such that the largest value is `peak`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "K: Kind"))]
+pub struct Duvall<K: Kind> {
+    /// Largest value.
+    pub peak: Quantity<K>,
+    /// Rate of the slow exponential, 1/s; below `rise`.
+    pub decay: Quantity<PositiveRate>,
+    /// Rate of the fast exponential, 1/s.
+    pub rise: Quantity<PositiveRate>,
+}
+
+/// Up and down along straight lines.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "K: Kind"))]
+pub struct Triangle<K: Kind> {
+    /// Largest value.
+    pub peak: Quantity<K>,
+    /// Time from zero to the peak, s.
+    pub rise: Quantity<PositiveTime>,
+    /// Time from the peak back to zero, s.
+    pub fall: Quantity<PositiveTime>,
 }
 
 /// Values from two columns of a CSV file.

@@ -12,6 +12,7 @@ use riprap_geom::polygon::{Aabb, signed_area};
 
 mod checks;
 mod interfaces;
+mod solid;
 
 const HEAD: &str = r#"
 riprap = 1

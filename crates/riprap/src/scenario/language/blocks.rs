@@ -4,13 +4,15 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Point;
+use super::solids::{Brick, Grid, Mechanics, Polyhedron};
 use crate::scenario::quantity::{
-    Angle, HalfAngle, Length, Name, NotNegativeAngle, NotNegativeLength, PositiveLength, Quantity,
-    Share, Spin, Velocity,
+    Angle, Axial, HalfAngle, Length, Name, NotNegativeAngle, NotNegativeLength, PositiveLength,
+    Quantity, Share, Spin, Vector, Velocity,
 };
 
-/// One block or a generator of blocks. Exactly one of `polygon`, `rectangle`, `regular`, `wall`,
-/// `arch`, `cut`, `voronoi`, `pour`.
+/// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`,
+/// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
+/// `grid` or `polyhedron`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
@@ -23,31 +25,53 @@ pub struct Block {
     /// Name of the material, from `[materials]`.
     pub material: Name,
     /// A polygon by its corners, in the file or from a CSV file.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub polygon: Option<Polygon>,
     /// A rectangle with sides along x and y.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub rectangle: Option<Rectangle>,
     /// A regular polygon.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub regular: Option<Regular>,
     /// A wall of rectangular blocks.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub wall: Option<Wall>,
     /// A circular arch of wedge-shaped blocks.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub arch: Option<Arch>,
     /// A region cut into blocks by sets of joints.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub cut: Option<Cut>,
     /// A region divided into random cells.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub voronoi: Option<Voronoi>,
     /// Random convex polygons, apart from each other, to be poured.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub pour: Option<Pour>,
+    /// A box with faces normal to the axes.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use a polygon, for example `rectangle`"))]
+    pub brick: Option<Brick>,
+    /// A region filled with equal bricks.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `wall`, `cut` or `voronoi`"))]
+    pub grid: Option<Grid>,
+    /// A convex polyhedron.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `polygon`"))]
+    pub polyhedron: Option<Polyhedron>,
+    /// How the blocks deform. Default rigid.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "leave it out: blocks of the plane are rigid"))]
+    pub mechanics: Option<Mechanics>,
     /// Repeats a single shape at equal steps.
     pub copies: Option<Copies>,
     /// Turns the shape after it was made.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "give the corners of a `polyhedron` in their final places"))]
     pub rotate: Option<Rotate>,
-    /// Moves the shape after it was made and turned: [x, y], m. Default no shift.
-    pub shift: Option<Point>,
-    /// Velocity of the centroid at the start [x, y], m/s. Default at rest.
-    pub velocity: Option<[Quantity<Velocity>; 2]>,
-    /// Spin at the start, rad/s, anticlockwise. Default 0 rad/s.
-    pub spin: Option<Quantity<Spin>>,
+    /// Moves the shape after it was made and turned, m. Default no shift.
+    pub shift: Option<Vector<Length>>,
+    /// Velocity of the centroid at the start, m/s. Default at rest.
+    pub velocity: Option<Vector<Velocity>>,
+    /// Spin at the start, rad/s: in the plane anticlockwise, in space right-handed about x, y, z.
+    /// Default 0 rad/s.
+    pub spin: Option<Axial<Spin>>,
 }
 
 /// The one geometry of a block, for a `match` without loose ends.
@@ -69,6 +93,31 @@ pub enum Geometry<'a> {
     Voronoi(&'a Voronoi),
     /// `pour`
     Pour(&'a Pour),
+    /// `brick`
+    Brick(&'a Brick),
+    /// `grid`
+    Grid(&'a Grid),
+    /// `polyhedron`
+    Polyhedron(&'a Polyhedron),
+}
+
+impl Geometry<'_> {
+    /// Whether it makes several blocks.
+    pub fn is_many(self) -> bool {
+        match self {
+            Geometry::Polygon(_)
+            | Geometry::Rectangle(_)
+            | Geometry::Regular(_)
+            | Geometry::Brick(_)
+            | Geometry::Polyhedron(_) => false,
+            Geometry::Wall(_)
+            | Geometry::Arch(_)
+            | Geometry::Cut(_)
+            | Geometry::Voronoi(_)
+            | Geometry::Pour(_)
+            | Geometry::Grid(_) => true,
+        }
+    }
 }
 
 impl Block {
@@ -91,6 +140,11 @@ impl Block {
                 .as_ref()
                 .map(|g| ("voronoi", Geometry::Voronoi(g))),
             self.pour.as_ref().map(|g| ("pour", Geometry::Pour(g))),
+            self.brick.as_ref().map(|g| ("brick", Geometry::Brick(g))),
+            self.grid.as_ref().map(|g| ("grid", Geometry::Grid(g))),
+            self.polyhedron
+                .as_ref()
+                .map(|g| ("polyhedron", Geometry::Polyhedron(g))),
         ]
         .into_iter()
         .flatten()
@@ -99,19 +153,7 @@ impl Block {
 
     /// Whether it makes blocks called name.1, name.2, ... instead of one called name.
     pub fn is_generator(&self) -> bool {
-        let many = match self.geometry() {
-            Some(Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_)) | None => {
-                false
-            }
-            Some(
-                Geometry::Wall(_)
-                | Geometry::Arch(_)
-                | Geometry::Cut(_)
-                | Geometry::Voronoi(_)
-                | Geometry::Pour(_),
-            ) => true,
-        };
-        many || self.copies.is_some()
+        self.geometry().is_some_and(Geometry::is_many) || self.copies.is_some()
     }
 
     /// The geometry, if exactly one was given.
@@ -277,8 +319,8 @@ pub struct Pour {
 pub struct Copies {
     /// Number of blocks in all, at least 1.
     pub count: u32,
-    /// From one block to the next [x, y], m.
-    pub step: Point,
+    /// From one block to the next, m.
+    pub step: Vector<Length>,
 }
 
 /// Turns a shape.

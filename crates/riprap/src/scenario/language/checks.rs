@@ -5,7 +5,8 @@ use serde::Deserialize;
 
 use super::outputs::Moment;
 use crate::scenario::quantity::{
-    Angle, Any, Name, Names, NotNegativePlain, NotNegativeTime, NumberOrKey, Quantity, Table,
+    Any, Direction, Length, Name, Names, NotNegativePlain, NotNegativeTime, NumberOrKey, Quantity,
+    Table, Vector,
 };
 use crate::scenario::time_function::CsvFunction;
 
@@ -31,10 +32,14 @@ pub struct Bisect {
 pub struct Criterion {
     /// Field, for example `model.max_displacement`.
     pub field: Name,
-    /// Block, or the two blocks of a pair, or a group. Not for fields of the whole model.
+    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
+    /// model.
     pub of: Option<Names>,
-    /// Direction in which a vector is measured, anticlockwise from the x axis.
-    pub along: Option<Quantity<Angle>>,
+    /// Instead of a block: the point, m, that lies in it at the start.
+    pub at_point: Option<Vector<Length>>,
+    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
+    /// axis; in space a vector such as `[0, 0, 1]`.
+    pub along: Option<Direction>,
     /// How values over the whole run become one number. Default: the value at the end.
     pub reduce: Option<Reduce>,
     /// Fails if the number is larger.
@@ -51,10 +56,14 @@ pub struct Check {
     pub name: Name,
     /// Field, for example `block.displacement`; `riprap fields` lists them.
     pub field: Name,
-    /// Block, or the two blocks of a pair, or a group. Not for fields of the whole model.
+    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
+    /// model.
     pub of: Option<Names>,
-    /// Direction in which a vector is measured, anticlockwise from the x axis.
-    pub along: Option<Quantity<Angle>>,
+    /// Instead of a block: the point, m, that lies in it at the start.
+    pub at_point: Option<Vector<Length>>,
+    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
+    /// axis; in space a vector such as `[0, 0, 1]`.
+    pub along: Option<Direction>,
     /// Moment of the check: a time, `"start"` or `"end"`. Default `"end"`. Not with `over`.
     pub at: Option<Moment>,
     /// First and last time of an interval, s. Default the whole run, if `reduce` is given.

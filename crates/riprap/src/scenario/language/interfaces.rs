@@ -4,7 +4,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::scenario::quantity::{
-    FrictionAngle, Name, NotNegativePlain, Quantity, Speed, StiffnessPerArea, Strength,
+    FrictionAngle, Name, NotNegativePlain, PositiveLength, Quantity, Speed, StiffnessPerArea,
+    Strength,
 };
 
 /// The law of contact between two materials.
@@ -15,28 +16,97 @@ pub struct Interface {
     /// `default`, where it is forbidden.
     pub between: Option<[Name; 2]>,
     /// Normal law of found contacts. Default `distance_potential`.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "joints are elastic up to their strength; leave it out"))]
     pub law: Option<NormalLaw>,
     /// How `penetration_potential` treats a reflex (inward) corner. Default `min`.
+    #[schemars(extend("x-space" = "planar"))]
     pub reflex: Option<Reflex>,
-    /// Normal stiffness per area of contact, Pa/m; greater than zero. Default
-    /// 10 (K + 4G/3)/L from `young` and `poisson` of the materials, L the median block size.
+    /// Where the stiffness of joints comes from. Default `material`, without
+    /// `normal_stiffness`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "give `normal_stiffness`, or the elastic constants of the materials"))]
+    pub stiffness: Option<StiffnessRule>,
+    /// Normal stiffness per area of contact, Pa/m; greater than zero. Default in `[space.planar]`
+    /// 10 (K + 4G/3)/L from `young` and `poisson` of the materials, L the median block size; in
+    /// `[space.spatial]` by `stiffness`.
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area of contact, Pa/m; greater than zero. Default half the normal one.
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Whether joints neither open nor slide. Default false: Mohr-Coulomb with a tension cut-off.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `bond` with a high strength"))]
+    #[serde(default)]
+    pub elastic: bool,
     /// Angle of friction, at least 0 and less than 90 deg. Give this or `friction_coefficient`.
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Tangent of the friction angle, zero or more. Give this or `friction_angle`.
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
-    /// Cohesion of found contacts, Pa; zero or more. Default 0 Pa.
+    /// Cohesion, Pa; zero or more. Default 0 Pa.
     pub cohesion: Option<Quantity<Strength>>,
+    /// Tensile strength of joints, Pa; zero or more. Default 0 Pa.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    pub tension: Option<Quantity<Strength>>,
+    /// Angle of friction of joints that have failed. Default `friction_angle`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Cohesion of joints that have failed, Pa; zero or more. Default 0 Pa.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    pub residual_cohesion: Option<Quantity<Strength>>,
+    /// Angle of dilation of joints that slide, at least 0 and less than 90 deg. Default 0 deg.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub dilation_angle: Option<Quantity<FrictionAngle>>,
+    /// Slip at which dilation ends, m. Needed with `dilation_angle`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub dilation_end: Option<Quantity<PositiveLength>>,
+    /// What fails as one. Default `point`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub failure: Option<Failure>,
+    /// Where the four points of a joint lie. Default `gauss`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub points: Option<Points>,
     /// Law of friction. Default `shear_spring`.
+    #[schemars(extend("x-space" = "planar"))]
     pub friction_law: Option<FrictionLaw>,
     /// Slip speed below which `clipped` friction grows linearly, m/s. Needed by `clipped` only.
+    #[schemars(extend("x-space" = "planar"))]
     pub clip_speed: Option<Quantity<Speed>>,
-    /// Damping of the contact as a share of critical damping; zero or more. Default 0.2.
+    /// Damping; zero or more. In `[space.planar]` a share of critical damping, default 0.2. In
+    /// `[space.spatial]` dashpots beside the springs of closed joints, with the time constant
+    /// `damping_ratio` times distance of the centroids over c_P; default 0.1, which needs `young`
+    /// and `poisson`.
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Joins blocks that share an edge at the start with patches that can break.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "give `tension`, `cohesion`, ... of the interface itself: blocks that share a face are joined"))]
     pub bond: Option<Bond>,
+}
+
+/// Where the stiffness of joints comes from: the elastic half blocks on both sides in series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StiffnessRule {
+    /// Constrained modulus M/d and shear 2G/d, d the distance of the centroids: right wave speeds.
+    Material,
+    /// Young's modulus E/d and shear 2G/d: right settlement under uniaxial stress, for static
+    /// questions.
+    Uniaxial,
+}
+
+/// What fails as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Failure {
+    /// Each of the four points of a joint by itself.
+    Point,
+    /// The whole joint, by the sum of its forces and its torsion.
+    Face,
+}
+
+/// Where the four points of a joint lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Points {
+    /// Gauss points: exact bending and torsion.
+    Gauss,
+    /// Centres of the four quarters, as the source paper has them.
+    Quarter,
 }
 
 /// Normal law of a found contact.
@@ -103,8 +173,10 @@ pub struct Bond {
 #[serde(deny_unknown_fields)]
 pub struct InterfaceChange {
     /// Normal law of found contacts.
+    #[schemars(extend("x-space" = "planar"))]
     pub law: Option<NormalLaw>,
     /// How `penetration_potential` treats a reflex (inward) corner.
+    #[schemars(extend("x-space" = "planar"))]
     pub reflex: Option<Reflex>,
     /// Normal stiffness per area of contact, Pa/m; greater than zero.
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
@@ -114,12 +186,23 @@ pub struct InterfaceChange {
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Tangent of the friction angle, zero or more.
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
-    /// Cohesion of found contacts, Pa; zero or more.
+    /// Cohesion, Pa; zero or more.
     pub cohesion: Option<Quantity<Strength>>,
+    /// Tensile strength, Pa; zero or more.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub tension: Option<Quantity<Strength>>,
+    /// Angle of friction of joints that have failed.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Cohesion of joints that have failed, Pa; zero or more.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub residual_cohesion: Option<Quantity<Strength>>,
     /// Law of friction.
+    #[schemars(extend("x-space" = "planar"))]
     pub friction_law: Option<FrictionLaw>,
     /// Slip speed below which `clipped` friction grows linearly, m/s.
+    #[schemars(extend("x-space" = "planar"))]
     pub clip_speed: Option<Quantity<Speed>>,
-    /// Damping of the contact as a share of critical damping; zero or more.
+    /// Damping, as in the interface itself; zero or more.
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
 }

@@ -4,9 +4,10 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Point;
+use super::solids::BoxRegion;
 use crate::scenario::quantity::{
-    Acceleration, ForcePerLength, Kind, MomentPerLength, Name, Plain, Pressure, Quantity, Spin,
-    SpinAcceleration, Velocity,
+    Acceleration, Axial, ForcePerLength, Kind, Length, MomentPerLength, Name, Plain, Pressure,
+    Quantity, Spin, SpinAcceleration, Vector, Velocity,
 };
 use crate::scenario::time_function::TimeFunction;
 
@@ -20,6 +21,8 @@ pub enum Target {
     Group(Name),
     /// Several blocks by name.
     Blocks(Vec<Name>),
+    /// The blocks whose centroid lies in a box at the start.
+    Box(BoxRegion),
 }
 
 /// Blocks that are held or moved. Exactly one of `fixed` and `motion`.
@@ -44,9 +47,22 @@ pub struct Fixed {
     /// Whether the block is held along y. Default true.
     #[serde(default = "yes")]
     pub y: bool,
+    /// Whether the block is held along z. Default true.
+    #[schemars(extend("x-space" = "spatial"))]
+    #[serde(default = "yes")]
+    pub z: bool,
     /// Whether the block is kept from turning. Default true.
     #[serde(default = "yes")]
     pub rotation: bool,
+    /// Whether it is kept from turning about x. Default as `rotation`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    pub rotation_x: Option<bool>,
+    /// Whether it is kept from turning about y. Default as `rotation`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    pub rotation_y: Option<bool>,
+    /// Whether it is kept from turning about z. Default as `rotation`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    pub rotation_z: Option<bool>,
 }
 
 fn yes() -> bool {
@@ -59,7 +75,8 @@ fn yes() -> bool {
 pub enum Motion {
     /// Velocity over time.
     Velocity(MotionComponents<Velocity, Spin>),
-    /// Acceleration over time, starting from the velocity at the start (shaking).
+    /// Acceleration over time, starting from the velocity at the start (shaking). In
+    /// `[space.spatial]` the blocks do not turn.
     Acceleration(MotionComponents<Acceleration, SpinAcceleration>),
 }
 
@@ -71,8 +88,21 @@ pub struct MotionComponents<L: Kind, R: Kind> {
     pub x: Option<TimeFunction<L>>,
     /// Along y.
     pub y: Option<TimeFunction<L>>,
+    /// Along z.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub z: Option<TimeFunction<L>>,
     /// Turning, anticlockwise.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `spin_x`, `spin_y`, `spin_z`"))]
     pub spin: Option<TimeFunction<R>>,
+    /// Turning about x, right-handed; for `velocity` only.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    pub spin_x: Option<TimeFunction<R>>,
+    /// Turning about y, right-handed; for `velocity` only.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    pub spin_y: Option<TimeFunction<R>>,
+    /// Turning about z, right-handed; for `velocity` only.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    pub spin_z: Option<TimeFunction<R>>,
 }
 
 /// A load. Exactly one of `point`, `edge`, `moment`, `body`.
@@ -84,9 +114,11 @@ pub struct Load {
     /// A force at a point.
     pub point: Option<PointLoad>,
     /// A pressure or traction along a part of the boundary, for example water in a joint.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use [[boundaries]] with `pressure` or `traction`"))]
     pub edge: Option<EdgeLoad>,
-    /// A moment per metre of thickness, N (= N m/m), anticlockwise.
-    pub moment: Option<Quantity<MomentPerLength>>,
+    /// A moment: in the plane per metre of thickness, N (= N m/m), anticlockwise; in space about
+    /// x, y, z, N m, right-handed.
+    pub moment: Option<Axial<MomentPerLength>>,
     /// A force on the mass, given as an acceleration.
     pub body: Option<BodyLoad>,
     /// Factor over time, a number without unit. Default constant 1.
@@ -97,12 +129,12 @@ pub struct Load {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointLoad {
-    /// Force per metre of thickness [x, y], N/m.
-    pub force: [Quantity<ForcePerLength>; 2],
-    /// Where it acts at the start [x, y], m; the point travels with the block. Default the
-    /// centroid.
-    pub at: Option<Point>,
+    /// Force: in the plane per metre of thickness, N/m; in space N.
+    pub force: Vector<ForcePerLength>,
+    /// Where it acts at the start, m; the point travels with the block. Default the centroid.
+    pub at: Option<Vector<Length>>,
     /// Whether the direction turns with the block. Default false.
+    #[schemars(extend("x-space" = "planar"))]
     #[serde(default)]
     pub follows: bool,
 }
@@ -127,6 +159,6 @@ pub struct EdgeLoad {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodyLoad {
-    /// Force per mass [x, y], m/s2.
-    pub acceleration: [Quantity<Acceleration>; 2],
+    /// Force per mass, m/s2.
+    pub acceleration: Vector<Acceleration>,
 }

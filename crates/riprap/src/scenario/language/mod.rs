@@ -10,10 +10,13 @@
 
 mod blocks;
 mod checks;
+mod ground;
 mod interfaces;
 mod loads;
 mod outputs;
 mod phases;
+mod solids;
+mod sources;
 mod space;
 
 use schemars::JsonSchema;
@@ -24,18 +27,35 @@ pub use blocks::{
     Voronoi, Wall, WallBond,
 };
 pub use checks::{Bisect, Check, Criterion, Reduce};
-pub use interfaces::{Bond, FrictionLaw, Interface, InterfaceChange, NormalLaw, Reflex};
+pub use ground::{
+    Boundary, Compressive, FacePlane, FacePressure, FaceTraction, Faces, GravityK0, InSitu, Moved,
+    Side, TensionPositive, Viscous,
+};
+pub use interfaces::{
+    Bond, Failure, FrictionLaw, Interface, InterfaceChange, NormalLaw, Points, Reflex,
+    StiffnessRule,
+};
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
 };
-pub use outputs::{Every, History, Moment, Output, Schedule};
+pub use outputs::{Every, History, Moment, Output, Period, Schedule};
 pub use phases::{Damping, Phase, PhaseKind, Reset, Until};
-pub use space::{Material, Planar, Space};
+pub use solids::{
+    Ball, BoxRegion, Brick, Empty, Grid, GridBox, Mechanics, Plane, Polyhedron, Segment, span_of,
+};
+pub use sources::{
+    Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,
+    PressureCavity, Refine, Source, Venting, VentingTime,
+};
+pub use space::{Group, Kinematics, Material, Planar, Space, Spatial};
 
 use super::quantity::{Length, PositivePlain, Quantity, Table};
 
 /// A point of the plane: [x, y], x to the right, y up, m.
 pub type Point = [Quantity<Length>; 2];
+
+/// A point of space: [x, y, z], x east, y north, z up, m.
+pub type Point3 = [Quantity<Length>; 3];
 
 /// A scenario: everything that riprap needs to build, run and check one model.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -68,6 +88,28 @@ pub struct Scenario {
     /// Blocks that are held or moved.
     #[serde(default)]
     pub supports: Vec<Support>,
+    /// Named sets of blocks by place or by name.
+    #[serde(default)]
+    pub groups: Table<Group>,
+    /// Splitting of bricks into smaller ones.
+    #[schemars(extend("x-space" = "spatial"))]
+    #[serde(default)]
+    pub refine: Vec<Refine>,
+    /// Conditions on free faces: held, moved, absorbing or loaded.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use [[supports]] and [[loads]] on blocks"))]
+    #[serde(default)]
+    pub boundaries: Vec<Boundary>,
+    /// Stress at the start.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "let a first phase with kind = \"static\" settle the model"))]
+    pub in_situ: Option<InSitu>,
+    /// Explosives by name.
+    #[schemars(extend("x-space" = "spatial"))]
+    #[serde(default)]
+    pub explosives: Table<Explosive>,
+    /// Charges and other cavities by name.
+    #[schemars(extend("x-space" = "spatial"))]
+    #[serde(default)]
+    pub sources: Table<Source>,
     /// Forces, pressures and moments on blocks.
     #[serde(default)]
     pub loads: Vec<Load>,

@@ -3,14 +3,17 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scenario::quantity::{Angle, Interval, Name, Names, Quantity, Raw, Span, When};
+use crate::scenario::moments::read_period;
+use crate::scenario::quantity::{
+    Direction, Interval, Length, Name, Names, Raw, Span, Vector, When,
+};
 
 /// Something that is written to the run folder. Exactly one form.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Output {
     /// A column of `histories.csv`.
-    History(History),
+    History(Box<History>),
     /// Pictures of the whole model for ParaView.
     Frames(Schedule),
     /// States from which a run can be resumed; there is always one at the end of a phase.
@@ -25,10 +28,14 @@ pub struct History {
     pub name: Name,
     /// Field, for example `block.displacement`; `riprap fields` lists them.
     pub field: Name,
-    /// Block, or the two blocks of a pair, or a group. Not for fields of the whole model.
+    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
+    /// model.
     pub of: Option<Names>,
-    /// Direction in which a vector is measured, anticlockwise from the x axis.
-    pub along: Option<Quantity<Angle>>,
+    /// Instead of a block: the point, m, that lies in it at the start.
+    pub at_point: Option<Vector<Length>>,
+    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
+    /// axis; in space a vector such as `[0, 0, 1]`.
+    pub along: Option<Direction>,
     /// How often, for example `"1 ms"` or `"10 steps"`.
     pub every: Every,
 }
@@ -73,6 +80,22 @@ impl Moment {
     }
 }
 
+/// A period along one axis: a length, or `"none"`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Period {
+    /// What was written.
+    pub raw: Raw,
+    /// Where.
+    pub span: Span,
+}
+
+impl Period {
+    /// The period, m; `None` for none and where a check reports an error.
+    pub fn read(&self) -> Option<f64> {
+        read_period(&self.raw, true).ok().flatten()
+    }
+}
+
 macro_rules! raw_with_place {
     ($name:ident, $description:literal) => {
         impl<'de> Deserialize<'de> for $name {
@@ -97,4 +120,5 @@ raw_with_place!(
     Every,
     "A time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"."
 );
+raw_with_place!(Period, "A length (\"32 m\") or \"none\".");
 raw_with_place!(Moment, "A time (\"1.5 s\"), \"start\" or \"end\".");

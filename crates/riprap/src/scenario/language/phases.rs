@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
 use crate::scenario::quantity::{
-    Acceleration, EnergyPerLength, Name, NotNegativeTime, PositivePlain, PositiveTime, Quantity,
-    Rate, Share, ShareBelowOne, Table, TimeStep,
+    Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositivePlain, PositiveTime,
+    Quantity, Rate, Share, ShareBelowOne, Table, TimeStep,
 };
 
 /// A part of the run.
@@ -22,7 +22,7 @@ pub struct Phase {
     /// Time step, s. Default automatic: `safety` times the stable one.
     pub time_step: Option<Quantity<TimeStep>>,
     /// Share of the stable time step that is used when `time_step` is not given, greater than 0
-    /// and at most 1. Default 0.2.
+    /// and at most 1. Default 0.2 in `[space.planar]` and 0.5 in `[space.spatial]`.
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
     pub damping: Option<Damping>,
@@ -35,8 +35,9 @@ pub struct Phase {
     /// Groups or blocks whose supports are taken away when the phase begins.
     #[serde(default)]
     pub release: Vec<Name>,
-    /// Gravity from this phase on [x, y], m/s2. Default unchanged.
-    pub gravity: Option<[Quantity<Acceleration>; 2]>,
+    /// Gravity from this phase on, m/s2; in `[space.spatial]` a vector or the one value that points
+    /// down. Default unchanged.
+    pub gravity: Option<Down<Acceleration>>,
     /// Time over which gravity grows from its old value (zero in the first phase), s.
     /// Default 0 s: at once.
     pub gravity_ramp: Option<Quantity<NotNegativeTime>>,
@@ -66,7 +67,7 @@ pub struct Until {
     pub time: Option<Quantity<PositiveTime>>,
     /// Ratio of unbalanced to applied forces, for example 1e-5; greater than zero.
     pub unbalanced: Option<Quantity<PositivePlain>>,
-    /// Kinetic energy of all blocks per metre of thickness, J/m.
+    /// Kinetic energy of all blocks, J; in the plane per metre of thickness, J/m.
     pub kinetic: Option<Quantity<EnergyPerLength>>,
     /// Number of steps, at least 1.
     pub steps: Option<u64>,
@@ -78,6 +79,10 @@ pub struct Until {
 pub struct Damping {
     /// Force against the velocity, proportional to mass, 1/s; zero or more. Default 0 1/s.
     pub mass: Option<Quantity<Rate>>,
+    /// The same for turning: moment against the spin, proportional to inertia, 1/s. Default as
+    /// `mass`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "`mass` damps turning too"))]
+    pub rotation: Option<Quantity<Rate>>,
     /// Proportional to contact stiffness, s; zero or more. Default 0 s.
     pub stiffness: Option<Quantity<NotNegativeTime>>,
     /// Share of the unbalanced force taken off, against the motion; at least 0, less than 1.

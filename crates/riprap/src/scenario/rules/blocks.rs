@@ -1,9 +1,12 @@
 //! Rules of blocks and their shapes.
 
 use super::{MAX_BLOCKS, Rules};
-use crate::scenario::language::{Block, Copies, Cut, Geometry, Polygon};
+use crate::scenario::language::{
+    Block, BoxRegion, Copies, Cut, Geometry, Grid, Group, Mechanics, Polygon, Polyhedron, span_of,
+};
 use crate::scenario::quantity::Span;
 use crate::scenario::values::short;
+use crate::scenario::vectors::InSpace;
 
 impl Rules {
     pub(super) fn block(&mut self, block: &Block) {
@@ -11,34 +14,40 @@ impl Rules {
         let of = format!("block `{}`", short(block.name.as_str()));
         self.name(&block.name, "a block");
         let given = block.geometries();
-        let all = [
-            "polygon",
-            "rectangle",
-            "regular",
-            "wall",
-            "arch",
-            "cut",
-            "voronoi",
-            "pour",
-        ];
-        let flags = all.map(|key| (key, given.iter().any(|(other, _)| *other == key)));
-        self.one_of(span, &of, &flags);
+        let all: &[&str] = match self.space {
+            InSpace::Planar => &[
+                "polygon",
+                "rectangle",
+                "regular",
+                "wall",
+                "arch",
+                "cut",
+                "voronoi",
+                "pour",
+            ],
+            InSpace::Spatial => &["brick", "grid", "polyhedron"],
+        };
+        let flags: Vec<(&str, bool)> = all
+            .iter()
+            .map(|key| (*key, given.iter().any(|(other, _)| other == key)))
+            .collect();
+        // A shape of the other space was refused already.
+        if given.iter().all(|(key, _)| all.contains(key)) {
+            self.one_of(span, &of, &flags);
+        }
+        if let Some(Mechanics::Deformable(_)) = block.mechanics {
+            let message = format!("{of} cannot be deformable yet: blocks are rigid");
+            let help = "leave `mechanics` out; all deformation is in the joints between the blocks";
+            self.error("mechanics.deformable", span, message, help);
+        }
         for (key, geometry) in given {
             self.geometry(span, &of, geometry);
-            let single = match geometry {
-                Geometry::Polygon(_) | Geometry::Rectangle(_) | Geometry::Regular(_) => true,
-                Geometry::Wall(_)
-                | Geometry::Arch(_)
-                | Geometry::Cut(_)
-                | Geometry::Voronoi(_)
-                | Geometry::Pour(_) => false,
-            };
             if let Some(Copies { count, .. }) = &block.copies {
                 self.count(span, &of, "copies.count", u64::from(*count), 1, MAX_BLOCKS);
-                if !single {
+                if geometry.is_many() {
                     let message = format!("{of}: `{key}` cannot be copied");
-                    let help = "`copies` is for polygon, rectangle and regular; write another \
-                                [[blocks]] with `shift`";
+                    let help =
+                        "`copies` is for single shapes; write another [[blocks]] with `shift`";
                     self.error("key.forbidden", span, message, help);
                 }
             }
@@ -49,6 +58,21 @@ impl Rules {
         match geometry {
             Geometry::Polygon(Polygon::Points(points)) => self.corners(span, of, points.len()),
             Geometry::Polygon(Polygon::Csv(_)) => {}
+            Geometry::Brick(brick) => self.one_of(
+                span,
+                &format!("the brick of {of}"),
+                &[
+                    ("corner", brick.corner.is_some()),
+                    ("centre", brick.centre.is_some()),
+                ],
+            ),
+            Geometry::Grid(Grid::Box(grid)) => {
+                if let (Some(_), Some(centre)) = (&grid.corner, &grid.centre) {
+                    let message = format!("the grid of {of} has `corner` and `centre`");
+                    self.error("key.one_of", &span_of(centre), message, "keep one of them");
+                }
+            }
+            Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
             Geometry::Rectangle(shape) => self.one_of(
                 span,
                 &format!("the rectangle of {of}"),
@@ -110,6 +134,59 @@ impl Rules {
                     self.in_order(low, high, false, help);
                 }
             }
+        }
+    }
+
+    fn polyhedron(&mut self, span: &Span, of: &str, shape: &Polyhedron) {
+        self.one_of(
+            span,
+            &format!("the polyhedron of {of}"),
+            &[
+                ("vertices", shape.vertices.is_some()),
+                ("obj", shape.obj.is_some()),
+            ],
+        );
+        let count = shape.vertices.as_ref().map_or(4, Vec::len);
+        if count < 4 {
+            let message = format!("the polyhedron of {of} has {count} corners");
+            let help = "a polyhedron has at least four corners";
+            self.error("polyhedron.corners", span, message, help);
+        }
+        let Some(faces) = &shape.faces else { return };
+        if shape.vertices.is_none() {
+            let message = format!("the polyhedron of {of} has `faces` without `vertices`");
+            self.error("key.missing", span, message, "give the corners too");
+            return;
+        }
+        for (number, face) in faces.iter().enumerate() {
+            if face.len() < 3 {
+                let message = format!("face {number} of {of} has {} corners", face.len());
+                let help = "a face has at least three corners";
+                self.error("polyhedron.face", span, message, help);
+            }
+            if let Some(corner) = face.iter().find(|corner| **corner as usize >= count) {
+                let message = format!("face {number} of {of} names corner {corner}");
+                let help = format!("corners are counted from 0 to {}", count - 1);
+                self.error("polyhedron.face", span, message, &help);
+            }
+        }
+    }
+
+    /// A box whose corners must be in order.
+    pub(super) fn region(&mut self, region: &BoxRegion) {
+        for (low, high) in region.min.items.iter().zip(&region.max.items) {
+            self.in_order(
+                low,
+                high,
+                true,
+                "`box` is { min = [lowest], max = [highest] }",
+            );
+        }
+    }
+
+    pub(super) fn group(&mut self, group: &Group) {
+        if let Some(region) = &group.region {
+            self.region(region);
         }
     }
 

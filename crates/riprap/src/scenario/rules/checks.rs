@@ -2,6 +2,7 @@
 
 use super::Rules;
 use crate::scenario::language::{Check, Criterion, Reduce};
+use crate::scenario::quantity::{Length, Names, Span, Vector};
 use crate::scenario::values::short;
 
 impl Rules {
@@ -11,6 +12,8 @@ impl Rules {
             ("below", criterion.below.is_some()),
         ];
         self.one_of(&criterion.field.span, "fails_when", &keys);
+        let at = (criterion.of.as_ref(), criterion.at_point.as_ref());
+        self.of_or_point(at, &criterion.field.span);
         if let Some(Reduce::FirstAbove | Reduce::ShareAbove) = criterion.reduce {
             let message = "fails_when cannot use `first_above` or `share_above`".to_owned();
             self.error(
@@ -22,10 +25,23 @@ impl Rules {
         }
     }
 
+    /// A field is read at something named or at a point.
+    pub(super) fn of_or_point(
+        &mut self,
+        (of, point): (Option<&Names>, Option<&Vector<Length>>),
+        span: &Span,
+    ) {
+        if of.is_some() && point.is_some() {
+            let message = "`of` and `at_point` say both where".to_owned();
+            self.error("key.one_of", span, message, "keep one of them");
+        }
+    }
+
     pub(super) fn check(&mut self, check: &Check) {
         let span = &check.name.span;
         let of = format!("check `{}`", short(check.name.as_str()));
         self.name(&check.name, "a check");
+        self.of_or_point((check.of.as_ref(), check.at_point.as_ref()), span);
         self.one_of(
             span,
             &of,

@@ -4,6 +4,7 @@ use super::Rules;
 use crate::scenario::diagnostic::Diagnostic;
 use crate::scenario::language::{FrictionLaw, Interface, NormalLaw, Scenario};
 use crate::scenario::quantity::{Name, Span};
+use crate::scenario::vectors::InSpace;
 
 impl Rules {
     pub(super) fn interface(&mut self, name: &Name, interface: &Interface, scenario: &Scenario) {
@@ -27,20 +28,17 @@ impl Rules {
             }
             (Some(_), false) | (None, true) => {}
         }
-        self.one_of(
-            span,
-            &of,
-            &[
-                ("friction_angle", interface.friction_angle.is_some()),
-                (
-                    "friction_coefficient",
-                    interface.friction_coefficient.is_some(),
-                ),
-            ],
-        );
+        match self.space {
+            InSpace::Planar => self.contact(span, &of, interface, scenario),
+            InSpace::Spatial => self.joint(span, &of, interface, scenario),
+        }
+    }
+
+    fn contact(&mut self, span: &Span, of: &str, interface: &Interface, scenario: &Scenario) {
+        self.friction(span, of, interface);
         self.friction_law(
             span,
-            &of,
+            of,
             interface.friction_law,
             interface.clip_speed.is_some(),
         );
@@ -80,6 +78,21 @@ impl Rules {
                 8,
             );
         }
+    }
+
+    /// Exactly one way to give friction.
+    pub(super) fn friction(&mut self, span: &Span, of: &str, interface: &Interface) {
+        self.one_of(
+            span,
+            of,
+            &[
+                ("friction_angle", interface.friction_angle.is_some()),
+                (
+                    "friction_coefficient",
+                    interface.friction_coefficient.is_some(),
+                ),
+            ],
+        );
     }
 
     pub(super) fn friction_law(

@@ -3,16 +3,20 @@
 
 mod blocks;
 mod checks;
+mod ground;
 mod interfaces;
+mod joints;
 mod motion;
+mod sources;
 
 use toml::de::DeTable;
 
 use super::diagnostic::{Diagnostic, list};
-use super::language::{Output, Scenario, Target};
+use super::language::{Output, Scenario, Space, Target};
 use super::quantity::{Kind, Name, Quantity, Span};
 use super::references;
 use super::units::Dim;
+use super::vectors::InSpace;
 use crate::dynamics::Formula;
 
 /// Most blocks that one generator may make.
@@ -27,6 +31,10 @@ pub(super) fn check(
 ) -> Vec<Diagnostic> {
     let mut rules = Rules {
         found: Vec::new(),
+        space: match scenario.space {
+            Space::Planar(_) => InSpace::Planar,
+            Space::Spatial(_) => InSpace::Spatial,
+        },
         values_sound,
     };
     rules.head(scenario, root);
@@ -37,6 +45,7 @@ pub(super) fn check(
 
 struct Rules {
     found: Vec<Diagnostic>,
+    space: InSpace,
     values_sound: bool,
 }
 
@@ -111,9 +120,14 @@ impl Rules {
             );
         }
         if scenario.blocks.is_empty() {
+            let shape = match self.space {
+                InSpace::Planar => "rectangle",
+                InSpace::Spatial => "brick",
+            };
+            let help = format!("add [[blocks]] with name, material and a shape such as {shape}");
             self.found.push(
                 Diagnostic::error("model.empty", "the model is empty: there are no blocks")
-                    .help("add [[blocks]] with name, material and a shape such as rectangle"),
+                    .help(help),
             );
         }
         if scenario.phases.is_empty() {
@@ -136,6 +150,11 @@ impl Rules {
         for block in &scenario.blocks {
             self.block(block);
         }
+        for (_, group) in scenario.groups.iter() {
+            self.group(group);
+        }
+        self.ground(scenario);
+        self.sources(scenario);
         for support in &scenario.supports {
             self.support(support);
         }
@@ -148,6 +167,8 @@ impl Rules {
         for output in &scenario.outputs {
             if let Output::History(history) = output {
                 self.name(&history.name, "a history");
+                let at = (history.of.as_ref(), history.at_point.as_ref());
+                self.of_or_point(at, &history.name.span);
             }
         }
         if let Some(bisect) = &scenario.bisect {
@@ -231,5 +252,6 @@ pub(super) fn target_span(target: &Target) -> Span {
     match target {
         Target::Block(name) | Target::Group(name) => name.span.clone(),
         Target::Blocks(names) => names.first().map_or(0..0, |name| name.span.clone()),
+        Target::Box(region) => region.min.span.clone(),
     }
 }

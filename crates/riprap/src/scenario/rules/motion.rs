@@ -2,10 +2,13 @@
 
 use super::{Rules, target_span};
 use crate::scenario::diagnostic::Diagnostic;
-use crate::scenario::language::{EdgeLoad, FrictionLaw, Load, Motion, Phase, Support};
+use crate::scenario::language::{
+    EdgeLoad, FrictionLaw, Load, Motion, MotionComponents, Phase, Support, Target,
+};
 use crate::scenario::quantity::{Kind, Quantity, Span};
 use crate::scenario::time_function::TimeFunction;
 use crate::scenario::values::short;
+use crate::scenario::vectors::InSpace;
 
 impl Rules {
     pub(super) fn support(&mut self, support: &Support) {
@@ -15,26 +18,48 @@ impl Rules {
             ("motion", support.motion.is_some()),
         ];
         self.one_of(&span, "a support", &keys);
-        let components = match &support.motion {
-            Some(Motion::Velocity(motion)) => {
-                self.time_function(&span, motion.x.as_ref());
-                self.time_function(&span, motion.y.as_ref());
-                self.time_function(&span, motion.spin.as_ref());
-                motion.x.is_some() || motion.y.is_some() || motion.spin.is_some()
-            }
+        if let Target::Box(region) = &support.on {
+            self.region(region);
+        }
+        let any = match &support.motion {
+            Some(Motion::Velocity(motion)) => self.components(&span, motion),
             Some(Motion::Acceleration(motion)) => {
-                self.time_function(&span, motion.x.as_ref());
-                self.time_function(&span, motion.y.as_ref());
-                self.time_function(&span, motion.spin.as_ref());
-                motion.x.is_some() || motion.y.is_some() || motion.spin.is_some()
+                let turns = [&motion.spin_x, &motion.spin_y, &motion.spin_z];
+                if turns.iter().any(|spin| spin.is_some()) {
+                    let message = "an acceleration in [space.spatial] does not turn".to_owned();
+                    let help = "prescribe the spin by a `velocity`, or leave it out";
+                    self.error("key.forbidden", &span, message, help);
+                }
+                self.components(&span, motion)
             }
             None => true,
         };
-        if !components {
-            let message = "a motion needs at least one of `x`, `y`, `spin`".to_owned();
+        if !any {
+            let axes = match self.space {
+                InSpace::Planar => "`x`, `y`, `spin`",
+                InSpace::Spatial => "`x`, `y`, `z`, `spin_x`, `spin_y`, `spin_z`",
+            };
+            let message = format!("a motion needs at least one of {axes}");
             let help = "write for example x = { constant = \"0.1 m/s\" }";
             self.error("key.one_of", &span, message, help);
         }
+    }
+
+    /// Looks at all components of a motion; whether there are any.
+    pub(super) fn components<L: Kind, R: Kind>(
+        &mut self,
+        span: &Span,
+        motion: &MotionComponents<L, R>,
+    ) -> bool {
+        let linear = [&motion.x, &motion.y, &motion.z];
+        let turning = [&motion.spin, &motion.spin_x, &motion.spin_y, &motion.spin_z];
+        for function in linear {
+            self.time_function(span, function.as_ref());
+        }
+        for function in turning {
+            self.time_function(span, function.as_ref());
+        }
+        linear.iter().any(|f| f.is_some()) || turning.iter().any(|f| f.is_some())
     }
 
     pub(super) fn time_function<K: Kind>(
@@ -52,6 +77,14 @@ impl Rules {
                 let start = pulse.start.as_ref().map_or(0.0, Quantity::si);
                 self.end_after(start, pulse.end.si(), &pulse.end.span);
             }
+            Some(TimeFunction::Duvall(duvall)) => {
+                if self.values_sound && duvall.rise.si() <= duvall.decay.si() {
+                    let message = "`rise` is not above `decay`".to_owned();
+                    let help =
+                        "`rise` is the rate of the fast exponential, `decay` of the slow one";
+                    self.error("value.order", &duvall.rise.span, message, help);
+                }
+            }
             Some(TimeFunction::Csv(csv)) => {
                 if csv.file.as_str().is_empty() {
                     self.error(
@@ -62,7 +95,8 @@ impl Rules {
                     );
                 }
             }
-            Some(TimeFunction::Constant(_) | TimeFunction::Sine(_)) | None => {}
+            Some(TimeFunction::Constant(_) | TimeFunction::Sine(_) | TimeFunction::Triangle(_))
+            | None => {}
         }
     }
 

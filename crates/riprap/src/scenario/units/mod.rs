@@ -43,6 +43,8 @@ impl Dim {
     pub const FORCE_PER_LENGTH: Dim = Dim([1, 0, -2, 0]);
     /// J, also N m
     pub const ENERGY: Dim = Dim([1, 2, -2, 0]);
+    /// J/kg
+    pub const SPECIFIC_ENERGY: Dim = Dim([0, 2, -2, 0]);
     /// W
     pub const POWER: Dim = Dim([1, 2, -3, 0]);
     /// 1/s
@@ -73,6 +75,7 @@ impl Dim {
             (Dim::FORCE, "a force"),
             (Dim::FORCE_PER_LENGTH, "a force per length"),
             (Dim::ENERGY, "an energy or moment"),
+            (Dim::SPECIFIC_ENERGY, "an energy per mass"),
             (Dim::POWER, "a power"),
             (Dim::RATE, "a rate (1 per time)"),
             (Dim::MOMENTUM, "a momentum"),

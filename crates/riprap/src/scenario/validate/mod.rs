@@ -4,19 +4,25 @@
 //! The parser's own errors stop at the first; here the user sees all of them at once. What the
 //! schema cannot say (one of several keys, references between tables) is in [`super::rules`].
 
+mod forms;
+
 use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::diagnostic::{Diagnostic, closest, list, one_of, suggest};
+use super::moments::read_period;
 use super::path::resolve;
 use super::quantity::{Interval, KindInfo, Raw, Span, When};
 use super::schema::{Node, description, example, takes};
 use super::units;
 use super::values::{assignment, check_quantity, short};
+use super::vectors::{FormInfo, InSpace};
 
 /// More remarks than this help nobody.
 const MOST: usize = 50;
+/// Unknown keys of one table for which the known ones are listed.
+const LISTED: usize = 10;
 
 /// Everything that is wrong with a parsed text.
 pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> Vec<Diagnostic> {
@@ -27,6 +33,7 @@ pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> Vec<Diagnostic> {
         == Some("SI");
     let mut walk = Walk {
         si,
+        space: forms::space(table),
         path: Vec::new(),
         found: Vec::new(),
     };
@@ -38,6 +45,8 @@ pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> Vec<Diagnostic> {
 
 struct Walk {
     si: bool,
+    /// The space of the scene, if it names one.
+    space: Option<InSpace>,
     path: Vec<String>,
     found: Vec<Diagnostic>,
 }
@@ -153,12 +162,17 @@ impl Walk {
         match node.type_name {
             Some("Every") => return self.interval(value),
             Some("Moment") => return self.moment(value),
+            Some("Period") => return self.period(value),
             _ => {}
+        }
+        if let Some((form, _)) = node.type_name.and_then(FormInfo::of_type) {
+            return self.form(value, node, form);
         }
         if let Some(alternatives) = node.value.get("anyOf").and_then(Value::as_array) {
             let json_type = json_type(value.get_ref());
             let fitting = alternatives.iter().find(|one| {
-                Node::resolve(one).allows(json_type) // by the outer type only
+                let node = Node::resolve(one); // by the outer type only
+                node.allows(json_type) || (json_type == "object" && !node.variants().is_empty())
             });
             return match fitting {
                 Some(one) => self.value(value, one),
@@ -203,6 +217,7 @@ impl Walk {
     fn object(&mut self, table: &DeTable<'_>, span: &Span, node: Node) {
         let free = node.free_values();
         let mut mistyped: Vec<String> = Vec::new();
+        let mut unknown = 0;
         for (key, value) in table {
             if self.full() {
                 return;
@@ -210,6 +225,7 @@ impl Walk {
             let name = key.get_ref().as_ref();
             let fixed = node.properties().find(|(known, _)| *known == name);
             match fixed.map(|(_, schema)| schema).or(free) {
+                Some(schema) if self.in_other_space(schema, key) => {}
                 Some(schema) => {
                     self.path.push(name.to_owned());
                     self.value(value, schema);
@@ -217,8 +233,15 @@ impl Walk {
                 }
                 None => {
                     let known = node.properties().map(|(known, _)| known);
-                    let help = suggest(name, known.clone());
-                    mistyped.extend(closest(name, known));
+                    unknown += 1;
+                    // A long list of keys helps once, not fifty times.
+                    let near = closest(name, known.clone());
+                    let help = if unknown <= LISTED {
+                        suggest(name, known)
+                    } else {
+                        near.as_ref().map(|key| format!("did you mean `{key}`?"))
+                    };
+                    mistyped.extend(near);
                     let mut diagnostic = Diagnostic::error(
                         "key.unknown",
                         format!("unknown key `{}` in {}", short(name), self.here()),
@@ -277,6 +300,7 @@ impl Walk {
         let number = i64::from_str_radix(written.as_str(), written.radix()).ok();
         let low = bound("minimum").unwrap_or(i64::MIN as f64);
         let format_high = match node.value.get("format").and_then(Value::as_str) {
+            Some("uint8") => f64::from(u8::MAX),
             Some("uint32") => f64::from(u32::MAX),
             _ => i64::MAX as f64,
         };
@@ -385,6 +409,7 @@ impl Walk {
     }
 
     fn quantity(&mut self, value: &Spanned<DeValue<'_>>, kind: &KindInfo) {
+        let kind = &kind.in_space(self.space);
         let Some(raw) = Self::raw(value.get_ref()) else {
             let message = format!("`{}` cannot be {}", self.key(), type_text(value.get_ref()));
             let help = format!("write for example {}", assignment(self.key(), kind.example));
@@ -410,6 +435,11 @@ impl Walk {
         self.text_with_time(value, result.map(Result::err));
     }
 
+    fn period(&mut self, value: &Spanned<DeValue<'_>>) {
+        let result = Self::raw(value.get_ref()).map(|raw| read_period(&raw, self.si));
+        self.text_with_time(value, result.map(Result::err));
+    }
+
     fn text_with_time(
         &mut self,
         value: &Spanned<DeValue<'_>>,
@@ -428,7 +458,7 @@ impl Walk {
                 "value.type",
                 format!("`{key}` cannot be {}", type_text(value.get_ref())),
             )
-            .help("write for example \"1 ms\""),
+            .help("write a text, for example \"1 ms\" or \"1 m\""),
         };
         self.report(diagnostic.at(value.span()));
     }

@@ -1,0 +1,217 @@
+//! Conditions on free faces.
+
+use riprap_geom::Vec3;
+
+use super::global;
+use super::shapes::{bounds, solid};
+use crate::dynamics::TimeFunction;
+use crate::model::builder::Builder;
+use crate::model::explain::Provenance;
+use crate::scenario::language::{self, Faces, Side};
+use crate::scenario::vectors::unit;
+use crate::scenario::words::WordOr;
+use crate::scenario::{Diagnostic, Quantity};
+use crate::spatial::setup::{Boundary, BoundaryKind, FaceSet, Shape};
+
+/// A face lies on a plane if it is nearer than this share of its block.
+const ON_PLANE: f64 = 1e-6;
+
+/// Axis and sign of the outward normal of a side, and its word.
+fn side(side: Side) -> (usize, f64, &'static str) {
+    match side {
+        Side::XMin => (0, -1.0, "x-min"),
+        Side::XMax => (0, 1.0, "x-max"),
+        Side::YMin => (1, -1.0, "y-min"),
+        Side::YMax => (1, 1.0, "y-max"),
+        Side::ZMin => (2, -1.0, "z-min"),
+        Side::ZMax => (2, 1.0, "z-max"),
+    }
+}
+
+fn normal_of(said: Side) -> Vec3 {
+    let (axis, sign, _) = side(said);
+    sign * Vec3::AXES[axis]
+}
+
+impl Builder<'_> {
+    /// Lowest and highest corner of the whole model, local coordinates, m.
+    pub(super) fn model_bounds(&self) -> (Vec3, Vec3) {
+        let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        let boxes = self.spatial.blocks.iter().map(|b| bounds(&b.shape));
+        boxes.fold(start, |(low, high), (min, max)| {
+            (low.min(min), high.max(max))
+        })
+    }
+
+    pub(super) fn boundaries(&mut self) {
+        let in_situ = self.parsed.scenario.in_situ.is_some();
+        for (number, said) in (1..).zip(&self.parsed.scenario.boundaries) {
+            let (Some(on), Some((kind, held))) = (self.faces(&said.on), self.boundary_kind(said))
+            else {
+                continue;
+            };
+            let name = boundary_name(said, number);
+            let default = in_situ && held;
+            let from = if said.in_situ.is_some() {
+                Provenance::Given
+            } else {
+                Provenance::Default
+            };
+            let in_situ = said.in_situ.unwrap_or(default);
+            let key = format!("boundaries.{name}.in_situ");
+            self.explain(key, in_situ.to_string(), from, "");
+            self.spatial.boundaries.push(Boundary {
+                name,
+                on,
+                kind,
+                in_situ,
+            });
+        }
+    }
+
+    /// Which faces; `None` after an error.
+    fn faces(&mut self, on: &Faces) -> Option<FaceSet> {
+        let normal = on.side.as_ref().map(|side| normal_of(side.0));
+        if let Some(plane) = &on.plane {
+            return self.plane(plane);
+        }
+        if let Some(region) = &on.region {
+            return Some(FaceSet::Box {
+                min: self.local(region.min.xyz()),
+                max: self.local(region.max.xyz()),
+                normal,
+            });
+        }
+        let names: Vec<_> = on
+            .block
+            .iter()
+            .chain(&on.group)
+            .chain(on.blocks.iter().flatten())
+            .cloned()
+            .collect();
+        let blocks = self.directory.all(&names);
+        let blocks = self.take(blocks)?;
+        Some(FaceSet::Blocks { blocks, normal })
+    }
+
+    fn plane(&mut self, plane: &WordOr<Side, language::FacePlane>) -> Option<FaceSet> {
+        let (normal, offset) = match plane {
+            WordOr::Word(word, span) => {
+                let (axis, sign, text) = side(*word);
+                if self.spatial.periodic[axis].is_some() {
+                    let message = format!("`{text}` is no boundary: the model is periodic there");
+                    let error = Diagnostic::error("boundary.periodic", message);
+                    let help = "leave the boundary out, or the period";
+                    self.found.push(error.at(span.clone()).help(help));
+                    return None;
+                }
+                let (min, max) = self.model_bounds();
+                let offset = if sign > 0.0 { max[axis] } else { -min[axis] };
+                (normal_of(*word), offset)
+            }
+            WordOr::Table(said, _) => {
+                // No direction is reported by the rules of the language.
+                let normal = Vec3::from(unit(&said.normal)?);
+                let at = global(&said.at) - self.spatial.origin;
+                (normal, normal.dot(at))
+            }
+        };
+        let lies = self
+            .spatial
+            .blocks
+            .iter()
+            .any(|block| has_face(&block.shape, normal, offset));
+        if !lies {
+            let error = Diagnostic::error("boundary.no_face", "no block has a face on this plane");
+            let help = "give the outward normal of the faces and a point on them";
+            self.found.push(error.at(plane.span().clone()).help(help));
+            return None;
+        }
+        Some(FaceSet::Plane { normal, offset })
+    }
+
+    /// What happens there, and whether it holds the faces.
+    fn boundary_kind(&mut self, said: &language::Boundary) -> Option<(BoundaryKind, bool)> {
+        let constant = TimeFunction::Constant(1.0);
+        if said.held.is_some() || said.roller.is_some() {
+            let kind = BoundaryKind::Held {
+                normal: true,
+                shear: said.held.is_some(),
+            };
+            return Some((kind, true));
+        }
+        if let Some(moved) = &said.moved {
+            let v = &moved.velocity;
+            let velocity = [
+                self.maybe(v.x.as_ref()),
+                self.maybe(v.y.as_ref()),
+                self.maybe(v.z.as_ref()),
+            ];
+            return Some((BoundaryKind::Moved { velocity }, true));
+        }
+        if let Some(viscous) = &said.viscous {
+            let half_cell = viscous.half_cell.unwrap_or(true);
+            return Some((BoundaryKind::Viscous { half_cell }, true));
+        }
+        let mut traction = Vec3::ZERO;
+        let (mut pressure, mut gradient, mut datum) = (0.0, 0.0, 0.0);
+        let mut time = constant;
+        if let Some(face) = &said.pressure {
+            pressure = face.value.si();
+            gradient = face.gradient.as_ref().map_or(0.0, Quantity::si);
+            datum = face.datum.as_ref().map_or(0.0, Quantity::si) - self.spatial.origin.z;
+            if let Some(f) = &face.time {
+                time = self.time_function(f)?;
+            }
+        } else if let Some(face) = &said.traction {
+            traction = face.value.each_ref().map(Quantity::si).into();
+            if let Some(f) = &face.time {
+                time = self.time_function(f)?;
+            }
+        }
+        let kind = BoundaryKind::Traction {
+            traction,
+            pressure,
+            gradient,
+            datum,
+            time,
+        };
+        Some((kind, false))
+    }
+}
+
+/// Name for messages.
+fn boundary_name(said: &language::Boundary, number: usize) -> String {
+    let on = &said.on;
+    if let Some(name) = &said.name {
+        return name.text.clone();
+    }
+    let names = on.block.iter().chain(&on.group);
+    let mut names = names.chain(on.blocks.iter().flatten());
+    match (&on.plane, names.next()) {
+        (Some(WordOr::Word(word, _)), _) => side(*word).2.to_owned(),
+        (_, Some(name)) => name.text.clone(),
+        (Some(WordOr::Table(..)) | None, None) => format!("boundary {number}"),
+    }
+}
+
+/// Whether a shape has a face on the plane `normal . x = offset` that looks along the normal.
+fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
+    let (min, max) = bounds(shape);
+    let slack = ON_PLANE * (max - min).max_element();
+    let along = |n: Vec3| n.dot(normal) > 1.0 - 1e-9;
+    match shape {
+        Shape::Brick { .. } => (0..3).any(|k| {
+            let axis = Vec3::AXES[k];
+            (along(axis) && (max[k] - offset).abs() <= slack)
+                || (along(-axis) && (-min[k] - offset).abs() <= slack)
+        }),
+        Shape::Polyhedron(_) => {
+            let solid = solid(shape);
+            (0..solid.faces.len()).any(|face| {
+                let (n, d) = solid.plane(face);
+                along(n) && (d - offset).abs() <= slack
+            })
+        }
+    }
+}

@@ -1,0 +1,452 @@
+//! Checks of the finished model in space: overlaps, balance of the in-situ stress, motion.
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::{Sliced, slice};
+
+use super::grid::grid_of;
+use super::shapes::{bounds, solid, volume};
+use super::triple;
+use crate::model::builder::Builder;
+use crate::model::explain::with_unit;
+use crate::run::plan::PhaseKind;
+use crate::scenario::language::Space;
+use crate::scenario::{Diagnostic, Quantity, Span};
+use crate::spatial::setup::{BoundaryKind, FaceSet, InSitu, Shape};
+
+/// Overlap at the start that needs no reason, as a share of the smaller block.
+const ACCEPTED: f64 = 1e-6;
+/// Pairs named one by one.
+const NAMED: usize = 10;
+/// Pairs of boxes for each block after which the search ends.
+const MOST_LOOKS: usize = 300;
+/// Stress on a free face, as a share of the largest in the model, that is worth a word.
+const WARNED: f64 = 1e-3;
+/// Share that is refused where the first phase is dynamic.
+const REFUSED: f64 = 0.1;
+
+/// Two blocks that lie in each other.
+struct Overlap {
+    depth: f64,
+    blocks: [u32; 2],
+    at: Vec3,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn inspect_solid(&mut self) {
+        self.solid_summary();
+        self.solid_overlaps();
+        self.stress_balance();
+        self.solid_motion();
+    }
+
+    fn solid_summary(&mut self) {
+        let blocks = &self.spatial.blocks;
+        let mut sizes: Vec<f64> = blocks
+            .iter()
+            .map(|b| libm::cbrt(volume(&b.shape)))
+            .collect();
+        let mass = blocks
+            .iter()
+            .map(|b| volume(&b.shape) * self.spatial.materials[usize::from(b.material)].density)
+            .sum();
+        sizes.sort_by(f64::total_cmp);
+        let corners = |shape: &Shape| match shape {
+            Shape::Brick { .. } => 8,
+            Shape::Polyhedron(solid) => solid.vertices.len(),
+        };
+        let vertices = blocks.iter().map(|b| corners(&b.shape)).sum();
+        let mut supported = vec![false; blocks.len()];
+        for support in &self.spatial.supports {
+            for &block in &support.blocks {
+                supported[block as usize] = true;
+            }
+        }
+        let (min, max) = self.model_bounds();
+        let origin = self.spatial.origin;
+        let s = &mut self.summary;
+        s.blocks = sizes.len();
+        s.vertices = vertices;
+        s.supported = supported.iter().filter(|held| **held).count();
+        s.materials = self.spatial.materials.len();
+        s.interfaces = self.spatial.interfaces.len();
+        s.phases = self.plan.phases.len();
+        s.origin = [origin.x, origin.y];
+        s.solid_bounds = Some([(min + origin).into(), (max + origin).into()]);
+        s.mass = mass;
+        s.size = [sizes[0], sizes[sizes.len() / 2], sizes[sizes.len() - 1]];
+    }
+
+    fn solid_overlaps(&mut self) {
+        let said = match &self.parsed.scenario.space {
+            Space::Spatial(space) => space.allow_overlap.as_ref().map_or(0.0, Quantity::si),
+            Space::Planar(_) => 0.0,
+        };
+        let blocks = self.doubtful(said);
+        let boxes: Vec<(Vec3, Vec3)> = blocks
+            .iter()
+            .map(|&b| bounds(&self.spatial.blocks[b as usize].shape))
+            .collect();
+        let Some(pairs) = deep_pairs(&boxes, said) else {
+            let message = "many blocks lie on top of each other at the start";
+            let help = "check `copies.step`, and the places of blocks that are given twice";
+            let error = Diagnostic::error("geometry.overlap", message).help(help);
+            self.found.push(error);
+            return;
+        };
+        let mut bad: Vec<Overlap> = pairs
+            .into_iter()
+            .filter_map(|[i, j]| self.overlap(blocks[i as usize], blocks[j as usize], said))
+            .collect();
+        bad.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+        if let Some(worst) = bad.first() {
+            let names = worst.blocks.map(|b| self.directory.name(b));
+            self.summary.deepest_overlap = Some((worst.depth, names));
+        }
+        for overlap in bad.iter().take(NAMED) {
+            let [first, second] = overlap.blocks.map(|b| self.directory.name(b));
+            let message = format!(
+                "blocks `{first}` and `{second}` overlap by {} at the start, near {}",
+                with_unit(overlap.depth, "m"),
+                triple(overlap.at + self.spatial.origin, "m")
+            );
+            let span = self.table_span(overlap.blocks[1]);
+            let error = Diagnostic::error("geometry.overlap", message).at(span);
+            let help = "move one of them, or accept it with allow_overlap = \"...\" in \
+                        [space.spatial]";
+            self.found.push(error.help(help));
+        }
+        if bad.len() > NAMED {
+            let message = format!(
+                "{} more pairs of blocks overlap at the start",
+                bad.len() - NAMED
+            );
+            self.found
+                .push(Diagnostic::error("geometry.overlap", message));
+        }
+    }
+
+    /// Blocks that may lie in others: not those of a grid that no other table reaches into.
+    fn doubtful(&self, said: f64) -> Vec<u32> {
+        let tables: Vec<(std::ops::Range<u32>, (Vec3, Vec3), bool)> = self
+            .directory
+            .tables()
+            .map(|(name, blocks)| {
+                let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+                let shapes = blocks
+                    .clone()
+                    .map(|b| &self.spatial.blocks[b as usize].shape);
+                let around = shapes.map(bounds).fold(start, |(low, high), (min, max)| {
+                    (low.min(min), high.max(max))
+                });
+                let mut said = self.parsed.scenario.blocks.iter();
+                let said = said.find(|said| said.name.as_str() == name);
+                let ordered = blocks.len() == 1
+                    || said.is_some_and(|b| grid_of(b).is_some() && b.copies.is_none());
+                (blocks, around, ordered)
+            })
+            .collect();
+        let boxes: Vec<(Vec3, Vec3)> = tables.iter().map(|(_, around, _)| *around).collect();
+        let mut reached: Vec<bool> = tables.iter().map(|(_, _, ordered)| !ordered).collect();
+        match deep_pairs(&boxes, said) {
+            Some(pairs) => pairs
+                .into_iter()
+                .flatten()
+                .for_each(|t| reached[t as usize] = true),
+            None => reached.fill(true),
+        }
+        let doubtful = tables
+            .into_iter()
+            .zip(reached)
+            .filter(|(_, reached)| *reached);
+        doubtful.flat_map(|((blocks, _, _), _)| blocks).collect()
+    }
+
+    /// How deep two blocks lie in each other, if that is too deep.
+    fn overlap(&self, i: u32, j: u32, said: f64) -> Option<Overlap> {
+        let [a, b] = [i, j].map(|k| &self.spatial.blocks[k as usize].shape);
+        let ((min_a, max_a), (min_b, max_b)) = (bounds(a), bounds(b));
+        let (low, high) = (min_a.max(min_b), max_a.min(max_b));
+        let accepted = said.max(ACCEPTED * libm::cbrt(volume(a).min(volume(b))));
+        let mut depth = (high - low).min_element();
+        let both_bricks = matches!((a, b), (Shape::Brick { .. }, Shape::Brick { .. }));
+        if depth > accepted && !both_bricks {
+            depth = depth.min(common_width(a, b));
+        }
+        (depth > accepted && !(self.held(i) && self.held(j))).then(|| Overlap {
+            depth,
+            blocks: [i, j],
+            at: 0.5 * (low + high),
+        })
+    }
+
+    /// Place of the table that made a block.
+    fn table_span(&self, block: u32) -> Span {
+        let table = self.directory.table(block);
+        let mut blocks = self.parsed.scenario.blocks.iter();
+        blocks
+            .find(|said| said.name.as_str() == table)
+            .map_or(0..0, |said| said.name.span.clone())
+    }
+
+    /// In-situ stress must be carried by somebody on every side of the model, and by gravity inside.
+    fn stress_balance(&mut self) {
+        let Some(stress) = self.spatial.in_situ else {
+            return;
+        };
+        let (min, max) = self.model_bounds();
+        let heights = [min.z, max.z];
+        let largest = heights
+            .iter()
+            .flat_map(|&z| stress_at(&stress, z))
+            .fold(0.0, |most: f64, s| most.max(s.abs()));
+        if largest == 0.0 {
+            return;
+        }
+        let settles = self
+            .plan
+            .phases
+            .first()
+            .is_some_and(|phase| phase.kind == PhaseKind::Static);
+        for axis in 0..3 {
+            for sign in [-1.0, 1.0] {
+                let normal = sign * Vec3::AXES[axis];
+                let offset = if sign > 0.0 { max[axis] } else { -min[axis] };
+                if self.spatial.periodic[axis].is_some() || self.carried(normal, offset) {
+                    continue;
+                }
+                let levels = if axis == 2 {
+                    vec![sign * offset]
+                } else {
+                    heights.to_vec()
+                };
+                let pull = levels
+                    .iter()
+                    .map(|&z| traction(&stress, z, normal).length());
+                let share = pull.fold(0.0, f64::max) / largest;
+                if share > WARNED {
+                    self.unbalanced(axis, sign, share, largest, settles);
+                }
+            }
+        }
+        self.weight_balance(&stress);
+    }
+
+    fn unbalanced(&mut self, axis: usize, sign: f64, share: f64, largest: f64, settles: bool) {
+        let word = ["x", "y", "z"][axis];
+        let end = if sign > 0.0 { "max" } else { "min" };
+        let message = format!(
+            "the in-situ stress on side {word}-{end} is carried by nobody: {}",
+            with_unit(share * largest, "Pa")
+        );
+        let help = format!(
+            "add [[boundaries]] with on = {{ plane = \"{word}-{end}\" }} and held, roller or \
+             viscous, or in_situ = true alone; or let a first phase with kind = \"static\" settle"
+        );
+        let refused = share > REFUSED && !settles;
+        let note = if refused {
+            Diagnostic::error("in_situ.unbalanced", message)
+        } else {
+            Diagnostic::warning("in_situ.unbalanced", message)
+        };
+        let span = self.stress_span();
+        self.found.push(note.at(span).help(help));
+    }
+
+    fn stress_span(&self) -> Span {
+        let said = self.parsed.scenario.in_situ.as_ref();
+        said.map_or(0..0, super::in_situ::place)
+    }
+
+    /// Whether a condition or fixed blocks take the stress on a side of the model.
+    fn carried(&self, normal: Vec3, offset: f64) -> bool {
+        let by_condition = self.spatial.boundaries.iter().any(|boundary| {
+            let holds = match boundary.kind {
+                BoundaryKind::Held { normal, .. } => normal,
+                BoundaryKind::Moved { .. } | BoundaryKind::Viscous { .. } => false,
+                BoundaryKind::Traction { .. } => false,
+            };
+            let here = match &boundary.on {
+                FaceSet::Plane {
+                    normal: n,
+                    offset: d,
+                } => {
+                    n.dot(normal) > 1.0 - 1e-9 && (d - offset).abs() <= 1e-6 * offset.abs().max(1.0)
+                }
+                // Faces of single blocks and boxes may add up to a side; the engine knows.
+                FaceSet::Blocks { normal: n, .. } | FaceSet::Box { normal: n, .. } => {
+                    n.is_none_or(|n| n.dot(normal) > 1.0 - 1e-9)
+                }
+            };
+            here && (boundary.in_situ || holds || loaded(&boundary.kind))
+        });
+        if by_condition {
+            return true;
+        }
+        let mut side = (0u32..).zip(&self.spatial.blocks).filter(|(_, block)| {
+            let (min, max) = bounds(&block.shape);
+            let reach = if normal.max_element() > 0.5 {
+                normal.dot(max)
+            } else {
+                normal.dot(min)
+            };
+            (reach - offset).abs() <= 1e-6 * (max - min).max_element()
+        });
+        side.all(|(block, _)| self.held(block))
+    }
+
+    /// The growth of the vertical stress with depth should be the weight of the rock.
+    fn weight_balance(&mut self, stress: &InSitu) {
+        let gravity = self.spatial.gravity;
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for block in &self.spatial.blocks {
+            let density = self.spatial.materials[usize::from(block.material)].density;
+            (least, most) = (least.min(density), most.max(density));
+        }
+        // d sigma/dz = - d sigma/d depth: the force per volume that is left over is
+        // -gradient_zz + density g_z, likewise the shear components.
+        let [_, _, zz, yz, zx, _] = stress.gradient;
+        let left = |density: f64| {
+            let force = Vec3::new(-zx, -yz, -zz) + density * gravity;
+            force.length()
+        };
+        let weight = most * gravity.length();
+        let scale = weight.max(zz.abs()).max(yz.abs()).max(zx.abs());
+        let worst = left(least).max(left(most));
+        if scale > 0.0 && worst > WARNED * scale {
+            let message = format!(
+                "the in-situ stress and gravity are not in balance: {} is left over",
+                with_unit(worst, "N/m3")
+            );
+            let help = "the vertical stress should grow with depth by density times gravity; \
+                        in_situ.gravity_k0 does that";
+            let note = Diagnostic::warning("in_situ.weight", message).help(help);
+            let span = self.stress_span();
+            self.found.push(note.at(span));
+        }
+    }
+
+    fn solid_motion(&mut self) {
+        let all_held = (0..self.spatial.blocks.len() as u32).all(|block| self.held(block));
+        let released = self.plan.phases.iter().any(|p| !p.release.is_empty());
+        if all_held && !released {
+            let message = "all blocks are fixed: nothing can move";
+            let note = Diagnostic::warning("model.fixed", message);
+            self.found.push(note.help("check [[supports]]"));
+        }
+    }
+}
+
+/// Whether a face condition is a load that the user may mean as the stress from outside.
+fn loaded(kind: &BoundaryKind) -> bool {
+    match kind {
+        BoundaryKind::Traction {
+            traction,
+            pressure,
+            gradient,
+            ..
+        } => *traction != Vec3::ZERO || *pressure != 0.0 || *gradient != 0.0,
+        BoundaryKind::Held { .. } | BoundaryKind::Moved { .. } | BoundaryKind::Viscous { .. } => {
+            false
+        }
+    }
+}
+
+/// xx, yy, zz, yz, zx, xy at a height, Pa, tension positive.
+fn stress_at(stress: &InSitu, z: f64) -> [f64; 6] {
+    let depth = stress.datum - z;
+    std::array::from_fn(|k| stress.stress[k] + stress.gradient[k] * depth)
+}
+
+/// Traction on a plane at a height, Pa.
+fn traction(stress: &InSitu, z: f64, n: Vec3) -> Vec3 {
+    let [xx, yy, zz, yz, zx, xy] = stress_at(stress, z);
+    Vec3::new(
+        xx * n.x + xy * n.y + zx * n.z,
+        xy * n.x + yy * n.y + yz * n.z,
+        zx * n.x + yz * n.y + zz * n.z,
+    )
+}
+
+/// Pairs of boxes that overlap by more than their allowance, by a sweep along x; `None` if there are
+/// far too many.
+fn deep_pairs(boxes: &[(Vec3, Vec3)], said: f64) -> Option<Vec<[u32; 2]>> {
+    let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+    let low = |k: u32| boxes[k as usize].0.x;
+    order.sort_by(|&a, &b| low(a).total_cmp(&low(b)).then(a.cmp(&b)));
+    let allowance = |k: u32| {
+        let (min, max) = boxes[k as usize];
+        said.max(ACCEPTED * (max - min).min_element())
+    };
+    // A little smaller, so that neighbours that only touch do not meet in a bin.
+    let all = 0..boxes.len() as u32;
+    let shrink = 0.25 * all.map(allowance).fold(f64::INFINITY, f64::min);
+    // Columns across the sweep keep the lists short: y and z are sorted into bins of the largest box.
+    let start = (Vec3::INFINITY, Vec3::NEG_INFINITY, Vec3::ZERO);
+    let (floor, top, widest) = boxes.iter().fold(start, |(low, high, wide), (min, max)| {
+        (low.min(*min), high.max(*max), wide.max(*max - *min))
+    });
+    let bins = |k: usize| {
+        let count = (top[k] - floor[k]) / widest[k].max(f64::MIN_POSITIVE);
+        (count.clamp(1.0, 2000.0) as usize).max(1)
+    };
+    let (ny, nz) = (bins(1), bins(2));
+    let bin = |x: f64, k: usize, n: usize| {
+        let share = (x - floor[k]) / (top[k] - floor[k]).max(f64::MIN_POSITIVE);
+        ((share * n as f64) as usize).min(n - 1)
+    };
+    let mut open: Vec<Vec<u32>> = vec![Vec::new(); ny * nz];
+    let (mut pairs, mut looks) = (Vec::new(), 0);
+    for &b in &order {
+        let (min, max) = boxes[b as usize];
+        let (inner, outer) = (min + shrink, max - shrink);
+        for row in bin(inner.y, 1, ny)..=bin(outer.y, 1, ny) {
+            for column in bin(inner.z, 2, nz)..=bin(outer.z, 2, nz) {
+                let list = &mut open[row * nz + column];
+                list.retain(|&a| boxes[a as usize].1.x > min.x + allowance(b));
+                looks += list.len();
+                for &a in list.iter() {
+                    let (other_min, other_max) = boxes[a as usize];
+                    let depth = (max.min(other_max) - min.max(other_min)).min_element();
+                    // A pair in several bins is taken in the bin of its common corner.
+                    let corner = min.max(other_min) + shrink;
+                    let own = (bin(corner.y, 1, ny), bin(corner.z, 2, nz)) == (row, column);
+                    if own && depth > allowance(a).min(allowance(b)) {
+                        pairs.push([a.min(b), a.max(b)]);
+                    }
+                }
+                list.push(b);
+            }
+        }
+        if looks > MOST_LOOKS * boxes.len() + 1_000_000 || pairs.len() > 10 * boxes.len() + 1000 {
+            return None;
+        }
+    }
+    pairs.sort_unstable();
+    Some(pairs)
+}
+
+/// Smallest width along the coordinate axes and the face normals of what two convex shapes share, m; 0
+/// if they share no volume.
+fn common_width(a: &Shape, b: &Shape) -> f64 {
+    let other = solid(b);
+    let mut rest = solid(a);
+    let mut normals = vec![Vec3::X, Vec3::Y, Vec3::Z];
+    normals.extend((0..rest.faces.len()).map(|face| rest.plane(face).0));
+    for face in 0..other.faces.len() {
+        let (normal, offset) = other.plane(face);
+        normals.push(normal);
+        match slice(&rest, normal, offset) {
+            Sliced::Whole => {}
+            Sliced::Nothing => return 0.0,
+            Sliced::Part(part) => rest = part,
+        }
+    }
+    let width = |n: &Vec3| {
+        let along = rest.vertices.iter().map(|v| v.dot(*n));
+        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
+            (l.min(x), h.max(x))
+        });
+        high - low
+    };
+    normals.iter().map(width).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,159 @@
+//! Models in space: from `[space.spatial]` to `spatial::setup::Setup`.
+//!
+//! ```text
+//! fit grids to charges --> origin --> blocks --> groups --> joints --> supports, boundaries, loads
+//!                                            --> in-situ stress --> sources --> refinements
+//! ```
+//!
+//! Splitting, patches and free faces are the engine's: what is looked at here is the model as it is
+//! given, and the finest cells around charges.
+
+mod boundaries;
+mod fit;
+mod grid;
+mod in_situ;
+mod inspect;
+mod joints;
+mod pattern;
+mod places;
+mod shapes;
+mod sources;
+mod supports;
+
+pub(super) use joints::{changed_joint, reduce_joint};
+
+use riprap_geom::Vec3;
+
+use super::builder::Builder;
+use super::explain::{Provenance, with_unit};
+use crate::scenario::language::{Kinematics as Said, Point3, Spatial};
+use crate::scenario::{Diagnostic, Quantity};
+use crate::spatial::setup::{Group, Kinematics, Material};
+
+/// Default angle at which a block changes over to finite rotations, rad.
+const ROTATION_BOUND: f64 = 0.01;
+
+/// A point in the coordinates of the file.
+fn global(point: &Point3) -> Vec3 {
+    Vec3::new(point[0].si(), point[1].si(), point[2].si())
+}
+
+/// Three numbers with one unit, for explanations.
+fn triple(v: Vec3, unit: &str) -> String {
+    let parts = [v.x, v.y, v.z].map(|x| with_unit(x, unit));
+    format!("[{}]", parts.join(", "))
+}
+
+impl Builder<'_> {
+    /// Everything of a model in space up to the loads; whether names and sizes are known.
+    pub(super) fn solid(&mut self, space: &Spatial) -> bool {
+        self.solid_space(space);
+        let grids = self.grids();
+        if self.errors() > 0 {
+            return false;
+        }
+        self.solid_origin(&grids);
+        self.solid_materials();
+        self.solid_blocks(&grids);
+        if self.errors() > 0 {
+            return false;
+        }
+        self.groups();
+        self.spatial.groups = self
+            .directory
+            .groups()
+            .into_iter()
+            .map(|(name, blocks)| Group { name, blocks })
+            .collect();
+        self.joints();
+        self.solid_supports();
+        self.boundaries();
+        self.in_situ();
+        self.solid_loads();
+        self.sources();
+        self.refinements();
+        self.source_volumes();
+        true
+    }
+
+    /// A place of the file in local coordinates.
+    pub(super) fn local(&self, [x, y, z]: [f64; 3]) -> Vec3 {
+        Vec3::new(x, y, z) - self.spatial.origin
+    }
+
+    fn solid_space(&mut self, space: &Spatial) {
+        let gravity = self.gravity(&space.gravity);
+        self.spatial.gravity = gravity.into();
+        let raw = space.gravity.raw();
+        self.explain("space.spatial.gravity", raw, Provenance::Given, "");
+        let (word, from) = match space.kinematics {
+            Some(Said::Automatic) => ("automatic", Provenance::Given),
+            Some(Said::Small) => ("small", Provenance::Given),
+            Some(Said::Finite) => ("finite", Provenance::Given),
+            None => ("automatic", Provenance::Default),
+        };
+        self.explain("space.spatial.kinematics", word, from, "");
+        self.spatial.kinematics = match space.kinematics {
+            Some(Said::Small) => Kinematics::Small,
+            Some(Said::Finite) => Kinematics::Finite,
+            Some(Said::Automatic) | None => {
+                let bound = space.rotation_bound.as_ref();
+                let key = "space.spatial.rotation_bound";
+                let bound = self.or(key, bound, ROTATION_BOUND, "rad");
+                Kinematics::Automatic { bound }
+            }
+        };
+        if let Some(periods) = &space.periodic {
+            self.spatial.periodic = [0, 1, 2].map(|k: usize| periods[k].read());
+            let raw = periods.each_ref().map(|period| period.raw.to_string());
+            let raw = format!("[{}]", raw.join(", "));
+            self.explain("space.spatial.periodic", raw, Provenance::Given, "");
+        }
+    }
+
+    fn solid_materials(&mut self) {
+        for (name, said) in self.parsed.scenario.materials.iter() {
+            let key = format!("materials.{name}.density");
+            self.explain(key, said.density.raw.to_string(), Provenance::Given, "");
+            self.spatial.materials.push(Material {
+                name: name.text.clone(),
+                density: said.density.si(),
+                young: said.young.as_ref().map(Quantity::si),
+                poisson: said.poisson.as_ref().map(Quantity::si),
+            });
+        }
+    }
+
+    /// Far from the origin, coordinates lose digits: then the model gets an origin of its own.
+    fn solid_origin(&mut self, grids: &grid::Grids) {
+        let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for block in &self.parsed.scenario.blocks {
+            for place in shapes::corners(block, grids) {
+                min = min.min(place);
+                max = max.max(place);
+            }
+        }
+        let size = (max - min).max_element();
+        let far = min.abs().max(max.abs()).max_element();
+        if !(min.is_finite() && max.is_finite()) || far < 1e4 || far < 100.0 * size {
+            return;
+        }
+        // A whole number of powers of two near the size: subtracting it loses no digit.
+        let unit = libm::exp2(libm::floor(libm::log2(size.max(1.0))));
+        self.spatial.origin = (0.5 * (min + max) / unit).round() * unit;
+        let origin = self.spatial.origin;
+        let message = format!(
+            "the model lies far from the origin: it is calculated relative to ({} m, {} m, {} m)",
+            origin.x, origin.y, origin.z
+        );
+        let note = Diagnostic::warning("geometry.far", message);
+        self.found
+            .push(note.help("nothing to do: outputs are in the coordinates of the file"));
+        self.explain(
+            "origin",
+            triple(origin, "m"),
+            Provenance::Derived,
+            "far coordinates",
+        );
+    }
+}

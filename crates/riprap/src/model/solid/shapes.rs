@@ -1,0 +1,385 @@
+//! Blocks in space: bricks, grids, polyhedra.
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::{Polyhedron, SolidError, hull};
+
+use super::global;
+use super::grid::{Grids, Lattice};
+use crate::model::builder::Builder;
+use crate::model::names::Entry;
+use crate::scenario::language::{self, Block, Brick, Geometry, span_of};
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
+use crate::spatial::setup::{BlockName, BlockSpec, Shape, Solid};
+
+/// Largest OBJ file accepted, bytes.
+const MAX_OBJ: u64 = 16 << 20;
+
+/// Centre and half the edges of a brick, m.
+fn brick(brick: &Brick) -> (Vec3, Vec3) {
+    let half = 0.5 * Vec3::from(brick.size.each_ref().map(Quantity::si));
+    let centre = match (&brick.corner, &brick.centre) {
+        (Some(corner), _) => global(corner) + half,
+        (None, Some(centre)) => global(centre),
+        (None, None) => half,
+    };
+    (centre, half)
+}
+
+/// Points that show where a table's blocks are, in the coordinates of the file.
+pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
+    let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+    match block.geometry() {
+        Some(Geometry::Brick(b)) => {
+            let (centre, half) = brick(b);
+            vec![centre - half + shift, centre + half + shift]
+        }
+        Some(Geometry::Grid(_)) => grids
+            .iter()
+            .flatten()
+            .flat_map(|l| [l.corner, l.corner + l.size()])
+            .collect(),
+        Some(Geometry::Polyhedron(p)) => {
+            let vertices = p.vertices.iter().flatten();
+            vertices.map(|v| global(v) + shift).collect()
+        }
+        Some(
+            Geometry::Polygon(_)
+            | Geometry::Rectangle(_)
+            | Geometry::Regular(_)
+            | Geometry::Wall(_)
+            | Geometry::Arch(_)
+            | Geometry::Cut(_)
+            | Geometry::Voronoi(_)
+            | Geometry::Pour(_),
+        )
+        | None => Vec::new(),
+    }
+}
+
+impl Builder<'_> {
+    pub(super) fn solid_blocks(&mut self, grids: &Grids) {
+        let scenario = &self.parsed.scenario;
+        if scenario.blocks.len() > usize::from(u16::MAX) || scenario.materials.len() > 1000 {
+            let message = "there are too many [[blocks]] tables or materials";
+            let error = Diagnostic::error("geometry.count", message);
+            self.found
+                .push(error.help("let `grid` or `copies` make blocks that are alike"));
+            return;
+        }
+        for (block, lattice) in scenario.blocks.iter().zip(grids) {
+            let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+            let shift = shift - self.spatial.origin;
+            let shapes = match block.geometry() {
+                Some(Geometry::Brick(said)) => {
+                    let (centre, half) = brick(said);
+                    self.with_volume(block, 8.0 * half.element_product())
+                        .then(|| {
+                            vec![Shape::Brick {
+                                centre: centre + shift,
+                                half,
+                            }]
+                        })
+                }
+                Some(Geometry::Grid(_)) => lattice
+                    .as_ref()
+                    .filter(|l| self.with_volume(block, l.cell.element_product()))
+                    .map(|lattice| bricks(lattice, self.spatial.origin)),
+                Some(Geometry::Polyhedron(said)) => self
+                    .polyhedron(block, said, shift)
+                    .map(|solid| vec![Shape::Polyhedron(Box::new(solid))]),
+                // Refused by the language: shapes of the other space.
+                Some(
+                    Geometry::Polygon(_)
+                    | Geometry::Rectangle(_)
+                    | Geometry::Regular(_)
+                    | Geometry::Wall(_)
+                    | Geometry::Arch(_)
+                    | Geometry::Cut(_)
+                    | Geometry::Voronoi(_)
+                    | Geometry::Pour(_),
+                )
+                | None => None,
+            };
+            if let Some(shapes) = shapes {
+                let shapes = copies(block, shapes);
+                self.enter_solids(block, shapes);
+            }
+        }
+    }
+
+    /// Whether a brick has a volume that numbers can hold.
+    fn with_volume(&mut self, block: &Block, volume: f64) -> bool {
+        let sound = volume.is_normal() && volume > 0.0;
+        if !sound {
+            let message = format!("the bricks of `{}` have no volume", block.name);
+            self.error_at(
+                "geometry.volume",
+                &block.name,
+                message,
+                "check sizes and units",
+            );
+        }
+        sound
+    }
+
+    fn enter_solids(&mut self, block: &Block, shapes: Vec<Shape>) {
+        let materials = &self.parsed.scenario.materials;
+        let material = materials.names().position(|m| m == block.material.as_str());
+        let material = material.unwrap_or(0) as u16;
+        let base = self.spatial.names.len() as u16;
+        self.spatial.names.push(block.name.text.clone());
+        let numbered = block.is_generator();
+        let entry = Entry {
+            name: block.name.text.clone(),
+            first: self.spatial.blocks.len() as u32,
+            count: shapes.len() as u32,
+            numbered,
+        };
+        self.directory.add(entry, &block.groups);
+        let velocity = block
+            .velocity
+            .as_ref()
+            .map_or(Vec3::ZERO, |v| v.xyz().into());
+        let spin = block.spin.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+        self.spatial.blocks.reserve(shapes.len());
+        for (number, shape) in (1u32..).zip(shapes) {
+            self.directory.centroids.push(centroid(&shape).into());
+            self.spatial.blocks.push(BlockSpec {
+                name: BlockName {
+                    base,
+                    number: if numbered { number } else { 0 },
+                },
+                shape,
+                material,
+                velocity,
+                spin,
+            });
+        }
+    }
+
+    /// A checked convex solid in local coordinates.
+    fn polyhedron(
+        &mut self,
+        block: &Block,
+        said: &language::Polyhedron,
+        shift: Vec3,
+    ) -> Option<Solid> {
+        let (vertices, faces) = match (&said.vertices, &said.obj) {
+            (Some(vertices), _) => {
+                let vertices = vertices.iter().map(global).collect();
+                (vertices, said.faces.clone())
+            }
+            (None, Some(file)) => {
+                let (vertices, faces) = self.obj(file)?;
+                (vertices, Some(faces).filter(|faces| !faces.is_empty()))
+            }
+            (None, None) => return None, // reported by the rules of the language
+        };
+        let moved = vertices
+            .iter()
+            .map(|v: &Vec3| *v + shift)
+            .collect::<Vec<_>>();
+        let made = match faces {
+            Some(faces) => Polyhedron::new(moved, faces),
+            None => hull(&moved),
+        };
+        match made {
+            Ok(solid) => Some(Solid {
+                vertices: solid.vertices,
+                faces: solid.faces,
+            }),
+            Err(error) => {
+                let (vertex, help) = reason(&error);
+                let span = vertex
+                    .and_then(|k| said.vertices.as_ref()?.get(k).map(span_of))
+                    .unwrap_or_else(|| block.name.span.clone());
+                self.solid_error(block, &error, span, help);
+                None
+            }
+        }
+    }
+
+    fn solid_error(&mut self, block: &Block, error: &SolidError, span: Span, help: &str) {
+        let message = format!("block `{}`: {error}", block.name);
+        let error = Diagnostic::error("polyhedron", message).at(span);
+        self.found.push(error.help(help));
+    }
+
+    /// Corners and faces of an OBJ file; `None` after an error.
+    fn obj(&mut self, file: &Name) -> Option<(Vec<Vec3>, Vec<Vec<u32>>)> {
+        let path = self.parsed.folder.join(file.as_str());
+        let size = std::fs::metadata(&path).map(|meta| meta.len());
+        let text = match size {
+            Ok(size) if size > MAX_OBJ => Err(format!("`{file}` is larger than 16 MiB")),
+            Ok(_) => std::fs::read_to_string(&path)
+                .map_err(|error| format!("cannot read `{file}`: {error}")),
+            Err(error) => Err(format!("cannot read `{file}`: {error}")),
+        };
+        let read =
+            text.and_then(|text| read_obj(&text).map_err(|reason| format!("`{file}`, {reason}")));
+        match read {
+            Ok(read) => Some(read),
+            Err(message) => {
+                let help = "an OBJ file has lines `v x y z` and `f 1 2 3`; paths are seen from the \
+                            folder of the scenario file";
+                self.error_at("file.obj", file, message, help);
+                None
+            }
+        }
+    }
+}
+
+/// Corner that an error is about, and what to do.
+fn reason(error: &SolidError) -> (Option<usize>, &'static str) {
+    match error {
+        SolidError::NotConvex { vertex, .. } => (
+            Some(*vertex as usize),
+            "divide the block into convex ones that share faces",
+        ),
+        SolidError::NonFinite { vertex, .. } | SolidError::Unused { vertex } => {
+            (Some(*vertex), "correct or leave out this corner")
+        }
+        SolidError::CrookedFace { vertex, .. } => (
+            Some(*vertex as usize),
+            "move the corner into the plane, or divide the face into triangles",
+        ),
+        SolidError::Open { .. } => (None, "add the face that is missing"),
+        SolidError::ZeroVolume { .. } => (None, "check the coordinates and their units"),
+        SolidError::TooFewVertices { .. }
+        | SolidError::TooManyVertices { .. }
+        | SolidError::NoSuchVertex { .. }
+        | SolidError::FlatFace { .. }
+        | SolidError::Unbounded { .. }
+        | SolidError::Nothing { .. } => (None, "check corners and faces"),
+        SolidError::WrongWay { .. } => (
+            None,
+            "list the corners of every face anticlockwise as seen from outside",
+        ),
+    }
+}
+
+/// Bricks of a lattice, x fastest.
+fn bricks(lattice: &Lattice, origin: Vec3) -> Vec<Shape> {
+    let [nx, ny, nz] = lattice.count;
+    let half = 0.5 * lattice.cell;
+    let corner = lattice.corner - origin;
+    let mut shapes = Vec::with_capacity(nx as usize * ny as usize * nz as usize);
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                let at = Vec3::new(f64::from(i), f64::from(j), f64::from(k)) + 0.5;
+                shapes.push(Shape::Brick {
+                    centre: corner + at * lattice.cell,
+                    half,
+                });
+            }
+        }
+    }
+    shapes
+}
+
+/// Repeats the shapes of a table.
+fn copies(block: &Block, shapes: Vec<Shape>) -> Vec<Shape> {
+    let Some(said) = &block.copies else {
+        return shapes;
+    };
+    let step = Vec3::from(said.step.xyz());
+    (0..said.count)
+        .flat_map(|k| {
+            let shift = f64::from(k) * step;
+            shapes.iter().map(move |shape| moved(shape, shift))
+        })
+        .collect()
+}
+
+fn moved(shape: &Shape, shift: Vec3) -> Shape {
+    match shape {
+        Shape::Brick { centre, half } => Shape::Brick {
+            centre: *centre + shift,
+            half: *half,
+        },
+        Shape::Polyhedron(solid) => Shape::Polyhedron(Box::new(Solid {
+            vertices: solid.vertices.iter().map(|v| *v + shift).collect(),
+            faces: solid.faces.clone(),
+        })),
+    }
+}
+
+/// The solid of a shape.
+pub(super) fn solid(shape: &Shape) -> Polyhedron {
+    match shape {
+        Shape::Brick { centre, half } => Polyhedron::brick(*centre, *half),
+        Shape::Polyhedron(solid) => Polyhedron {
+            vertices: solid.vertices.clone(),
+            faces: solid.faces.clone(),
+        },
+    }
+}
+
+/// Lowest and highest corner of the box around a shape.
+pub(super) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
+    match shape {
+        Shape::Brick { centre, half } => (*centre - *half, *centre + *half),
+        Shape::Polyhedron(solid) => {
+            let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+            let vertices = solid.vertices.iter();
+            vertices.fold(start, |(min, max), v| (min.min(*v), max.max(*v)))
+        }
+    }
+}
+
+/// Volume, m³.
+pub(super) fn volume(shape: &Shape) -> f64 {
+    match shape {
+        Shape::Brick { half, .. } => 8.0 * half.element_product(),
+        Shape::Polyhedron(_) => solid(shape).moments().volume,
+    }
+}
+
+fn centroid(shape: &Shape) -> Vec3 {
+    match shape {
+        Shape::Brick { centre, .. } => *centre,
+        Shape::Polyhedron(_) => solid(shape).moments().centroid,
+    }
+}
+
+/// Lines `v` and `f` of an OBJ text.
+fn read_obj(text: &str) -> Result<(Vec<Vec3>, Vec<Vec<u32>>), String> {
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for (line, words) in (1..).zip(text.lines().map(str::split_whitespace)) {
+        let words: Vec<&str> = words.collect();
+        match words.split_first() {
+            Some((&"v", rest)) => {
+                let number = |k: usize| {
+                    let word = rest.get(k).copied().unwrap_or_default();
+                    let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
+                    number.ok_or_else(|| format!("line {line}: a corner needs three numbers"))
+                };
+                vertices.push(Vec3::new(number(0)?, number(1)?, number(2)?));
+            }
+            Some((&"f", rest)) => {
+                let corner = |word: &&str| {
+                    let first = word.split('/').next().unwrap_or_default();
+                    let index = match first.parse::<i64>() {
+                        Ok(index) if index > 0 => index - 1,
+                        // Negative ones count back from the last corner.
+                        Ok(index) if index < 0 => vertices.len() as i64 + index,
+                        Ok(_) | Err(_) => -1,
+                    };
+                    u32::try_from(index)
+                        .map_err(|_| format!("line {line}: `{first}` is not a corner"))
+                };
+                faces.push(
+                    rest.iter()
+                        .map(corner)
+                        .collect::<Result<Vec<u32>, String>>()?,
+                );
+            }
+            Some(_) | None => {}
+        }
+    }
+    if vertices.is_empty() {
+        return Err("there are no corners in it".to_owned());
+    }
+    Ok((vertices, faces))
+}

@@ -1,0 +1,413 @@
+//! Charges, other cavities, and the splitting of blocks.
+
+use riprap_geom::Vec3;
+
+use super::global;
+use super::pattern::Hole;
+use super::places::region_of;
+use crate::laws::explosive::{Explosive, ExplosiveError};
+use crate::model::builder::Builder;
+use crate::model::explain::{Provenance, with_unit};
+use crate::model::summary::Charge;
+use crate::scenario::language::{
+    self, Around, CouplingWord, GasCavity, Point3, PressureCavity, Refine, Segment, span_of,
+};
+use crate::scenario::quantity::Interval;
+use crate::scenario::vectors::unit;
+use crate::scenario::words::WordOr;
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
+use crate::spatial::setup::{
+    Coupling, Criterion, During, Place, Push, Refinement, Region, Shape, Source, Venting,
+};
+
+/// Exponent that keeps the force on the wall of the cavity.
+const WALL_FORCE: f64 = 2.0 / 3.0;
+/// Steps between two looks at a criterion of splitting.
+const EVERY: u64 = 50;
+/// Beyond this ratio of the volumes of removed blocks and charge a coupling by faces means little.
+const UNLIKE: f64 = 4.0;
+
+impl Builder<'_> {
+    pub(super) fn sources(&mut self) {
+        for (name, source) in self.parsed.scenario.sources.iter() {
+            match source {
+                language::Source::GasCavity(gas) => self.gas(name, gas),
+                language::Source::PressureCavity(cavity) => self.pressure(name, cavity),
+            }
+        }
+    }
+
+    fn gas(&mut self, name: &Name, gas: &GasCavity) {
+        let Some(explosive) = self.adiabat(name, gas) else {
+            return;
+        };
+        let delay = gas.delay.as_ref().map_or(0.0, Quantity::si);
+        let coupling = self.coupling(name, gas);
+        let venting = match &gas.venting {
+            None => None,
+            Some(language::Venting::Heave(height)) => Some(Venting::Heave {
+                height: height.si(),
+            }),
+            Some(language::Venting::Time(time)) => Some(Venting::Time {
+                start: time.start.si(),
+                span: time.span.as_ref().map_or(0.0, Quantity::si),
+            }),
+        };
+        let push = |mass: f64| Push::Gas {
+            explosive,
+            mass,
+            coupling,
+            venting,
+        };
+        if let Some(pattern) = &gas.pattern {
+            let Some(holes) = self.holes(pattern, explosive.density) else {
+                return;
+            };
+            for (number, hole) in (1..).zip(holes) {
+                let Hole { from, to, .. } = hole;
+                let origin = self.spatial.origin;
+                let place = Place::Line {
+                    from: from - origin,
+                    to: to - origin,
+                };
+                let name_of = format!("{name}.{number}");
+                if self.in_rock(&place, &name_of, &pattern.csv.span) {
+                    self.enter_source(name_of, place, delay + hole.delay, push(hole.mass));
+                }
+            }
+            return;
+        }
+        // A missing mass is reported by the rules of the language.
+        let Some(mass) = &gas.mass else { return };
+        let place = self.source_place(name, &gas.centre, &gas.line, &gas.group);
+        if let Some(place) = place {
+            self.enter_source(name.text.clone(), place, delay, push(mass.si()));
+        }
+    }
+
+    fn pressure(&mut self, name: &Name, cavity: &PressureCavity) {
+        let delay = cavity.delay.as_ref().map_or(0.0, Quantity::si);
+        let Some(time) = self.time_function(&cavity.pressure) else {
+            return;
+        };
+        if let Some(place) = self.source_place(name, &cavity.centre, &cavity.line, &cavity.group) {
+            self.enter_source(name.text.clone(), place, delay, Push::Pressure { time });
+        }
+    }
+
+    fn enter_source(&mut self, name: String, place: Place, delay: f64, push: Push) {
+        self.directory.sources.push(name.clone());
+        self.spatial.sources.push(Source {
+            name,
+            place,
+            delay,
+            push,
+        });
+    }
+
+    /// The explosive in numbers, if they make sense.
+    fn adiabat(&mut self, name: &Name, gas: &GasCavity) -> Option<Explosive> {
+        let said = self.explosive(gas)?;
+        let explosive = Explosive {
+            density: said.density.si(),
+            detonation_velocity: said.detonation_velocity.si(),
+            heat: said.heat_of_explosion.si(),
+            gamma: said.gamma.as_ref().map_or(3.0, Quantity::si),
+            gamma_low: said.gamma_low.as_ref().map_or(4.0 / 3.0, Quantity::si),
+        };
+        let Err(error) = explosive.validate() else {
+            return Some(explosive);
+        };
+        let span = match &error {
+            ExplosiveError::Exponents { .. } => {
+                let gamma = said.gamma.as_ref().or(said.gamma_low.as_ref());
+                gamma.map_or(&name.span, |gamma| &gamma.span)
+            }
+            ExplosiveError::Heat { .. } => &said.heat_of_explosion.span,
+            ExplosiveError::NotPositive { .. } => &name.span,
+        };
+        let message = format!("`{name}`: {error}");
+        let help = "check density, detonation_velocity and heat_of_explosion and their units";
+        let error = Diagnostic::error("explosive", message).at(span.clone());
+        // Several charges of one explosive say it once.
+        if !self.found.contains(&error.clone().help(help)) {
+            self.found.push(error.help(help));
+        }
+        None
+    }
+
+    fn coupling(&mut self, name: &Name, gas: &GasCavity) -> Coupling {
+        let key = format!("sources.{name}.gas_cavity.coupling");
+        let from = if gas.coupling.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
+        };
+        let (coupling, text, why) = match &gas.coupling {
+            _ if gas.is_fitted() => (
+                Coupling::Scaled {
+                    exponent: WALL_FORCE,
+                },
+                "fitted".to_owned(),
+                "the cells of the grid have the volume of the charge",
+            ),
+            Some(WordOr::Word(CouplingWord::Coupled, _)) => {
+                (Coupling::Coupled, "coupled".to_owned(), "")
+            }
+            Some(WordOr::Word(CouplingWord::Decoupled, _)) => {
+                (Coupling::Decoupled, "decoupled".to_owned(), "")
+            }
+            Some(WordOr::Table(scale, _)) => {
+                let exponent = scale.scaled.si();
+                let text = format!("scaled {}", scale.scaled.raw);
+                (Coupling::Scaled { exponent }, text, "")
+            }
+            Some(WordOr::Word(CouplingWord::Fitted, _)) | None => (
+                Coupling::Scaled {
+                    exponent: WALL_FORCE,
+                },
+                "scaled 2/3".to_owned(),
+                "keeps the force on the wall of the cavity",
+            ),
+        };
+        self.explain(key, text, from, why);
+        coupling
+    }
+
+    /// Where a source lies; `None` after an error.
+    fn source_place(
+        &mut self,
+        name: &Name,
+        centre: &Option<Point3>,
+        line: &Option<Segment>,
+        group: &Option<Name>,
+    ) -> Option<Place> {
+        let origin = self.spatial.origin;
+        let (place, span) = match (centre, line, group) {
+            (Some(point), _, _) => {
+                let centre = global(point) - origin;
+                (Place::Point { centre }, span_of(point))
+            }
+            (None, Some(line), _) => {
+                let from = global(&line.from) - origin;
+                let to = global(&line.to) - origin;
+                (Place::Line { from, to }, span_of(&line.from))
+            }
+            (None, None, Some(group)) => {
+                let blocks = self.directory.blocks(group);
+                let blocks = self.take(blocks.map_err(|error| vec![*error]))?;
+                (Place::Blocks { blocks }, group.span.clone())
+            }
+            // Reported by the rules of the language.
+            (None, None, None) => return None,
+        };
+        self.in_rock(&place, name.as_str(), &span).then_some(place)
+    }
+
+    /// Whether a source touches blocks that can be taken away.
+    fn in_rock(&mut self, place: &Place, name: &str, span: &Span) -> bool {
+        let touched = match (place, region_of(place)) {
+            (Place::Blocks { blocks }, _) => blocks.clone(),
+            (_, Some(region)) => self.touching(&region),
+            (Place::Point { .. } | Place::Line { .. }, None) => Vec::new(),
+        };
+        if touched.is_empty() {
+            let message = format!("`{name}` lies outside of all blocks");
+            let error = Diagnostic::error("source.outside", message).at(span.clone());
+            let help = "check its coordinates; the blocks that it touches are removed";
+            self.found.push(error.help(help));
+            return false;
+        }
+        if let Some(&block) = touched.iter().find(|&&block| self.held(block)) {
+            let held = self.directory.name(block);
+            let message = format!("`{name}` touches block `{held}`, which is fixed");
+            let error = Diagnostic::error("source.fixed", message).at(span.clone());
+            let help = "move it, or hold the model at its boundaries";
+            self.found.push(error.help(help));
+            return false;
+        }
+        true
+    }
+
+    pub(super) fn refinements(&mut self) {
+        for refine in &self.parsed.scenario.refine {
+            let during = refine.during.as_ref().and_then(|said| self.during(said));
+            let Some(regions) = self.regions(refine) else {
+                continue;
+            };
+            let levels = self.levels(refine);
+            for around in regions {
+                if !self.only_bricks(&around, refine.octree.around.span()) {
+                    continue;
+                }
+                self.spatial.refinements.push(Refinement {
+                    around,
+                    levels,
+                    during,
+                });
+            }
+        }
+    }
+
+    fn levels(&mut self, refine: &Refine) -> u8 {
+        let found = match &refine.octree.around {
+            Around::Source(name) => self.fitted_levels.get(name.as_str()).copied(),
+            Around::Point(_) | Around::Place(..) => None,
+        };
+        match (refine.octree.levels, found, &refine.octree.around) {
+            (Some(levels), _, _) => levels,
+            (None, Some(levels), Around::Source(name)) => {
+                let key = format!("refine.{name}.levels");
+                let why = "the cell of the grid changes least";
+                self.explain(key, levels.to_string(), Provenance::Derived, why);
+                levels
+            }
+            // Reported by the rules of the language.
+            (None, _, _) => 1,
+        }
+    }
+
+    /// Where blocks are split; the holes of a pattern are several places.
+    fn regions(&mut self, refine: &Refine) -> Option<Vec<Region>> {
+        let origin = self.spatial.origin;
+        let region = match &refine.octree.around {
+            Around::Point(point) => Region::Point(self.local(point.xyz())),
+            Around::Source(name) => {
+                let pattern = format!("{name}.");
+                let sources = self.spatial.sources.iter();
+                let own: Vec<&Source> = sources
+                    .filter(|s| s.name == name.text || s.name.starts_with(&pattern))
+                    .collect();
+                if own.is_empty() {
+                    return None; // the source has an error of its own
+                }
+                let regions = own.iter().flat_map(|source| match &source.place {
+                    Place::Blocks { blocks } => blocks
+                        .iter()
+                        .map(|&b| {
+                            let cell =
+                                super::places::Cell::of(&self.spatial.blocks[b as usize].shape);
+                            Region::Box(cell.centre - cell.half, cell.centre + cell.half)
+                        })
+                        .collect(),
+                    place @ (Place::Point { .. } | Place::Line { .. }) => {
+                        region_of(place).into_iter().collect::<Vec<_>>()
+                    }
+                });
+                return Some(regions.collect());
+            }
+            Around::Place(place, _) => match &**place {
+                language::Place::Line(line) => {
+                    Region::Line(global(&line.from) - origin, global(&line.to) - origin)
+                }
+                language::Place::Plane(plane) => {
+                    let normal = Vec3::from(unit(&plane.normal)?);
+                    Region::Plane(global(&plane.at) - origin, normal)
+                }
+                language::Place::Ball(ball) => {
+                    Region::Ball(global(&ball.centre) - origin, ball.radius.si())
+                }
+                language::Place::Box(region) => {
+                    Region::Box(self.local(region.min.xyz()), self.local(region.max.xyz()))
+                }
+                language::Place::All(_) => Region::All,
+            },
+        };
+        Some(vec![region])
+    }
+
+    /// Whether all blocks that touch a region can be split, and there are any.
+    fn only_bricks(&mut self, region: &Region, span: &Span) -> bool {
+        let touched = self.touching(region);
+        let other = touched.iter().copied().find(|&block| {
+            match self.spatial.blocks[block as usize].shape {
+                Shape::Brick { .. } => false,
+                Shape::Polyhedron(_) => true,
+            }
+        });
+        if let Some(block) = other {
+            let name = self.directory.name(block);
+            let message = format!("block `{name}` is a polyhedron and cannot be split into eight");
+            let error = Diagnostic::error("refine.brick", message).at(span.clone());
+            let help = "only bricks can; choose a place that touches bricks only";
+            self.found.push(error.help(help));
+            return false;
+        }
+        if touched.is_empty() {
+            let error = Diagnostic::error("refine.nothing", "no block touches this place");
+            let help = "check its coordinates and their units";
+            self.found.push(error.at(span.clone()).help(help));
+        }
+        !touched.is_empty()
+    }
+
+    fn during(&mut self, said: &language::During) -> Option<During> {
+        let (criterion, above) = match (&said.stress, &said.strain_rate, &said.broken) {
+            (Some(stress), _, _) => (Criterion::Stress, stress.si()),
+            (None, Some(rate), _) => (Criterion::StrainRate, rate.si()),
+            (None, None, Some(share)) => (Criterion::Broken, share.si()),
+            // Reported by the rules of the language.
+            (None, None, None) => return None,
+        };
+        let every = match said.every.as_ref().map(language::Every::read) {
+            Some(Interval::Steps(steps)) => steps,
+            Some(Interval::Time(_) | Interval::Phase | Interval::Never) | None => EVERY,
+        };
+        Some(During {
+            criterion,
+            above,
+            every,
+        })
+    }
+
+    /// Volumes of charges and of the blocks they replace, for the summary, with a warning where they
+    /// have little to do with each other.
+    pub(super) fn source_volumes(&mut self) {
+        for k in 0..self.spatial.sources.len() {
+            let source = &self.spatial.sources[k];
+            let (cells, cavity) = self.removed(&source.place);
+            let (mass, volume, scaled) = match &source.push {
+                Push::Gas {
+                    explosive,
+                    mass,
+                    coupling,
+                    ..
+                } => {
+                    let scaled = matches!(coupling, Coupling::Scaled { .. });
+                    (Some(*mass), Some(mass / explosive.density), scaled)
+                }
+                Push::Pressure { .. } => (None, None, false),
+            };
+            let name = source.name.clone();
+            let ratio = volume.map(|volume| cavity / volume);
+            if let Some(ratio) = ratio
+                && scaled
+                && !(1.0 / UNLIKE..=UNLIKE).contains(&ratio)
+            {
+                let message = format!(
+                    "`{name}` has the volume {}, the {cells} blocks that it replaces {}: {} times",
+                    with_unit(volume.unwrap_or(0.0), "m3"),
+                    with_unit(cavity, "m3"),
+                    with_unit(ratio, ""),
+                );
+                let help = "split the blocks around it so that the finest ones have its volume: \
+                            the pressure depends on it";
+                let said = self.parsed.scenario.sources.iter();
+                let span = said
+                    .map(|(said, _)| said)
+                    .find(|said| name == said.text || name.starts_with(&format!("{said}.")))
+                    .map_or(0..0, |said| said.span.clone());
+                let note = Diagnostic::warning("source.volume", message).at(span);
+                self.found.push(note.help(help));
+            }
+            self.summary.charges.push(Charge {
+                name,
+                mass,
+                volume,
+                blocks: cells,
+                cavity,
+                ratio,
+            });
+        }
+    }
+}

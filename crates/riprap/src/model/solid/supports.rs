@@ -1,0 +1,109 @@
+//! Supports and loads on blocks in space.
+
+use riprap_geom::Vec3;
+
+use crate::dynamics::TimeFunction;
+use crate::model::builder::Builder;
+use crate::scenario::language::{self, Fixed};
+use crate::spatial::setup::{Load, LoadKind, Motion, Support};
+
+/// Which freedoms are held.
+fn fixed(said: &Fixed) -> Motion {
+    let turn = |given: Option<bool>| given.unwrap_or(said.rotation);
+    Motion::Fixed {
+        translation: [said.x, said.y, said.z],
+        rotation: [
+            turn(said.rotation_x),
+            turn(said.rotation_y),
+            turn(said.rotation_z),
+        ],
+    }
+}
+
+impl Builder<'_> {
+    pub(super) fn solid_supports(&mut self) {
+        for support in &self.parsed.scenario.supports {
+            let Some(blocks) = self.target(&support.on) else {
+                continue;
+            };
+            let motion = match (&support.fixed, &support.motion) {
+                (Some(said), _) => fixed(said),
+                (None, Some(language::Motion::Velocity(m))) => Motion::Velocity {
+                    translation: [
+                        self.maybe(m.x.as_ref()),
+                        self.maybe(m.y.as_ref()),
+                        self.maybe(m.z.as_ref()),
+                    ],
+                    spin: [
+                        self.maybe(m.spin_x.as_ref()),
+                        self.maybe(m.spin_y.as_ref()),
+                        self.maybe(m.spin_z.as_ref()),
+                    ],
+                },
+                (None, Some(language::Motion::Acceleration(m))) => Motion::Acceleration {
+                    translation: [
+                        self.maybe(m.x.as_ref()),
+                        self.maybe(m.y.as_ref()),
+                        self.maybe(m.z.as_ref()),
+                    ],
+                },
+                // Reported by the rules of the language.
+                (None, None) => continue,
+            };
+            self.spatial.supports.push(Support { blocks, motion });
+        }
+    }
+
+    /// Whether a support holds a block in all freedoms.
+    pub(super) fn held(&self, block: u32) -> bool {
+        self.spatial.supports.iter().any(|support| {
+            let all = match support.motion {
+                Motion::Fixed {
+                    translation,
+                    rotation,
+                } => translation == [true; 3] && rotation == [true; 3],
+                Motion::Velocity { .. } | Motion::Acceleration { .. } => false,
+            };
+            all && support.blocks.binary_search(&block).is_ok()
+        })
+    }
+
+    pub(super) fn solid_loads(&mut self) {
+        for load in &self.parsed.scenario.loads {
+            let Some(blocks) = self.target(&load.on) else {
+                continue;
+            };
+            let time = match &load.time {
+                Some(f) => match self.time_function(f) {
+                    Some(time) => time,
+                    None => continue,
+                },
+                None => TimeFunction::Constant(1.0),
+            };
+            let mut kinds = Vec::new();
+            if let Some(point) = &load.point {
+                kinds.push(LoadKind::Point {
+                    force: point.force.xyz().into(),
+                    at: point.at.as_ref().map(|at| self.local(at.xyz())),
+                });
+            }
+            if let Some(moment) = &load.moment {
+                kinds.push(LoadKind::Moment {
+                    moment: moment.xyz().into(),
+                });
+            }
+            if let Some(body) = &load.body {
+                kinds.push(LoadKind::BodyForce {
+                    acceleration: Vec3::from(body.acceleration.xyz()),
+                });
+            }
+            for kind in kinds {
+                self.spatial.loads.push(Load {
+                    blocks: blocks.clone(),
+                    kind,
+                    time: time.clone(),
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Shapes of blocks in space, and places there.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point3;
+use crate::scenario::quantity::{
+    Edges, Length, Name, Plain, PositiveLength, Quantity, Span, Vector,
+};
+
+/// A box with faces normal to the axes. Give `corner` or `centre`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Brick {
+    /// Lengths of the edges along x, y, z, m.
+    pub size: [Quantity<PositiveLength>; 3],
+    /// Corner with the lowest coordinates [x, y, z], m.
+    pub corner: Option<Point3>,
+    /// Centre [x, y, z], m.
+    pub centre: Option<Point3>,
+}
+
+/// A region filled with equal bricks. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Grid {
+    /// A box of bricks; x runs fastest, then y, then z.
+    Box(GridBox),
+}
+
+/// A box of bricks. The size must be whole cells.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GridBox {
+    /// Lengths of the edges of the whole box along x, y, z, m.
+    pub size: [Quantity<PositiveLength>; 3],
+    /// Edge of a cubic cell, or the three edges of a cell, m.
+    pub cell: Edges<PositiveLength>,
+    /// Corner with the lowest coordinates [x, y, z], m. Default the origin, without `centre`.
+    pub corner: Option<Point3>,
+    /// Centre of the box [x, y, z], m.
+    pub centre: Option<Point3>,
+}
+
+/// A convex polyhedron: corners with faces, corners alone (their convex hull), or a file. Exactly
+/// one of `vertices` and `obj`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Polyhedron {
+    /// Corners [x, y, z], m.
+    pub vertices: Option<Vec<Point3>>,
+    /// Corners of each face by their place in `vertices`, from 0, in order along its boundary.
+    /// Default: the faces of the convex hull.
+    pub faces: Option<Vec<Vec<u32>>>,
+    /// Path of an OBJ file, seen from the scenario file; coordinates in metres.
+    pub obj: Option<Name>,
+}
+
+/// How blocks deform. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Mechanics {
+    /// They do not: all deformation is in the joints. Write `rigid = {}`.
+    Rigid(Empty),
+    /// Not possible yet.
+    Deformable(Empty),
+}
+
+/// A table without keys: `{}`.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Empty {}
+
+/// A box with sides along the axes.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoxRegion {
+    /// Corner with the lowest coordinates, m.
+    pub min: Vector<Length>,
+    /// Corner with the highest coordinates, m.
+    pub max: Vector<Length>,
+}
+
+/// A straight piece of a line.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Segment {
+    /// One end [x, y, z], m; of a hole the side of the collar.
+    pub from: Point3,
+    /// Other end [x, y, z], m; of a hole the toe.
+    pub to: Point3,
+}
+
+/// A plane.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plane {
+    /// A point of it [x, y, z], m.
+    pub at: Point3,
+    /// Its normal [x, y, z], of any length.
+    pub normal: [Quantity<Plain>; 3],
+}
+
+/// A ball.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ball {
+    /// Centre [x, y, z], m.
+    pub centre: Point3,
+    /// Radius, m.
+    pub radius: Quantity<PositiveLength>,
+}
+
+/// Place of a point in the text.
+pub fn span_of(point: &Point3) -> Span {
+    point[0].span.start..point[2].span.end
+}
