@@ -49,7 +49,7 @@ fn model_text(s: &Summary) -> String {
     let mut text = format!(
         "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  \
          region     x {} to {} m, y {} to {} m; mass {}\n  \
-         shortest   edge {} on block {}\n  touching   {} pairs at the start",
+         shortest   edge {} on block {}\n  near       {} pairs at the start (boxes that meet)",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
         grouped(s.vertices as u64),
