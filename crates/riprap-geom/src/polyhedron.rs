@@ -6,10 +6,12 @@
 mod hull;
 mod mass;
 mod slice;
+mod voronoi;
 
 pub use hull::hull;
 pub use mass::{Moments, principal};
 pub use slice::{Sliced, from_half_spaces, slice};
+pub use voronoi::voronoi;
 
 use std::collections::BTreeMap;
 

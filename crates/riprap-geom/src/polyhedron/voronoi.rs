@@ -1,0 +1,213 @@
+//! A box divided into Voronoi cells of random points.
+//!
+//! Each cell starts as the box and is cut by the planes halfway to other sites, nearest first, until no site farther
+//! away can reach it. Faces of neighbours lie in one plane to round-off and have the same corners to round-off.
+
+use super::{Polyhedron, Sliced, slice};
+use crate::error::demand;
+use crate::random::Chance;
+use crate::shapes::capped;
+use crate::{GeomError, Vec3};
+
+/// Cells of a box from `min` to `max` (m), about `cell_size` (m) wide; `relax` Lloyd iterations make them more equal.
+///
+/// *Errors*: a box without volume, a size that is not above 0, more than 1000 iterations, too many cells.
+pub fn voronoi(
+    min: Vec3,
+    max: Vec3,
+    cell_size: f64,
+    seed: u64,
+    relax: usize,
+) -> Result<Vec<Polyhedron>, GeomError> {
+    let extent = max - min;
+    demand(
+        "the shortest edge of the box",
+        extent.min_element(),
+        extent.min_element() > 0.0,
+        "above 0",
+    )?;
+    demand("cell_size", cell_size, cell_size > 0.0, "above 0")?;
+    demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
+    let count = extent.element_product() / cell_size.powi(3);
+    capped("Voronoi cells", count)?;
+    // Relative to the middle of the box, where coordinates are small.
+    let half = 0.5 * extent;
+    let mut chance = Chance::new(seed);
+    let mut sites: Vec<Vec3> = (0..(count.round() as usize).max(1))
+        .map(|_| Vec3::from_array([0, 1, 2].map(|a| chance.between(-half[a], half[a]))))
+        .collect();
+    for _ in 0..relax {
+        let cells = cells(&sites, half);
+        sites = cells.iter().map(|c| c.moments().centroid).collect();
+    }
+    let mut cells = cells(&sites, half);
+    let middle = 0.5 * (min + max);
+    for vertex in cells.iter_mut().flat_map(|c| &mut c.vertices) {
+        *vertex += middle;
+    }
+    Ok(cells)
+}
+
+/// The cell of each site.
+fn cells(sites: &[Vec3], half: Vec3) -> Vec<Polyhedron> {
+    let bins = Bins::new(sites, half);
+    (0..sites.len()).map(|k| bins.cell(sites, k)).collect()
+}
+
+/// Sites in a grid of boxes, about one in each.
+struct Bins {
+    half: Vec3,
+    count: [i64; 3],
+    size: Vec3,
+    lists: Vec<Vec<u32>>,
+}
+
+impl Bins {
+    fn new(sites: &[Vec3], half: Vec3) -> Self {
+        let edge = libm::cbrt(8.0 * half.element_product() / sites.len() as f64);
+        let count = [0, 1, 2].map(|a| ((2.0 * half[a] / edge).floor() as i64).clamp(1, 1024));
+        let size = Vec3::from_array([0, 1, 2].map(|a| 2.0 * half[a] / count[a] as f64));
+        let mut bins = Self {
+            half,
+            count,
+            size,
+            lists: vec![Vec::new(); (count[0] * count[1] * count[2]) as usize],
+        };
+        for (k, &site) in sites.iter().enumerate() {
+            let at = bins.index(bins.place(site));
+            bins.lists[at].push(k as u32);
+        }
+        bins
+    }
+
+    fn place(&self, p: Vec3) -> [i64; 3] {
+        [0, 1, 2].map(|a| {
+            let at = (p[a] + self.half[a]) / self.size[a];
+            (at as i64).clamp(0, self.count[a] - 1)
+        })
+    }
+
+    fn index(&self, at: [i64; 3]) -> usize {
+        ((at[2] * self.count[1] + at[1]) * self.count[0] + at[0]) as usize
+    }
+
+    /// Sites in the shell of boxes `ring` away from a box.
+    fn shell(&self, centre: [i64; 3], ring: i64, out: &mut Vec<u32>) {
+        let range =
+            |a: usize| (centre[a] - ring).max(0)..=(centre[a] + ring).min(self.count[a] - 1);
+        for z in range(2) {
+            for y in range(1) {
+                for x in range(0) {
+                    let at = [x, y, z];
+                    if (0..3).any(|a| (at[a] - centre[a]).abs() == ring) {
+                        out.extend(&self.lists[self.index(at)]);
+                    }
+                }
+            }
+        }
+    }
+
+    fn cell(&self, sites: &[Vec3], k: usize) -> Polyhedron {
+        let site = sites[k];
+        let mut cell = Polyhedron::brick(Vec3::ZERO, self.half);
+        let (home, mut near) = (self.place(site), Vec::new());
+        let last = self.count.into_iter().max().unwrap_or(1);
+        for ring in 0..=last {
+            let distances = cell.vertices.iter().map(|v| v.distance(site));
+            let reach = distances.fold(0.0, f64::max);
+            // Sites of this shell and beyond are at least this far away.
+            if (ring - 1) as f64 * self.size.min_element() > 2.0 * reach {
+                break;
+            }
+            near.clear();
+            self.shell(home, ring, &mut near);
+            near.sort_by(|&a, &b| {
+                let far = |s: u32| sites[s as usize].distance_squared(site);
+                far(a).total_cmp(&far(b)).then(a.cmp(&b))
+            });
+            for &other in &near {
+                let away = sites[other as usize] - site;
+                let length = away.length();
+                if length == 0.0 {
+                    continue;
+                }
+                let normal = away / length;
+                let offset = normal.dot(0.5 * (site + sites[other as usize]));
+                match slice(&cell, normal, offset) {
+                    Sliced::Part(part) => cell = part,
+                    Sliced::Whole | Sliced::Nothing => {}
+                }
+            }
+        }
+        cell
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(12))]
+
+        /// Cells are solids, fill the box, hold their sites' share of space, and repeat with the seed.
+        #[test]
+        fn cells_fill_the_box(
+            seed in any::<u64>(),
+            edges in prop::array::uniform3(1.0..4.0f64),
+            far in prop::sample::select(vec![0.0, 1e5]),
+            relax in 0usize..3,
+        ) {
+            let min = Vec3::splat(far);
+            let max = min + Vec3::from_array(edges);
+            let cells = voronoi(min, max, 0.8, seed, relax).unwrap();
+            prop_assert_eq!(&cells, &voronoi(min, max, 0.8, seed, relax).unwrap());
+            let whole = (max - min).element_product();
+            let mut sum = 0.0;
+            for cell in &cells {
+                prop_assert_eq!(cell.validate(), Ok(()));
+                let (low, high) = cell.bounds();
+                prop_assert!((low - min).min_element() > -1e-9 && (max - high).min_element() > -1e-9);
+                sum += cell.moments().volume;
+            }
+            prop_assert!((sum / whole - 1.0).abs() < 1e-9, "{} {}", sum, whole);
+        }
+    }
+
+    #[test]
+    fn neighbours_share_their_faces() {
+        let cells = voronoi(Vec3::ZERO, Vec3::splat(3.0), 1.0, 5, 3).unwrap();
+        assert_eq!(cells.len(), 27);
+        // Every inner face has a partner with the same middle and the opposite area vector.
+        let mut faces: Vec<(Vec3, Vec3)> = Vec::new();
+        for cell in &cells {
+            for f in 0..cell.faces.len() {
+                let outline = cell.outline(f);
+                let middle = outline.iter().sum::<Vec3>() / outline.len() as f64;
+                let edge = middle.min_element().min(3.0 - middle.max_element());
+                if edge > 1e-9 {
+                    faces.push((middle, cell.area_vector(f)));
+                }
+            }
+        }
+        for (middle, area) in &faces {
+            let partner = faces
+                .iter()
+                .any(|(m, a)| m.distance(*middle) < 1e-6 && (*a + *area).length() < 1e-6);
+            assert!(partner || area.length() < 1e-6, "{middle} {area}");
+        }
+    }
+
+    #[test]
+    fn silly_numbers_are_errors_at_once() {
+        for size in [0.0, -1.0, f64::NAN, 1e-6] {
+            assert!(
+                voronoi(Vec3::ZERO, Vec3::ONE, size, 1, 0).is_err(),
+                "{size}"
+            );
+        }
+        assert!(voronoi(Vec3::ZERO, Vec3::new(1.0, 0.0, 1.0), 0.5, 1, 0).is_err());
+        assert_eq!(voronoi(Vec3::ZERO, Vec3::ONE, 50.0, 1, 0).unwrap().len(), 1);
+    }
+}
