@@ -18,7 +18,7 @@ use super::build::BuildError;
 use super::fields::View;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
-use super::setup::During;
+use super::setup::{During, Shape};
 use super::step::{self, Damping, NonFinite, Scratch};
 use super::world::World;
 
@@ -146,15 +146,32 @@ pub fn plan(world: &World, scratch: &Scratch) -> Result<Vec<u32>, EditError> {
         return Ok(hits);
     }
     let mut forest = Forest::new(&world.setup, &world.lineage, &world.alive);
+    for b in beside_polyhedra(world) {
+        forest.freeze(b);
+    }
     for b in hits {
         match forest.split(b) {
             Ok(()) => {}
-            // A polyhedron has no eight parts: it stays.
+            // A polyhedron has no eight parts, and patches with one are not cut: they stay.
             Err(Some(_)) => {}
             Err(None) => return Err(RefineError::TooMany.into()),
         }
     }
     Ok(forest.into_splits())
+}
+
+/// Bricks that share a patch with a polyhedron.
+fn beside_polyhedra(world: &World) -> Vec<u32> {
+    let is_brick = |b: &u32| {
+        let shape = &world.setup.blocks[*b as usize].shape;
+        matches!(shape, Shape::Brick { .. })
+    };
+    let ends = world.patches.ends.iter();
+    ends.filter(|ends| !ends.iter().all(is_brick))
+        .flatten()
+        .copied()
+        .filter(is_brick)
+        .collect()
 }
 
 /// Splits blocks (in this order; children may be split again by their future number) and evaluates anew.

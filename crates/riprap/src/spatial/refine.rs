@@ -154,6 +154,11 @@ impl Forest {
         }
     }
 
+    /// Leaves a brick whole and out of the balance.
+    pub fn freeze(&mut self, b: u32) {
+        self.cells[b as usize].brick = false;
+    }
+
     /// Parents in the order of splitting; the children of the `k`-th are the blocks `8 k` to `8 k + 7` after the
     /// blocks that existed before.
     #[must_use]
