@@ -189,8 +189,8 @@ fn collisions(normal: NormalLaw, stiffness: f64, dt: f64, count: usize) -> Vec<f
 
 #[test]
 fn elastic_collisions_keep_their_energy() {
-    let distance = collisions(DISTANCE, 2e9, 1e-5, 40);
-    let source = collisions(SOURCE, 1e9, 4e-5, 40);
+    let distance = collisions(DISTANCE, 2e9, 1e-5, 120);
+    let source = collisions(SOURCE, 1e9, 4e-5, 120);
     for (name, list) in [("distance", &distance), ("source", &source)] {
         eprintln!(
             "collisions, {name}: median {:.1e}, 95 % {:.1e}, max {:.1e}",
