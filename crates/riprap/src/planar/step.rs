@@ -155,6 +155,12 @@ impl World {
         hold_driven(&mut world);
         let close = search::near_pairs(&world, &shapes);
         world.bonds = bond::build(&world.setup, &shapes, &close);
+        // What a joint stores at the start, by round-off of its corners, is no work of friction.
+        for bond in &mut world.bonds {
+            if let Some(law) = &world.setup.interfaces[bond.row as usize].bond {
+                bond::force(bond, law, &world.bodies, 0.0, 0.0, &mut Works::default());
+            }
+        }
         let scratch = Scratch::new(&mut world, exec);
         (world, scratch)
     }
