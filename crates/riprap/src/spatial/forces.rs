@@ -2,10 +2,12 @@
 
 use riprap_geom::Vec3;
 
+use super::lanes::Width;
 use super::patch::{self, Poses, Resultant, State};
 use super::setup::Interface;
 use super::sums::Part;
 use super::tiles::{Tile, Tiles};
+use super::wide::{self, Targets, Wide};
 use super::world::{PatchClass, flag};
 use crate::exec::Divide;
 use crate::ledger::Works;
@@ -31,6 +33,14 @@ pub struct Shared<'a> {
     pub elapsed: Option<f64>,
     /// Stiffness-proportional damping of the phase, s.
     pub stiffness_damping: f64,
+    /// Whether there are dashpots.
+    pub damped: bool,
+    /// Whether a law has a strength.
+    pub strong: bool,
+    /// Constants of the classes for the wide kernel.
+    pub wide: &'a [Wide],
+    /// Instruction set.
+    pub width: Width,
 }
 
 /// Lists of patches that tiles own parts of.
@@ -121,22 +131,110 @@ impl Divide for First<'_> {
 }
 
 /// Does the patches of one tile.
-pub fn tile(shared: &Shared, mut work: First) {
+pub fn tile(shared: &Shared, work: First) {
+    let width = shared.width;
+    width.run(
+        #[inline(always)]
+        || match (shared.damped, shared.strong, !shared.prestress.is_empty()) {
+            (false, false, false) => packets::<false, false, false>(shared, work),
+            (false, false, true) => packets::<false, false, true>(shared, work),
+            (false, true, false) => packets::<false, true, false>(shared, work),
+            (false, true, true) => packets::<false, true, true>(shared, work),
+            (true, false, false) => packets::<true, false, false>(shared, work),
+            (true, false, true) => packets::<true, false, true>(shared, work),
+            (true, true, false) => packets::<true, true, false>(shared, work),
+            (true, true, true) => packets::<true, true, true>(shared, work),
+        },
+    );
+}
+
+#[inline(always)]
+fn packets<const DAMPED: bool, const STRENGTH: bool, const PRESTRESS: bool>(
+    shared: &Shared,
+    mut work: First,
+) {
     let tile = &work.tiles[0];
     for part in &mut work.net {
         part.clear();
     }
     let works = &mut work.works[0];
     *works = Works::default();
-    for p in tile.patches.clone() {
-        let at = p - tile.patches.start;
-        let (elastic, dashpot) = one(shared, p, work.memory.state(at), works);
-        let ends = shared.ends[p].map(|b| (b as usize).wrapping_sub(tile.blocks.start));
-        let slot = (p >= tile.crossing).then(|| p - tile.crossing);
-        book(&mut work.net[0], &mut work.slots[0], ends, slot, &elastic);
-        if let Some(dashpot) = dashpot {
-            book(&mut work.net[1], &mut work.slots[1], ends, slot, &dashpot);
+    for (k, packet) in shared.tiles.packets[tile.packets.clone()]
+        .iter()
+        .enumerate()
+    {
+        let first = packet.first as usize - tile.patches.start;
+        let crosses = tile.packets.start + k >= tile.crossing_packet;
+        let slot = crosses.then(|| packet.first as usize - tile.crossing);
+        let all = u8::MAX >> (8 - packet.count);
+        // Patches with a history or with finite rotations, and those of any direction, one by one.
+        let mut one_by_one = 0;
+        for (lane, flags) in work.memory.flags[first..first + usize::from(packet.count)]
+            .iter()
+            .enumerate()
+        {
+            one_by_one |= u8::from(*flags != 0) << lane;
         }
+        let mut to = Targets {
+            net: &mut work.net,
+            slots: &mut work.slots,
+            base: tile.blocks.start,
+            slot,
+        };
+        if packet.axis == 3 {
+            one_by_one = all;
+        } else if one_by_one != all {
+            let (wide, skip) = (shared.wide, one_by_one);
+            one_by_one = match packet.axis {
+                0 => wide::packet::<0, DAMPED, STRENGTH, PRESTRESS>(
+                    shared, wide, packet, skip, &mut to,
+                ),
+                1 => wide::packet::<1, DAMPED, STRENGTH, PRESTRESS>(
+                    shared, wide, packet, skip, &mut to,
+                ),
+                _ => wide::packet::<2, DAMPED, STRENGTH, PRESTRESS>(
+                    shared, wide, packet, skip, &mut to,
+                ),
+            };
+        }
+        for lane in 0..usize::from(packet.count) {
+            if one_by_one & (1 << lane) == 0 {
+                continue;
+            }
+            let p = packet.first as usize + lane;
+            let ends = shared.ends[p].map(|b| (b as usize).wrapping_sub(tile.blocks.start));
+            let state = work.memory.state(first + lane);
+            single(
+                shared,
+                p,
+                state,
+                works,
+                &mut work.net,
+                &mut work.slots,
+                ends,
+                slot.map(|s| s + lane),
+            );
+        }
+    }
+}
+
+/// One patch by itself.
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+fn single(
+    shared: &Shared,
+    p: usize,
+    state: State,
+    works: &mut Works,
+    net: &mut [Part; 2],
+    slots: &mut [Part; 2],
+    ends: [usize; 2],
+    slot: Option<usize>,
+) {
+    let (elastic, dashpot) = one(shared, p, state, works);
+    book(&mut net[0], &mut slots[0], ends, slot, &elastic);
+    if let Some(dashpot) = dashpot {
+        book(&mut net[1], &mut slots[1], ends, slot, &dashpot);
     }
 }
 
@@ -165,7 +263,7 @@ fn one(
     works.friction += class.area * loss.friction;
     works.fracture += class.area * loss.fracture;
     let beta = class.beta + shared.stiffness_damping;
-    let dashpot = (beta > 0.0).then(|| {
+    let dashpot = shared.damped.then(|| {
         let t = patch::dashpots(class, &points, beta, *state.flags);
         points.resultant(class, &t)
     });

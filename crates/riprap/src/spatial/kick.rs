@@ -4,7 +4,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::patch::turned_inertia;
 use super::setup::Motion;
-use super::world::World;
+use super::world::{SolidClass, Turned, World};
 use crate::dynamics::damping::Damping;
 use crate::ledger::Works;
 
@@ -35,14 +35,33 @@ pub struct Acting {
 /// The kick: what is the same for all blocks.
 #[derive(Clone, Copy)]
 pub struct Kick<'a> {
-    /// State.
-    pub world: &'a World,
+    /// Mass properties.
+    pub solids: &'a [SolidClass],
+    /// Index into `solids`, per block.
+    pub solid: &'a [u32],
+    /// Prescribed motion of the blocks.
+    pub motion: &'a [Option<Box<Motion>>],
+    /// Gravity, m/s².
+    pub gravity: Vec3,
+    /// Present time, s.
+    pub time: f64,
     /// Damping of the phase.
     pub damping: Damping,
     /// Halves of the step before and after the present time, s.
     pub half: [f64; 2],
     /// Time between the two half-step velocities, s.
     pub span: f64,
+}
+
+/// Motion of one block before the kick.
+#[derive(Clone, Copy)]
+pub struct Moving<'a> {
+    /// Velocity, m/s.
+    pub velocity: Vec3,
+    /// Spin, rad/s.
+    pub spin: Vec3,
+    /// State of finite rotations, if it has them.
+    pub turned: Option<&'a Turned>,
 }
 
 /// Forces that are not in [`Acting`], for the works.
@@ -55,25 +74,27 @@ struct Extra {
 }
 
 impl Kick<'_> {
+    /// Mass properties of block `b`.
+    #[must_use]
+    pub fn solid_of(&self, b: usize) -> &SolidClass {
+        &self.solids[self.solid[b] as usize]
+    }
+
     /// Velocity change of block `b`.
     #[must_use]
-    pub fn change(&self, b: usize, acting: &Acting) -> Change {
-        self.full(b, acting).0
+    pub fn change(&self, b: usize, moving: &Moving, acting: &Acting) -> Change {
+        self.full(b, moving, acting).0
     }
 
     /// Velocity change, and the forces that came in on the way.
-    fn full(&self, b: usize, acting: &Acting) -> (Change, Extra) {
-        let world = self.world;
-        let solid = world.solid_of(b);
-        let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
+    fn full(&self, b: usize, moving: &Moving, acting: &Acting) -> (Change, Extra) {
+        let solid = self.solid_of(b);
+        let (v, w) = (moving.velocity, moving.spin);
         let mass = solid.mass;
-        let attitude = world.turned[b].as_ref().map(|t| t.attitude);
+        let attitude = moving.turned.map(|t| t.attitude);
         let inertia = attitude.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
         let inverse = attitude.map_or(solid.inverse, |q| turned_inertia(&solid.inverse, q));
-        let before = match &world.turned[b] {
-            Some(turned) => turned.momentum,
-            None => inertia * w,
-        };
+        let before = moving.turned.map_or(inertia * w, |t| t.momentum);
         let local = self.damping.local;
         let against = |f: Vec3, v: Vec3| -> Vec3 {
             Vec3::from_array([0, 1, 2].map(|k| {
@@ -103,7 +124,7 @@ impl Kick<'_> {
         };
         let mut dw = inverse * dl;
         let mut extra = Extra::default();
-        if let Some(motion) = world.motion[b].as_deref() {
+        if let Some(motion) = self.motion[b].as_deref() {
             let free = (dv, dl);
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
             dl = inertia * dw;
@@ -127,16 +148,16 @@ impl Kick<'_> {
     pub fn works(
         &self,
         b: usize,
+        moving: &Moving,
         acting: &Acting,
         load: (Vec3, Vec3),
         arrival: &mut Works,
         departure: &mut Works,
     ) -> Change {
-        let world = self.world;
-        let (change, extra) = self.full(b, acting);
-        let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
-        let weight = world.solid_of(b).mass * world.gravity;
-        let moved = world.motion[b].is_some();
+        let (change, extra) = self.full(b, moving, acting);
+        let (v, w) = (moving.velocity, moving.spin);
+        let weight = self.solid_of(b).mass * self.gravity;
+        let moved = self.motion[b].is_some();
         for (half, v, w, works) in [
             (self.half[0], v, w, arrival),
             (
@@ -160,7 +181,7 @@ impl Kick<'_> {
     /// in the middle of the step.
     fn prescribed(&self, motion: &Motion, v: Vec3, w: Vec3, dv: Vec3, dw: Vec3) -> (Vec3, Vec3) {
         let (mut dv, mut dw) = (dv, dw);
-        let time = self.world.time;
+        let time = self.time;
         match motion {
             Motion::Fixed {
                 translation,

@@ -7,6 +7,7 @@
 
 use std::ops::Range;
 
+use super::lanes::LANES;
 use super::world::World;
 
 /// Blocks per tile.
@@ -16,6 +17,30 @@ pub const TILE: usize = 2048;
 #[must_use]
 pub fn tile_of(block: u32) -> u32 {
     block / TILE as u32
+}
+
+/// Up to eight patches of one axis, or patches that are done one by one.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Packet {
+    /// First patch.
+    pub first: u32,
+    /// Number of patches.
+    pub count: u8,
+    /// Axis of their normals; 3 for patches that are done one by one.
+    pub axis: u8,
+    /// Whether it has eight patches, whose blocks i lie side by side in the lists and their blocks j too.
+    pub runs: bool,
+    /// Whether all are of one class.
+    pub one_class: bool,
+}
+
+/// Blocks in a row that are alike and free: mass, no support, no face with a condition, small rotations.
+#[derive(Clone, Debug, Default)]
+pub struct Row {
+    /// The blocks.
+    pub blocks: Range<usize>,
+    /// Their mass properties, an index into `World::solids`.
+    pub solid: u32,
 }
 
 /// One piece.
@@ -33,6 +58,14 @@ pub struct Tile {
     pub incoming: Range<usize>,
     /// Its faces.
     pub faces: Range<usize>,
+    /// Its packets; those from `crossing_packet` on end in another tile.
+    pub packets: Range<usize>,
+    /// First packet that ends in another tile.
+    pub crossing_packet: usize,
+    /// Entries of [`Tiles::rows`] with its blocks.
+    pub rows: Range<usize>,
+    /// Entries of [`Tiles::special`] with its blocks.
+    pub special: Range<usize>,
 }
 
 /// How the model is cut.
@@ -44,6 +77,12 @@ pub struct Tiles {
     pub slots: usize,
     /// Slot and block j of the crossing patches that end in a tile, by tile and then by slot.
     pub incoming: Vec<[u32; 2]>,
+    /// Packets of all tiles.
+    pub packets: Vec<Packet>,
+    /// Blocks that are done in rows.
+    pub rows: Vec<Row>,
+    /// Living blocks that are done one by one, ascending.
+    pub special: Vec<u32>,
 }
 
 impl Tiles {
@@ -74,8 +113,8 @@ impl Tiles {
                 patches: first..patch,
                 crossing,
                 slots: slot..slot + (patch - crossing),
-                incoming: 0..0,
                 faces: first_face..face,
+                ..Tile::default()
             });
             slot += patch - crossing;
         }
@@ -105,6 +144,81 @@ impl Tiles {
         for (t, tile) in tiles.list.iter_mut().enumerate() {
             tile.incoming = counts[t]..counts[t + 1];
         }
+        tiles.make_packets(world);
+        tiles.make_rows(world);
         tiles
+    }
+
+    fn make_packets(&mut self, world: &World) {
+        for tile in &mut self.list {
+            let first = self.packets.len();
+            pack(world, tile.patches.start..tile.crossing, &mut self.packets);
+            tile.crossing_packet = self.packets.len();
+            pack(world, tile.crossing..tile.patches.end, &mut self.packets);
+            tile.packets = first..self.packets.len();
+        }
+    }
+
+    /// Sorts the blocks into rows and special ones; to be called again when supports or kinematics change.
+    pub fn make_rows(&mut self, world: &World) {
+        self.rows.clear();
+        self.special.clear();
+        let mut faces = world
+            .faces
+            .iter()
+            .filter(|f| f.boundary.is_some())
+            .peekable();
+        for tile in &mut self.list {
+            let (rows, special) = (self.rows.len(), self.special.len());
+            for b in tile.blocks.clone() {
+                let mut touched = false;
+                while faces.next_if(|f| f.block as usize == b).is_some() {
+                    touched = true;
+                }
+                if !world.alive[b] {
+                    continue;
+                }
+                let plain = !touched
+                    && world.motion[b].is_none()
+                    && world.turned[b].is_none()
+                    && world.solid_of(b).diagonal;
+                if !plain {
+                    self.special.push(b as u32);
+                    continue;
+                }
+                let solid = world.solid[b];
+                match self.rows[rows..].last_mut() {
+                    Some(row) if row.blocks.end == b && row.solid == solid => row.blocks.end += 1,
+                    _ => self.rows.push(Row {
+                        blocks: b..b + 1,
+                        solid,
+                    }),
+                }
+            }
+            tile.rows = rows..self.rows.len();
+            tile.special = special..self.special.len();
+        }
+    }
+}
+
+/// Cuts a range of patches into packets.
+fn pack(world: &World, patches: Range<usize>, packets: &mut Vec<Packet>) {
+    let list = &world.patches;
+    let axis = |p: usize| world.classes[list.class[p] as usize].axis;
+    let mut p = patches.start;
+    while p < patches.end {
+        let end = (p..patches.end.min(p + LANES))
+            .find(|q| axis(*q) != axis(p))
+            .unwrap_or(patches.end.min(p + LANES));
+        let [i, j] = list.ends[p];
+        let side_by_side = |q: usize| list.ends[q] == [i + (q - p) as u32, j + (q - p) as u32];
+        packets.push(Packet {
+            first: p as u32,
+            count: (end - p) as u8,
+            axis: axis(p),
+            runs: end - p == LANES && (p..end).all(side_by_side),
+            one_class: (p..end).all(|q| list.class[q] == list.class[p]),
+        });
+        p = end;
     }
 }

@@ -1,0 +1,198 @@
+//! Eight numbers at a time, and the choice of the instruction set.
+//!
+//! Lanes are plain arrays: the compiler turns loops over them into vector instructions of the width that the
+//! calling function is compiled for. No fused multiply-add is allowed, so the width does not change a bit.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// Lanes in a packet.
+pub const LANES: usize = 8;
+
+/// One number per lane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes(pub [f64; LANES]);
+
+impl Lanes {
+    /// The same number in all lanes.
+    #[inline(always)]
+    #[must_use]
+    pub fn all(x: f64) -> Self {
+        Self([x; LANES])
+    }
+
+    /// Eight neighbours of a list.
+    #[inline(always)]
+    #[must_use]
+    pub fn at(list: &[f64], first: usize) -> Self {
+        let mut lanes = [0.0; LANES];
+        lanes.copy_from_slice(&list[first..first + LANES]);
+        Self(lanes)
+    }
+
+    /// Entries of a list by index.
+    #[inline(always)]
+    #[must_use]
+    pub fn pick(list: &[f64], index: &[usize; LANES]) -> Self {
+        Self(index.map(|k| list[k]))
+    }
+
+    /// Magnitudes.
+    #[inline(always)]
+    #[must_use]
+    pub fn abs(self) -> Self {
+        self.each(f64::abs)
+    }
+
+    /// Larger of two, lane by lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        self.with(other, |a, b| if b > a { b } else { a })
+    }
+
+    /// Sum over the lanes, in pairs.
+    #[inline(always)]
+    #[must_use]
+    pub fn sum(self) -> f64 {
+        let [a, b, c, d, e, f, g, h] = self.0;
+        ((a + b) + (c + d)) + ((e + f) + (g + h))
+    }
+
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Self {
+        Self(self.0.map(f))
+    }
+
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut out = [0.0; LANES];
+        for k in 0..LANES {
+            out[k] = f(self.0[k], other.0[k]);
+        }
+        Self(out)
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.with(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.with(other, |a, b| a - b)
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.with(other, |a, b| a * b)
+    }
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.each(|a| -a)
+    }
+}
+
+/// One vector per lane.
+pub type Vectors = [Lanes; 3];
+
+/// Cross product, lane by lane.
+#[inline(always)]
+#[must_use]
+pub fn cross(a: &Vectors, b: &Vectors) -> Vectors {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// Sum, lane by lane.
+#[inline(always)]
+#[must_use]
+pub fn plus(a: &Vectors, b: &Vectors) -> Vectors {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// Difference, lane by lane.
+#[inline(always)]
+#[must_use]
+pub fn minus(a: &Vectors, b: &Vectors) -> Vectors {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// Product of components, lane by lane.
+#[inline(always)]
+#[must_use]
+pub fn times(a: &Vectors, b: &Vectors) -> Vectors {
+    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
+/// Instruction set that wide code runs on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Width {
+    /// What every machine of the kind has.
+    Plain,
+    /// AVX2.
+    Four,
+    /// AVX-512.
+    Eight,
+}
+
+impl Width {
+    /// The widest set of this machine.
+    #[must_use]
+    pub fn detect() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
+                return Self::Eight;
+            }
+            if is_x86_feature_detected!("avx2") {
+                return Self::Four;
+            }
+        }
+        Self::Plain
+    }
+
+    /// Runs `f` compiled for this width. `f` must be small enough to be inlined whole.
+    #[inline]
+    pub fn run<R>(self, f: impl FnOnce() -> R) -> R {
+        match self {
+            Self::Plain => f(),
+            #[cfg(target_arch = "x86_64")]
+            // Safety: `detect` has seen that the machine has these instructions.
+            Self::Four => unsafe { four(f) },
+            #[cfg(target_arch = "x86_64")]
+            // Safety: as above.
+            Self::Eight => unsafe { eight(f) },
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Four | Self::Eight => f(),
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn four<R>(f: impl FnOnce() -> R) -> R {
+    f()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq")]
+fn eight<R>(f: impl FnOnce() -> R) -> R {
+    f()
+}
