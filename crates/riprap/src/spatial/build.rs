@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Vec3};
 
 use super::boundary::{self, Face};
 use super::cavity::{self, Cavity, CavityError, Wall};
 use super::meet::{self, Cell, Free, Rectangle, Shared};
+use super::meet_solids::meet_solids;
 use super::refine::{self, Origin, RefineError};
 use super::setup::{InSitu, Points, Setup, Shape, Stiffness};
 use super::step::Scratch;
@@ -165,16 +167,9 @@ impl World {
     /// Builds patches, free faces and walls of cavities of all living blocks, without history; the blocks of
     /// `charges` (one list per source) go.
     fn build_patches(&mut self, charges: &[Vec<u32>]) -> Result<(), BuildError> {
-        let cells: Vec<Cell> = (0..self.alive.len())
-            .filter(|b| self.alive[*b])
-            .map(|b| Cell {
-                block: b as u32,
-                centre: self.reference[b],
-                half: self.solid_of(b).half,
-            })
-            .collect();
         let finest = self.finest();
         let tolerance = GAP * finest;
+        let (overlaps, faces) = self.touching(tolerance);
         let mut owner: BTreeMap<u32, usize> = BTreeMap::new();
         for (k, blocks) in charges.iter().enumerate() {
             for &b in blocks {
@@ -183,10 +178,8 @@ impl World {
             }
         }
         let mut walls: Vec<Vec<Wall>> = vec![Vec::new(); charges.len()];
-        let (shared, free) = meet::meet(&cells, self.setup.periodic, tolerance);
         let mut table = ClassTable::new(self, finest);
-        for s in &shared {
-            let overlap = overlap(&cells, s);
+        for overlap in overlaps {
             match overlap.blocks.map(|b| owner.get(&b)) {
                 [None, None] => self.add_patch(&mut table, &overlap)?,
                 [Some(_), Some(_)] => {}
@@ -199,12 +192,8 @@ impl World {
             }
         }
         self.patches.sort(&self.classes);
-        let living = |f: &&Free| self.alive[cells[f.cell].block as usize];
-        self.faces = free
-            .iter()
-            .filter(living)
-            .map(|f| face(&cells, f))
-            .collect();
+        let living = |f: &Face| self.alive[f.block as usize];
+        self.faces = faces.into_iter().filter(living).collect();
         self.faces.sort_by_key(|f| f.block);
         boundary::assign(self, tolerance)?;
         for (source, (blocks, walls)) in charges.iter().zip(walls).enumerate() {
@@ -212,6 +201,28 @@ impl World {
             self.cavities.push(cavity);
         }
         Ok(())
+    }
+
+    /// Shared parts and free parts of the faces of all living blocks.
+    fn touching(&self, tolerance: f64) -> (Vec<Overlap>, Vec<Face>) {
+        let living = (0..self.alive.len()).filter(|b| self.alive[*b]);
+        let blocks = &self.setup.blocks;
+        let is_brick = |b: usize| matches!(blocks[b].shape, Shape::Brick { .. });
+        if !living.clone().all(is_brick) {
+            let chosen: Vec<u32> = living.map(|b| b as u32).collect();
+            let periodic = self.setup.periodic;
+            return meet_solids(blocks, &chosen, &self.reference, periodic, tolerance);
+        }
+        let cells: Vec<Cell> = living
+            .map(|b| Cell {
+                block: b as u32,
+                centre: self.reference[b],
+                half: self.solid_of(b).half,
+            })
+            .collect();
+        let (shared, free) = meet::meet(&cells, self.setup.periodic, tolerance);
+        let overlaps = shared.iter().map(|s| overlap(&cells, s)).collect();
+        (overlaps, free.iter().map(|f| face(&cells, f)).collect())
     }
 
     /// Appends a patch; `Patches::sort` puts it in its place later.
@@ -347,7 +358,31 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
             };
             Ok((*centre, class))
         }
-        Shape::Polyhedron(_) => Err("polyhedra are not built yet".to_owned()),
+        Shape::Polyhedron(solid) => {
+            let body = Polyhedron {
+                vertices: solid.vertices.clone(),
+                faces: solid.faces.clone(),
+            };
+            body.validate().map_err(|e| e.to_string())?;
+            let moments = body.moments();
+            let inertia = density * moments.inertia;
+            let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
+            for corner in &body.vertices {
+                let arm = *corner - moments.centroid;
+                half = half.max(arm.abs());
+                radius = radius.max(arm.length());
+            }
+            let class = SolidClass {
+                mass: density * moments.volume,
+                volume: moments.volume,
+                inertia,
+                inverse: inertia.inverse(),
+                half,
+                radius,
+                diagonal: false,
+            };
+            Ok((moments.centroid, class))
+        }
     }
 }
 

@@ -132,27 +132,14 @@ impl Divide for First<'_> {
 
 /// Does the patches of one tile.
 pub fn tile(shared: &Shared, work: First) {
-    let width = shared.width;
-    width.run(
+    shared.width.run(
         #[inline(always)]
-        || match (shared.damped, shared.strong, !shared.prestress.is_empty()) {
-            (false, false, false) => packets::<false, false, false>(shared, work),
-            (false, false, true) => packets::<false, false, true>(shared, work),
-            (false, true, false) => packets::<false, true, false>(shared, work),
-            (false, true, true) => packets::<false, true, true>(shared, work),
-            (true, false, false) => packets::<true, false, false>(shared, work),
-            (true, false, true) => packets::<true, false, true>(shared, work),
-            (true, true, false) => packets::<true, true, false>(shared, work),
-            (true, true, true) => packets::<true, true, true>(shared, work),
-        },
+        || packets(shared, work),
     );
 }
 
 #[inline(always)]
-fn packets<const DAMPED: bool, const STRENGTH: bool, const PRESTRESS: bool>(
-    shared: &Shared,
-    mut work: First,
-) {
+fn packets(shared: &Shared, mut work: First) {
     let tile = &work.tiles[0];
     for part in &mut work.net {
         part.clear();
@@ -184,18 +171,7 @@ fn packets<const DAMPED: bool, const STRENGTH: bool, const PRESTRESS: bool>(
         if packet.axis == 3 {
             one_by_one = all;
         } else if one_by_one != all {
-            let (wide, skip) = (shared.wide, one_by_one);
-            one_by_one = match packet.axis {
-                0 => wide::packet::<0, DAMPED, STRENGTH, PRESTRESS>(
-                    shared, wide, packet, skip, &mut to,
-                ),
-                1 => wide::packet::<1, DAMPED, STRENGTH, PRESTRESS>(
-                    shared, wide, packet, skip, &mut to,
-                ),
-                _ => wide::packet::<2, DAMPED, STRENGTH, PRESTRESS>(
-                    shared, wide, packet, skip, &mut to,
-                ),
-            };
+            one_by_one = wide::packet(shared, shared.wide, packet, one_by_one, &mut to);
         }
         for lane in 0..usize::from(packet.count) {
             if one_by_one & (1 << lane) == 0 {

@@ -66,11 +66,11 @@ impl Lanes {
 
     #[inline(always)]
     fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let mut out = [0.0; LANES];
-        for k in 0..LANES {
-            out[k] = f(self.0[k], other.0[k]);
+        let mut out = self;
+        for (a, b) in out.0.iter_mut().zip(other.0) {
+            *a = f(*a, b);
         }
-        Self(out)
+        out
     }
 }
 

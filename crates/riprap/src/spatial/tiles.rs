@@ -34,7 +34,8 @@ pub struct Packet {
     pub one_class: bool,
 }
 
-/// Blocks in a row that are alike and free: mass, no support, no face with a condition, small rotations.
+/// Blocks in a row that are alike and free: same mass, no support, no load, no wall of a cavity, no face with a
+/// condition, small rotations.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
     /// The blocks.
@@ -163,6 +164,12 @@ impl Tiles {
     pub fn make_rows(&mut self, world: &World) {
         self.rows.clear();
         self.special.clear();
+        let mut pushed = vec![false; world.alive.len()];
+        let loads = world.setup.loads.iter().flat_map(|l| &l.blocks);
+        let walls = world.cavities.iter().flat_map(|c| &c.walls);
+        for b in loads.copied().chain(walls.map(|w| w.block)) {
+            pushed[b as usize] = true;
+        }
         let mut faces = world
             .faces
             .iter()
@@ -179,6 +186,7 @@ impl Tiles {
                     continue;
                 }
                 let plain = !touched
+                    && !pushed[b]
                     && world.motion[b].is_none()
                     && world.turned[b].is_none()
                     && world.solid_of(b).diagonal;

@@ -87,12 +87,7 @@ pub struct Targets<'a, 'b> {
 
 /// Forces of one packet; lanes in the result's bits are left out: their points may fail, or have failed.
 #[inline(always)]
-pub fn packet<
-    const AXIS: usize,
-    const DAMPED: bool,
-    const STRENGTH: bool,
-    const PRESTRESS: bool,
->(
+pub fn packet(
     shared: &Shared,
     wide: &[Wide],
     packet: &Packet,
@@ -116,7 +111,7 @@ pub fn packet<
     let mut force = times(&class.stiffness, &d);
     let mut moment = times(&class.turning, &w);
     let mut start = [Lanes::default(); 3];
-    if PRESTRESS {
+    if !shared.prestress.is_empty() {
         for (k, lanes) in start.iter_mut().enumerate() {
             for lane in 0..count {
                 lanes.0[lane] = shared.prestress[first + lane][k];
@@ -126,8 +121,8 @@ pub fn packet<
         force = plus(&force, &load);
         moment = plus(&moment, &class.moment);
     }
-    if STRENGTH {
-        skip |= class.doubtful::<AXIS>(&start, &d, &w);
+    if shared.strong {
+        skip |= class.doubtful(usize::from(packet.axis), &start, &d, &w);
     }
     if count < LANES {
         skip |= u8::MAX << count;
@@ -141,7 +136,7 @@ pub fn packet<
         moment = moment.map(|m| m * keep);
     }
     add(to, 0, &places, count, &class.arms, &force, &moment);
-    if DAMPED {
+    if shared.damped {
         let (v, spin) = relative(&bodies.rate, &places, &class.arms);
         let beta = (class.beta + Lanes::all(shared.stiffness_damping)) * keep;
         let force = times(&class.stiffness, &v).map(|f| beta * f);
@@ -208,8 +203,8 @@ impl Class {
 
     /// Bits of the lanes in which a point may be beyond its strength: by bounds over the four points.
     #[inline(always)]
-    fn doubtful<const AXIS: usize>(&self, start: &Vectors, d: &Vectors, w: &Vectors) -> u8 {
-        let [n, b, c] = [AXIS, (AXIS + 1) % 3, (AXIS + 2) % 3];
+    fn doubtful(&self, axis: usize, start: &Vectors, d: &Vectors, w: &Vectors) -> u8 {
+        let [n, b, c] = [axis, (axis + 1) % 3, (axis + 2) % 3];
         let [kn, ks] = self.springs;
         let [rb, rc] = self.reach;
         let tension = start[n] + kn * (d[n] + (w[b].abs() * rc + w[c].abs() * rb)) + self.spread[0];

@@ -6,6 +6,7 @@ mod conserve;
 mod edit;
 mod rock;
 mod runs;
+mod solids;
 mod stability;
 mod statics;
 mod turning;

@@ -1,0 +1,292 @@
+//! Second pass of the gathering: slots, faces, loads, gravity; works of the kick.
+
+use riprap_geom::Vec3;
+
+use super::boundary::{self, Face, Push};
+use super::kick::{Acting, Kick};
+use super::lanes::{LANES, Lanes, Width};
+use super::step::{NonFinite, Partial, Scratch};
+use super::sums::{Part, Sums};
+use super::tiles::{Row, Tile, Tiles};
+use super::world::World;
+use crate::exec::Divide;
+use crate::ledger::Works;
+
+/// Piece of work of the second pass.
+struct Second<'a> {
+    tiles: &'a [Tile],
+    net: [Part<'a>; 2],
+    faces: &'a mut [Face],
+    partial: &'a mut [Partial],
+}
+
+impl Divide for Second<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let (a, b) = self.tiles.split_at(middle);
+        let blocks = b[0].blocks.start - a[0].blocks.start;
+        let [n0, n1] = self.net.map(|part| part.split(blocks));
+        let faces = self.faces.split_at_mut(b[0].faces.start - a[0].faces.start);
+        let partial = self.partial.split_at_mut(middle);
+        (
+            Self {
+                tiles: a,
+                net: [n0.0, n1.0],
+                faces: faces.0,
+                partial: partial.0,
+            },
+            Self {
+                tiles: b,
+                net: [n0.1, n1.1],
+                faces: faces.1,
+                partial: partial.1,
+            },
+        )
+    }
+}
+
+/// Second pass: slots, faces, loads, gravity; works of the kick.
+pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), NonFinite> {
+    let mut faces = std::mem::take(&mut world.faces);
+    let kick = scratch.kick(world);
+    let gathering = Gathering {
+        world,
+        boundary: boundary::Context::new(world),
+        kick,
+        tiles: &scratch.tiles,
+        slots: &scratch.slots,
+        applied: &scratch.applied,
+        pushed: &scratch.pushed,
+        plain: scratch.plain(),
+        width: scratch.width,
+    };
+    let work = Second {
+        tiles: &scratch.tiles.list,
+        net: [scratch.net.whole(), scratch.drag.whole()],
+        faces: &mut faces,
+        partial: &mut scratch.partial,
+    };
+    let count = scratch.tiles.list.len();
+    scratch
+        .exec
+        .divided(work, count, |_, piece| gathering.tile(piece));
+    world.faces = faces;
+    let (mut departure, mut bad) = (Works::default(), None);
+    for partial in &scratch.partial {
+        world.works.add(&partial.arrival);
+        departure.add(&partial.departure);
+        bad = bad.or(partial.bad);
+    }
+    scratch.departure = departure;
+    bad.map_or(Ok(()), |block| Err(NonFinite { block }))
+}
+
+struct Gathering<'a> {
+    world: &'a World,
+    boundary: boundary::Context<'a>,
+    kick: Kick<'a>,
+    tiles: &'a Tiles,
+    slots: &'a [Sums; 2],
+    applied: &'a [Push],
+    pushed: &'a [Push],
+    /// Whether blocks in rows need nothing but gravity.
+    plain: bool,
+    width: Width,
+}
+
+impl Gathering<'_> {
+    fn tile(&self, mut work: Second) {
+        let tile = &work.tiles[0];
+        let mut partial = Partial::default();
+        let base = tile.blocks.start;
+        for (net, slots) in work.net.iter_mut().zip(self.slots) {
+            if slots.is_empty() {
+                continue;
+            }
+            for (list, slots) in net.0.iter_mut().zip(&slots.lists) {
+                for &[slot, j] in &self.tiles.incoming[tile.incoming.clone()] {
+                    list[j as usize - base] += slots[slot as usize];
+                }
+            }
+        }
+        for row in &self.tiles.rows[tile.rows.clone()] {
+            if self.plain {
+                let width = self.width;
+                width.run(
+                    #[inline(always)]
+                    || self.row(row, base, &mut work.net, &mut partial),
+                );
+            } else {
+                for b in row.blocks.clone() {
+                    self.block(b, base, &mut [], &mut work.net, &mut partial);
+                }
+            }
+        }
+        let first_face = tile.faces.start;
+        let mut face = 0;
+        for &b in &self.tiles.special[tile.special.clone()] {
+            // Faces of other blocks have no condition.
+            while face < work.faces.len() && work.faces[face].block < b {
+                face += 1;
+            }
+            let mut end = face;
+            while end < work.faces.len() && work.faces[end].block == b {
+                end += 1;
+            }
+            debug_assert!(first_face + end <= tile.faces.end);
+            let faces = &mut work.faces[face..end];
+            self.block(b as usize, base, faces, &mut work.net, &mut partial);
+            face = end;
+        }
+        work.partial[0] = partial;
+    }
+
+    /// Gravity and its works for a row of free blocks.
+    #[inline(always)]
+    fn row(&self, row: &Row, base: usize, net: &mut [Part; 2], partial: &mut Partial) {
+        let solid = &self.kick.solids[row.solid as usize];
+        let here = row.blocks.start - base..row.blocks.end - base;
+        let [net, drag] = net;
+        let damped = !drag.0[0].is_empty();
+        let [before, after] = self.kick.half;
+        let rates = &self.world.bodies.rate;
+        let change = self.kick.span / solid.mass;
+        let mut sum = Lanes::default();
+        for (k, rates) in rates.iter().take(3).enumerate() {
+            let weight = solid.mass * self.kick.gravity[k];
+            let list = &mut net.0[k][here.clone()];
+            if weight != 0.0 {
+                let v = &rates[row.blocks.clone()];
+                let (mut early, mut late) = (Lanes::default(), Lanes::default());
+                let chunks = list.chunks_mut(LANES).zip(v.chunks(LANES));
+                for (at, (f, v)) in chunks.enumerate() {
+                    for (l, (f, v)) in f.iter_mut().zip(v).enumerate() {
+                        *f += weight;
+                        let at = here.start + LANES * at + l;
+                        let push = if damped { *f + drag.0[k][at] } else { *f };
+                        early.0[l] += v;
+                        late.0[l] += v + change * push;
+                    }
+                }
+                partial.arrival.gravity += before * weight * early.sum();
+                partial.departure.gravity += after * weight * late.sum();
+            }
+        }
+        for list in net.0.iter().chain(&drag.0) {
+            if list.is_empty() {
+                continue;
+            }
+            for chunk in list[here.clone()].chunks(LANES) {
+                for (s, x) in sum.0.iter_mut().zip(chunk) {
+                    // Nil for what is finite, else not a number.
+                    *s += 0.0 * x;
+                }
+            }
+        }
+        if damped {
+            self.row_drag(row, base, net, drag, partial);
+        }
+        if sum.sum() != 0.0 && partial.bad.is_none() {
+            let finite = |b: usize| {
+                let (force, moment) = net.get(b - base);
+                (force + moment).is_finite()
+            };
+            let bad = row.blocks.clone().find(|b| !finite(*b));
+            partial.bad = Some(bad.unwrap_or(row.blocks.start) as u32);
+        }
+    }
+
+    /// Works of dashpots on a row of free blocks.
+    #[inline(always)]
+    fn row_drag(&self, row: &Row, base: usize, net: &Part, drag: &Part, partial: &mut Partial) {
+        let solid = &self.kick.solids[row.solid as usize];
+        let [before, after] = self.kick.half;
+        for k in 0..6 {
+            let ease = if k < 3 {
+                1.0 / solid.mass
+            } else {
+                solid.inverse.col(k - 3)[k - 3]
+            };
+            let change = self.kick.span * ease;
+            let here = row.blocks.start - base..row.blocks.end - base;
+            let v = self.world.bodies.rate[k][row.blocks.clone()].chunks(LANES);
+            let (f, d) = (&net.0[k][here.clone()], &drag.0[k][here]);
+            let (mut early, mut late) = (Lanes::default(), Lanes::default());
+            for ((v, f), d) in v.zip(f.chunks(LANES)).zip(d.chunks(LANES)) {
+                for (l, ((v, f), d)) in v.iter().zip(f).zip(d).enumerate() {
+                    early.0[l] += d * v;
+                    late.0[l] += d * (v + change * (f + d));
+                }
+            }
+            partial.arrival.damping -= before * early.sum();
+            partial.departure.damping -= after * late.sum();
+        }
+    }
+
+    /// All that can act on a block, and its works.
+    fn block(
+        &self,
+        b: usize,
+        base: usize,
+        faces: &mut [Face],
+        net: &mut [Part; 2],
+        partial: &mut Partial,
+    ) {
+        let mut load = self.applied.get(b).copied().unwrap_or_default();
+        let mut dashpots = None;
+        let mut other = self.pushed.get(b).copied().unwrap_or_default();
+        for face in faces {
+            let pushes = self.boundary.act(face, &mut partial.arrival, &mut dashpots);
+            for (sum, push) in [(&mut other, pushes.spring), (&mut load, pushes.dead)] {
+                sum.force += push.force;
+                sum.moment += push.moment;
+            }
+        }
+        let weight = self.kick.solid_of(b).mass * self.kick.gravity;
+        net[0].add(
+            b - base,
+            weight + load.force + other.force,
+            load.moment + other.moment,
+        );
+        let moving = self.world.moving(b);
+        let (v, w) = (moving.velocity, moving.spin);
+        let dashpot = dashpots.map(|d| {
+            let (force, moment) = net[0].get(b - base);
+            let acting = Push { force, moment };
+            d.push(self.kick.solid_of(b), [v, w], &acting, self.kick.span)
+        });
+        if let Some(dashpot) = &dashpot {
+            net[0].add(b - base, dashpot.force, dashpot.moment);
+        }
+        let acting = acting(net, b - base);
+        let all = acting.force + acting.moment + acting.drag + acting.drag_moment;
+        if !all.is_finite() && partial.bad.is_none() {
+            partial.bad = Some(b as u32);
+        }
+        let (arrival, departure) = (&mut partial.arrival, &mut partial.departure);
+        let loads = (load.force, load.moment);
+        let change = self
+            .kick
+            .works(b, &moving, &acting, loads, arrival, departure);
+        if let Some(dashpot) = &dashpot {
+            let [before, after] = self.kick.half;
+            arrival.absorbed -= before * dashpot.power(v, w);
+            departure.absorbed -= after * dashpot.power(v + change.velocity, w + change.spin);
+        }
+    }
+}
+
+/// Forces on entry `at` of the sums.
+pub(super) fn acting(net: &[Part; 2], at: usize) -> Acting {
+    let (force, moment) = net[0].get(at);
+    let (drag, drag_moment) = if net[1].0[0].is_empty() {
+        (Vec3::ZERO, Vec3::ZERO)
+    } else {
+        net[1].get(at)
+    };
+    Acting {
+        force,
+        moment,
+        drag,
+        drag_moment,
+    }
+}

@@ -1,0 +1,212 @@
+//! The kick applied and the blocks moved.
+
+use super::gather::acting;
+use super::kick::{self, Kick};
+use super::lanes::{LANES, Lanes, Width};
+use super::patch;
+use super::setup::Kinematics;
+use super::step::{Partial, Scratch};
+use super::sums::Part;
+use super::tiles::{Row, Tile, Tiles};
+use super::world::{Turned, World};
+use crate::exec::Divide;
+
+/// Piece of work of the integration.
+struct Piece<'a> {
+    tiles: &'a [Tile],
+    net: [Part<'a>; 2],
+    pose: Part<'a>,
+    rate: Part<'a>,
+    turned: &'a mut [Option<Box<Turned>>],
+    peak: &'a mut [f64],
+    partial: &'a mut [Partial],
+}
+
+impl Divide for Piece<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let (a, b) = self.tiles.split_at(middle);
+        let blocks = b[0].blocks.start - a[0].blocks.start;
+        let [n0, n1] = self.net.map(|part| part.split(blocks));
+        let (pose, rate) = (self.pose.split(blocks), self.rate.split(blocks));
+        let turned = self.turned.split_at_mut(blocks);
+        let peak = self.peak.split_at_mut(blocks);
+        let partial = self.partial.split_at_mut(middle);
+        (
+            Self {
+                tiles: a,
+                net: [n0.0, n1.0],
+                pose: pose.0,
+                rate: rate.0,
+                turned: turned.0,
+                peak: peak.0,
+                partial: partial.0,
+            },
+            Self {
+                tiles: b,
+                net: [n0.1, n1.1],
+                pose: pose.1,
+                rate: rate.1,
+                turned: turned.1,
+                peak: peak.1,
+                partial: partial.1,
+            },
+        )
+    }
+}
+
+pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let plain = scratch.plain();
+    let moving = Integration {
+        kick: Kick {
+            solids: &world.solids,
+            solid: &world.solid,
+            motion: &world.motion,
+            gravity: world.gravity,
+            time: world.time,
+            damping: scratch.damping,
+            half: [0.5 * world.pending, 0.5 * scratch.coming_dt],
+            span: 0.5 * (world.last_dt + scratch.coming_dt),
+        },
+        tiles: &scratch.tiles,
+        dt,
+        bound: match world.setup.kinematics {
+            Kinematics::Automatic { bound } => bound * bound,
+            Kinematics::Small | Kinematics::Finite => f64::INFINITY,
+        },
+        plain,
+        width: scratch.width,
+    };
+    let work = Piece {
+        tiles: &scratch.tiles.list,
+        net: [scratch.net.whole(), scratch.drag.whole()],
+        pose: Part(world.bodies.pose.each_mut().map(Vec::as_mut_slice)),
+        rate: Part(world.bodies.rate.each_mut().map(Vec::as_mut_slice)),
+        turned: &mut world.turned,
+        peak: &mut world.peak_speed_squared,
+        partial: &mut scratch.partial,
+    };
+    let count = scratch.tiles.list.len();
+    scratch
+        .exec
+        .divided(work, count, |_, piece| moving.tile(piece));
+    scratch.turning |= scratch.partial.iter().any(|p| p.turning);
+}
+
+struct Integration<'a> {
+    kick: Kick<'a>,
+    tiles: &'a Tiles,
+    dt: f64,
+    /// Square of the angle at which a block changes over to finite rotations.
+    bound: f64,
+    plain: bool,
+    width: Width,
+}
+
+impl Integration<'_> {
+    fn tile(&self, mut work: Piece) {
+        let tile = work.tiles[0].clone();
+        work.partial[0].turning = false;
+        for row in &self.tiles.rows[tile.rows] {
+            if self.plain {
+                let width = self.width;
+                width.run(
+                    #[inline(always)]
+                    || self.row(row, tile.blocks.start, &mut work),
+                );
+            } else {
+                for b in row.blocks.clone() {
+                    self.block(b, tile.blocks.start, &mut work);
+                }
+            }
+        }
+        for &b in &self.tiles.special[tile.special] {
+            self.block(b as usize, tile.blocks.start, &mut work);
+        }
+    }
+
+    /// Kicks and moves a row of free blocks.
+    #[inline(always)]
+    fn row(&self, row: &Row, base: usize, work: &mut Piece) {
+        let solid = &self.kick.solids[row.solid as usize];
+        let here = row.blocks.start - base..row.blocks.end - base;
+        let dt = self.dt;
+        let damped = !work.net[1].0[0].is_empty();
+        for k in 0..6 {
+            let ease = if k < 3 {
+                1.0 / solid.mass
+            } else {
+                solid.inverse.col(k - 3)[k - 3]
+            };
+            let change = self.kick.span * ease;
+            let v = &mut work.rate.0[k][here.clone()];
+            let u = &mut work.pose.0[k][here.clone()];
+            let f = &work.net[0].0[k][here.clone()];
+            if damped {
+                let d = &work.net[1].0[k][here.clone()];
+                for (((v, u), f), d) in v.iter_mut().zip(u).zip(f).zip(d) {
+                    *v += change * (f + d);
+                    *u += dt * *v;
+                }
+            } else {
+                for ((v, u), f) in v.iter_mut().zip(u).zip(f) {
+                    *v += change * f;
+                    *u += dt * *v;
+                }
+            }
+        }
+        let [x, y, z, ..] = &work.rate.0;
+        let speeds = x[here.clone()]
+            .iter()
+            .zip(&y[here.clone()])
+            .zip(&z[here.clone()]);
+        for (peak, ((x, y), z)) in work.peak[here.clone()].iter_mut().zip(speeds) {
+            let square = x * x + y * y + z * z;
+            *peak = if square > *peak { square } else { *peak };
+        }
+        let [.., a, b, c] = &work.pose.0;
+        let mut most = Lanes::default();
+        let angles = a[here.clone()]
+            .chunks(LANES)
+            .zip(b[here.clone()].chunks(LANES))
+            .zip(c[here].chunks(LANES));
+        for ((a, b), c) in angles {
+            for (l, ((a, b), c)) in a.iter().zip(b).zip(c).enumerate() {
+                let square = a * a + b * b + c * c;
+                most.0[l] = if square > most.0[l] {
+                    square
+                } else {
+                    most.0[l]
+                };
+            }
+        }
+        work.partial[0].turning |= most.0.into_iter().any(|m| m > self.bound);
+    }
+
+    /// Kicks and moves any block.
+    fn block(&self, b: usize, base: usize, work: &mut Piece) {
+        let at = b - base;
+        let (mut v, mut w) = work.rate.get(at);
+        let moving = kick::Moving {
+            velocity: v,
+            spin: w,
+            turned: work.turned[at].as_deref(),
+        };
+        let change = self.kick.change(b, &moving, &acting(&work.net, at));
+        v += change.velocity;
+        let (mut u, mut th) = work.pose.get(at);
+        u += self.dt * v;
+        if let Some(turned) = &mut work.turned[at] {
+            turned.momentum += change.momentum;
+            let inverse = &self.kick.solid_of(b).inverse;
+            (turned.attitude, w) = kick::turn(turned.attitude, turned.momentum, inverse, self.dt);
+            th = patch::rotation_vector(turned.attitude);
+        } else {
+            w += change.spin;
+            th += self.dt * w;
+            work.partial[0].turning |= th.length_squared() > self.bound;
+        }
+        work.rate.set(at, v, w);
+        work.pose.set(at, u, th);
+        work.peak[at] = work.peak[at].max(v.length_squared());
+    }
+}
