@@ -232,10 +232,10 @@ impl Builder<'_> {
     pub(super) fn refinements(&mut self) {
         for refine in &self.parsed.scenario.refine {
             let during = refine.during.as_ref().and_then(|said| self.during(said));
-            let Some(regions) = self.regions(refine) else {
+            let levels = self.levels(refine);
+            let Some(regions) = self.regions(refine).filter(|_| levels > 0) else {
                 continue;
             };
-            let levels = self.levels(refine);
             for around in regions {
                 if !self.only_bricks(&around, refine.octree.around.span()) {
                     continue;

@@ -167,7 +167,7 @@ pub struct Refine {
 pub struct Octree {
     /// What blocks must touch to be split: the name of a source, a point [x, y, z], or a place.
     pub around: Around,
-    /// How often a block is split: each level halves the edges. 1 to 12. Default around a charge
+    /// How often a block is split: each level halves the edges. 0 (not at all) to 12. Default around a charge
     /// with fitted coupling: the number for which the cell changes least.
     pub levels: Option<u8>,
 }

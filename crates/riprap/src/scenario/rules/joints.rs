@@ -48,7 +48,7 @@ impl Rules {
         self.elastic_constants(span, of, interface, scenario);
     }
 
-    /// An elastic joint has no strength.
+    /// An elastic joint has no strength; a scene may have one all the same, for its variants.
     fn no_strength(&mut self, span: &Span, of: &str, interface: &Interface) {
         let given: Vec<&str> = [
             ("friction_angle", interface.friction_angle.is_some()),
@@ -72,8 +72,9 @@ impl Rules {
         .collect();
         if !given.is_empty() {
             let message = format!("{of} is elastic and has {}", list(&given));
-            let help = "an elastic joint neither opens nor slides: remove these keys, or `elastic`";
-            self.error("key.forbidden", span, message, help);
+            let help = "an elastic joint neither opens nor slides: these keys have no effect";
+            let note = Diagnostic::warning("key.unused", message).at(span.clone());
+            self.found.push(note.help(help));
         }
     }
 

@@ -96,7 +96,7 @@ impl Rules {
         }
         match refine.octree.levels {
             Some(levels) => {
-                self.count(&span, "refine.octree", "levels", u64::from(levels), 1, 12);
+                self.count(&span, "refine.octree", "levels", u64::from(levels), 0, 12);
             }
             None if fitted_charge(&refine.octree.around, scenario) => {}
             None => {
