@@ -549,6 +549,15 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Number of blocks that are there, after splitting and removal.
+    #[must_use]
+    pub fn blocks(&self) -> usize {
+        match self {
+            Self::Planar(v) => v.living().count(),
+            Self::Spatial(v) => v.living().count(),
+        }
+    }
+
     /// Number of touching contacts, or of patches.
     #[must_use]
     pub fn contacts(&self) -> usize {

@@ -38,7 +38,9 @@ pub struct Forecast {
     pub time_step: f64,
     /// `time_step` over the stable one.
     pub share_of_stable: Option<f64>,
-    /// Touching contacts at the start.
+    /// Blocks at the start, after splitting and the removal of charges.
+    pub blocks: usize,
+    /// Touching contacts at the start; patches in space.
     pub contacts: usize,
     /// Fastest block at the start and its speed, m/s.
     pub fastest: Option<(String, f64)>,
@@ -63,7 +65,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let dt = simulation.dt();
     let view = simulation.view();
     let fastest = view.fastest().filter(|(_, speed)| *speed > 0.0);
-    let contacts = view.contacts();
+    let (blocks, contacts) = (view.blocks(), view.contacts());
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let wanted = |rule: &TimeStep| match *rule {
@@ -91,6 +93,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         governing_block,
         time_step: dt,
         share_of_stable: Some(dt / stable.dt).filter(|_| stable.dt.is_finite()),
+        blocks,
         contacts,
         fastest,
         guard_shortens,
