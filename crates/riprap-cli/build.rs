@@ -1,17 +1,29 @@
-//! Embeds the scenes of `scenes/planar` as the templates of `riprap new`: whoever adds a scene there
-//! adds a template.
+//! Embeds the scenes of `scenes/planar` and `scenes/spatial` as the templates of `riprap new`: whoever adds a
+//! scene there adds a template. Names are those of the files, so no name may stand in both folders.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 fn main() {
     let manifest = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
-    let scenes = manifest.join("../../scenes/planar");
     println!("cargo::rerun-if-changed=build.rs");
-    // A folder that is not there (a packaged crate) leaves the list empty.
-    println!("cargo::rerun-if-changed={}", scenes.display());
     let mut table = String::from("pub const TEMPLATES: &[Template] = &[\n");
-    for path in toml_files(&scenes) {
+    for folder in ["planar", "spatial"] {
+        let scenes = manifest.join("../../scenes").join(folder);
+        // A folder that is not there (a packaged crate) adds nothing.
+        println!("cargo::rerun-if-changed={}", scenes.display());
+        add_templates(&scenes, &mut table);
+    }
+    table.push_str("];\n");
+    let out = PathBuf::from(std::env::var_os("OUT_DIR").unwrap_or_default());
+    if let Err(error) = std::fs::write(out.join("templates.rs"), table) {
+        println!("cargo::error=could not write the templates: {error}");
+    }
+}
+
+/// One entry for each scene of a folder.
+fn add_templates(scenes: &Path, table: &mut String) {
+    for path in toml_files(scenes) {
         let Ok(text) = std::fs::read_to_string(&path) else {
             continue;
         };
@@ -31,11 +43,6 @@ fn main() {
             }
         }
         table.push_str("] },\n");
-    }
-    table.push_str("];\n");
-    let out = PathBuf::from(std::env::var_os("OUT_DIR").unwrap_or_default());
-    if let Err(error) = std::fs::write(out.join("templates.rs"), table) {
-        println!("cargo::error=could not write the templates: {error}");
     }
 }
 

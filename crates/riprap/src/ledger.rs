@@ -67,6 +67,7 @@ impl Works {
             + self.gravity.max(0.0)
             + self.loads.abs()
             + self.supports.abs()
+            + self.gas.abs()
             + self.edit_defect.abs()
     }
 
