@@ -54,13 +54,25 @@ fn the_scenario_reference_is_fresh() {
 #[test]
 fn the_fields_page_is_fresh() {
     let said = riprap(&["fields", "--json"]);
-    let fields: Vec<serde_json::Value> = serde_json::from_str(&said).expect("a JSON list");
+    let tables: serde_json::Map<String, serde_json::Value> =
+        serde_json::from_str(&said).expect("a table of lists");
     let mut text = format!(
         "# Fields\n\nMade from `riprap fields --json`; do not edit, run `{HOW}`.\n\n\
-         Histories, checks and criteria name a field. A vector takes `.x`, `.y`, `.magnitude`, or a direction `along`. \
+         Histories, checks and criteria name a field. A vector takes `.x`, `.y`, `.magnitude` (in space `.z` too), or a \
+         direction `along`; a field of a block can be read `at_point` instead of `of` a block. \
          Signs, counting and reference points of moments: [conventions](conventions.md). \
          The columns of frames are listed in the manifest of each run ([run folder](run-folder.md)).\n"
     );
+    for space in ["planar", "spatial"] {
+        let fields = tables[space].as_array().expect("a list of fields");
+        let _ = write!(text, "\n## [space.{space}]\n");
+        fields_of(fields, &mut text);
+    }
+    page("fields.md", &text);
+}
+
+/// The tables of one engine, site by site.
+fn fields_of(fields: &[serde_json::Value], text: &mut String) {
     let about = [
         ("block", "One block: `of = \"name\"`."),
         (
@@ -68,6 +80,7 @@ fn the_fields_page_is_fresh() {
             "Two blocks, summed over their contacts: `of = [\"first\", \"second\"]`.",
         ),
         ("group", "A group of blocks: `of = \"group\"`."),
+        ("cavity", "A charge or another cavity: `of = \"source\"`."),
         ("model", "The whole model; without `of`."),
         ("energy", "The energy ledger; without `of`."),
     ];
@@ -75,11 +88,15 @@ fn the_fields_page_is_fresh() {
         |field: &serde_json::Value, key: &str| field[key].as_str().unwrap_or_default().to_owned();
     let mut shown = 0;
     for (site, sentence) in about {
+        let mut own = fields.iter().filter(|f| word(f, "site") == site).peekable();
+        if own.peek().is_none() {
+            continue;
+        }
         let _ = write!(
             text,
-            "\n## {site}\n\n{sentence}\n\n| field | unit | shape | meaning |\n|---|---|---|---|\n"
+            "\n### {site}\n\n{sentence}\n\n| field | unit | shape | meaning |\n|---|---|---|---|\n"
         );
-        for field in fields.iter().filter(|f| word(f, "site") == site) {
+        for field in own {
             shown += 1;
             let _ = writeln!(
                 text,
@@ -92,7 +109,6 @@ fn the_fields_page_is_fresh() {
         }
     }
     assert_eq!(shown, fields.len(), "a field with a site this page lacks");
-    page("fields.md", &text);
 }
 
 /// Verbs as the overview of `riprap --help` lists them.
