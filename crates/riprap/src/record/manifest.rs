@@ -100,6 +100,70 @@ impl From<&FieldInfo> for FieldNote {
     }
 }
 
+/// A charge, or another cavity that pushes on the rock around it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Source {
+    /// Name in the scene.
+    pub name: String,
+    /// Where it lies: a key `centre` or `line`.
+    #[serde(flatten)]
+    pub place: Place,
+    /// Time at which it goes off in s.
+    #[serde(default)]
+    pub delay: f64,
+    /// Mass of the explosive in kg; `None` if what pushes is no explosive.
+    #[serde(default)]
+    pub mass: Option<f64>,
+    /// Volume of the explosive before it goes off in m³; `None` as for the mass.
+    #[serde(default)]
+    pub charge_volume: Option<f64>,
+    /// Volume of the blocks that were taken out for it in m³.
+    #[serde(default)]
+    pub cavity_volume: f64,
+    /// Depth of its centre below the free surface over it in m (the line of least resistance of a buried charge);
+    /// `None` where there is rock up to the boundary of the model.
+    #[serde(default)]
+    pub depth: Option<f64>,
+}
+
+/// Where a source lies, global axes, before anything moves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Place {
+    /// Concentrated: its centre in m.
+    Centre([f64; 3]),
+    /// Elongated: its ends in m.
+    Line([[f64; 3]; 2]),
+}
+
+impl Source {
+    /// Its centre in m; of a line the middle.
+    pub fn centre(&self) -> [f64; 3] {
+        match self.place {
+            Place::Centre(c) => c,
+            Place::Line([a, b]) => [0, 1, 2].map(|k| 0.5 * (a[k] + b[k])),
+        }
+    }
+
+    /// Distance in m from the centre, or from the nearest point of the line.
+    pub fn distance(&self, p: [f64; 3]) -> f64 {
+        let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|k| a[k] - b[k]);
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let (from, along) = match self.place {
+            Place::Centre(c) => (c, [0.0; 3]),
+            Place::Line([a, b]) => (a, minus(b, a)),
+        };
+        let (way, length2) = (minus(p, from), dot(along, along));
+        let share = if length2 > 0.0 {
+            (dot(way, along) / length2).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        let rest = [0, 1, 2].map(|k| way[k] - share * along[k]);
+        dot(rest, rest).sqrt()
+    }
+}
+
 /// Contents of `manifest.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -148,6 +212,8 @@ pub struct Manifest {
     pub profile: Vec<StageTime>,
     /// Fields in frames and histories.
     pub fields: Vec<FieldNote>,
+    /// Charges and other cavities of a run in space, in the order of the scene.
+    pub sources: Vec<Source>,
 }
 
 impl Default for Manifest {
@@ -175,6 +241,7 @@ impl Default for Manifest {
             warnings: Vec::new(),
             profile: Vec::new(),
             fields: Vec::new(),
+            sources: Vec::new(),
         }
     }
 }
@@ -326,6 +393,31 @@ mod tests {
             Manifest::read(dir.path()),
             Err(ManifestError::Foreign { .. })
         ));
+    }
+
+    #[test]
+    fn sources_have_a_centre_or_a_line() {
+        let text = r#"[{"name": "a", "centre": [0, 0, -2], "mass": 8.0, "depth": 2.0},
+            {"name": "b", "line": [[0, 0, 0], [0, 0, -4]], "cavity_volume": 0.5}]"#;
+        let sources: Vec<Source> = serde_json::from_str(text).unwrap();
+        let m = Manifest {
+            sources: sources.clone(),
+            ..Manifest::default()
+        };
+        let again = serde_json::to_string(&m).unwrap();
+        assert_eq!(serde_json::from_str::<Manifest>(&again).unwrap(), m);
+        assert_eq!(sources[0].distance([3.0, 0.0, 2.0]), 5.0);
+        assert_eq!(sources[1].centre(), [0.0, 0.0, -2.0]);
+        assert_eq!(sources[1].distance([1.0, 0.0, -3.0]), 1.0);
+        assert_eq!(sources[1].distance([0.0, 0.0, -6.0]), 2.0);
+        assert_eq!((sources[1].mass, sources[1].depth), (None, None));
+        // A folder of an earlier riprap has no sources.
+        assert!(
+            serde_json::from_str::<Manifest>("{}")
+                .unwrap()
+                .sources
+                .is_empty()
+        );
     }
 
     #[test]

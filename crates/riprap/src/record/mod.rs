@@ -30,4 +30,4 @@ pub use disk::OutputError;
 pub use field::{FieldError, FieldInfo, Part, Shape, Site};
 pub use folder::{Existing, FolderError, FrameEntry, Marks, RunFolder};
 pub use frame::{Column, Frame};
-pub use manifest::{Ended, Manifest};
+pub use manifest::{Ended, Manifest, Place, Source};
