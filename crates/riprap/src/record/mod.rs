@@ -10,6 +10,7 @@
 //! - [`checkpoint`]: the state to resume from, guarded against every kind of damage;
 //! - [`vtu`]: VTK files for ParaView, written and read back;
 //! - [`table`]: reader of the CSV files;
+//! - [`fits`]: laws and spectra fitted to recorded numbers;
 //! - [`plot`]: SVG and PNG figures with the numbers behind them.
 //!
 //! Invariant: whatever moment the process dies, each file is either the last complete version (written
@@ -17,6 +18,7 @@
 
 pub mod checkpoint;
 pub mod field;
+pub mod fits;
 pub mod folder;
 pub mod frame;
 pub mod manifest;
