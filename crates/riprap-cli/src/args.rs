@@ -2,6 +2,10 @@
 //!
 //! Doc comments here are the `--help` texts. They are read aloud before they are committed.
 
+mod plot;
+
+pub use plot::{Arrows, Axis, Plot};
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -300,37 +304,6 @@ pub struct Verify {
     /// Print one JSON object a check
     #[arg(long)]
     pub json: bool,
-}
-
-/// Draw the results of a run.
-///
-/// Writes SVG pictures, and the numbers behind them as CSV, into the run folder.
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  riprap plot hill.run                   everything
-  riprap plot hill.run energy --png
-  riprap plot hill.run slip -o slip.svg
-  riprap plot hill.run blocks --by velocity --time '0.5 s'")]
-pub struct Plot {
-    /// Run folder
-    #[arg(value_name = "RUN")]
-    pub run: PathBuf,
-    /// `histories`, `energy`, `blocks`, or the name of one history [default: all]
-    #[arg(value_name = "WHAT")]
-    pub what: Option<String>,
-    /// File to write; its ending says the format
-    #[arg(short, long, value_name = "FILE", requires = "what")]
-    pub output: Option<PathBuf>,
-    /// Write PNG instead of SVG
-    #[arg(long)]
-    pub png: bool,
-    /// Field that colours the blocks
-    #[arg(long, value_name = "FIELD", default_value = "displacement")]
-    pub by: String,
-    /// Time of the frame that is drawn [default: the last]
-    #[arg(long, value_name = "TIME")]
-    pub time: Option<String>,
 }
 
 /// List the fields that histories, checks and frames can name.

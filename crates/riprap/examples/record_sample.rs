@@ -169,7 +169,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn draw(folder: &Path, plots: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(plots)?;
-    let contacts = BlockOptions { contacts: true };
+    let contacts = BlockOptions {
+        contacts: true,
+        ..BlockOptions::default()
+    };
     let mut files = plot::histories(folder, &[], &plots.join("histories"))?;
     files.extend(plot::histories(
         folder,

@@ -2,41 +2,42 @@
 
 use std::path::{Path, PathBuf};
 
-use riprap::record::plot::{self, BlockOptions, PlotError, Which};
-use riprap::scenario::units;
+use riprap::record::plot::{self, BlockOptions, CraterOptions, Normal, PlotError, Vectors, Which};
+use riprap::scenario::units::{self, Dim};
 
-use crate::args::Plot;
+use crate::args::{Arrows, Axis, Plot};
+use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
 
+/// Pictures of runs in space that are part of everything, as far as the run has what they need.
+const OF_BLASTS: [&str; 4] = ["ppv", "crater", "heave", "cavity"];
+
 pub fn run(args: &Plot) -> Result<(), Failure> {
     let folder = &args.run;
-    let ending = if args.png { "png" } else { "svg" };
-    let out = |name: &str| {
-        args.output
-            .clone()
-            .unwrap_or_else(|| folder.join("plots").join(format!("{name}.{ending}")))
-    };
     if args.output.is_none() && folder.join("manifest.json").exists() {
         let plots = folder.join("plots");
         std::fs::create_dir_all(&plots)
             .map_err(|e| Failure::Output(format!("could not make {}: {e}", plots.display())))?;
     }
-    let frame = which(args.time.as_deref())?;
-    let blocks = |out: &Path| plot::blocks(folder, frame, &args.by, BlockOptions::default(), out);
-    let written: Vec<PathBuf> = match args.what.as_deref() {
-        Some("histories") => plot::histories(folder, &[], &out("histories"))?,
-        Some("energy") => plot::energy(folder, &out("energy"))?,
-        Some("blocks") => blocks(&out(&format!("blocks_{}", args.by)))?,
-        Some(name) => plot::histories(folder, &[name.to_owned()], &out(&file_name(name)))?,
-        None => {
-            let mut all = plot::energy(folder, &out("energy"))?;
-            all.extend(blocks(&out(&format!("blocks_{}", args.by)))?);
-            if folder.join("histories.csv").exists() {
-                all.extend(plot::histories(folder, &[], &out("histories"))?);
-            }
-            all
+    let asked = Asked::read(args)?;
+    let written = match (args.what.as_deref(), args.history.as_deref()) {
+        (Some("spectrum"), Some(history)) => {
+            let out = asked.out(&format!("spectrum_{}", file_name(history)));
+            plot::spectrum(folder, history, &out)?
         }
+        (Some("spectrum"), None) => {
+            let text =
+                "spectrum of what? write the name of a history: riprap plot RUN spectrum HISTORY";
+            return Err(Failure::Input(text.to_owned()));
+        }
+        (Some(what), Some(history)) => {
+            return Err(Failure::Input(format!(
+                "`{what}` takes no second name, but `{history}` was given; only spectrum does"
+            )));
+        }
+        (Some(what), None) => asked.picture(what)?,
+        (None, _) => everything(folder, &asked)?,
     };
     for path in written {
         screen::line(&path.display().to_string());
@@ -44,21 +45,153 @@ pub fn run(args: &Plot) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The frame at `time`, or the last.
-fn which(time: Option<&str>) -> Result<Which, Failure> {
-    let Some(text) = time else {
-        return Ok(Which::Last);
-    };
-    let wrong = || {
-        Failure::Input(format!(
-            "{text:?} is no time; write for example --time '0.5 s'"
-        ))
-    };
-    let (value, dim) = units::parse(text).map_err(|_| wrong())?;
-    if dim == units::Dim::TIME {
-        Ok(Which::Time(value))
-    } else {
-        Err(wrong())
+/// All pictures that suit the run.
+fn everything(folder: &Path, asked: &Asked) -> Result<Vec<PathBuf>, Failure> {
+    let mut all = asked.picture("energy")?;
+    all.extend(asked.picture("blocks")?);
+    if folder.join("histories.csv").exists() {
+        all.extend(asked.picture("histories")?);
+    }
+    let blast = riprap::record::Manifest::read(folder).is_ok_and(|m| !m.sources.is_empty());
+    for what in OF_BLASTS.into_iter().filter(|_| blast) {
+        match asked.drawn(what) {
+            Ok(files) => all.extend(files),
+            // Nobody asked for this one by name.
+            Err(
+                error @ (PlotError::Unsuitable { .. }
+                | PlotError::NothingToDraw { .. }
+                | PlotError::Field(_)
+                | PlotError::Table(_)
+                | PlotError::Fit { .. }),
+            ) => diagnostics::print_line("note", &format!("no picture of {what}: {error}")),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(all)
+}
+
+/// The arguments, read.
+struct Asked<'a> {
+    args: &'a Plot,
+    frames: Vec<Which>,
+    options: BlockOptions,
+    uplift: Option<f64>,
+}
+
+impl<'a> Asked<'a> {
+    fn read(args: &'a Plot) -> Result<Self, Failure> {
+        let frames = args
+            .time
+            .iter()
+            .map(|t| {
+                Ok(Which::Time(quantity(
+                    t,
+                    Dim::TIME,
+                    "time",
+                    "--time '0.5 s'",
+                )?))
+            })
+            .collect::<Result<_, Failure>>()?;
+        let length = |text: &Option<String>, example| match text {
+            Some(text) => quantity(text, Dim::LENGTH, "length", example).map(Some),
+            None => Ok(None),
+        };
+        let options = BlockOptions {
+            contacts: false,
+            log: args.log,
+            vectors: args.vectors.map(|v| match v {
+                Arrows::Displacement => Vectors::Displacement,
+                Arrows::Velocity => Vectors::Velocity,
+            }),
+            exaggeration: args.exaggerate,
+            normal: match args.normal {
+                Axis::X => Normal::X,
+                Axis::Y => Normal::Y,
+                Axis::Z => Normal::Z,
+            },
+            at: length(&args.at, "--at '2 m'")?,
+        };
+        Ok(Asked {
+            args,
+            frames,
+            options,
+            uplift: length(&args.uplift, "--uplift '40 mm'")?,
+        })
+    }
+
+    fn out(&self, name: &str) -> PathBuf {
+        let ending = if self.args.png { "png" } else { "svg" };
+        let plots = self.args.run.join("plots");
+        self.args
+            .output
+            .clone()
+            .unwrap_or_else(|| plots.join(format!("{name}.{ending}")))
+    }
+
+    /// The one frame of pictures that show one.
+    fn frame(&self, what: &str) -> Result<Which, Failure> {
+        match self.frames[..] {
+            [] => Ok(Which::Last),
+            [one] => Ok(one),
+            [..] => Err(Failure::Input(format!(
+                "{what} shows one frame, but --time was given {} times",
+                self.frames.len()
+            ))),
+        }
+    }
+
+    fn picture(&self, what: &str) -> Result<Vec<PathBuf>, Failure> {
+        if ["ppv", "crater"].contains(&what) {
+            self.frame(what)?;
+        }
+        Ok(self.drawn(what)?)
+    }
+
+    fn drawn(&self, what: &str) -> Result<Vec<PathBuf>, PlotError> {
+        let (folder, by) = (&self.args.run, &self.args.by);
+        let last = [Which::Last];
+        let frames = if self.frames.is_empty() {
+            &last
+        } else {
+            &self.frames[..]
+        };
+        let source = self.args.source.as_deref();
+        match what {
+            "histories" => plot::histories(folder, &[], &self.out(what)),
+            "energy" => plot::energy(folder, &self.out(what)),
+            "blocks" => {
+                let out = self.out(&format!("blocks_{by}"));
+                plot::strip(folder, frames, by, self.options, &out)
+            }
+            "section" => {
+                let out = self.out(&format!("section_{by}"));
+                plot::section(folder, frames, by, self.options, &out)
+            }
+            "ppv" => plot::ppv(folder, frames[0], self.args.surface, &self.out(what)),
+            "crater" => {
+                let options = CraterOptions {
+                    uplift: self.uplift,
+                    source,
+                };
+                plot::crater(folder, frames[0], options, &self.out(what))
+            }
+            "heave" => {
+                let normal = self.options.normal;
+                plot::heave(folder, &self.frames, source, normal, &self.out(what))
+            }
+            "cavity" => plot::cavity(folder, &self.out(what)),
+            name => plot::histories(folder, &[name.to_owned()], &self.out(&file_name(name))),
+        }
+    }
+}
+
+/// A quantity with its unit.
+fn quantity(text: &str, wanted: Dim, what: &str, example: &str) -> Result<f64, Failure> {
+    match units::parse(text) {
+        Ok((value, dim)) if dim == wanted => Ok(value),
+        Ok(_) | Err(_) => Err(Failure::Input(format!(
+            "{text:?} is no {what}; write for example {example}"
+        ))),
     }
 }
 
@@ -85,6 +218,8 @@ impl From<PlotError> for Failure {
             | PlotError::NoFrames { .. }
             | PlotError::NoSuchFrame { .. }
             | PlotError::NothingToDraw { .. }
+            | PlotError::Unsuitable { .. }
+            | PlotError::Fit { .. }
             | PlotError::Ending { .. }
             | PlotError::Render { .. } => Failure::Input(error.to_string()),
         }

@@ -293,6 +293,36 @@ fn plots_are_drawn() {
         .run(&["plot", "fall.run", "blocks", "--time", "soon"])
         .expect(2);
     bench.run(&["plot", "nowhere"]).expect(2);
+    let strip = ["--time", "0 s", "--time", "1 s", "--vectors", "velocity"];
+    let words = [
+        &["plot", "fall.run", "blocks", "--exaggerate", "2"],
+        &strip[..],
+    ]
+    .concat();
+    bench.run(&words).expect(0);
+    let drawn = bench.read("fall.run/plots/blocks_displacement.svg");
+    assert!(drawn.contains("displacements × 2") && drawn.contains("longest arrow"));
+    for (words, said) in [
+        (&["section"][..], "in the plane"),
+        (&["ppv"], "in the plane"),
+        (&["crater"], "in the plane"),
+        (&["heave"], "no sources"),
+        (&["cavity"], ".pressure"),
+        (&["spectrum"], "name of a history"),
+        (&["spectrum", "hieght"], "did you mean `height`"),
+        (&["energy", "height"], "only spectrum does"),
+        (&["section", "--at", "3 s"], "no length"),
+        (&["crater", "--uplift", "high"], "no length"),
+        (&["ppv", "--time", "0 s", "--time", "1 s"], "one frame"),
+        (&["blocks", "--exaggerate", "0"], "positive"),
+    ] {
+        let words = [&["plot", "fall.run"], words].concat();
+        bench.run(&words).expect(2).warns(&[said]);
+    }
+    bench
+        .run(&["plot", "fall.run", "spectrum", "height"])
+        .expect(0)
+        .says(&["spectrum_height.svg"]);
 }
 
 #[test]

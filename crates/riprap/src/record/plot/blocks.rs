@@ -1,9 +1,11 @@
 //! Block outlines coloured by a field, on equal axes, one frame or several.
 
-use super::PlotError;
+use super::arrows;
 use super::colour::ColourMap;
+use super::section::{Normal, Vectors};
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::ticks::{Scale, label};
+use super::{PlotError, digits};
 use crate::record::field::{FieldError, Part, nearest};
 use crate::record::frame::{Column, Frame};
 
@@ -12,11 +14,33 @@ const LEFT: f64 = 70.0;
 const TOP: f64 = 44.0;
 const BAR: f64 = 16.0;
 
-/// What is drawn besides the blocks.
-#[derive(Debug, Clone, Copy, Default)]
+/// How blocks are drawn, and what besides them.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct BlockOptions {
-    /// Contact points, and contact forces if the frame has a vector column with `force` in its name.
+    /// Contact points, and contact forces if the frame has a vector column with `force` in its name. In the plane only.
     pub contacts: bool,
+    /// Colours over powers of ten.
+    pub log: bool,
+    /// Arrows on the blocks.
+    pub vectors: Option<Vectors>,
+    /// Factor on displacements and rotations; `None` is 1: blocks where they are.
+    pub exaggeration: Option<f64>,
+    /// In space: direction that the cut is normal to.
+    pub normal: Normal,
+    /// In space: where the cut lies along its normal, m; `None` is the first source, or the middle of the model.
+    pub at: Option<f64>,
+}
+
+/// What a picture is made of besides the frames.
+pub(super) struct Words<'a> {
+    /// Title, which may be shortened.
+    pub(super) title: &'a str,
+    /// Its end, which stays.
+    pub(super) suffix: &'a str,
+    /// Names of the axes.
+    pub(super) axes: [&'static str; 2],
+    /// Places of sources in the picture, m.
+    pub(super) sources: Vec<[f64; 2]>,
 }
 
 /// A field of a frame as numbers on blocks.
@@ -76,7 +100,13 @@ pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
 }
 
 /// Map and range that suit the values: signed ones symmetric about zero, amounts from zero if they come near it.
-fn colours(values: &[f64]) -> (ColourMap, Scale) {
+fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
+    if log {
+        return (
+            ColourMap::Viridis,
+            Scale::log_covering(values.iter().copied()),
+        );
+    }
     let s = Scale::exact(values.iter().copied());
     let all_zero = values.iter().all(|v| *v == 0.0 || v.is_nan());
     if all_zero {
@@ -168,7 +198,7 @@ fn columns_for(frames: &[Frame]) -> usize {
 
 /// Draws the frames with one colour bar for all.
 pub(super) fn draw(
-    (title, suffix): (&str, &str),
+    words: &Words,
     frames: &[Frame],
     fields: &[Chosen],
     options: BlockOptions,
@@ -182,7 +212,7 @@ pub(super) fn draw(
         .iter()
         .flat_map(|f| f.values.iter().copied())
         .collect();
-    let (map, scale) = colours(&all);
+    let (map, scale) = colours(&all, options.log);
     let columns = columns_for(frames);
     let rows = frames.len().div_ceil(columns);
     let window = Window::around(frames, columns);
@@ -191,13 +221,15 @@ pub(super) fn draw(
     let right = LEFT + step[0] * (columns - 1) as f64 + w;
     let head = if frames.len() > 1 { TOP + 24.0 } else { TOP };
     let bar_height = (step[1] * (rows - 1) as f64 + h).max(140.0);
-    let note = if options.contacts { 10.0 } else { 0.0 };
-    let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + note);
+    let note = notes(frames, options);
+    let foot = if note.is_empty() { 0.0 } else { 10.0 };
+    let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);
     let width = page.width;
     // A long title loses its end, never the time.
-    let room = width - LEFT - 10.0 - text_width(suffix, 15.0);
-    let title = format!("{}{suffix}", fitted(title, 15.0, room));
+    let room = width - LEFT - 10.0 - text_width(words.suffix, 15.0);
+    let title = format!("{}{}", fitted(words.title, 15.0, room), words.suffix);
     page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
+    let longest = arrows::longest(frames, options.vectors);
     for (i, (frame, field)) in frames.iter().zip(fields).enumerate() {
         let corner = [
             LEFT + step[0] * (i % columns) as f64,
@@ -212,11 +244,18 @@ pub(super) fn draw(
                 &text,
             );
         }
-        axes(&mut page, &window, corner);
+        axes(&mut page, &window, corner, words.axes);
         page.begin_clip(&format!("frame{i}"), corner[0], corner[1], w, h);
         outlines(&mut page, frame, field, (map, &scale), &window, corner);
         if options.contacts {
             contacts(&mut page, frame, &window, corner);
+        }
+        if let Some(vectors) = options.vectors {
+            let pixel = |p| window.pixel(p, corner);
+            arrows::draw(&mut page, frame, vectors, longest, &pixel, [w, h]);
+        }
+        for place in &words.sources {
+            star(&mut page, window.pixel(*place, corner));
         }
         page.end_clip();
         page.rect(
@@ -227,9 +266,9 @@ pub(super) fn draw(
             "fill=\"none\" stroke=\"#1a1a1a\"",
         );
     }
-    if options.contacts {
+    if !note.is_empty() {
         let at = [LEFT, page.height - 10.0];
-        page.text(at, 11.0, Anchor::Start, &contact_note(frames));
+        page.text(at, 11.0, Anchor::Start, &note);
     }
     bar(
         &mut page,
@@ -255,7 +294,35 @@ pub(super) fn short(v: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-fn axes(page: &mut Page, window: &Window, corner: [f64; 2]) {
+/// What stands below the picture.
+fn notes(frames: &[Frame], options: BlockOptions) -> String {
+    let mut out = Vec::new();
+    if options.contacts {
+        out.push(contact_note(frames));
+    }
+    if let Some(vectors) = options.vectors {
+        let longest = arrows::longest(frames, Some(vectors));
+        let (name, unit) = (vectors.column(), vectors.unit());
+        out.push(format!(
+            "longest arrow: {name} {} {unit}",
+            digits(longest, 3)
+        ));
+    }
+    out.join("; ")
+}
+
+/// Where a charge lies.
+fn star(page: &mut Page, [x, y]: [f64; 2]) {
+    for (colour, width) in [("#ffffff", 4.0), ("#d00060", 1.8)] {
+        let style =
+            format!("stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"");
+        for [dx, dy] in [[6.0, 0.0], [0.0, 6.0], [4.2, 4.2], [4.2, -4.2]] {
+            page.line([x - dx, y - dy], [x + dx, y + dy], &style);
+        }
+    }
+}
+
+fn axes(page: &mut Page, window: &Window, corner: [f64; 2], names: [&str; 2]) {
     let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
     let scale = |k: usize| Scale {
         low: window.low[k],
@@ -281,11 +348,11 @@ fn axes(page: &mut Page, window: &Window, corner: [f64; 2]) {
         page.text([corner[0] - 7.0, y + 4.2], SIZE, Anchor::End, &text);
     }
     let at = [corner[0] + w / 2.0, bottom + 36.0];
-    page.text(at, SIZE, Anchor::Middle, &label("x", "m", &sx));
+    page.text(at, SIZE, Anchor::Middle, &label(names[0], "m", &sx));
     page.upright(
         [corner[0] - 52.0, corner[1] + h / 2.0],
         SIZE,
-        &label("y", "m", &sy),
+        &label(names[1], "m", &sy),
     );
 }
 

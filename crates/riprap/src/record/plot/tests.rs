@@ -1,8 +1,12 @@
 //! Plots of a small made-up run: what is written, and what is said when it cannot be.
 
+mod blast;
+
 use super::*;
 use crate::record::folder::{Existing, RunFolder};
+use crate::record::frame::Frame;
 use crate::record::frame::tests::sample;
+use crate::record::table::Table;
 
 fn run(dir: &Path) -> PathBuf {
     let path = dir.join("a.run");
@@ -85,7 +89,10 @@ fn energy_has_its_residual_apart_and_spares_nil_terms() {
 fn outlines_keep_their_aspect() {
     let dir = tempfile::tempdir().unwrap();
     let folder = run(dir.path());
-    let options = BlockOptions { contacts: true };
+    let options = BlockOptions {
+        contacts: true,
+        ..BlockOptions::default()
+    };
     let files = blocks(
         &folder,
         Which::Last,

@@ -45,6 +45,43 @@ impl Scale {
         }
     }
 
+    /// Covers the positive values on a logarithmic axis whose ends are 1, 2 or 5 times a power of ten.
+    pub(super) fn log_covering(values: impl IntoIterator<Item = f64>) -> Self {
+        let positive = values.into_iter().filter(|v| *v > 0.0);
+        let (low, high) = range(positive).unwrap_or((0.1, 1.0));
+        let last = |v: f64, fits: &dyn Fn(f64) -> bool| {
+            let power = v.log10().floor() as i32;
+            round_numbers(power - 1, power + 1)
+                .into_iter()
+                .filter(|n| fits(*n))
+                .collect::<Vec<_>>()
+        };
+        let below = last(low, &|n| n <= low * 1.000_001);
+        let above = last(high, &|n| n >= high * 0.999_999);
+        let low = below.last().copied().unwrap_or(low);
+        let high = above.first().copied().unwrap_or(high);
+        Scale {
+            low,
+            high: if high > low { high } else { 10.0 * low },
+            log: true,
+        }
+    }
+
+    /// Places of fine lines between the ticks of a logarithmic axis of few decades: 2, 3, ... 9 times powers of ten.
+    pub(super) fn fine(&self) -> Vec<f64> {
+        if !self.log || self.high > 1e5 * self.low {
+            return Vec::new();
+        }
+        let (first, last) = (
+            self.low.log10().floor() as i32,
+            self.high.log10().ceil() as i32,
+        );
+        (first..last)
+            .flat_map(|n| (2..10).map(move |k| f64::from(k) * 10f64.powi(n)))
+            .filter(|v| (self.low..=self.high).contains(v))
+            .collect()
+    }
+
     /// Where a value stands between the ends, 0..1.
     pub(super) fn share(&self, v: f64) -> f64 {
         if self.log {
@@ -78,10 +115,17 @@ impl Scale {
     pub(super) fn ticks(&self, count: usize) -> Vec<(f64, String)> {
         if self.log {
             let (low, high) = (
-                self.low.log10().round() as i32,
-                self.high.log10().round() as i32,
+                (self.low.log10() - 1e-9).ceil() as i32,
+                (self.high.log10() + 1e-9).floor() as i32,
             );
-            let every = ((high - low) as usize).div_ceil(count.max(1)).max(1);
+            if self.high < 500.0 * self.low {
+                return round_numbers(low - 1, high)
+                    .into_iter()
+                    .filter(|v| (0.999_999 * self.low..=1.000_001 * self.high).contains(v))
+                    .map(|v| (v, plain(v)))
+                    .collect();
+            }
+            let every = ((high - low).max(0) as usize).div_ceil(count.max(1)).max(1);
             return (low..=high)
                 .step_by(every)
                 .map(|n| (10f64.powi(n), format!("10{}", superscript(n))))
@@ -136,6 +180,23 @@ fn round_step(width: f64, count: usize) -> f64 {
         .find(|f| f * power >= rough * 0.999)
         .unwrap_or(10.0);
     factor * power
+}
+
+/// 1, 2 and 5 times the powers of ten from `first` to `last`.
+fn round_numbers(first: i32, last: i32) -> Vec<f64> {
+    (first..=last)
+        .flat_map(|n| [1.0, 2.0, 5.0].map(|f| f * 10f64.powi(n)))
+        .collect()
+}
+
+/// A round number without noise in its last digits: `0.02`, `500`, `2e-7`.
+fn plain(v: f64) -> String {
+    let power = (v.log10() + 1e-9).floor() as i32;
+    if (-4..5).contains(&power) {
+        format!("{v:.*}", (-power).max(0) as usize)
+    } else {
+        format!("{:.0}e{power}", v / 10f64.powi(power))
+    }
 }
 
 /// An integer in raised digits.
@@ -215,6 +276,19 @@ mod tests {
         let s = Scale::covering([5_123_456.0, 5_123_460.0]);
         assert_eq!(label("y", "m", &s), "y \u{2212} 5123450 [m]");
         assert_eq!(texts(s, 4), ["6", "7", "8", "9", "10"]);
+    }
+
+    #[test]
+    fn short_logarithmic_ranges() {
+        let s = Scale::log_covering([0.7, 31.0, -2.0]);
+        assert_eq!((s.low, s.high), (0.5, 50.0));
+        assert_eq!(texts(s, 6), ["0.5", "1", "2", "5", "10", "20", "50"]);
+        assert_eq!(s.fine().len(), 4 + 8 + 4 + 1);
+        let s = Scale::log_covering([0.02, 700.0]);
+        assert_eq!(texts(s, 6), ["10⁻¹", "10⁰", "10¹", "10²", "10³"]);
+        let s = Scale::log_covering([3e-7, 3e-7]);
+        assert_eq!(texts(s, 6), ["2e-7", "5e-7"]);
+        assert!(Scale::log_covering([]).high > Scale::log_covering([]).low);
     }
 
     #[test]

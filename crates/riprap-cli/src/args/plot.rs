@@ -1,0 +1,106 @@
+//! Arguments of `riprap plot`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+/// Draw the results of a run.
+///
+/// Writes SVG pictures, and the numbers behind them as CSV, into the run folder.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Pictures:
+  histories          histories over time
+  energy             the energy ledger over time
+  blocks             blocks coloured by a field; of a run in space a section
+  section            cut through a run in space
+  ppv                peak particle velocity against scaled distance, with the site law
+  crater             uplift of the surface around a charge, radius of the crater
+  heave              profiles of the surface over a charge
+  cavity             pressure and volume of cavities, with a fit of the pressure
+  spectrum HISTORY   amplitude spectrum of a history
+  HISTORY            one history
+
+Examples:
+  riprap plot hill.run                   everything
+  riprap plot hill.run energy --png
+  riprap plot hill.run slip -o slip.svg
+  riprap plot hill.run blocks --by velocity --time '0.5 s'
+  riprap plot blast.run section --by displacement.z --vectors velocity
+  riprap plot blast.run section --normal z --at '-0.5 m' --by peak_speed --log
+  riprap plot blast.run section --time '5 ms' --time '20 ms' --exaggerate 20
+  riprap plot blast.run ppv --surface
+  riprap plot blast.run crater --time '20 ms' --uplift '40 mm'
+  riprap plot blast.run heave --time '5 ms' --time '10 ms' --time '20 ms'
+  riprap plot blast.run cavity
+  riprap plot blast.run spectrum house.velocity")]
+pub struct Plot {
+    /// Run folder
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Picture (listed below), or the name of one history [default: all that suit the run]
+    #[arg(value_name = "WHAT")]
+    pub what: Option<String>,
+    /// History whose spectrum is drawn
+    #[arg(value_name = "HISTORY")]
+    pub history: Option<String>,
+    /// File to write; its ending says the format
+    #[arg(short, long, value_name = "FILE", requires = "what")]
+    pub output: Option<PathBuf>,
+    /// Write PNG instead of SVG
+    #[arg(long)]
+    pub png: bool,
+    /// Field that colours the blocks
+    #[arg(long, value_name = "FIELD", default_value = "displacement")]
+    pub by: String,
+    /// Time of the frame that is drawn; repeatable for blocks, sections and heave [default: the last]
+    #[arg(long, value_name = "TIME")]
+    pub time: Vec<String>,
+    /// Colours over powers of ten
+    #[arg(long)]
+    pub log: bool,
+    /// Arrows on the blocks
+    #[arg(long, value_enum, value_name = "VECTOR")]
+    pub vectors: Option<Arrows>,
+    /// Multiply the displacements that are drawn
+    #[arg(long, value_name = "FACTOR", value_parser = factor)]
+    pub exaggerate: Option<f64>,
+    /// Direction that a section is normal to; the heave runs along the other horizontal one
+    #[arg(long, value_enum, value_name = "AXIS", default_value_t = Axis::Y)]
+    pub normal: Axis,
+    /// Where the section lies along its normal [default: through the first source, or the middle]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Peak velocities of blocks with a free face looking up only
+    #[arg(long)]
+    pub surface: bool,
+    /// Uplift that bounds the crater [default: 0.02 of the depth of the charge]
+    #[arg(long, value_name = "LENGTH")]
+    pub uplift: Option<String>,
+    /// Charge of crater and heave [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub source: Option<String>,
+}
+
+/// What arrows show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Arrows {
+    Displacement,
+    Velocity,
+}
+
+/// A direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// Reads a positive number.
+fn factor(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
+        Ok(_) | Err(_) => Err("write a positive number, for example 20".to_owned()),
+    }
+}
