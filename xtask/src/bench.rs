@@ -1,5 +1,6 @@
-//! `cargo xtask bench`: speed of the planar step, as CSV.
+//! `cargo xtask bench`: speed of the planar and the spatial step, as CSV.
 
+use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
@@ -38,30 +39,32 @@ fn measure(root: &Path) -> Result<(), String> {
     std::fs::write(&path, kept.join("\n") + "\n")
         .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
     println!("kept in {}", path.display());
+    let lattices = example(root, "bench_spatial", &[])?;
+    print!("{lattices}");
+    let path = root.join("target").join("bench-spatial.csv");
+    std::fs::write(&path, lattices)
+        .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
+    println!("kept in {}", path.display());
     Ok(())
 }
 
 /// What the benchmark prints about one size of one scene.
 fn timed(root: &Path, scene: &Path, size: &str) -> Result<String, String> {
+    example(root, "bench_planar", &[scene.as_os_str(), size.as_ref()])
+        .map_err(|why| format!("{} ({size}): {why}", scene.display()))
+}
+
+/// What an example of the library prints.
+fn example(root: &Path, name: &str, words: &[&OsStr]) -> Result<String, String> {
     let output = Command::new(cargo())
-        .args([
-            "run",
-            "--release",
-            "--quiet",
-            "--package",
-            "riprap",
-            "--example",
-            "bench_planar",
-            "--",
-        ])
-        .arg(scene)
-        .arg(size)
+        .args(["run", "--release", "--quiet", "--package", "riprap"])
+        .args(["--example", name, "--"])
+        .args(words)
         .current_dir(root)
         .output()
         .map_err(|error| format!("cargo could not be started: {error}"))?;
     if !output.status.success() {
-        let why = String::from_utf8_lossy(&output.stderr);
-        return Err(format!("{} ({size}): {why}", scene.display()));
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }

@@ -155,6 +155,94 @@ pub fn point(
     (t, loss)
 }
 
+/// Constants of [`plain_point`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PlainLaw {
+    /// Normal and shear stiffness, Pa/m.
+    pub springs: Springs,
+    /// Cohesion and tensile strength, Pa, tan of the friction angle.
+    pub peak: [f64; 3],
+    /// Residual cohesion, Pa, and tan of the residual friction angle.
+    pub residual: [f64; 2],
+}
+
+/// State of [`plain_point`]; broken, open and sliding are 1 or 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Plain {
+    /// Irrecoverable shear displacement along b and c, m.
+    pub slip: [f64; 2],
+    /// Whether it has failed.
+    pub broken: f64,
+    /// Whether it is open.
+    pub open: f64,
+    /// Whether it slid in the last step.
+    pub sliding: f64,
+}
+
+/// [`point`] without dilation and lift, and without branches, so that many points can go side by side.
+#[inline(always)]
+#[must_use]
+pub fn plain_point(
+    law: &PlainLaw,
+    start: &Traction,
+    at: &[f64; 3],
+    moved: &[f64; 3],
+    before: &Plain,
+) -> (Traction, Plain, Loss) {
+    let [kn, ks] = law.springs;
+    let was_open = before.open != 0.0;
+    let was_whole = before.broken == 0.0;
+    let sigma = start[0] + kn * at[0];
+    // Shear starts anew where a point closes.
+    let closes = was_open && sigma < 0.0;
+    let anew = |k: usize| at[k + 1] - moved[k + 1] + start[k + 1] / ks;
+    let slip = [0, 1].map(|k| if closes { anew(k) } else { before.slip[k] });
+    let shear = [0, 1].map(|k| start[k + 1] + ks * (at[k + 1] - slip[k]));
+    let tau = norm(shear[0], shear[1]);
+    let old = |t: f64, k: f64, u: f64| if was_open { 0.0 } else { t - k * u };
+    let old = [
+        old(sigma, kn, moved[0]),
+        old(shear[0], ks, moved[1]),
+        old(shear[1], ks, moved[2]),
+    ];
+    let peak = law.peak[0] - sigma * law.peak[2];
+    let peak = if peak > 0.0 { peak } else { 0.0 };
+    let holds = was_whole & (sigma <= law.peak[1]) & (tau <= peak);
+    let opens = !holds & (sigma >= 0.0);
+    let tears = opens & was_whole & (sigma > 0.0);
+    let limit = law.residual[0] - sigma * law.residual[1];
+    let limit = if limit > 0.0 { limit } else { 0.0 };
+    let slides = !holds & !opens & (tau > limit);
+    let keep = if slides { limit / tau } else { 1.0 };
+    let keep = if opens { 0.0 } else { keep };
+    let t = [
+        if opens { 0.0 } else { sigma },
+        keep * shear[0],
+        keep * shear[1],
+    ];
+    let gone = [0, 1].map(|k| {
+        if slides {
+            (shear[k] - t[k + 1]) / ks
+        } else {
+            0.0
+        }
+    });
+    let rubbed = 0.5 * ((old[1] + t[1]) * gone[0] + (old[2] + t[2]) * gone[1]);
+    let lost = |k: usize, spring: f64| 0.5 * old[k] * (old[k] / spring + moved[k]);
+    let shear_lost = lost(1, ks) + lost(2, ks);
+    let loss = Loss {
+        friction: if opens & !tears { shear_lost } else { rubbed },
+        fracture: if tears { shear_lost + lost(0, kn) } else { 0.0 },
+    };
+    let after = Plain {
+        slip: [slip[0] + gone[0], slip[1] + gone[1]],
+        broken: if holds { 0.0 } else { 1.0 },
+        open: if opens { 1.0 } else { 0.0 },
+        sliding: if slides { 1.0 } else { 0.0 },
+    };
+    (t, after, loss)
+}
+
 /// Plastic shear (m) that brings a point, `excess` (Pa) above its limit, back to it: dilation presses it
 /// together, which raises the limit, until dilation ends.
 fn flow(law: &Strength, springs: Springs, excess: f64, memory: &Memory) -> f64 {
@@ -323,5 +411,153 @@ pub fn carried(
         [0.0, t[1], t[2]]
     } else {
         t
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn strength() -> Strength {
+        Strength {
+            cohesion: 1e6,
+            tension: 0.3e6,
+            friction: 0.6,
+            residual_friction: 0.5,
+            residual_cohesion: 0.1e6,
+            dilation: 0.0,
+            dilation_end: 0.0,
+        }
+    }
+
+    /// A path that tears, closes, slides, opens and closes again.
+    fn path() -> Vec<[f64; 3]> {
+        let wave = |k: usize, f: f64, a: f64| a * libm::sin(f * k as f64);
+        (0..4000)
+            .map(|k| {
+                let n = match k {
+                    0..30 => 2e-6 * k as f64,
+                    _ => wave(k, 0.013, 4e-5) - 1.2e-5,
+                };
+                [n, wave(k, 0.0171, 2.5e-4), wave(k, 0.0093, 1.5e-4)]
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_branch_free_point_is_the_same_law() {
+        let (law, springs, start) = (strength(), [2e10, 1e10], [-1e5, 2e4, -3e4]);
+        let plain = PlainLaw {
+            springs,
+            peak: [law.cohesion, law.tension, law.friction],
+            residual: [law.residual_cohesion, law.residual_friction],
+        };
+        let (mut memory, mut state) = (Memory::default(), Plain::default());
+        let mut before = [0.0; 3];
+        let (mut slid, mut tore, mut opened) = (0, 0, 0);
+        for at in path() {
+            let moved = [0, 1, 2].map(|k| at[k] - before[k]);
+            let (t, loss) = point(&law, springs, &start, &at, &moved, &mut memory);
+            let (u, after, other) = plain_point(&plain, &start, &at, &moved, &state);
+            state = after;
+            before = at;
+            for k in 0..3 {
+                assert!((t[k] - u[k]).abs() < 1e-3, "{t:?} {u:?}");
+            }
+            assert_eq!(memory.broken, state.broken == 1.0);
+            assert_eq!(memory.open, state.open == 1.0);
+            assert_eq!(memory.sliding, state.sliding == 1.0);
+            assert!((loss.friction - other.friction).abs() < 1e-6 * (1.0 + loss.friction.abs()));
+            assert!((loss.fracture - other.fracture).abs() < 1e-6 * (1.0 + loss.fracture.abs()));
+            slid += usize::from(memory.sliding);
+            tore += usize::from(loss.fracture > 0.0);
+            opened += usize::from(memory.open);
+        }
+        assert!(
+            slid > 100 && tore == 1 && opened > 100,
+            "{slid} {tore} {opened}"
+        );
+    }
+
+    #[test]
+    fn losses_are_work_less_stored_energy() {
+        // Friction and fracture over a path that stays closed or opens once: work done on the point is what it
+        // stores and what it has lost.
+        let (law, springs) = (strength(), [2e10, 1e10]);
+        let mut memory = Memory::default();
+        let (mut work, mut lost, mut before, mut old) = (0.0, 0.0, [0.0; 3], [0.0; 3]);
+        for k in 0..20_000 {
+            let x = 1e-8 * f64::from(k);
+            let at = [-5e-5 + 0.2 * x, 1.3 * x, 0.4 * x];
+            let moved = [0, 1, 2].map(|k| if x == 0.0 { 0.0 } else { at[k] - before[k] });
+            let (t, loss) = point(&law, springs, &[0.0; 3], &at, &moved, &mut memory);
+            if k > 0 {
+                work += (0..3)
+                    .map(|k| 0.5 * (old[k] + t[k]) * moved[k])
+                    .sum::<f64>();
+                lost += loss.friction + loss.fracture;
+            } else {
+                work = stored(springs, &t);
+            }
+            (before, old) = (at, t);
+        }
+        let held = stored(springs, &old);
+        assert!(lost > 0.0);
+        assert!(
+            (work - held - lost).abs() < 1e-9 * work,
+            "{work} {held} {lost}"
+        );
+    }
+
+    #[test]
+    fn dilation_lifts_until_it_ends() {
+        let law = Strength {
+            dilation: 0.2,
+            dilation_end: 1e-3,
+            cohesion: 0.0,
+            ..strength()
+        };
+        let (springs, mut memory) = ([2e10, 1e10], Memory::default());
+        let mut sigma = 0.0;
+        for k in 0..=3000 {
+            let us = 1e-6 * f64::from(k);
+            let moved = [0.0, 1e-6, 0.0];
+            let (t, _) = point(
+                &law,
+                springs,
+                &[0.0; 3],
+                &[-1e-5, us, 0.0],
+                &moved,
+                &mut memory,
+            );
+            let limit = law.residual_cohesion - t[0] * law.residual_friction;
+            assert!(t[1] <= limit * (1.0 + 1e-12));
+            sigma = t[0];
+        }
+        assert!((memory.lift - 0.2e-3).abs() < 1e-12, "{}", memory.lift);
+        assert!((sigma + 2e10 * (1e-5 + 0.2e-3)).abs() < 1.0);
+    }
+
+    #[test]
+    fn a_face_fails_by_shear_and_torsion_together() {
+        let (law, springs, reach) = (strength(), [2e10, 1e10], [0.25, 0.25]);
+        let start = [[-1e6, 0.0, 0.0]; 4];
+        // Pure twist: the points reach the shear limit all at once.
+        let radius = 0.25 * 2f64.sqrt();
+        let limit = law.cohesion + 1e6 * law.friction;
+        let twist = |angle: f64| -> [[f64; 3]; 4] {
+            std::array::from_fn(|p| [0.0, -SIGNS[1][p] * 0.25 * angle, SIGNS[0][p] * 0.25 * angle])
+        };
+        for (share, broken) in [(0.999, false), (1.001, true)] {
+            let mut memory = [Memory::default(); 4];
+            let at = twist(share * limit / (1e10 * radius));
+            let moved = [[0.0; 3]; 4];
+            let (t, _) = face(&law, springs, &start, &at, &moved, reach, &mut memory);
+            assert_eq!(memory[0].broken, broken);
+            let size = norm(t[0][1], t[0][2]);
+            let residual = law.residual_cohesion + 1e6 * law.residual_friction;
+            let expected = if broken { residual } else { share * limit };
+            assert!((size / expected - 1.0).abs() < 1e-9);
+        }
     }
 }

@@ -6,7 +6,7 @@ use super::lanes::Width;
 use super::patch::{self, Poses, Resultant, State};
 use super::setup::Interface;
 use super::sums::Part;
-use super::tiles::{Tile, Tiles};
+use super::tiles::{Packet, Tile, Tiles};
 use super::wide::{self, Targets, Wide};
 use super::world::{PatchClass, flag};
 use crate::exec::Divide;
@@ -41,6 +41,17 @@ pub struct Shared<'a> {
     pub wide: &'a [Wide],
     /// Instruction set.
     pub width: Width,
+}
+
+impl Shared<'_> {
+    /// Constants of the class of a lane of a packet; lanes beyond its count repeat the first.
+    #[inline(always)]
+    #[must_use]
+    pub fn wide_of(&self, packet: &Packet, lane: usize) -> &Wide {
+        let count = usize::from(packet.count);
+        let lane = if lane < count { lane } else { 0 };
+        &self.wide[self.class[packet.first as usize + lane] as usize]
+    }
 }
 
 /// Lists of patches that tiles own parts of.
@@ -170,56 +181,60 @@ fn packets(shared: &Shared, mut work: First) {
         };
         if packet.axis == 3 {
             one_by_one = all;
-        } else if one_by_one != all {
+        }
+        if one_by_one == all {
+            to.clear_slots(usize::from(packet.count));
+        } else {
             one_by_one = wide::packet(shared, shared.wide, packet, one_by_one, &mut to);
+        }
+        if packet.axis < 3 && shared.elapsed.is_some() {
+            let chosen = one_by_one & plain(shared, packet, &work.memory.flags[first..]);
+            if chosen.count_ones() > 1 {
+                let memory = &mut work.memory;
+                wide::points(shared, packet, chosen, memory, first, works, &mut to);
+                one_by_one &= !chosen;
+            }
         }
         for lane in 0..usize::from(packet.count) {
             if one_by_one & (1 << lane) == 0 {
                 continue;
             }
             let p = packet.first as usize + lane;
-            let ends = shared.ends[p].map(|b| (b as usize).wrapping_sub(tile.blocks.start));
             let state = work.memory.state(first + lane);
-            single(
-                shared,
-                p,
-                state,
-                works,
-                &mut work.net,
-                &mut work.slots,
-                ends,
-                slot.map(|s| s + lane),
-            );
+            single(shared, p, state, works, &mut to, lane);
         }
     }
 }
 
-/// One patch by itself.
+/// Bits of the patches of a packet that [`wide::points`] can do.
+#[inline(always)]
+fn plain(shared: &Shared, packet: &Packet, flags: &[u16]) -> u8 {
+    let mut bits = 0;
+    for (lane, flags) in flags[..usize::from(packet.count)].iter().enumerate() {
+        let usual = flags & (flag::FINITE | flag::OFFSET) == 0;
+        bits |= u8::from(usual && shared.wide_of(packet, lane).plain) << lane;
+    }
+    bits
+}
+
+/// Patch `p`, number `lane` of its packet, by itself.
 #[inline(never)]
-#[allow(clippy::too_many_arguments)]
 fn single(
     shared: &Shared,
     p: usize,
     state: State,
     works: &mut Works,
-    net: &mut [Part; 2],
-    slots: &mut [Part; 2],
-    ends: [usize; 2],
-    slot: Option<usize>,
+    to: &mut Targets,
+    lane: usize,
 ) {
     let (elastic, dashpot) = one(shared, p, state, works);
-    book(&mut net[0], &mut slots[0], ends, slot, &elastic);
-    if let Some(dashpot) = dashpot {
-        book(&mut net[1], &mut slots[1], ends, slot, &dashpot);
-    }
-}
-
-/// Adds a resultant to both blocks, or to i and the slot.
-fn book(net: &mut Part, slots: &mut Part, ends: [usize; 2], slot: Option<usize>, r: &Resultant) {
-    net.add(ends[0], r.force, r.moments[0]);
-    match slot {
-        Some(slot) => slots.put_second(slot, r),
-        None => net.add(ends[1], -r.force, r.moments[1]),
+    let [i, j] = shared.ends[p].map(|b| (b as usize).wrapping_sub(to.base));
+    for (kind, r) in [Some(elastic), dashpot].into_iter().flatten().enumerate() {
+        to.net[kind].add(i, r.force, r.moments[0]);
+        match to.slot {
+            Some(slot) => to.slots[kind].add(slot + lane, -r.force, r.moments[1]),
+            None => to.net[kind].add(j, -r.force, r.moments[1]),
+        }
     }
 }
 

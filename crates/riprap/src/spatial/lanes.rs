@@ -34,7 +34,11 @@ impl Lanes {
     #[inline(always)]
     #[must_use]
     pub fn pick(list: &[f64], index: &[usize; LANES]) -> Self {
-        Self(index.map(|k| list[k]))
+        let mut lanes = [0.0; LANES];
+        for (x, k) in lanes.iter_mut().zip(index) {
+            *x = list[*k];
+        }
+        Self(lanes)
     }
 
     /// Magnitudes.
@@ -61,7 +65,11 @@ impl Lanes {
 
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
-        Self(self.0.map(f))
+        let mut out = self;
+        for a in &mut out.0 {
+            *a = f(*a);
+        }
+        out
     }
 
     #[inline(always)]
@@ -109,6 +117,20 @@ impl Neg for Lanes {
 /// One vector per lane.
 pub type Vectors = [Lanes; 3];
 
+/// The same vector in all lanes.
+#[inline(always)]
+#[must_use]
+pub fn same(v: &[f64; 3]) -> Vectors {
+    [Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])]
+}
+
+/// A vector of every lane, times a factor.
+#[inline(always)]
+#[must_use]
+pub fn scaled(factor: Lanes, v: &Vectors) -> Vectors {
+    [factor * v[0], factor * v[1], factor * v[2]]
+}
+
 /// Cross product, lane by lane.
 #[inline(always)]
 #[must_use]
@@ -142,7 +164,7 @@ pub fn times(a: &Vectors, b: &Vectors) -> Vectors {
 }
 
 /// Instruction set that wide code runs on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {
     /// What every machine of the kind has.
     Plain,

@@ -113,6 +113,11 @@ impl Scratch {
         self.rebuild(world);
     }
 
+    /// Uses no wider instructions than `width` from now on; results stay the same bits.
+    pub fn limit_width(&mut self, width: Width) {
+        self.width = Width::detect().min(width);
+    }
+
     fn rebuild(&mut self, world: &World) {
         self.tiles = Tiles::new(world);
         let (blocks, count) = (world.alive.len(), self.tiles.list.len());
@@ -121,10 +126,10 @@ impl Scratch {
         self.pushed = Vec::new();
         self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
         let interfaces = &world.setup.interfaces;
-        let strength = |c: &PatchClass| interfaces[c.row as usize].joint.strength.as_ref();
+        let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;
         let classes = world.classes.iter();
-        self.wide = classes.map(|c| Wide::new(c, strength(c))).collect();
-        self.strong = world.classes.iter().any(|c| strength(c).is_some());
+        self.wide = classes.map(|c| Wide::new(c, joint(c))).collect();
+        self.strong = world.classes.iter().any(|c| joint(c).strength.is_some());
         self.works = vec![Works::default(); count];
         self.partial = vec![Partial::default(); count];
         self.turning = true;

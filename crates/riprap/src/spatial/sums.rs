@@ -2,8 +2,6 @@
 
 use riprap_geom::Vec3;
 
-use super::patch::Resultant;
-
 /// Force (x, y, z), N, and moment about the centroid (x, y, z), N m, of many blocks or slots.
 #[derive(Clone, Debug, Default)]
 pub struct Sums {
@@ -76,15 +74,6 @@ impl<'a> Part<'a> {
         for k in 0..3 {
             self.0[k][at] += force[k];
             self.0[k + 3][at] += moment[k];
-        }
-    }
-
-    /// Puts the part of a resultant that acts on block j into entry `at`.
-    #[inline]
-    pub fn put_second(&mut self, at: usize, r: &Resultant) {
-        for k in 0..3 {
-            self.0[k][at] = -r.force[k];
-            self.0[k + 3][at] = r.moments[1][k];
         }
     }
 

@@ -4,11 +4,14 @@
 //! by component in space, with `kr` the second moments of the points: no frames, no points. A packet is eight
 //! patches of one axis; mostly they are neighbours of one class, whose blocks lie side by side in the lists.
 
-use super::forces::Shared;
-use super::lanes::{LANES, Lanes, Vectors, cross, minus, plus, times};
+use super::forces::{Memory, Shared};
+use super::lanes::{LANES, Lanes, Vectors, cross, minus, plus, same, scaled, times};
+use super::setup::{Failure, JointLaw};
 use super::sums::Part;
 use super::tiles::Packet;
-use super::world::PatchClass;
+use super::world::{PatchClass, flag};
+use crate::laws::face_joint::{self, Plain, PlainLaw, SIGNS};
+use crate::ledger::Works;
 
 /// What the wide kernel needs of a class.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,12 +36,19 @@ pub struct Wide {
     spread: [f64; 3],
     /// Cohesion, tension and tan(phi); infinite strength when elastic.
     strength: [f64; 3],
+    /// Residual cohesion and tan(phi).
+    residual: [f64; 2],
+    /// Change of the in-situ traction (n, b, c) along b and along c, Pa/m.
+    slope: [[f64; 3]; 2],
+    /// Whether [`points`] knows the law: points fail by themselves, without dilation.
+    pub plain: bool,
 }
 
 impl Wide {
     /// Constants of a class; meaningless for one that is not normal to an axis.
     #[must_use]
-    pub fn new(class: &PatchClass, strength: Option<&super::setup::Strength>) -> Self {
+    pub fn new(class: &PatchClass, joint: &JointLaw) -> Self {
+        let strength = joint.strength.as_ref();
         let axis = usize::from(class.axis % 3);
         let along = [0, 1, 2].map(|k| (k + 3 - axis) % 3);
         let [kn, ks] = class.stiffness;
@@ -61,6 +71,9 @@ impl Wide {
             strength: strength.map_or([f64::INFINITY, f64::INFINITY, 0.0], |s| {
                 [s.cohesion, s.tension, s.friction]
             }),
+            residual: strength.map_or([0.0; 2], |s| [s.residual_cohesion, s.residual_friction]),
+            slope: class.slope,
+            plain: joint.failure == Failure::Point && strength.is_some_and(|s| s.dilation == 0.0),
         }
     }
 }
@@ -71,6 +84,24 @@ enum Places {
     Runs([usize; 2]),
     /// One by one; lanes beyond the count repeat the first.
     Each([[usize; LANES]; 2]),
+}
+
+impl Places {
+    #[inline(always)]
+    fn of(shared: &Shared, packet: &Packet) -> Self {
+        let (first, count) = (packet.first as usize, usize::from(packet.count));
+        let ends = &shared.ends[first..first + count];
+        if packet.runs {
+            return Self::Runs(ends[0].map(|b| b as usize));
+        }
+        let mut index = [[0; LANES]; 2];
+        for k in 0..LANES {
+            let [i, j] = ends[if k < count { k } else { 0 }];
+            index[0][k] = i as usize;
+            index[1][k] = j as usize;
+        }
+        Self::Each(index)
+    }
 }
 
 /// Sums that packets add to.
@@ -85,6 +116,19 @@ pub struct Targets<'a, 'b> {
     pub slot: Option<usize>,
 }
 
+impl Targets<'_, '_> {
+    /// Sets the slots of a packet to zero, so that its patches can be added.
+    pub fn clear_slots(&mut self, count: usize) {
+        if let Some(slot) = self.slot {
+            for slots in self.slots.iter_mut().flat_map(|s| &mut s.0) {
+                if !slots.is_empty() {
+                    slots[slot..slot + count].fill(0.0);
+                }
+            }
+        }
+    }
+}
+
 /// Forces of one packet; lanes in the result's bits are left out: their points may fail, or have failed.
 #[inline(always)]
 pub fn packet(
@@ -94,30 +138,16 @@ pub fn packet(
     mut skip: u8,
     to: &mut Targets,
 ) -> u8 {
-    let first = packet.first as usize;
     let count = usize::from(packet.count);
-    let ends = &shared.ends[first..first + count];
-    let places = if packet.runs {
-        Places::Runs(ends[0].map(|b| b as usize))
-    } else {
-        let of = |side: usize| {
-            std::array::from_fn(|k| ends[if k < count { k } else { 0 }][side] as usize)
-        };
-        Places::Each([of(0), of(1)])
-    };
+    let places = Places::of(shared, packet);
     let class = Class::load(shared, wide, packet);
     let bodies = shared.poses.bodies;
     let (d, w) = relative(&bodies.pose, &places, &class.arms);
     let mut force = times(&class.stiffness, &d);
     let mut moment = times(&class.turning, &w);
-    let mut start = [Lanes::default(); 3];
+    let start = in_situ(shared, packet);
     if !shared.prestress.is_empty() {
-        for (k, lanes) in start.iter_mut().enumerate() {
-            for lane in 0..count {
-                lanes.0[lane] = shared.prestress[first + lane][k];
-            }
-        }
-        let load = start.map(|s| class.area * s);
+        let load = scaled(class.area, &start);
         force = plus(&force, &load);
         moment = plus(&moment, &class.moment);
     }
@@ -127,26 +157,265 @@ pub fn packet(
     if count < LANES {
         skip |= u8::MAX << count;
     }
-    let keep = Lanes(std::array::from_fn(|k| {
-        if skip & (1 << k) == 0 { 1.0 } else { 0.0 }
-    }));
+    let keep = chosen_lanes(!skip, 1.0);
     let whole = skip == 0;
     if !whole {
-        force = force.map(|f| f * keep);
-        moment = moment.map(|m| m * keep);
+        force = scaled(keep, &force);
+        moment = scaled(keep, &moment);
     }
-    add(to, 0, &places, count, &class.arms, &force, &moment);
+    add(to, 0, &places, count, &class.arms, [&force, &moment], true);
     if shared.damped {
         let (v, spin) = relative(&bodies.rate, &places, &class.arms);
         let beta = (class.beta + Lanes::all(shared.stiffness_damping)) * keep;
-        let force = times(&class.stiffness, &v).map(|f| beta * f);
-        let moment = times(&class.turning, &spin).map(|m| beta * m);
-        add(to, 1, &places, count, &class.arms, &force, &moment);
+        let force = scaled(beta, &times(&class.stiffness, &v));
+        let moment = scaled(beta, &times(&class.turning, &spin));
+        add(to, 1, &places, count, &class.arms, [&force, &moment], true);
     }
     if count < LANES {
         skip & !(u8::MAX << count)
     } else {
         skip
+    }
+}
+
+/// `x` in the lanes whose bit is set, 0 in the others.
+#[inline(always)]
+fn chosen_lanes(bits: u8, x: f64) -> Lanes {
+    let mut lanes = Lanes::default();
+    for (lane, y) in lanes.0.iter_mut().enumerate() {
+        *y = if bits & (1 << lane) == 0 { 0.0 } else { x };
+    }
+    lanes
+}
+
+/// In-situ traction at the centres (x, y, z), Pa.
+#[inline(always)]
+fn in_situ(shared: &Shared, packet: &Packet) -> Vectors {
+    let mut start = [Lanes::default(); 3];
+    if shared.prestress.is_empty() {
+        return start;
+    }
+    let first = packet.first as usize;
+    for lane in 0..usize::from(packet.count) {
+        let t = shared.prestress[first + lane];
+        start[0].0[lane] = t.x;
+        start[1].0[lane] = t.y;
+        start[2].0[lane] = t.z;
+    }
+    start
+}
+
+/// Forces of the lanes `chosen` of a packet point by point, with [`face_joint::plain_point`]; its law and its memory
+/// must be those that [`Wide::plain`] and the flags allow; `at` is the packet's place in the memory. Adds to the targets;
+/// slots must hold a value.
+#[inline(always)]
+pub fn points(
+    shared: &Shared,
+    packet: &Packet,
+    chosen: u8,
+    memory: &mut Memory,
+    at: usize,
+    works: &mut Works,
+    to: &mut Targets,
+) {
+    let count = usize::from(packet.count);
+    let (places, class) = (
+        Places::of(shared, packet),
+        Class::load(shared, shared.wide, packet),
+    );
+    let bodies = shared.poses.bodies;
+    let axis = usize::from(packet.axis);
+    let local = |v: &Vectors| [v[axis], v[(axis + 1) % 3], v[(axis + 2) % 3]];
+    let (d, w) = relative(&bodies.pose, &places, &class.arms);
+    let (v, spin) = relative(&bodies.rate, &places, &class.arms);
+    let [d, w, v, spin] = [local(&d), local(&w), local(&v), local(&spin)];
+    let start = local(&in_situ(shared, packet));
+    let (slope_b, slope_c) = class.slopes(shared, packet);
+    let law = PlainLanes::of(&class, shared, packet);
+    let elapsed = shared.elapsed.unwrap_or(0.0);
+    let beta = class.beta + Lanes::all(shared.stiffness_damping);
+    let [kn, ks] = class.springs;
+    let mut sums = [[Lanes::default(); 3]; 2];
+    let mut moments = [[Lanes::default(); 3]; 2];
+    let mut lost = [Lanes::default(); 2];
+    for (q, (sign_b, sign_c)) in SIGNS[0].into_iter().zip(SIGNS[1]).enumerate() {
+        let b = Lanes::all(sign_b) * class.reach[0];
+        let c = Lanes::all(sign_c) * class.reach[1];
+        let here = |d: &Vectors, w: &Vectors| {
+            [
+                d[0] + (w[1] * c - w[2] * b),
+                d[1] - w[0] * c,
+                d[2] + w[0] * b,
+            ]
+        };
+        let (place, rate) = (here(&d, &w), here(&v, &spin));
+        let first = [
+            start[0] + (b * slope_b[0] + c * slope_c[0]),
+            start[1] + (b * slope_b[1] + c * slope_c[1]),
+            start[2] + (b * slope_b[2] + c * slope_c[2]),
+        ];
+        let before = PlainState::read(memory, at, count, q);
+        let (t, after, loss) = law.answer(&first, &place, &rate, elapsed, &before);
+        after.write(memory, at, count, q, chosen);
+        lost = [lost[0] + loss[0], lost[1] + loss[1]];
+        let closed = Lanes::all(1.0) - after.open;
+        let drag = [
+            closed * (beta * (kn * rate[0])),
+            closed * (beta * (ks * rate[1])),
+            closed * (beta * (ks * rate[2])),
+        ];
+        for (kind, t) in [t, drag].into_iter().enumerate() {
+            sums[kind] = plus(&sums[kind], &t);
+            moments[kind] = [
+                moments[kind][0] + (b * t[2] - c * t[1]),
+                moments[kind][1] + c * t[0],
+                moments[kind][2] - b * t[0],
+            ];
+        }
+    }
+    let share = chosen_lanes(chosen, 0.25) * class.area;
+    works.friction += (share * lost[0]).sum();
+    works.fracture += (share * lost[1]).sum();
+    // Back to the axes of space: component `axis` is the normal one.
+    let global = |v: &Vectors| {
+        let back = (3 - axis) % 3;
+        [
+            share * v[back],
+            share * v[(back + 1) % 3],
+            share * v[(back + 2) % 3],
+        ]
+    };
+    let kinds = if shared.damped { 2 } else { 1 };
+    for kind in 0..kinds {
+        let (force, moment) = (global(&sums[kind]), global(&moments[kind]));
+        add(
+            to,
+            kind,
+            &places,
+            count,
+            &class.arms,
+            [&force, &moment],
+            false,
+        );
+    }
+}
+
+/// Laws of the lanes.
+struct PlainLanes {
+    springs: [Lanes; 2],
+    peak: Vectors,
+    residual: [Lanes; 2],
+}
+
+impl PlainLanes {
+    #[inline(always)]
+    fn of(class: &Class, shared: &Shared, packet: &Packet) -> Self {
+        let first = shared.wide_of(packet, 0).residual;
+        let mut residual = [Lanes::all(first[0]), Lanes::all(first[1])];
+        if !packet.one_class {
+            for lane in 0..LANES {
+                let wide = shared.wide_of(packet, lane);
+                residual[0].0[lane] = wide.residual[0];
+                residual[1].0[lane] = wide.residual[1];
+            }
+        }
+        Self {
+            springs: class.springs,
+            peak: class.strength,
+            residual,
+        }
+    }
+
+    /// The law on every lane: tractions, state, and losses by friction and fracture.
+    #[inline(always)]
+    fn answer(
+        &self,
+        start: &Vectors,
+        place: &Vectors,
+        rate: &Vectors,
+        elapsed: f64,
+        before: &PlainState,
+    ) -> (Vectors, PlainState, [Lanes; 2]) {
+        let mut t = [Lanes::default(); 3];
+        let mut after = PlainState::default();
+        let mut loss = [Lanes::default(); 2];
+        for l in 0..LANES {
+            let law = PlainLaw {
+                springs: [self.springs[0].0[l], self.springs[1].0[l]],
+                peak: [self.peak[0].0[l], self.peak[1].0[l], self.peak[2].0[l]],
+                residual: [self.residual[0].0[l], self.residual[1].0[l]],
+            };
+            let three = |v: &Vectors| [v[0].0[l], v[1].0[l], v[2].0[l]];
+            let rate = three(rate);
+            let moved = [rate[0] * elapsed, rate[1] * elapsed, rate[2] * elapsed];
+            let old = Plain {
+                slip: [before.slip[0].0[l], before.slip[1].0[l]],
+                broken: before.broken.0[l],
+                open: before.open.0[l],
+                sliding: 0.0,
+            };
+            let (traction, new, lost) =
+                face_joint::plain_point(&law, &three(start), &three(place), &moved, &old);
+            for k in 0..3 {
+                t[k].0[l] = traction[k];
+            }
+            for k in 0..2 {
+                after.slip[k].0[l] = new.slip[k];
+            }
+            after.broken.0[l] = new.broken;
+            after.open.0[l] = new.open;
+            after.sliding.0[l] = new.sliding;
+            loss[0].0[l] = lost.friction;
+            loss[1].0[l] = lost.fracture;
+        }
+        (t, after, loss)
+    }
+}
+
+/// State of one point of each lane.
+#[derive(Default)]
+struct PlainState {
+    slip: [Lanes; 2],
+    broken: Lanes,
+    open: Lanes,
+    sliding: Lanes,
+}
+
+impl PlainState {
+    #[inline(always)]
+    fn read(memory: &Memory, at: usize, count: usize, q: usize) -> Self {
+        let mut state = Self::default();
+        for lane in 0..count {
+            let (slip, flags) = (&memory.slip[at + lane], memory.flags[at + lane]);
+            state.slip[0].0[lane] = slip[0][q];
+            state.slip[1].0[lane] = slip[1][q];
+            let bit = |group: u16| f64::from(flags >> (group.trailing_zeros() as usize + q) & 1);
+            state.broken.0[lane] = bit(flag::BROKEN);
+            state.open.0[lane] = bit(flag::OPEN);
+        }
+        state
+    }
+
+    #[inline(always)]
+    fn write(&self, memory: &mut Memory, at: usize, count: usize, q: usize, chosen: u8) {
+        for lane in 0..count {
+            if chosen & (1 << lane) == 0 {
+                continue;
+            }
+            let (slip, flags) = (&mut memory.slip[at + lane], &mut memory.flags[at + lane]);
+            slip[0][q] = self.slip[0].0[lane];
+            slip[1][q] = self.slip[1].0[lane];
+            let mut bits = *flags;
+            for (group, set) in [
+                (flag::BROKEN, self.broken.0[lane]),
+                (flag::OPEN, self.open.0[lane]),
+                (flag::SLIDING, self.sliding.0[lane]),
+            ] {
+                let bit = flag::of(group, q);
+                bits = (bits & !bit) | (u16::from(set != 0.0) << bit.trailing_zeros());
+            }
+            *flags = bits;
+        }
     }
 }
 
@@ -171,17 +440,18 @@ impl Class {
         let count = usize::from(packet.count);
         if packet.one_class {
             let k = &wide[shared.class[first] as usize];
+            let two = |v: &[f64; 2]| [Lanes::all(v[0]), Lanes::all(v[1])];
             return Self {
-                arms: k.arms.map(|a| a.map(Lanes::all)),
-                stiffness: k.stiffness.map(Lanes::all),
-                turning: k.turning.map(Lanes::all),
+                arms: [same(&k.arms[0]), same(&k.arms[1])],
+                stiffness: same(&k.stiffness),
+                turning: same(&k.turning),
                 area: Lanes::all(k.area),
-                moment: k.moment.map(Lanes::all),
+                moment: same(&k.moment),
                 beta: Lanes::all(k.beta),
-                springs: k.springs.map(Lanes::all),
-                reach: k.reach.map(Lanes::all),
-                spread: k.spread.map(Lanes::all),
-                strength: k.strength.map(Lanes::all),
+                springs: two(&k.springs),
+                reach: two(&k.reach),
+                spread: same(&k.spread),
+                strength: same(&k.strength),
             };
         }
         let index: [usize; LANES] =
@@ -199,6 +469,23 @@ impl Class {
             spread: [0, 1, 2].map(|k| of(&|w| w.spread[k])),
             strength: [0, 1, 2].map(|k| of(&|w| w.strength[k])),
         }
+    }
+
+    /// Slopes of the in-situ traction along b and along c.
+    #[inline(always)]
+    fn slopes(&self, shared: &Shared, packet: &Packet) -> (Vectors, Vectors) {
+        let (mut b, mut c) = ([Lanes::default(); 3], [Lanes::default(); 3]);
+        if shared.prestress.is_empty() {
+            return (b, c);
+        }
+        for lane in 0..LANES {
+            let wide = shared.wide_of(packet, lane);
+            for k in 0..3 {
+                b[k].0[lane] = wide.slope[0][k];
+                c[k].0[lane] = wide.slope[1][k];
+            }
+        }
+        (b, c)
     }
 
     /// Bits of the lanes in which a point may be beyond its strength: by bounds over the four points.
@@ -226,15 +513,26 @@ impl Class {
 /// Relative displacement of the patch centres and relative rotation (or their rates).
 #[inline(always)]
 fn relative(lists: &[Vec<f64>; 6], places: &Places, arms: &[Vectors; 2]) -> (Vectors, Vectors) {
-    let load = |side: usize, first: usize| -> Vectors {
-        [0, 1, 2].map(|k| match places {
-            Places::Runs(from) => Lanes::at(&lists[first + k], from[side]),
-            Places::Each(index) => Lanes::pick(&lists[first + k], &index[side]),
-        })
-    };
-    let turn = [load(0, 3), load(1, 3)];
-    let end = |side: usize| plus(&load(side, 0), &cross(&turn[side], &arms[side]));
-    (minus(&end(1), &end(0)), minus(&turn[1], &turn[0]))
+    let turn = [load(lists, places, 0, 3), load(lists, places, 1, 3)];
+    let move_i = plus(&load(lists, places, 0, 0), &cross(&turn[0], &arms[0]));
+    let move_j = plus(&load(lists, places, 1, 0), &cross(&turn[1], &arms[1]));
+    (minus(&move_j, &move_i), minus(&turn[1], &turn[0]))
+}
+
+/// Components `first` to `first + 2` of the blocks on a side.
+#[inline(always)]
+fn load(lists: &[Vec<f64>; 6], places: &Places, side: usize, first: usize) -> Vectors {
+    let [x, y, z] = [&lists[first], &lists[first + 1], &lists[first + 2]];
+    match places {
+        Places::Runs(from) => {
+            let at = from[side];
+            [Lanes::at(x, at), Lanes::at(y, at), Lanes::at(z, at)]
+        }
+        Places::Each(index) => {
+            let at = &index[side];
+            [Lanes::pick(x, at), Lanes::pick(y, at), Lanes::pick(z, at)]
+        }
+    }
 }
 
 /// Adds forces and moments to both blocks of each lane.
@@ -245,8 +543,8 @@ fn add(
     places: &Places,
     count: usize,
     arms: &[Vectors; 2],
-    force: &Vectors,
-    moment: &Vectors,
+    [force, moment]: [&Vectors; 2],
+    first: bool,
 ) {
     let on_i = plus(&cross(&arms[0], force), moment);
     let on_j = plus(&cross(&arms[1], force), moment);
@@ -261,7 +559,14 @@ fn add(
         for (list, lanes) in [(k, -force[k]), (k + 3, -on_j[k])] {
             match to.slot {
                 Some(slot) => {
-                    to.slots[kind].0[list][slot..slot + count].copy_from_slice(&lanes.0[..count]);
+                    let slots = &mut to.slots[kind].0[list][slot..slot + count];
+                    if first {
+                        slots.copy_from_slice(&lanes.0[..count]);
+                    } else {
+                        for (x, y) in slots.iter_mut().zip(lanes.0) {
+                            *x += y;
+                        }
+                    }
                 }
                 None => spread(net.0[list], places, 1, base, count, &lanes),
             }

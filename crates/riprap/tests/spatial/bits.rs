@@ -2,6 +2,7 @@
 
 use riprap::Vec3;
 use riprap::exec::Exec;
+use riprap::spatial::lanes::Width;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, FaceSet, Kinematics, Refinement, Region, Setup,
 };
@@ -85,6 +86,18 @@ fn threads_do_not_change_a_bit() {
     for threads in [2, 3, 7] {
         assert!(bytes(&run(threads).world) == expected, "{threads} threads");
     }
+}
+
+#[test]
+fn the_width_of_instructions_does_not_change_a_bit() {
+    let run = |width: Width| {
+        let mut run = Run::on(everything(), Exec::serial());
+        run.scratch.limit_width(width);
+        run.steps(20, DT);
+        bytes(&run.world)
+    };
+    let expected = run(Width::Plain);
+    assert!(run(Width::Four) == expected && run(Width::Eight) == expected);
 }
 
 #[test]
