@@ -136,7 +136,7 @@ fn state(p: &Progress) -> String {
     format!(
         "contacts {}  kinetic {}  unbalanced {}  energy residual {} %  worst overlap {} %",
         grouped(p.contacts as u64),
-        si(p.kinetic, "J/m"),
+        si(p.kinetic, p.energy_unit),
         ratio(p.unbalanced),
         ratio(100.0 * p.residual),
         ratio(100.0 * p.worst_overlap),
@@ -168,6 +168,7 @@ mod tests {
             steps_per_second: 6120.4,
             remaining: Some(400.0),
             kinetic: 12_400.0,
+            energy_unit: "J/m",
             residual: 3e-4,
             unbalanced: 3.1e-4,
             contacts: 9412,

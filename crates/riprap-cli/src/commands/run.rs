@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use riprap::model::Setup;
 use riprap::record::RunFolder;
 use riprap::record::folder::Existing;
 use riprap::record::table::Table;
@@ -22,12 +23,15 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, args.how.quiet)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
     let summary = &prepared.model.summary;
+    let near = match &prepared.model.setup {
+        Setup::Planar(_) => format!(", {} contacts near", grouped(summary.near_pairs as u64)),
+        Setup::Spatial(_) => String::new(),
+    };
     let head = format!(
-        "riprap {}  {}: {} blocks, {} contacts near, results in {}",
+        "riprap {}  {}: {} blocks{near}, results in {}",
         env!("CARGO_PKG_VERSION"),
         prepared.parsed.scenario.title,
         grouped(summary.blocks as u64),
-        grouped(summary.near_pairs as u64),
         folder.display()
     );
     let job = prepared.job();
@@ -138,9 +142,9 @@ fn ledger(folder: &Path) -> String {
         .columns
         .iter()
         .filter(|c| c.name != "step" && c.name != "time")
-        .filter_map(|c| c.values.last().map(|v| (c.name.replace('_', " "), *v)))
-        .filter(|(name, value)| *value != 0.0 || name == "residual")
-        .map(|(name, value)| format!("{name} {}", si(value, "J/m")))
+        .filter_map(|c| c.values.last().map(|v| (c, *v)))
+        .filter(|(c, value)| *value != 0.0 || c.name == "residual")
+        .map(|(c, value)| format!("{} {}", c.name.replace('_', " "), si(value, &c.unit)))
         .collect();
     format!("energy: {}\n", terms.join(", "))
 }

@@ -31,8 +31,10 @@ pub struct Progress {
     pub steps_per_second: f64,
     /// Expected wall time to the end of the phase, s.
     pub remaining: Option<f64>,
-    /// Kinetic energy, J (J/m in the plane).
+    /// Kinetic energy, in `energy_unit`.
     pub kinetic: f64,
+    /// Unit of energies: J, or J/m in the plane.
+    pub energy_unit: &'static str,
     /// Energy residual over the largest energy that moved.
     pub residual: f64,
     /// Unbalanced-force ratio.
@@ -291,6 +293,7 @@ impl Clock {
             steps_per_second: self.rate,
             remaining,
             kinetic: balance.kinetic,
+            energy_unit: simulation.kind().energy_unit(),
             residual: balance.residual_relative(),
             unbalanced: view.unbalanced(),
             contacts: view.contacts(),

@@ -65,13 +65,13 @@ pub enum RunError {
     },
     /// Energy came from nowhere.
     #[error(
-        "kinetic energy {kinetic:.3e} J/m at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
+        "kinetic energy {kinetic:.3e} J at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
          energy put in, fastest block `{block}`; the time step is probably too long"
     )]
     BlowUp {
         /// Fastest block.
         block: String,
-        /// Kinetic energy, J/m.
+        /// Kinetic energy, J (J per metre of thickness in the plane).
         kinetic: f64,
         /// Over the energy put in.
         ratio: f64,

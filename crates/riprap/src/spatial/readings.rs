@@ -8,6 +8,7 @@ use riprap_geom::{Mat3, Vec3};
 use super::cavity::Cavity;
 use super::crater::UPLIFT;
 use super::fields::View;
+use super::refine::Origin;
 use super::setup::Shape;
 use super::world::flag;
 use crate::record::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
@@ -56,9 +57,25 @@ fn pair(of: &[u32]) -> (u32, u32) {
     )
 }
 
-/// Blocks of a group that are still there.
-fn members<'a>(v: &'a View<'_>, of: &'a [u32]) -> impl Iterator<Item = usize> + 'a {
-    of.iter().map(|&b| b as usize).filter(|&b| v.world.alive[b])
+/// Blocks of a group (ascending) that are there, and those that its split blocks have become.
+fn members(v: &View<'_>, of: &[u32]) -> std::vec::IntoIter<usize> {
+    let world = v.world;
+    let living: Vec<usize> = if of.iter().all(|&b| world.alive[b as usize]) {
+        of.iter().map(|&b| b as usize).collect()
+    } else {
+        let belongs = |b: usize| {
+            let mut ancestor = b as u32;
+            while of.binary_search(&ancestor).is_err() {
+                ancestor = world.lineage[ancestor as usize].parent;
+                if ancestor == Origin::NONE {
+                    return false;
+                }
+            }
+            true
+        };
+        v.living().filter(|&b| belongs(b)).collect()
+    };
+    living.into_iter()
 }
 
 /// Mean over the living blocks of a group.
