@@ -91,7 +91,6 @@ fn threads_do_not_matter() {
 #[test]
 fn a_resumed_run_ends_in_the_same_bits() {
     let mut model = heap();
-    // Long enough that the display asks at least once on a fast machine.
     model.plan.phases[0].until.steps = Some(30_000);
     let job = || Job {
         setup: model.setup.clone(),
@@ -103,12 +102,15 @@ fn a_resumed_run_ends_in_the_same_bits() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| -> PathBuf { Path::join(folder.path(), name) };
     let whole = job::run(job(), &at("whole"), Existing::Refuse, 1, &mut on).unwrap();
-    let mut stop = |progress: &Progress| {
-        if progress.step > 0 {
-            Control::Stop
-        } else {
-            Control::Continue
+    // The first look comes after one step, the next one as soon as 100 ms have gone.
+    let mut looks = 0;
+    let mut stop = |_: &Progress| {
+        looks += 1;
+        if looks == 2 {
+            return Control::Stop;
         }
+        std::thread::sleep(std::time::Duration::from_millis(150));
+        Control::Continue
     };
     let half = job::run(job(), &at("half"), Existing::Refuse, 1, &mut stop).unwrap();
     assert_eq!(half.ending, Ending::Stopped);

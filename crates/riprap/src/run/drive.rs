@@ -114,7 +114,7 @@ impl Watched<'_> {
 
 /// Runs to the end of the plan, until stopped, or until the physics gives up.
 ///
-/// `look` is called about ten times a second and at the end. With a recorder a checkpoint is
+/// `look` is called after the first step, about ten times a second, and at the end. With a recorder a checkpoint is
 /// written at the end of each phase, every 30 s of wall time, when stopped, and when the physics
 /// stops the run.
 ///
@@ -258,12 +258,12 @@ impl Clock {
         }
         let spent = self.last.elapsed();
         let steps = step - self.step;
-        if spent < LOOK {
+        if spent < LOOK && self.rate > 0.0 {
             self.stride = (self.stride * 2).min(1 << 16);
             self.next = step + self.stride;
             return false;
         }
-        self.rate = steps as f64 / spent.as_secs_f64();
+        self.rate = steps as f64 / spent.as_secs_f64().max(1e-9);
         self.stride = ((self.rate * LOOK.as_secs_f64() / 8.0) as u64).max(1);
         self.next = step + self.stride;
         self.last = Instant::now();

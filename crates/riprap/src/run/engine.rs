@@ -11,6 +11,7 @@ use crate::model::Setup;
 use crate::profile::Profile;
 use crate::record::field::{FieldError, FieldInfo};
 use crate::record::frame::Frame;
+use crate::record::manifest::Source;
 use crate::{Vec2, Vec3};
 use crate::{planar, spatial};
 
@@ -593,6 +594,15 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Charges and other cavities, for the manifest.
+    #[must_use]
+    pub fn sources(&self) -> Vec<Source> {
+        match self {
+            Self::Planar(_) => Vec::new(),
+            Self::Spatial(v) => v.world.cavities.iter().map(|c| source_note(v, c)).collect(),
+        }
+    }
+
     /// A picture.
     #[must_use]
     pub fn frame(&self, phase: &str) -> Frame {
@@ -621,6 +631,33 @@ fn planar_events(v: &planar::fields::View<'_>) -> Vec<serde_json::Value> {
             })
         })
         .collect()
+}
+
+/// A cavity as the manifest lists it, global coordinates.
+fn source_note(v: &spatial::fields::View<'_>, cavity: &spatial::cavity::Cavity) -> Source {
+    use crate::record::manifest::Place as Spot;
+    use spatial::setup::{Place, Push};
+    let setup = &v.world.setup;
+    let source = &setup.sources[cavity.source as usize];
+    let global = |p: Vec3| (p + setup.origin).to_array();
+    let profile = v.profile(cavity);
+    let place = match &source.place {
+        Place::Point { centre } => Spot::Centre(global(*centre)),
+        Place::Line { from, to } => Spot::Line([global(*from), global(*to)]),
+        Place::Blocks { .. } => Spot::Centre(global(v.charge_centre(cavity))),
+    };
+    Source {
+        name: source.name.clone(),
+        place,
+        delay: source.delay,
+        mass: match source.push {
+            Push::Gas { mass, .. } => Some(mass),
+            Push::Pressure { .. } => None,
+        },
+        charge_volume: cavity.gas.map(|_| cavity.charge_volume()),
+        cavity_volume: cavity.removed,
+        depth: Some(profile.depth).filter(|d| *d > 0.0),
+    }
 }
 
 fn spatial_event(

@@ -126,6 +126,7 @@ pub fn run(
     manifest.ended = Ended::Running;
     // A model that cannot be built leaves no folder behind.
     let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
+    manifest.sources = simulation.view().sources();
     let folder = RunFolder::create(folder, existing, &manifest)?;
     folder.write_scenario(&job.resolved)?;
     let mut recorder = Recorder::new(folder, kind, simulation.plan(), None)?;

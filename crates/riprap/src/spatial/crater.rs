@@ -47,7 +47,7 @@ impl View<'_> {
     pub fn profile(&self, cavity: &Cavity) -> Profile {
         let world = self.world;
         let up = self.up();
-        let centre = charge_centre(world, cavity);
+        let centre = self.charge_centre(cavity);
         // Distance from the axis, uplift, height of the top above the charge.
         let mut found: Vec<[f64; 3]> = Vec::new();
         let mut width = f64::INFINITY;
@@ -67,6 +67,18 @@ impl View<'_> {
             rings,
         }
     }
+
+    /// Centre of the removed blocks of a cavity, weighted by volume, m (local).
+    #[must_use]
+    pub fn charge_centre(&self, cavity: &Cavity) -> Vec3 {
+        let (mut sum, mut volume) = (Vec3::ZERO, 0.0);
+        for &b in &cavity.blocks {
+            let v = self.world.solid_of(b as usize).volume;
+            sum += v * self.world.reference[b as usize];
+            volume += v;
+        }
+        sum / f64::max(volume, f64::MIN_POSITIVE)
+    }
 }
 
 /// Sorts by distance and averages over rings of a width.
@@ -79,17 +91,6 @@ fn rings(found: &mut [[f64; 3]], width: f64) -> Vec<[f64; 2]> {
             [mean(0), mean(1)]
         })
         .collect()
-}
-
-/// Centre of the removed blocks, weighted by volume, m.
-fn charge_centre(world: &super::world::World, cavity: &Cavity) -> Vec3 {
-    let (mut sum, mut volume) = (Vec3::ZERO, 0.0);
-    for &b in &cavity.blocks {
-        let v = world.solid_of(b as usize).volume;
-        sum += v * world.reference[b as usize];
-        volume += v;
-    }
-    sum / f64::max(volume, f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]

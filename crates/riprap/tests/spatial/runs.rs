@@ -134,12 +134,15 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
     };
     long.plan.histories.clear();
     let whole = job::run(long.clone(), &at("whole"), Existing::Refuse, 1, &mut go).unwrap();
-    let mut stop = |p: &Progress| {
-        if p.step > 0 {
-            Control::Stop
-        } else {
-            Control::Continue
+    // The first look comes after one step, the next one as soon as 100 ms have gone.
+    let mut looks = 0;
+    let mut stop = |_: &Progress| {
+        looks += 1;
+        if looks == 2 {
+            return Control::Stop;
         }
+        std::thread::sleep(std::time::Duration::from_millis(150));
+        Control::Continue
     };
     let half = job::run(long, &at("half"), Existing::Refuse, 1, &mut stop).unwrap();
     assert_eq!(half.ending, Ending::Stopped);
