@@ -23,8 +23,10 @@ Usage: cargo xtask <task> [step]...
 Tasks:
   test [step]...   formatting, lints, unit, property, doc, CLI and scene tests, docs: what CI runs
   steps            list the steps of `test`
-  verify-all       run every scene, the long ones too, and write docs/src/verification.md
-  bench            time the planar step on walls of three sizes; prints CSV, keeps it in target/bench.csv
+  verify-all [SCENE]...
+                   run every scene, the long ones too, and write docs/src/verification.md;
+                   with names: run these and replace their rows
+  bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   docs             build the API documentation (and the book, where mdbook is installed)
 
 Examples:
@@ -44,7 +46,7 @@ fn main() -> ExitCode {
             }
             ExitCode::SUCCESS
         }
-        ["verify-all"] => verify::all(&root),
+        ["verify-all", scenes @ ..] => verify::all(&root, scenes),
         ["bench"] => bench::run(&root),
         ["docs"] => steps::docs_only(&root),
         [] | ["help" | "--help" | "-h"] => {

@@ -69,9 +69,9 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
     Ok(Outcome::Counted(counts))
 }
 
-/// `cargo xtask verify-all`: runs everything and writes the table.
-pub fn all(root: &Path) -> ExitCode {
-    match run_all(root) {
+/// `cargo xtask verify-all [SCENE]...`: runs every scene, or those named, and writes the table.
+pub fn all(root: &Path, chosen: &[&str]) -> ExitCode {
+    match run_all(root, chosen) {
         Ok(0) => ExitCode::SUCCESS,
         Ok(_) => ExitCode::FAILURE,
         Err(why) => {
@@ -81,14 +81,26 @@ pub fn all(root: &Path) -> ExitCode {
     }
 }
 
-fn run_all(root: &Path) -> Result<u64, String> {
+fn run_all(root: &Path, chosen: &[&str]) -> Result<u64, String> {
     let (fast, long) = scenes(root);
-    if fast.is_empty() && long.is_empty() {
+    let known: Vec<String> = fast.into_iter().chain(long).collect();
+    if known.is_empty() {
         return Err("there are no scenes with checks under scenes/".to_owned());
     }
+    if let Some(wrong) = chosen.iter().find(|c| known.iter().all(|k| k != *c)) {
+        return Err(format!(
+            "`{wrong}` is no scene with checks; name it as the table does, e.g. `{}`",
+            known[0]
+        ));
+    }
+    let run: Vec<&str> = if chosen.is_empty() {
+        known.iter().map(String::as_str).collect()
+    } else {
+        chosen.to_vec()
+    };
     let output = Command::new(release_binary(root)?)
         .args(["verify", "--json"])
-        .args(fast.iter().chain(&long))
+        .args(&run)
         .current_dir(root)
         .stderr(Stdio::inherit())
         .output()
@@ -100,58 +112,92 @@ fn run_all(root: &Path) -> Result<u64, String> {
     if rows.is_empty() {
         return Err("riprap verify --json printed no checks".to_owned());
     }
-    let count = |what: &str| rows.iter().filter(|r| r["status"] == what).count() as u64;
-    let (passed, failed, skipped) = (count("passed"), count("failed"), count("skipped"));
     let page = root.join("docs/src/verification.md");
+    // Rows of scenes that were not run now stay; those of scenes that are gone do not.
+    let earlier = std::fs::read_to_string(&page).unwrap_or_default();
+    let stays = |line: &&str| {
+        let scene = scene_of(line);
+        known.iter().any(|k| k == scene) && !run.contains(&scene)
+    };
+    let mut lines: Vec<String> = earlier.lines().filter(stays).map(str::to_owned).collect();
+    lines.extend(rows.iter().map(line));
+    // Stable: the checks of a scene stay in their order.
+    let place = |l: &String| known.iter().position(|k| k == scene_of(l));
+    lines.sort_by_key(place);
     if let Some(folder) = page.parent() {
         std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     }
-    std::fs::write(&page, table(&rows, passed, failed, skipped))
-        .map_err(|e| format!("{}: {e}", page.display()))?;
+    std::fs::write(&page, table(&lines)).map_err(|e| format!("{}: {e}", page.display()))?;
     println!("wrote {}", shown(root, &page));
-    println!("{passed} passed, {failed} failed, {skipped} skipped");
+    let failed = rows.iter().filter(|r| r["status"] == "failed").count() as u64;
+    println!("{}", totals(&lines));
     Ok(failed + u64::from(!output.status.success() && failed == 0))
 }
 
+/// First cell of a row.
+fn scene_of(line: &str) -> &str {
+    line.split('|').nth(1).map_or("", str::trim)
+}
+
+/// How many rows have which result.
+fn totals(lines: &[String]) -> String {
+    let count = |what: &str| {
+        let result =
+            |l: &&String| l.replace("\\|", "").split('|').nth(4).map(str::trim) == Some(what);
+        lines.iter().filter(result).count()
+    };
+    format!(
+        "{} passed, {} failed, {} skipped",
+        count("passed"),
+        count("failed"),
+        count("skipped")
+    )
+}
+
 /// The page: one row a check.
-fn table(rows: &[Value], passed: u64, failed: u64, skipped: u64) -> String {
-    let mut page = format!(
+fn table(lines: &[String]) -> String {
+    format!(
         "# Verification\n\nWritten by `cargo xtask verify-all`; every row is a check inside a scene and can be run again\n\
-         with `riprap verify SCENE`. Skipped = known failures, run and shown with their reason.\n\n\
-         {passed} passed, {failed} failed, {skipped} skipped\n\n\
+         with `riprap verify SCENE`, the row itself written anew with `cargo xtask verify-all SCENE`.\n\
+         Skipped = known failures, run and shown with their reason.\n\n\
+         {}\n\n\
          | scene | case | check | result | measured | expected | tolerance | note |\n\
-         |---|---|---|---|---|---|---|---|\n"
-    );
-    for row in rows {
-        let cell = |key: &str| match &row[key] {
-            Value::String(text) => text.replace('|', "\\|").replace('\n', " "),
-            Value::Number(number) => {
-                let unit = row["unit"]
-                    .as_str()
-                    .filter(|unit| *unit != "-")
-                    .unwrap_or("");
-                let value = number.as_f64().unwrap_or(f64::NAN);
-                format!("{value:.6e} {unit}").trim_end().to_owned()
-            }
-            Value::Null => String::new(),
-            other => other.to_string(),
-        };
-        let cells: Vec<String> = [
-            "scene",
-            "case",
-            "check",
-            "status",
-            "measured",
-            "expected",
-            "tolerance",
-            "note",
-        ]
-        .iter()
-        .map(|key| cell(key))
-        .collect();
-        page.push_str(&format!("| {} |\n", cells.join(" | ")));
-    }
-    page
+         |---|---|---|---|---|---|---|---|\n\
+         {}\n",
+        totals(lines),
+        lines.join("\n")
+    )
+}
+
+/// A row of the table.
+fn line(row: &Value) -> String {
+    let cell = |key: &str| match &row[key] {
+        Value::String(text) => text.replace('|', "\\|").replace('\n', " "),
+        Value::Number(number) => {
+            let unit = row["unit"]
+                .as_str()
+                .filter(|unit| *unit != "-")
+                .unwrap_or("");
+            let value = number.as_f64().unwrap_or(f64::NAN);
+            format!("{value:.6e} {unit}").trim_end().to_owned()
+        }
+        Value::Null => String::new(),
+        other => other.to_string(),
+    };
+    let cells: Vec<String> = [
+        "scene",
+        "case",
+        "check",
+        "status",
+        "measured",
+        "expected",
+        "tolerance",
+        "note",
+    ]
+    .iter()
+    .map(|key| cell(key))
+    .collect();
+    format!("| {} |", cells.join(" | "))
 }
 
 #[cfg(test)]
@@ -164,7 +210,7 @@ mod tests {
             r#"{"scene":"a.toml","case":"","check":"|v|","status":"passed","measured":1.5,"unit":"m"}"#,
         )
         .unwrap();
-        let page = table(&[row], 1, 0, 0);
+        let page = table(&[line(&row)]);
         assert!(
             page.contains("| a.toml |  | \\|v\\| | passed | 1.500000e0 m |  |  |  |"),
             "{page}"
