@@ -194,5 +194,8 @@ fn expected_text(f: &Forecast) -> String {
         "  expected   {steps}{time} at {} steps/s on one thread\n",
         grouped(f.steps_per_second as u64)
     ));
+    if f.apart {
+        text.push_str("             as long as the blocks are apart; several times longer once they rest on each other\n");
+    }
     text
 }

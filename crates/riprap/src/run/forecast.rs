@@ -50,6 +50,8 @@ pub struct Forecast {
     pub steps: Option<u64>,
     /// Steps per second on one thread, measured on the first steps.
     pub steps_per_second: f64,
+    /// There are fewer contacts than half the blocks: once these meet, a step costs more than those timed.
+    pub apart: bool,
     /// Wall time on one thread, s; absent if the number of steps is.
     pub wall_time: Option<f64>,
 }
@@ -99,6 +101,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         guard_shortens,
         steps,
         steps_per_second: rate,
+        apart: 2 * contacts < blocks,
         wall_time: steps.map(|n| n as f64 / rate),
     })
 }
