@@ -6,11 +6,13 @@
 mod hull;
 mod mass;
 mod slice;
+mod tetrahedra;
 mod voronoi;
 
 pub use hull::hull;
 pub use mass::{Moments, principal};
 pub use slice::{Sliced, from_half_spaces, slice};
+pub use tetrahedra::{FlatTetrahedron, Tetrahedra, element};
 pub use voronoi::voronoi;
 
 use std::collections::BTreeMap;

@@ -1,0 +1,313 @@
+//! Nodes and tetrahedra inside a convex solid.
+//!
+//! Every triangle (face centre, a, b) of a face and the centroid of the solid make one tetrahedron: the shape of a
+//! deformable block. Nodes stand in the order `[vertices | face centres | centroid]`, tetrahedra face by face, edge
+//! by edge of each face.
+//!
+//! Source: Han, Liu & Li (2010), section 2; the shares of areas and of inertia are derived here.
+
+use super::{Polyhedron, area_vector, edges_of};
+use crate::Vec3;
+
+/// Nodes, tetrahedra and shares of areas of a convex solid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tetrahedra {
+    /// Vertices, then the centroid of the area of each face, then the centroid of the volume, m.
+    pub nodes: Vec<Vec3>,
+    /// Nodes (centroid, face centre, a, b) of each, with (a, b) an edge of the face. *Shape* `[n_tets]`.
+    pub tets: Vec<[u32; 4]>,
+    /// First tetrahedron of each face, and the number of all. *Shape* `[n_faces + 1]`.
+    pub first: Vec<u32>,
+    /// Volume of each, m³. *Shape* `[n_tets]`.
+    pub volumes: Vec<f64>,
+    /// Gradients of the shape functions of nodes 1, 2, 3 of each, 1/m; that of node 0 is minus their sum.
+    pub gradients: Vec<[Vec3; 3]>,
+}
+
+/// A tetrahedron without volume: the solid is too thin there, or not convex.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the tetrahedron on face {face} over the edge from vertex {from} to vertex {to} has the volume {volume:e} m3; \
+     it must be above 0"
+)]
+pub struct FlatTetrahedron {
+    /// Face number.
+    pub face: usize,
+    /// First vertex of the edge.
+    pub from: u32,
+    /// Second vertex of the edge.
+    pub to: u32,
+    /// Volume found, m³.
+    pub volume: f64,
+}
+
+impl Tetrahedra {
+    /// Divides a convex solid whose faces point outward.
+    ///
+    /// # Errors
+    /// A tetrahedron whose volume is not positive.
+    pub fn new(solid: &Polyhedron) -> Result<Self, FlatTetrahedron> {
+        let corners = solid.vertices.len();
+        let centroid = solid.moments().centroid;
+        let mut nodes = solid.vertices.clone();
+        nodes.extend((0..solid.faces.len()).map(|f| solid.face_centre(f)));
+        nodes.push(centroid);
+        let centre = nodes.len() as u32 - 1;
+        let mut mesh = Self {
+            nodes,
+            tets: Vec::new(),
+            first: vec![0],
+            volumes: Vec::new(),
+            gradients: Vec::new(),
+        };
+        for (face, outline) in solid.faces.iter().enumerate() {
+            let middle = (corners + face) as u32;
+            for (from, to) in edges_of(outline) {
+                let at = |k: u32| mesh.nodes[k as usize] - centroid;
+                let (volume, gradients) = element([at(middle), at(from), at(to)]);
+                // Not `<= 0`: NaN is refused too.
+                if !(volume > 0.0 && gradients.iter().all(|g| g.is_finite())) {
+                    return Err(FlatTetrahedron {
+                        face,
+                        from,
+                        to,
+                        volume,
+                    });
+                }
+                mesh.tets.push([centre, middle, from, to]);
+                mesh.volumes.push(volume);
+                mesh.gradients.push(gradients);
+            }
+            mesh.first.push(mesh.tets.len() as u32);
+        }
+        Ok(mesh)
+    }
+
+    /// Node of the centroid: the last.
+    #[must_use]
+    pub fn centre(&self) -> u32 {
+        self.nodes.len() as u32 - 1
+    }
+
+    /// Volume of the solid, m³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.volumes.iter().sum()
+    }
+
+    /// Triangles (face centre, a, b) of a face, as nodes, anticlockwise seen from outside.
+    pub fn fan(&self, face: usize) -> impl Iterator<Item = [u32; 3]> + '_ {
+        let (start, end) = (self.first[face] as usize, self.first[face + 1] as usize);
+        self.tets[start..end].iter().map(|&[_, m, a, b]| [m, a, b])
+    }
+
+    /// Nodes of a face (its centre, then its corners in order) and the area that each stands for, m².
+    ///
+    /// A third of every triangle goes to each of its nodes: the only shares with which a uniform traction gives the
+    /// exact nodal forces. The centre has a third of the face.
+    #[must_use]
+    pub fn tributary(&self, face: usize) -> Vec<(u32, f64)> {
+        let at = |k: u32| self.nodes[k as usize];
+        let thirds: Vec<([u32; 3], f64)> = self
+            .fan(face)
+            .map(|t| {
+                let [m, a, b] = t.map(at);
+                (t, (a - m).cross(b - m).length() / 6.0)
+            })
+            .collect();
+        let count = thirds.len();
+        let mut shares = Vec::with_capacity(count + 1);
+        if let Some(([middle, _, _], _)) = thirds.first() {
+            shares.push((*middle, thirds.iter().map(|(_, third)| third).sum()));
+        }
+        for k in 0..count {
+            let ([_, corner, _], right) = thirds[k];
+            shares.push((corner, thirds[(k + count - 1) % count].1 + right));
+        }
+        shares
+    }
+
+    /// Volume that each node stands for, m³: a quarter of every tetrahedron at each of its nodes.
+    ///
+    /// Times the density it is a mass with the exact total and centroid; the moment of inertia is too large (1.75
+    /// times that of a cube). *Shape* `[n_nodes]`.
+    #[must_use]
+    pub fn lumped(&self) -> Vec<f64> {
+        let mut shares = vec![0.0; self.nodes.len()];
+        for (tet, volume) in self.tets.iter().zip(&self.volumes) {
+            for &node in tet {
+                shares[node as usize] += 0.25 * volume;
+            }
+        }
+        shares
+    }
+
+    /// As [`Tetrahedra::lumped`], with the trace of the inertia tensor of the solid: what vertices and face centres
+    /// stand for is reduced by one factor (4/7 for a cube, never above 1), the centroid gets the rest.
+    ///
+    /// *Shape* `[n_nodes]`.
+    #[must_use]
+    pub fn inertial(&self) -> Vec<f64> {
+        let mut shares = self.lumped();
+        let centre = self.nodes[self.nodes.len() - 1];
+        let exact: f64 = self
+            .tets
+            .iter()
+            .zip(&self.volumes)
+            .map(|(tet, volume)| {
+                let arms = tet.map(|k| self.nodes[k as usize] - centre);
+                let sum = arms[0] + arms[1] + arms[2] + arms[3];
+                let squares: f64 = arms.iter().map(|r| r.length_squared()).sum();
+                volume / 20.0 * (squares + sum.length_squared())
+            })
+            .sum();
+        let lumped: f64 = shares
+            .iter()
+            .zip(&self.nodes)
+            .map(|(share, node)| share * node.distance_squared(centre))
+            .sum();
+        let factor = exact / lumped;
+        let last = shares.len() - 1;
+        for share in &mut shares[..last] {
+            *share *= factor;
+        }
+        let rest: f64 = shares[..last].iter().sum();
+        shares[last] = self.volume() - rest;
+        shares
+    }
+}
+
+impl Polyhedron {
+    /// Centroid of the area of a face, m.
+    #[must_use]
+    pub fn face_centre(&self, face: usize) -> Vec3 {
+        let outline = self.outline(face);
+        let normal = area_vector(&outline);
+        let origin = outline.first().copied().unwrap_or(Vec3::ZERO);
+        let (mut weight, mut first) = (0.0, Vec3::ZERO);
+        for pair in outline[1..].windows(2) {
+            let (a, b) = (pair[0] - origin, pair[1] - origin);
+            let w = a.cross(b).dot(normal);
+            weight += w;
+            first += w * (a + b);
+        }
+        origin + first / (3.0 * weight)
+    }
+}
+
+/// Volume (m³) and gradients (1/m) of the shape functions of nodes 1, 2, 3 at `arms` (m) from node 0.
+#[must_use]
+pub fn element([a, b, c]: [Vec3; 3]) -> (f64, [Vec3; 3]) {
+    let bc = b.cross(c);
+    let six = a.dot(bc);
+    (six / 6.0, [bc / six, c.cross(a) / six, a.cross(b) / six])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::polyhedron::hull;
+    use crate::random::Chance;
+
+    fn stone(seed: u64, corners: usize) -> Polyhedron {
+        let mut chance = Chance::new(seed);
+        let points: Vec<Vec3> = (0..corners)
+            .map(|_| {
+                let p = Vec3::new(chance.normal(), chance.normal(), chance.normal());
+                p.normalize() + Vec3::new(3.0, -2.0, 1.0)
+            })
+            .collect();
+        hull(&points).unwrap()
+    }
+
+    #[test]
+    fn a_cube_has_15_nodes_and_24_tetrahedra() {
+        let half = 0.015;
+        let mesh = Tetrahedra::new(&Polyhedron::brick(
+            Vec3::new(1.0, 2.0, 3.0),
+            Vec3::splat(half),
+        ))
+        .unwrap();
+        assert_eq!((mesh.nodes.len(), mesh.tets.len()), (15, 24));
+        assert_eq!(mesh.first, [0, 4, 8, 12, 16, 20, 24]);
+        let volume = (2.0 * half).powi(3);
+        assert!((mesh.volume() / volume - 1.0).abs() < 1e-13);
+        let lumped = mesh.lumped();
+        // Shares of a cube: centroid 1/4, six face centres 1/24 each, eight vertices 1/16 each.
+        for (node, share) in lumped.iter().enumerate() {
+            let expected =
+                [1.0 / 16.0, 1.0 / 24.0, 0.25][usize::from(node >= 8) + usize::from(node == 14)];
+            assert!((share / volume - expected).abs() < 1e-13, "{node}");
+        }
+        let inertial = mesh.inertial();
+        assert!((inertial[0] / lumped[0] - 4.0 / 7.0).abs() < 1e-12);
+        assert!((inertial[9] / lumped[9] - 4.0 / 7.0).abs() < 1e-12);
+        for face in 0..6 {
+            let shares = mesh.tributary(face);
+            let area = 4.0 * half * half;
+            assert_eq!(shares.len(), 5);
+            assert!((shares[0].1 / area - 1.0 / 3.0).abs() < 1e-12);
+            assert!(
+                shares[1..]
+                    .iter()
+                    .all(|s| (s.1 / area - 1.0 / 6.0).abs() < 1e-12)
+            );
+        }
+    }
+
+    #[test]
+    fn shares_have_the_moments_of_the_solid() {
+        for seed in 0..40 {
+            let solid = stone(seed, 6 + seed as usize % 20);
+            let mesh = Tetrahedra::new(&solid).unwrap();
+            let exact = solid.moments();
+            let trace = |m: &crate::Mat3| m.x_axis.x + m.y_axis.y + m.z_axis.z;
+            let c = exact.centroid;
+            assert!((mesh.volume() / exact.volume - 1.0).abs() < 1e-13);
+            for shares in [mesh.lumped(), mesh.inertial()] {
+                assert!(shares.iter().all(|s| *s > 0.0));
+                let total: f64 = shares.iter().sum();
+                assert!((total / exact.volume - 1.0).abs() < 1e-13);
+                let pairs = || shares.iter().zip(&mesh.nodes);
+                let first: Vec3 = pairs().map(|(s, x)| *s * (*x - c)).sum();
+                assert!(first.length() < 1e-14 * exact.volume * 10.0, "{first}");
+            }
+            // Trace of the inertia tensor: twice the sum of m r^2.
+            let inertial = mesh.inertial();
+            let pairs = inertial.iter().zip(&mesh.nodes);
+            let polar: f64 = pairs.map(|(s, x)| 2.0 * s * x.distance_squared(c)).sum();
+            assert!((polar / trace(&exact.inertia) - 1.0).abs() < 1e-12);
+            // Gradients of a linear field are exact.
+            let field = |x: Vec3| 3.0 * x.x - 2.0 * x.y + 0.5 * x.z;
+            for (tet, g) in mesh.tets.iter().zip(&mesh.gradients) {
+                let value = |k: usize| field(mesh.nodes[tet[k] as usize]);
+                let sum: Vec3 = (0..3).map(|k| (value(k + 1) - value(0)) * g[k]).sum();
+                assert!(sum.distance(Vec3::new(3.0, -2.0, 0.5)) < 1e-9, "{sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_uniform_traction_gives_force_and_moment_of_the_face() {
+        let solid = stone(7, 14);
+        let mesh = Tetrahedra::new(&solid).unwrap();
+        for face in 0..solid.faces.len() {
+            let area = solid.area_vector(face).length();
+            let shares = mesh.tributary(face);
+            let sum: f64 = shares.iter().map(|s| s.1).sum();
+            let first: Vec3 = shares.iter().map(|s| s.1 * mesh.nodes[s.0 as usize]).sum();
+            assert!((sum / area - 1.0).abs() < 1e-12);
+            assert!((first / area).distance(solid.face_centre(face)) < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_flat_solid_is_refused() {
+        let mut brick = Polyhedron::brick(Vec3::ZERO, Vec3::ONE);
+        for v in &mut brick.vertices {
+            v.z = 0.0;
+        }
+        let error = Tetrahedra::new(&brick).unwrap_err();
+        assert!(error.to_string().contains("it must be above 0"), "{error}");
+    }
+}
