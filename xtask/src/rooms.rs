@@ -9,8 +9,8 @@ use std::path::Path;
 use crate::source_tree::{files, shown};
 
 /// Services every room may use.
-const SERVICES: [&str; 8] = [
-    "error", "exec", "geom", "ids", "ledger", "profile", "Vec2", "Vec3",
+const SERVICES: [&str; 9] = [
+    "error", "exec", "geom", "ids", "lanes", "ledger", "profile", "Vec2", "Vec3",
 ];
 
 /// Room, the rooms it may use besides the services, and why not more.

@@ -5,6 +5,7 @@
 
 pub mod dynamics;
 pub mod exec;
+pub mod lanes;
 pub mod laws;
 pub mod ledger;
 pub mod model;

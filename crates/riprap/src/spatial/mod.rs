@@ -10,7 +10,6 @@ pub mod forces;
 mod gather;
 mod integrate;
 pub mod kick;
-pub mod lanes;
 pub mod loads;
 pub mod meet;
 pub mod meet_solids;
@@ -27,3 +26,5 @@ pub mod survey;
 pub mod tiles;
 pub mod wide;
 pub mod world;
+
+pub use crate::lanes;
