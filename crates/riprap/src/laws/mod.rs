@@ -7,3 +7,4 @@ pub mod face_joint;
 pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;
+pub mod tetrahedron;
