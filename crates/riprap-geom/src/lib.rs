@@ -6,7 +6,8 @@
 //! blocks share their vertices bit for bit; `heal` merges what is too small. `shapes` and `pack`
 //! place ready-made blocks.
 //!
-//! `polyhedron` is the same for convex solids in space, `face_overlap` for the faces that two of them share.
+//! `polyhedron` is the same for convex solids in space, `face_overlap` for the faces that two of them share;
+//! `face_overlay` joins the nodes of such faces.
 //!
 //! Random numbers come from one seeded generator and elementary functions from `libm`, so the same
 //! input gives the same bits on every machine.
@@ -16,6 +17,7 @@ pub mod clip;
 pub mod cut;
 mod error;
 pub mod face_overlap;
+pub mod face_overlay;
 pub mod heal;
 pub mod measure;
 pub mod pack;
