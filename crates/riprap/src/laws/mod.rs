@@ -1,5 +1,6 @@
 //! Pure functions on numbers, each citing its source. They know no world.
 
+pub mod bond;
 pub mod coulomb;
 pub mod damping;
 pub mod explosive;

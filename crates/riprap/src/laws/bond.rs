@@ -1,0 +1,246 @@
+//! Spring between deformable blocks, per unit area: connected, breaking at once or gradually, in contact.
+//!
+//! Tractions (Pa) act on the first block, tension positive, in the frame (n, b, c) of the interface; `at` is the
+//! displacement of the second block less that of the first (m). A traction `start` at zero displacement counts as
+//! displacement of its own: everything below is written in `e = at + start / k`, so that closed and open are
+//! told by the sign of the normal traction.
+//!
+//! An interface of thickness L has the springs `E/L` and `G/L`. A whole point is elastic, (8). One beyond its strength
+//! breaks: at once, [`brittle`], or along a softening curve that takes the fracture energies, `cohesive`. A
+//! broken point is a contact, [`contact`]: no tension, and a Coulomb slider in shear.
+//!
+//! Functions take the state at the last committed instant and return the new one; whoever iterates to equilibrium
+//! commits when it has converged. [`stored`] and [`loss`] keep the energy books: work = change of stored + loss.
+//!
+//! Source: Han, Liu & Li (2010), equations (8) to (11). Deviations: (11) is read with the sign of the normal force, so
+//! that tension does not raise the shear strength; (9) is a return mapping, so that reversals dissipate.
+
+use serde::{Deserialize, Serialize};
+
+use crate::lanes::{LANES, Lanes, Vectors, plus, scaled};
+
+mod cohesive;
+#[cfg(test)]
+mod tests;
+
+pub use cohesive::{Cohesive, Softening, cohesive, munjiza};
+
+/// Traction: n, b, c, Pa.
+pub type Traction = [f64; 3];
+/// Normal and shear stiffness, Pa/m.
+pub type Springs = [f64; 2];
+
+/// Springs of an interface with Young's modulus, shear modulus (Pa) and thickness (m), (8).
+#[must_use]
+pub fn springs(young: f64, shear: f64, thickness: f64) -> Springs {
+    [young / thickness, shear / thickness]
+}
+
+/// Normal stiffness (Pa/m) of a bond in series with what lies behind it on either side: half a rigid lattice block of
+/// edge `L_r` has `2 M / L_r` in compression and `4 G / L_r` in shear; infinite for a deformable block.
+#[must_use]
+pub fn in_series(bond: f64, behind: [f64; 2]) -> f64 {
+    1.0 / (1.0 / bond + 1.0 / behind[0] + 1.0 / behind[1])
+}
+
+/// Mohr-Coulomb strength with tension cut-off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Strength {
+    /// Tensile strength, Pa.
+    pub tension: f64,
+    /// Cohesion, Pa.
+    pub cohesion: f64,
+    /// tan of the friction angle before failure.
+    pub friction: f64,
+    /// tan of the friction angle after failure.
+    pub residual_friction: f64,
+}
+
+/// How a point failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Mode {
+    /// Beyond the tensile strength, (10).
+    Tension,
+    /// Beyond the shear strength, (11).
+    Shear,
+}
+
+impl Strength {
+    /// Tension at which no shear strength is left, `c cot(phi)`, Pa: a larger tensile strength is never reached.
+    #[must_use]
+    pub fn apex(&self) -> f64 {
+        self.cohesion / self.friction
+    }
+
+    /// Traction over strength, of the mode that is nearer to failure: above 1 the point fails.
+    ///
+    /// `sigma <= tension` and `|tau| <= cohesion - sigma tan(phi)`.
+    #[must_use]
+    pub fn utilisation(&self, t: &Traction) -> (f64, Mode) {
+        let shear = t[1].hypot(t[2]);
+        let in_tension = ratio(t[0].max(0.0), self.tension);
+        let in_shear = ratio(shear, (self.cohesion - t[0] * self.friction).max(0.0));
+        if in_tension >= in_shear {
+            (in_tension, Mode::Tension)
+        } else {
+            (in_shear, Mode::Shear)
+        }
+    }
+
+    /// How a point under this traction fails, if it does.
+    #[must_use]
+    pub fn failure(&self, t: &Traction) -> Option<Mode> {
+        let (used, mode) = self.utilisation(t);
+        (used > 1.0).then_some(mode)
+    }
+}
+
+/// Load over strength; nothing over no strength is 0.
+fn ratio(load: f64, strength: f64) -> f64 {
+    if load == 0.0 { 0.0 } else { load / strength }
+}
+
+/// What a point remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// 0: whole, 1: broken; between: a cohesive point that softens.
+    pub damage: f64,
+    /// Irrecoverable shear displacement (b, c), counted in `e`, m.
+    pub slip: [f64; 2],
+}
+
+/// `e = at + start / k`: displacement from the place without traction, m.
+fn from_rest(springs: Springs, start: &Traction, at: &[f64; 3]) -> [f64; 3] {
+    let [kn, ks] = springs;
+    [
+        at[0] + start[0] / kn,
+        at[1] + start[1] / ks,
+        at[2] + start[2] / ks,
+    ]
+}
+
+/// Traction of a whole point, (8).
+#[must_use]
+pub fn connect(springs: Springs, start: &Traction, at: &[f64; 3]) -> Traction {
+    let [kn, ks] = springs;
+    [
+        start[0] + kn * at[0],
+        start[1] + ks * at[1],
+        start[2] + ks * at[2],
+    ]
+}
+
+/// Traction of a contact with tan(phi) `friction`, (9), and its new state.
+///
+/// A point that has just broken comes with the slip 0: its shear traction goes on from where it was, at most at the
+/// friction limit.
+#[must_use]
+pub fn contact(
+    springs: Springs,
+    friction: f64,
+    start: &Traction,
+    at: &[f64; 3],
+    before: &State,
+) -> (Traction, State) {
+    let e = from_rest(springs, start, at);
+    let (t, slip) = slider(springs, friction, &e, &before.slip);
+    (t, State { damage: 1.0, slip })
+}
+
+/// Return mapping of a frictional contact: traction and slip.
+fn slider([kn, ks]: Springs, friction: f64, e: &[f64; 3], slip: &[f64; 2]) -> (Traction, [f64; 2]) {
+    // Open: the shear spring follows without traction.
+    if e[0] >= 0.0 {
+        return ([0.0; 3], [e[1], e[2]]);
+    }
+    let normal = kn * e[0];
+    let trial = [ks * (e[1] - slip[0]), ks * (e[2] - slip[1])];
+    let (size, limit) = (trial[0].hypot(trial[1]), -normal * friction);
+    if size <= limit {
+        return ([normal, trial[0], trial[1]], *slip);
+    }
+    let keep = limit / size;
+    let shear = trial.map(|x| keep * x);
+    (
+        [normal, shear[0], shear[1]],
+        [e[1] - shear[0] / ks, e[2] - shear[1] / ks],
+    )
+}
+
+/// Traction of a point that breaks at once where it is beyond its strength, (8) to (11), and its new state.
+#[must_use]
+pub fn brittle(
+    springs: Springs,
+    strength: &Strength,
+    start: &Traction,
+    at: &[f64; 3],
+    before: &State,
+) -> (Traction, State) {
+    if before.damage < 1.0 {
+        let t = connect(springs, start, at);
+        if strength.failure(&t).is_none() {
+            return (t, *before);
+        }
+    }
+    contact(springs, strength.residual_friction, start, at, before)
+}
+
+/// Energy stored in the springs of a point, J/m².
+///
+/// Part of the damage `D` of a softening point is a contact: `(1 - D)` of the whole springs and `D` of the slider; in
+/// compression the normal spring is whole.
+#[must_use]
+pub fn stored(springs: Springs, start: &Traction, at: &[f64; 3], state: &State) -> f64 {
+    let [kn, ks] = springs;
+    let e = from_rest(springs, start, at);
+    let whole = 1.0 - state.damage;
+    let normal = if e[0] > 0.0 { whole * kn } else { kn };
+    let shear = |k: usize| {
+        let (all, part) = (e[k + 1], e[k + 1] - state.slip[k]);
+        whole * all * all + state.damage * part * part
+    };
+    0.5 * (normal * e[0] * e[0] + ks * (shear(0) + shear(1)))
+}
+
+/// Energy that left the springs of a point while it moved from one displacement to another, J/m²: the work (trapezoidal
+/// rule) of the tractions less the change of what is stored.
+///
+/// `before` and `after` are displacement, traction and state. The traction resists, so its work counts as input.
+#[must_use]
+pub fn loss(
+    springs: Springs,
+    start: &Traction,
+    before: (&[f64; 3], &Traction, &State),
+    after: (&[f64; 3], &Traction, &State),
+) -> f64 {
+    let work: f64 = (0..3)
+        .map(|k| 0.5 * (before.1[k] + after.1[k]) * (after.0[k] - before.0[k]))
+        .sum();
+    work - (stored(springs, start, after.0, after.2) - stored(springs, start, before.0, before.2))
+}
+
+/// Tractions (x, y, z) of eight whole points with unit normals `n` at displacements `at`, all in space, (8):
+/// `t = start + ks at + (kn - ks)(n . at) n`.
+#[inline(always)]
+#[must_use]
+pub fn connect_eight([kn, ks]: [Lanes; 2], n: &Vectors, start: &Vectors, at: &Vectors) -> Vectors {
+    let opening = n[0] * at[0] + n[1] * at[1] + n[2] * at[2];
+    let along = scaled((kn - ks) * opening, n);
+    plus(&plus(start, &along), &scaled(ks, at))
+}
+
+/// Bits of the lanes whose traction is beyond the strength; exact but for round-off: ask [`Strength::failure`] about these.
+#[inline(always)]
+#[must_use]
+pub fn over_eight(strength: &Strength, n: &Vectors, t: &Vectors) -> u8 {
+    let sigma = n[0] * t[0] + n[1] * t[1] + n[2] * t[2];
+    let square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2] - sigma * sigma;
+    let limit = Lanes::all(strength.cohesion) - Lanes::all(strength.friction) * sigma;
+    let mut bits = 0;
+    for k in 0..LANES {
+        let (sigma, limit) = (sigma.0[k], limit.0[k]);
+        let fine = sigma <= strength.tension && limit >= 0.0 && square.0[k] <= limit * limit;
+        bits |= u8::from(!fine) << k;
+    }
+    bits
+}

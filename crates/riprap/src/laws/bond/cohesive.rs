@@ -1,0 +1,127 @@
+//! Gradual failure that takes a given energy per area, whatever the size of the blocks.
+//!
+//! A share D of the point is a contact: `t_n = (1 - D) k_n e_n` (whole in compression),
+//! `t_s = (1 - D) k_s e_s + D t_f = t_f + (1 - D) k_s slip`, with `t_f` the traction of a Coulomb slider and
+//! `slip = e_s - t_f/k_s`. So the bond carries what friction does not, and the peak shear is `c - t_n tan(phi)`.
+//! Damage follows from `a = (e_n k_n/tension)²` (in tension), `b = (k_s |slip|/c)²`, `kappa = sqrt(a + b)`: none up to
+//! kappa = 1, then along a softening curve whose length is set by the fracture energies of opening and shear. In a
+//! constant direction the energies taken obey `G_I/G_Ic + G_II/G_IIc = 1`, elastic part included, and what friction
+//! takes is on top.
+//!
+//! Source: bilinear law as in Camanho & Davila (2002), NASA/TM-2002-211737, with the linear energy criterion; curve of
+//! Munjiza, Andrews & White (1999), Int. J. Numer. Meth. Engng 44, 41-57.
+//! Deviations: damage is driven by the slip of the slider, because with the whole `e_s` friction would count twice
+//! at the peak; D itself is remembered, not kappa, because the length of the curve changes with the direction.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Springs, State, Strength, Traction, from_rest, slider};
+
+/// Shape of the softening curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Softening {
+    /// A straight line from the peak.
+    Linear,
+    /// Measured on concrete: steep first, with a long tail.
+    Munjiza,
+}
+
+/// Strength and fracture energies; tension and cohesion are above 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cohesive {
+    /// Peak strength. Friction is that after failure; the one before failure is not used.
+    pub strength: Strength,
+    /// Fracture energies of opening and of shear, J/m².
+    pub energy: [f64; 2],
+    /// Curve from the peak to nothing.
+    pub softening: Softening,
+}
+
+/// Area under [`munjiza`].
+pub(super) const MUNJIZA_AREA: f64 = 0.386_307_3;
+
+/// Munjiza's curve: traction over strength at the share `x` (0 to 1) of the softening length.
+#[must_use]
+pub fn munjiza(x: f64) -> f64 {
+    const A: f64 = 0.63;
+    const B: f64 = 1.8;
+    const C: f64 = 6.0;
+    let sum = A + B;
+    let fall = 1.0 - (sum - 1.0) / sum * libm::exp(x * (A + C * B) / (sum * (1.0 - sum)));
+    let rest = 1.0 - x;
+    let square = rest * rest;
+    fall * (A * rest + B * square * square * square)
+}
+
+impl Cohesive {
+    /// Least fracture energies (opening, shear, J/m²) that these springs resolve, `strength²/(2 k)`: with less the point
+    /// breaks at once and takes this much.
+    #[must_use]
+    pub fn least_energy(&self, [kn, ks]: Springs) -> [f64; 2] {
+        let Strength {
+            tension, cohesion, ..
+        } = self.strength;
+        [0.5 * tension * tension / kn, 0.5 * cohesion * cohesion / ks]
+    }
+
+    /// Damage at `kappa`, where the whole curve has the area `area` (in units of the peak).
+    fn damage(&self, kappa: f64, area: f64) -> f64 {
+        if kappa <= 1.0 {
+            return 0.0;
+        }
+        match self.softening {
+            Softening::Linear => {
+                let end = 2.0 * area;
+                if kappa >= end {
+                    return 1.0;
+                }
+                1.0 - (end - kappa) / ((end - 1.0) * kappa)
+            }
+            Softening::Munjiza => {
+                let length = (area - 0.5) / MUNJIZA_AREA;
+                if kappa - 1.0 >= length {
+                    return 1.0;
+                }
+                1.0 - munjiza((kappa - 1.0) / length) / kappa
+            }
+        }
+    }
+}
+
+/// Traction of a softening point and its new state, both from the state `committed` at the last equilibrium (or step).
+#[must_use]
+pub fn cohesive(
+    springs: Springs,
+    law: &Cohesive,
+    start: &Traction,
+    at: &[f64; 3],
+    committed: &State,
+) -> (Traction, State) {
+    let [kn, ks] = springs;
+    let e = from_rest(springs, start, at);
+    let strength = &law.strength;
+    let (rubbed, slip) = slider(springs, strength.residual_friction, &e, &committed.slip);
+    let peaks = [strength.tension, strength.cohesion];
+    let opening = kn * e[0].max(0.0) / peaks[0];
+    let shear = ks * slip[0].hypot(slip[1]) / peaks[1];
+    let (a, b) = (opening * opening, shear * shear);
+    let mut damage = committed.damage;
+    if a + b > 1.0 && damage < 1.0 {
+        // Areas of the curves of opening and shear in units of their peaks.
+        let area = [0, 1].map(|k| law.energy[k] * springs[k] / (peaks[k] * peaks[k]));
+        let area = (a + b) / (a / area[0] + b / area[1]);
+        damage = damage.max(law.damage((a + b).sqrt(), area));
+    }
+    let whole = 1.0 - damage;
+    let normal = if e[0] > 0.0 {
+        whole * kn * e[0]
+    } else {
+        kn * e[0]
+    };
+    let t = [
+        normal,
+        whole * ks * e[1] + damage * rubbed[1],
+        whole * ks * e[2] + damage * rubbed[2],
+    ];
+    (t, State { damage, slip })
+}

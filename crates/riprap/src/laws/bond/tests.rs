@@ -1,0 +1,298 @@
+//! Bonds: strength, slider, softening energies, energy books.
+
+use super::*;
+
+/// Table 1 of the paper.
+const STRENGTH: Strength = Strength {
+    tension: 5e6,
+    cohesion: 8e6,
+    friction: 0.577_350_269_189_625_8,
+    residual_friction: 0.577_350_269_189_625_8,
+};
+const K: Springs = [1e14, 4e13];
+const NONE: Traction = [0.0; 3];
+
+fn law(softening: Softening) -> Cohesive {
+    Cohesive {
+        strength: STRENGTH,
+        energy: [20.0, 80.0],
+        softening,
+    }
+}
+
+#[test]
+fn tension_lowers_the_shear_strength() {
+    // Printed (11), |F_s| > |F_n| tan(phi) + c A, would let this point hold.
+    let t: Traction = [4e6, 8.5e6, 0.0];
+    let printed = t[0].abs() * STRENGTH.friction + STRENGTH.cohesion;
+    assert!(t[1] < printed);
+    assert_eq!(STRENGTH.failure(&t), Some(Mode::Shear));
+    assert_eq!(STRENGTH.failure(&[5.1e6, 0.0, 0.0]), Some(Mode::Tension));
+    assert_eq!(STRENGTH.failure(&[-4e6, 0.0, 10.3e6]), None);
+    assert_eq!(STRENGTH.failure(&[-4e6, 0.0, 10.4e6]), Some(Mode::Shear));
+    assert!((STRENGTH.apex() - 13.86e6).abs() < 0.01e6);
+    let nothing = Strength {
+        tension: 0.0,
+        cohesion: 0.0,
+        ..STRENGTH
+    };
+    assert_eq!(nothing.utilisation(&NONE).0, 0.0);
+    assert!(nothing.failure(&[1.0, 0.0, 0.0]).is_some());
+}
+
+#[test]
+fn springs_of_thin_layers_add() {
+    let k = springs(40e9, 16e9, 3e-4);
+    assert!((k[0] * 3e-4 - 40e9).abs() < 1.0 && (k[1] * 3e-4 - 16e9).abs() < 1.0);
+    assert_eq!(in_series(2.0, [f64::INFINITY; 2]), 2.0);
+    assert!((in_series(2.0, [2.0, f64::INFINITY]) - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn a_broken_point_slides_at_the_limit_and_sticks_on_reversal() {
+    // Compressed to 10 MPa, sheared beyond the peak of 13.77 MPa.
+    let at = |s: f64| [-1e-7, s, 0.0];
+    let (t, state) = brittle(K, &STRENGTH, &NONE, &at(3.4e-7), &State::default());
+    assert_eq!(state, State::default());
+    assert!((t[1] - 13.6e6).abs() < 1.0);
+    let (t, state) = brittle(K, &STRENGTH, &NONE, &at(3.5e-7), &state);
+    let limit = 10e6 * STRENGTH.friction;
+    assert_eq!(state.damage, 1.0);
+    assert!((t[0] + 10e6).abs() < 1e-3 && (t[1] - limit).abs() < 1e-3);
+    let (t, after) = brittle(K, &STRENGTH, &NONE, &at(3.4e-7), &state);
+    assert_eq!(after, state);
+    assert!((t[1] - (limit - 0.4e6)).abs() < 1.0);
+    // Below the limit at breakage: the shear traction goes on unchanged.
+    let low = contact(K, 0.577, &NONE, &[-1e-7, 1e-7, 0.0], &State::default());
+    assert!((low.0[1] - 4e6).abs() < 1e-3);
+    // Open: nothing; closing again: no shear from the time it was open.
+    let (t, open) = brittle(K, &STRENGTH, &NONE, &[1e-6, 5e-6, 1e-6], &state);
+    assert_eq!((t, open.slip), (NONE, [5e-6, 1e-6]));
+    let (t, _) = brittle(K, &STRENGTH, &NONE, &[-1e-8, 5e-6, 1e-6], &open);
+    assert!((t[0] + 1e6).abs() < 1e-3 && t[1] == 0.0);
+}
+
+#[test]
+fn a_start_traction_is_a_shifted_origin() {
+    let start = [-2e6, 1e6, -3e6];
+    let shift = [-2e6 / K[0], 1e6 / K[1], -3e6 / K[1]];
+    let mut a = State::default();
+    let mut b = State::default();
+    for k in 0..40 {
+        let s = 2e-8 * f64::from(k);
+        let at = [-0.2 * s, s, 0.3 * s];
+        let moved = [at[0] + shift[0], at[1] + shift[1], at[2] + shift[2]];
+        let (t, next) = brittle(K, &STRENGTH, &start, &at, &a);
+        let (u, other) = brittle(K, &STRENGTH, &NONE, &moved, &b);
+        for k in 0..3 {
+            assert!((t[k] - u[k]).abs() < 1.0, "{t:?} {u:?}");
+        }
+        (a, b) = (next, other);
+    }
+    assert_eq!(a.damage, 1.0);
+}
+
+/// Work of a cohesive point along a path, J/m².
+fn work(k: Springs, law: &Cohesive, path: impl Iterator<Item = [f64; 3]>) -> (f64, State) {
+    let (mut at, mut t, mut state, mut sum) = ([0.0; 3], NONE, State::default(), 0.0);
+    for next in path {
+        let (u, new) = cohesive(k, law, &NONE, &next, &state);
+        sum += (0..3)
+            .map(|k| 0.5 * (t[k] + u[k]) * (next[k] - at[k]))
+            .sum::<f64>();
+        (at, t, state) = (next, u, new);
+    }
+    (sum, state)
+}
+
+/// There, half way back, and to the end: in steps fine enough for the trapezoidal rule.
+fn reload(end: f64) -> impl Iterator<Item = f64> {
+    let n = 200_000;
+    let up = move |k: i32| end * f64::from(k) / f64::from(n);
+    let back = (0..n / 4).map(move |k| up(n / 3 - k));
+    (0..n / 3).map(up).chain(back).chain((0..=n).map(up))
+}
+
+#[test]
+fn work_to_full_separation_is_the_fracture_energy() {
+    for thickness in [3e-3, 3e-4, 3e-5] {
+        let k = springs(40e9, 16e9, thickness);
+        for softening in [Softening::Linear, Softening::Munjiza] {
+            let law = Cohesive {
+                strength: Strength {
+                    tension: 2e6,
+                    cohesion: 10e6,
+                    ..STRENGTH
+                },
+                energy: [50.0, 200.0],
+                softening,
+            };
+            let least = law.least_energy(k);
+            assert!(least[0] < law.energy[0] && least[1] < law.energy[1]);
+            for (mode, direction) in [[1.0, 0.0, 0.0], [0.0, 0.6, -0.8]].iter().enumerate() {
+                let path = reload(1.5e-4).map(|s| direction.map(|d| s * d));
+                let (sum, state) = work(k, &law, path);
+                assert_eq!(state.damage, 1.0);
+                let ratio = sum / law.energy[mode];
+                assert!(
+                    (ratio - 1.0).abs() < 1e-3,
+                    "{thickness} {softening:?}: {ratio}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn mixed_modes_share_the_energy() {
+    for softening in [Softening::Linear, Softening::Munjiza] {
+        let law = law(softening);
+        for angle in [0.2_f64, 0.7, 1.2] {
+            let (mut at, mut t, mut state) = ([0.0; 3], NONE, State::default());
+            let mut taken = [0.0; 2];
+            for k in 1..=100_000 {
+                let s = 6e-5 * f64::from(k) / 1e5;
+                let next = [s * angle.cos(), s * angle.sin(), 0.0];
+                let (u, new) = cohesive(K, &law, &NONE, &next, &state);
+                for (k, sum) in taken.iter_mut().enumerate() {
+                    *sum += 0.5 * (t[k] + u[k]) * (next[k] - at[k]);
+                }
+                (at, t, state) = (next, u, new);
+            }
+            assert_eq!(state.damage, 1.0);
+            let sum = taken[0] / law.energy[0] + taken[1] / law.energy[1];
+            assert!((sum - 1.0).abs() < 1e-3, "{angle}: {sum}");
+        }
+    }
+}
+
+#[test]
+fn friction_comes_on_top_and_what_is_left_is_a_contact() {
+    let law = law(Softening::Linear);
+    let pressure = 4e6;
+    let (mut at, mut t) = ([-pressure / K[0], 0.0, 0.0], [-pressure, 0.0, 0.0]);
+    let (mut state, mut sum, mut peak) = (State::default(), 0.0, 0.0_f64);
+    for k in 1..=400_000 {
+        let next = [at[0], 4e-5 * f64::from(k) / 4e5, 0.0];
+        let (u, new) = cohesive(K, &law, &NONE, &next, &state);
+        sum += 0.5 * (t[1] + u[1]) * (next[1] - at[1]);
+        peak = peak.max(u[1]);
+        (at, t, state) = (next, u, new);
+    }
+    let rub = pressure * STRENGTH.friction;
+    assert!((peak / (8e6 + rub) - 1.0).abs() < 1e-3);
+    assert_eq!(state.damage, 1.0);
+    let bond = sum - rub * state.slip[0] - 0.5 * rub * rub / K[1];
+    assert!((bond / 80.0 - 1.0).abs() < 1e-3, "{}", bond / 80.0);
+    // From here on it is the contact law.
+    for next in [[at[0], 3.9e-5, 1e-6], [1e-7, 0.0, 0.0], [-1e-8, 1e-8, 2e-6]] {
+        let (u, new) = cohesive(K, &law, &NONE, &next, &state);
+        let (v, other) = contact(K, law.strength.residual_friction, &NONE, &next, &state);
+        assert_eq!((u, new), (v, other));
+        state = new;
+    }
+}
+
+/// On random paths nothing is gained: the loss of every fine step is at least round-off.
+#[test]
+fn energy_is_only_lost() {
+    let mut seed = 9_u64;
+    let mut noise = || {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    for softening in [Softening::Linear, Softening::Munjiza] {
+        let law = law(softening);
+        let start = [-1e6, 2e6, 0.0];
+        for _ in 0..20 {
+            let mut at = [0.0; 3];
+            let (mut t, mut state) = cohesive(K, &law, &start, &at, &State::default());
+            let mut total = 0.0;
+            for _ in 0..40 {
+                let target = [4e-6 * noise(), 4e-6 * noise(), 4e-6 * noise()];
+                let from = at;
+                for k in 1..=500 {
+                    let s = f64::from(k) / 500.0;
+                    let next = [0, 1, 2].map(|i| from[i] + s * (target[i] - from[i]));
+                    let (u, new) = cohesive(K, &law, &start, &next, &state);
+                    assert!(new.damage >= state.damage);
+                    let lost = loss(K, &start, (&at, &t, &state), (&next, &u, &new));
+                    assert!(lost > -0.02, "{lost}");
+                    total += lost;
+                    (at, t, state) = (next, u, new);
+                }
+            }
+            assert!(total > 0.0);
+        }
+    }
+}
+
+#[test]
+fn the_slider_loses_what_it_rubs() {
+    let mut state = contact(K, 0.5, &NONE, &[-1e-7, 1e-7, 0.0], &State::default()).1;
+    let (mut at, mut t) = ([-1e-7, 1e-7, 0.0], [-1e7, 4e6, 0.0]);
+    let mut total = 0.0;
+    for k in 1..=1000 {
+        let next = [-1e-7, 1e-7 + 1e-9 * f64::from(k), 0.0];
+        let (u, new) = contact(K, 0.5, &NONE, &next, &state);
+        total += loss(K, &NONE, (&at, &t, &state), (&next, &u, &new));
+        (at, t, state) = (next, u, new);
+    }
+    // It slides from 1.25e-7 m on, at 5 MPa.
+    assert!(
+        (total / (5e6 * (1.1e-6 - 1.25e-7)) - 1.0).abs() < 1e-9,
+        "{total}"
+    );
+}
+
+#[test]
+fn munjizas_curve_has_the_known_area() {
+    let n = 100_000;
+    let f = |k: i32| munjiza(f64::from(k) / f64::from(n));
+    let sum: f64 = (0..n)
+        .step_by(2)
+        .map(|k| f(k) + 4.0 * f(k + 1) + f(k + 2))
+        .sum();
+    let area = sum / (3.0 * f64::from(n));
+    assert!((area - cohesive::MUNJIZA_AREA).abs() < 1e-7, "{area:.9}");
+    assert!((area - 0.38631).abs() < 1e-5);
+    assert!((munjiza(0.0) - 1.0).abs() < 1e-15 && munjiza(1.0) == 0.0);
+    assert!((0..n).all(|k| f(k) > f(k + 1)));
+}
+
+#[test]
+fn eight_points_are_eight_single_ones() {
+    let mut seed = 5_u64;
+    let mut noise = || {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    let mut lanes =
+        || std::array::from_fn::<Lanes, 3, _>(|_| Lanes(std::array::from_fn(|_| noise())));
+    let (mut n, mut start, mut at) = (lanes(), lanes(), lanes());
+    for k in 0..LANES {
+        let size = (n[0].0[k].powi(2) + n[1].0[k].powi(2) + n[2].0[k].powi(2)).sqrt();
+        for i in 0..3 {
+            n[i].0[k] /= size;
+            start[i].0[k] *= 5e6;
+            at[i].0[k] *= 3e-7;
+        }
+    }
+    let t = connect_eight([Lanes::all(K[0]), Lanes::all(K[1])], &n, &start, &at);
+    let over = over_eight(&STRENGTH, &n, &t);
+    assert!(over != 0 && over != 255, "{over:b}");
+    for k in 0..LANES {
+        let one = |v: &Vectors| crate::Vec3::new(v[0].0[k], v[1].0[k], v[2].0[k]);
+        let axes = crate::geom::polyhedron::frame(one(&n));
+        let local = |v: &Vectors| axes.map(|a| a.dot(one(v)));
+        let single = connect(K, &local(&start), &local(&at));
+        for (i, x) in local(&t).iter().enumerate() {
+            assert!((x - single[i]).abs() < 1e-6, "{x} {}", single[i]);
+        }
+        assert_eq!(STRENGTH.failure(&single).is_some(), over & (1 << k) != 0);
+    }
+}
