@@ -5,6 +5,7 @@ pub mod coulomb;
 pub mod damping;
 pub mod explosive;
 pub mod face_joint;
+pub mod fracture;
 pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;

@@ -1,0 +1,273 @@
+//! Where and in which direction a block is about to break: Griffith's and Mohr-Coulomb's criteria on its mean stress.
+//!
+//! In this file **compression is positive** and `s1 >= s2 >= s3`, as in the source; stresses come in with tension
+//! positive (components xx, yy, zz, yz, zx, xy) and are turned here. The angle psi is that between the plane of a
+//! crack and the direction of s1.
+//!
+//! Source: Han, Liu & Li (2010), equations (13) to (17). Deviations, each with a test that shows why: the second branch
+//! of (13) has `(s1 - s3)²`; (14) has `s1 - s3`; (16) is `psi = pi/4 - phi/2`; the margins of (17) both make cutting
+//! earlier; [`Criterion::Larger`] looks at the tensile strength also where `s1 + 3 s3 > 0`.
+
+use serde::{Deserialize, Serialize};
+
+use super::tetrahedron::{Gradient, Symmetric};
+use crate::Vec3;
+use crate::geom::Mat3;
+use crate::geom::polyhedron;
+
+#[cfg(test)]
+mod tests;
+
+/// Principal stresses nearer than this, times the largest, leave the direction between them open.
+pub const DEGENERATE: f64 = 0.05;
+/// Conjugate planes whose sliding differs by less than this share are equal: the first is taken.
+const TIE: f64 = 1e-9;
+
+/// Strength of rock.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rock {
+    /// Tensile strength, Pa.
+    pub tension: f64,
+    /// Cohesion, Pa.
+    pub cohesion: f64,
+    /// Friction angle, rad.
+    pub friction_angle: f64,
+}
+
+/// How much before its strength a block is cut, Pa (both at least 0).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Margins {
+    /// In tension.
+    pub tension: f64,
+    /// In shear.
+    pub shear: f64,
+}
+
+/// Which criterion decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Criterion {
+    /// (17): tension where `s1 + 3 s3 < 0`, Mohr-Coulomb elsewhere.
+    Source,
+    /// Griffith's (13), in tension and compression.
+    Griffith,
+    /// Mohr-Coulomb, (15).
+    MohrCoulomb,
+    /// Tension and Mohr-Coulomb, whichever is used more.
+    Larger,
+}
+
+/// Way of breaking.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Way {
+    /// Across s3.
+    Tension,
+    /// By Griffith's criterion under compression, on inclined planes.
+    Griffith,
+    /// By Mohr-Coulomb's criterion, on inclined planes.
+    Shear,
+}
+
+/// Principal stresses, compression positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Principal {
+    /// `s1 >= s2 >= s3`, Pa; with an out-of-plane direction s2 is the stress along it.
+    pub values: [f64; 3],
+    /// Unit vectors along them.
+    pub axes: [Vec3; 3],
+}
+
+/// What a criterion says of a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdict {
+    /// Way of breaking that is nearest.
+    pub way: Way,
+    /// Stress beyond the limit (less the margin), Pa: at least 0 when the block is to be cut.
+    pub excess: f64,
+    /// Load over the limit (less the margin); at least 1 when the block is to be cut.
+    pub utilisation: f64,
+}
+
+impl Verdict {
+    /// Whether the block is to be cut.
+    #[must_use]
+    pub fn cut(&self) -> bool {
+        self.excess >= 0.0
+    }
+}
+
+/// Principal stresses of a stress (tension positive). `out` is a unit vector that one principal direction shall have,
+/// for plane strain: s1 and s3 are then those of the plane across it.
+#[must_use]
+pub fn principal(stress: &Symmetric, out: Option<Vec3>) -> Principal {
+    let [xx, yy, zz, yz, zx, xy] = stress.map(|x| -x);
+    let matrix = Mat3::from_cols(
+        Vec3::new(xx, xy, zx),
+        Vec3::new(xy, yy, yz),
+        Vec3::new(zx, yz, zz),
+    );
+    let Some(out) = out else {
+        let (v, axes) = polyhedron::principal(&matrix);
+        return Principal {
+            values: [v.z, v.y, v.x],
+            axes: [axes.z_axis, axes.y_axis, axes.x_axis].map(upward),
+        };
+    };
+    let [_, b, c] = polyhedron::frame(out);
+    let (bb, cc, bc) = (b.dot(matrix * b), c.dot(matrix * c), b.dot(matrix * c));
+    let (middle, radius) = (0.5 * (bb + cc), (0.5 * (bb - cc)).hypot(bc));
+    let angle = 0.5 * libm::atan2(2.0 * bc, bb - cc);
+    let first = libm::cos(angle) * b + libm::sin(angle) * c;
+    Principal {
+        values: [middle + radius, out.dot(matrix * out), middle - radius],
+        axes: [first, out, out.cross(first)].map(upward),
+    }
+}
+
+/// The one of two opposite vectors whose largest component is positive.
+fn upward(v: Vec3) -> Vec3 {
+    let a = v.abs();
+    let largest = if a.x >= a.y && a.x >= a.z {
+        v.x
+    } else if a.y >= a.z {
+        v.y
+    } else {
+        v.z
+    };
+    if largest < 0.0 { -v } else { v }
+}
+
+/// Griffith's equivalent tension, Pa: reaches the tensile strength at failure. `-s3` where `s1 + 3 s3 < 0`, else
+/// `(s1 - s3)²/(8 (s1 + s3))`; (13), corrected.
+#[must_use]
+pub fn griffith(s1: f64, s3: f64) -> f64 {
+    if s1 + 3.0 * s3 < 0.0 || s1 + s3 <= 0.0 {
+        -s3
+    } else {
+        (s1 - s3) * (s1 - s3) / (8.0 * (s1 + s3))
+    }
+}
+
+/// Mohr-Coulomb's excess `R/cos(phi) - S tan(phi) - c`, Pa, with `R = (s1 - s3)/2`, `S = (s1 + s3)/2`: the largest over all
+/// planes of `tau - sigma tan(phi) - c`.
+#[must_use]
+pub fn mohr_coulomb(rock: &Rock, s1: f64, s3: f64) -> f64 {
+    let (r, s) = (0.5 * (s1 - s3), 0.5 * (s1 + s3));
+    r / libm::cos(rock.friction_angle) - s * libm::tan(rock.friction_angle) - rock.cohesion
+}
+
+/// What `criterion` says of principal stresses.
+#[must_use]
+pub fn assess(
+    rock: &Rock,
+    criterion: Criterion,
+    margins: &Margins,
+    principal: &Principal,
+) -> Verdict {
+    let [s1, _, s3] = principal.values;
+    let verdict = |way, load: f64, limit: f64| Verdict {
+        way,
+        excess: load - limit,
+        utilisation: if limit > 0.0 {
+            load / limit
+        } else {
+            f64::INFINITY
+        },
+    };
+    let pulled = s1 + 3.0 * s3 < 0.0;
+    let limit = rock.tension - margins.tension;
+    let tension = verdict(Way::Tension, -s3, limit);
+    let shear = {
+        let s = 0.5 * (s1 + s3);
+        let load = 0.5 * (s1 - s3) / libm::cos(rock.friction_angle);
+        let limit = s * libm::tan(rock.friction_angle) + rock.cohesion - margins.shear;
+        verdict(Way::Shear, load, limit)
+    };
+    match criterion {
+        Criterion::Source if pulled => tension,
+        Criterion::Griffith if pulled => tension,
+        Criterion::Griffith => verdict(Way::Griffith, griffith(s1, s3), limit),
+        Criterion::Source | Criterion::MohrCoulomb => shear,
+        Criterion::Larger if tension.utilisation >= shear.utilisation => tension,
+        Criterion::Larger => shear,
+    }
+}
+
+/// Angle psi between a plane of breaking and the direction of s1, rad: 0 in tension, (14) for Griffith, (16) for
+/// Mohr-Coulomb, both corrected.
+#[must_use]
+pub fn plane_angle(rock: &Rock, way: Way, principal: &Principal) -> f64 {
+    let [s1, _, s3] = principal.values;
+    match way {
+        Way::Tension => 0.0,
+        Way::Griffith => {
+            let cosine = (s1 - s3) / (2.0 * (s1 + s3));
+            // Outside the compressive branch the plane contains s1.
+            let cosine = if cosine >= 0.0 { cosine.min(1.0) } else { 1.0 };
+            0.5 * libm::acos(cosine)
+        }
+        Way::Shear => std::f64::consts::FRAC_PI_4 - 0.5 * rock.friction_angle,
+    }
+}
+
+/// Unit normal of the plane in which a block breaks.
+///
+/// The plane contains the direction of s2. Of two conjugate planes, whose tractions are equal, the one is taken along
+/// which the block slides more: `|s . H n|` with the mean displacement gradient `H`, whose rotation breaks the
+/// tie, and `s` the direction of sliding; of equal ones the first. Where s2 is about s1 or s3 and `hint` is given
+/// (the direction that s2 shall have, say that of the last cut), s2 is turned as near to it as it can be.
+#[must_use]
+pub fn cut_normal(
+    rock: &Rock,
+    way: Way,
+    principal: &Principal,
+    gradient: &Gradient,
+    hint: Option<Vec3>,
+) -> Vec3 {
+    let principal = hint.map_or(*principal, |hint| settle(principal, hint));
+    let [e1, _, e3] = principal.axes;
+    let psi = plane_angle(rock, way, &principal);
+    if psi == 0.0 {
+        return e3;
+    }
+    let (sine, cosine) = (libm::sin(psi), libm::cos(psi));
+    let sliding = |sign: f64| {
+        let (n, s) = (
+            sine * e1 + sign * cosine * e3,
+            -cosine * e1 + sign * sine * e3,
+        );
+        let moved = Vec3::from_array(gradient.map(|row| Vec3::from_array(row).dot(n)));
+        (n, s.dot(moved).abs())
+    };
+    let ((n, a), (m, b)) = (sliding(1.0), sliding(-1.0));
+    if b - a > TIE * a.max(b) { m } else { n }
+}
+
+/// Principal axes with that of s2 as near to `hint` as the stresses leave open.
+#[must_use]
+pub fn settle(principal: &Principal, hint: Vec3) -> Principal {
+    let ([s1, s2, s3], [e1, _, e3]) = (principal.values, principal.axes);
+    let open = DEGENERATE * s1.abs().max(s3.abs());
+    // Turn about the axis that stays.
+    let (kept, turn_third) = if s2 - s3 < open && s2 - s3 <= s1 - s2 {
+        (e1, true)
+    } else if s1 - s2 < open {
+        (e3, false)
+    } else {
+        return *principal;
+    };
+    let across = hint - hint.dot(kept) * kept;
+    if across.length() <= 1e-6 * hint.length() {
+        return *principal;
+    }
+    let second = across.normalize();
+    let other = upward(kept.cross(second));
+    let axes = if turn_third {
+        [e1, second, other]
+    } else {
+        [other, second, e3]
+    };
+    Principal {
+        values: principal.values,
+        axes,
+    }
+}
