@@ -430,6 +430,9 @@ fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
     for (row, law) in &phase.joints {
         world.setup.interfaces[*row as usize].joint = *law;
     }
+    if !phase.joints.is_empty() {
+        spatial::edit::renew_laws(world);
+    }
     if phase.zero_velocities {
         world.halt();
     }

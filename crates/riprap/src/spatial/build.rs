@@ -518,7 +518,7 @@ impl ClassTable {
 /// Half-block compliances in series: `1/Kn = h1/M1 + h2/M2`, `1/Ks = h1/2G1 + h2/2G2`; for equal
 /// materials `Kn = M/d`, `Ks = 2G/d`, which give the right wave speeds along the axes of a lattice
 /// whose blocks turn.
-fn stiffness(
+pub(super) fn stiffness(
     setup: &Setup,
     row: u16,
     materials: [usize; 2],

@@ -14,7 +14,7 @@ mod split;
 use serde::{Deserialize, Serialize};
 
 use super::boundary::Face;
-use super::build::BuildError;
+use super::build::{self, BuildError};
 use super::fields::View;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
@@ -37,6 +37,24 @@ pub struct EditEvent {
     pub children: Vec<u32>,
     /// Patches of the block before, and of its children (inner ones included) after.
     pub patches: [u32; 2],
+}
+
+/// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
+/// that tractions change with the stiffness.
+pub fn renew_laws(world: &mut World) {
+    for class in &mut world.classes {
+        let n = class.frame[0];
+        let depths = [class.arms[0].dot(n), -class.arms[1].dot(n)];
+        let materials = class.materials.map(usize::from);
+        // Laws of materials without moduli are given as numbers, at the start and later.
+        if let Ok((stiffness, travel)) =
+            build::stiffness(&world.setup, class.row, materials, depths)
+        {
+            let joint = &world.setup.interfaces[class.row as usize].joint;
+            class.stiffness = stiffness;
+            class.beta = joint.damping * travel;
+        }
+    }
 }
 
 /// Kinds of event.

@@ -142,16 +142,17 @@ impl View<'_> {
     }
 
     /// Unbalanced-force ratio: sum of |net force| of the free blocks over the sum of the forces that
-    /// act on them.
+    /// act on them. Of a block with prescribed motion only the freedoms count that are left to it.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
         let (mut net, mut all) = (0.0, 0.0);
         let world = self.world;
-        let free = |b: usize| world.alive[b] && world.motion[b].is_none();
+        let free = |b: usize| world.alive[b] && world.is_free(b);
         for b in self.living().filter(|b| free(*b)) {
             let solid = world.solid_of(b);
-            net += self.scratch.net.force(b).length()
-                + self.scratch.net.moment(b).length() / solid.radius;
+            let [along, about] = world.freedoms(b);
+            net += (along * self.scratch.net.force(b)).length()
+                + (about * self.scratch.net.moment(b)).length() / solid.radius;
             all += solid.mass * world.gravity.length();
             all += self
                 .scratch

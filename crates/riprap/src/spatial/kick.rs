@@ -221,6 +221,22 @@ impl Kick<'_> {
 }
 
 impl World {
+    /// 1 for each freedom along, and about, x, y, z that is not prescribed, else 0.
+    #[must_use]
+    pub fn freedoms(&self, b: usize) -> [Vec3; 2] {
+        let prescribed = self.motion[b].as_ref().map(|m| m.prescribes());
+        prescribed.unwrap_or_default().map(|held| {
+            let free = held.map(|held| if held { 0.0 } else { 1.0 });
+            Vec3::from_array(free)
+        })
+    }
+
+    /// Whether block `b` can move in any freedom by forces.
+    #[must_use]
+    pub fn is_free(&self, b: usize) -> bool {
+        self.freedoms(b) != [Vec3::ZERO; 2]
+    }
+
     /// Gives driven blocks their prescribed velocity at the present time.
     pub fn hold_driven(&mut self) {
         let t = self.time;

@@ -97,9 +97,9 @@ fn share(v: &View<'_>, of: &[u32], holds: impl Fn(usize) -> bool) -> Vec3 {
     mean(v, of, |b| one(f64::from(u8::from(holds(b)))))
 }
 
-/// Living blocks without prescribed motion.
+/// Living blocks that are not held or driven in all freedoms.
 fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
-    v.living().filter(|&b| v.world.motion[b].is_none())
+    v.living().filter(|&b| v.world.is_free(b))
 }
 
 /// A number of the cavity of a source; NaN if it has none.

@@ -245,6 +245,25 @@ pub enum Motion {
     },
 }
 
+impl Motion {
+    /// Which freedoms it prescribes: translation along, and rotation about x, y, z.
+    #[must_use]
+    pub fn prescribes(&self) -> [[bool; 3]; 2] {
+        match self {
+            Self::Fixed {
+                translation,
+                rotation,
+            } => [*translation, *rotation],
+            Self::Velocity { translation, spin } => {
+                [translation, spin].map(|f| f.each_ref().map(Option::is_some))
+            }
+            Self::Acceleration { translation } => {
+                [translation.each_ref().map(Option::is_some), [true; 3]]
+            }
+        }
+    }
+}
+
 /// A condition on free faces: faces, or parts of faces, that no patch covers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Boundary {

@@ -177,9 +177,10 @@ impl Springs {
     fn new(world: &World) -> Self {
         let root = (0..world.alive.len())
             .map(|b| {
-                if !world.alive[b] || world.motion[b].is_some() {
+                if !world.alive[b] {
                     return [Vec3::ZERO; 2];
                 }
+                let [move_free, turn_free] = world.freedoms(b);
                 let solid = world.solid_of(b);
                 // Principal axes near the axes of space: the diagonal bounds nothing off it for bricks.
                 let inverse = solid.inverse;
@@ -189,8 +190,8 @@ impl Springs {
                     inverse.col(2).abs().element_sum(),
                 );
                 [
-                    Vec3::splat(1.0 / solid.mass.sqrt()),
-                    Vec3::new(diagonal.x.sqrt(), diagonal.y.sqrt(), diagonal.z.sqrt()),
+                    move_free / solid.mass.sqrt(),
+                    turn_free * Vec3::from_array(diagonal.to_array().map(f64::sqrt)),
                 ]
             })
             .collect();

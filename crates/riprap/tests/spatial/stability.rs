@@ -1,7 +1,8 @@
 //! The stable step with dashpots.
 
 use riprap::Vec3;
-use riprap::spatial::setup::{BlockSpec, JointLaw};
+use riprap::spatial::edit::renew_laws;
+use riprap::spatial::setup::{BlockSpec, JointLaw, Motion, Stiffness, Support};
 use riprap::spatial::stable::stable_step;
 
 use crate::rock::{CP, Run, brick, elastic, rock};
@@ -43,4 +44,52 @@ fn coarse_dashpots_leave_fine_blocks_alone() {
     both.extend(tower(3.2, 50.0));
     let found = limit(both, 0.3);
     assert!((found / alone - 1.0).abs() < 0.01, "{found} {alone}");
+}
+
+/// Blocks that are held in some freedoms still move in the others: they count for the step and for the
+/// balance of forces.
+#[test]
+fn what_is_left_free_of_held_blocks_counts() {
+    let held = |translation, rotation| {
+        let mut setup = rock(tower(1.0, 0.0), elastic());
+        setup.gravity = -10.0 * Vec3::Z;
+        setup.supports.push(Support {
+            blocks: vec![0, 1],
+            motion: Motion::Fixed {
+                translation,
+                rotation,
+            },
+        });
+        let mut run = Run::new(setup);
+        run.evaluate(0.0);
+        let limit = stable_step(&run.world, &run.scratch, 0.0).dt;
+        (limit, run.view().unbalanced())
+    };
+    let (free, falling) = held([false; 3], [false; 3]);
+    assert!((free / limit(tower(1.0, 0.0), 0.0) - 1.0).abs() < 1e-12);
+    assert!(falling > 0.5, "{falling}");
+    // Only along the normal: w² = 2 Kn A/m, dt = 2/w = sqrt(2) L/c_P, with a margin.
+    let (along, falling) = held([true, true, false], [true; 3]);
+    let exact = 2.0f64.sqrt() / CP;
+    assert!((along / exact - 1.0).abs() < 0.01, "{along} {exact}");
+    assert!(falling > 0.5, "{falling}");
+    assert_eq!(held([true; 3], [true; 3]).1, 0.0);
+}
+
+/// A phase that changes a law changes the patches that were built with it.
+#[test]
+fn renewed_laws_reach_the_patches() {
+    let mut run = Run::new(rock(tower(1.0, 0.0), elastic()));
+    let before = run.world.classes[0].stiffness;
+    let joint = &mut run.world.setup.interfaces[0].joint;
+    joint.damping = 0.2;
+    joint.stiffness = Stiffness::Given {
+        normal: 1e9,
+        shear: 2e9,
+    };
+    renew_laws(&mut run.world);
+    let class = &run.world.classes[0];
+    assert_ne!(before, class.stiffness);
+    assert_eq!(class.stiffness, [1e9, 2e9]);
+    assert!((class.beta * CP / 0.2 - 1.0).abs() < 1e-9, "{}", class.beta);
 }
