@@ -1,14 +1,18 @@
-//! The same bits for any number of threads, and over a checkpoint.
+//! The same bits for any number of threads, and over a checkpoint; the same motion in another frame.
 
 use riprap::Vec3;
 use riprap::exec::Exec;
+use riprap::spatial::cavity;
+use riprap::spatial::edit::{self, EditKind};
 use riprap::spatial::lanes::Width;
 use riprap::spatial::setup::{
-    Boundary, BoundaryKind, FaceSet, Kinematics, Refinement, Region, Setup,
+    Boundary, BoundaryKind, Coupling, Criterion, During, FaceSet, Kinematics, Place, Push,
+    Refinement, Region, Setup, Shape, Source,
 };
-use riprap::spatial::step::Scratch;
+use riprap::spatial::step::{Scratch, advance};
 use riprap::spatial::world::World;
 
+use crate::blast::AMMONIUM;
 use crate::rock::{Draws, Run, elastic, lattice, rock, strength};
 
 /// A body with everything: sizes, failure, damping, viscous and held faces, gravity, finite rotations.
@@ -115,4 +119,148 @@ fn a_checkpoint_goes_on_with_the_same_bits() {
     whole.steps(20, DT);
     second.steps(20, DT);
     assert!(bytes(&whole.world) == bytes(&second.world));
+}
+
+/// As above with a charge that fires after ten steps, and blocks that split where the stress is high.
+fn blasted() -> Setup {
+    let mut setup = everything();
+    setup.refinements.push(Refinement {
+        around: Region::All,
+        levels: 1,
+        during: Some(During {
+            criterion: Criterion::Stress,
+            above: 4e6,
+            every: 4,
+        }),
+    });
+    setup.sources.push(Source {
+        name: "charge".into(),
+        place: Place::Point {
+            centre: Vec3::splat(6.0),
+        },
+        delay: 10.0 * DT,
+        push: Push::Gas {
+            explosive: AMMONIUM,
+            mass: 40.0,
+            coupling: Coupling::Scaled { exponent: 0.5 },
+            venting: None,
+        },
+    });
+    setup
+}
+
+/// Steps with the limit of the gas and with splitting.
+fn run_on(run: &mut Run, steps: u64) {
+    for _ in 0..steps {
+        let dt = DT.min(cavity::step_limit(&run.world));
+        run.evaluate(dt);
+        let damping = run.damping;
+        edit::refine_running(&mut run.world, &mut run.scratch, &damping, dt).expect("exact");
+        advance(&mut run.world, &mut run.scratch, dt);
+    }
+    run.evaluate(DT);
+}
+
+fn splits(run: &Run) -> usize {
+    let events = run.world.events.iter();
+    events.filter(|e| e.kind == EditKind::Split).count()
+}
+
+#[test]
+fn threads_do_not_change_a_bit_of_a_blast() {
+    let run = |threads: usize| {
+        let mut run = Run::on(blasted(), Exec::new(threads).expect("threads"));
+        run_on(&mut run, 60);
+        run
+    };
+    let one = run(1);
+    let cavity = &one.world.cavities[0];
+    println!("{} splits, gas work {:.3e} J", splits(&one), cavity.work);
+    assert!(cavity.work > 0.0 && splits(&one) >= 8);
+    let late = one.world.events.iter().filter(|e| e.step > 10);
+    assert!(late.count() > 0, "splits after the gas has begun to push");
+    let expected = bytes(&one.world);
+    for threads in [2, 3, 7] {
+        assert!(bytes(&run(threads).world) == expected, "{threads} threads");
+    }
+}
+
+#[test]
+fn a_checkpoint_in_a_blast_goes_on_with_the_same_bits() {
+    let mut whole = Run::on(blasted(), Exec::serial());
+    run_on(&mut whole, 30);
+    assert!(whole.world.cavities[0].ignited.is_some() && splits(&whole) > 0);
+    let mut world: World = postcard::from_bytes(&bytes(&whole.world)).expect("a world can be read");
+    let scratch = Scratch::new(&mut world, Exec::serial());
+    let mut second = Run {
+        world,
+        scratch,
+        damping: whole.damping,
+    };
+    let before = splits(&whole);
+    run_on(&mut whole, 30);
+    run_on(&mut second, 30);
+    assert!(splits(&whole) > before);
+    assert!(bytes(&whole.world) == bytes(&second.world));
+}
+
+/// A free body of two sizes with joints that fail.
+fn free(kinematics: Kinematics) -> Setup {
+    let law = riprap::spatial::setup::JointLaw {
+        strength: Some(strength(0.05e6, 30.0, 0.02e6)),
+        damping: 0.1,
+        ..elastic()
+    };
+    let mut draws = Draws::new(21);
+    let mut blocks = lattice([4, 3, 3], 1.0);
+    for block in &mut blocks {
+        block.velocity = 0.02 * draws.vector();
+        block.spin = 0.02 * draws.vector();
+    }
+    Setup {
+        kinematics,
+        refinements: vec![Refinement {
+            around: Region::Point(Vec3::ONE),
+            levels: 1,
+            during: None,
+        }],
+        ..rock(blocks, law)
+    }
+}
+
+/// Catalogue entry H8: shifted by 10 km, or boosted by 100 m/s. (Turned in space: `solids.rs`.)
+#[test]
+fn another_frame_sees_the_same_motion() {
+    let dt = 2e-5;
+    for kinematics in [Kinematics::Small, Kinematics::Finite] {
+        let mut here = Run::new(free(kinematics));
+        here.steps(200, dt);
+        assert!(here.world.works.friction + here.world.works.fracture > 0.0);
+        let shift = 1e4 * Vec3::new(0.6, -0.8, 0.3);
+        let boost = 100.0 * Vec3::new(0.3, 0.5, -0.8);
+        for (shift, boost, bound) in [(shift, Vec3::ZERO, 1e-6), (Vec3::ZERO, boost, 1e-8)] {
+            let mut setup = free(kinematics);
+            for block in &mut setup.blocks {
+                block.velocity += boost;
+                if let Shape::Brick { centre, .. } = &mut block.shape {
+                    *centre += shift;
+                }
+            }
+            for refinement in &mut setup.refinements {
+                refinement.around = Region::Point(Vec3::ONE + shift);
+            }
+            let mut there = Run::new(setup);
+            there.steps(200, dt);
+            let mut worst = 0.0f64;
+            let view = here.view();
+            let way = |b: usize| here.world.bodies.displacement(b);
+            let scale = view.living().map(|b| way(b).length()).fold(0.0, f64::max);
+            for b in view.living() {
+                let u = there.world.bodies.displacement(b) - there.world.time * boost;
+                worst = worst.max((u - way(b)).length() / scale);
+            }
+            println!("{kinematics:?}: {worst:.1e} ({bound:.0e})");
+            assert!(worst < bound, "{kinematics:?}: {worst:e}");
+        }
+    }
 }

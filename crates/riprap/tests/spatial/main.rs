@@ -4,6 +4,7 @@ mod bits;
 mod blast;
 mod conserve;
 mod edit;
+mod faces;
 mod rock;
 mod runs;
 mod solids;

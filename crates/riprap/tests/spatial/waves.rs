@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use riprap::Vec3;
-use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Points, Setup};
+use riprap::dynamics::TimeFunction;
+use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Load, LoadKind, Points, Setup};
 
 use crate::rock::{CP, Run, brick, elastic, lattice, rock};
 
@@ -273,5 +274,100 @@ fn the_stable_step_is_that_of_the_lattice() {
             assert_eq!(far < 1e-7, bounded, "{share}: {far:e}");
         }
         first.steps(1, stable.dt);
+    }
+}
+
+/// Depth of the line source and of the receivers below the side, rim of the slab, wavelength; in blocks.
+const DEPTH: i32 = 30;
+const RIM: i32 = 20;
+const WAVELENGTH: f64 = 10.0;
+/// Middle of the packet, periods.
+const MIDDLE: f64 = 3.5;
+
+/// A slab one block thick in the plane x-y; its side y = 0 is viscous, or lies `beyond` blocks further out. A line
+/// source pushes in all directions, in the middle of a packet of waves. Gives the displacements of the blocks at
+/// `receivers` (x from the source, y from the place of the side) after each step.
+fn line_source(beyond: i32, half_cell: bool, receivers: &[[i32; 2]]) -> Vec<Vec<Vec3>> {
+    let size = [2 * RIM + 2 * DEPTH, beyond + DEPTH + RIM];
+    let [width, height] = size.map(|n| n as usize);
+    let side = |normal: Vec3, offset: usize, half_cell: bool| Boundary {
+        name: "side".into(),
+        on: FaceSet::Plane {
+            normal,
+            offset: offset as f64,
+        },
+        kind: BoundaryKind::Viscous { half_cell },
+        in_situ: false,
+    };
+    let at = |x: i32, y: i32| (y + beyond) as usize * width + (x + RIM) as usize;
+    let (period, dt) = (WAVELENGTH / CP, 0.3 / CP);
+    let t: Vec<f64> = (0..=(2.0 * MIDDLE * period / dt) as u32)
+        .map(|k| f64::from(k) * dt)
+        .collect();
+    let pulse = |t: &f64| {
+        let s = t / period - MIDDLE;
+        (-s * s / 2.25).exp() * (TAU * s).cos()
+    };
+    let v: Vec<f64> = t.iter().map(pulse).collect();
+    let push = |x: i32, y: i32| Load {
+        blocks: vec![at(x, DEPTH - 1 + y) as u32],
+        kind: LoadKind::Point {
+            force: 1e6 * Vec3::new(f64::from(2 * x - 1), f64::from(2 * y - 1), 0.0),
+            at: None,
+        },
+        time: TimeFunction::Table {
+            t: t.clone(),
+            v: v.clone(),
+        },
+    };
+    let mut run = Run::new(Setup {
+        periodic: [None, None, Some(1.0)],
+        boundaries: vec![
+            side(-Vec3::X, 0, true),
+            side(Vec3::X, width, true),
+            side(Vec3::Y, height, true),
+            side(-Vec3::Y, 0, half_cell),
+        ],
+        loads: vec![push(0, 0), push(1, 0), push(0, 1), push(1, 1)],
+        ..rock(lattice([width, height, 1], 1.0), elastic())
+    });
+    let way = 2.0 * 2f64.sqrt() * f64::from(DEPTH) + 2.0 * MIDDLE * WAVELENGTH;
+    (0..(way / CP / dt) as usize)
+        .map(|_| {
+            run.steps(1, dt);
+            let u = |&[x, y]: &[i32; 2]| run.world.bodies.displacement(at(x, y));
+            receivers.iter().map(u).collect()
+        })
+        .collect()
+}
+
+/// Catalogue entry D7 for this lattice, where it has no closed answer: the P wave that comes back (difference to a larger
+/// slab, along the ray) over the direct P wave at the mirror image of the receiver. Near field of the line source
+/// and S waves that overlap are in it: a report, with a wide bound.
+#[test]
+fn oblique_waves_into_viscous_sides() {
+    let angles = [0.0f64, 30.0, 45.0];
+    let offsets = angles.map(|a| (f64::from(2 * DEPTH) * a.to_radians().tan()).round() as i32);
+    let receivers = offsets.map(|x| [x, DEPTH - 1]);
+    let images = offsets.map(|x| [x, -DEPTH]);
+    let wide = line_source(DEPTH + RIM, true, &[receivers, images].concat());
+    for half_cell in [false, true] {
+        let near = line_source(0, half_cell, &receivers);
+        for (k, angle) in angles.into_iter().enumerate() {
+            let (sin, cos) = angle.to_radians().sin_cos();
+            let [ray, direct] = [1.0, -1.0].map(|up| Vec3::new(sin, up * cos, 0.0));
+            let back = near.iter().zip(&wide).map(|(a, b)| a[k] - b[k]);
+            let straight = wide.iter().map(|u| u[k + 3]);
+            let peak = |u: &mut dyn Iterator<Item = f64>| u.map(f64::abs).fold(0.0, f64::max);
+            let p = peak(&mut back.clone().map(|u| u.dot(ray)))
+                / peak(&mut straight.clone().map(|u| u.dot(direct)));
+            let all = peak(&mut back.map(|u| u.length())) / peak(&mut straight.map(|u| u.length()));
+            println!(
+                "{angle} deg, half cell {half_cell}: P {:.1} %, P and S {:.1} %",
+                100.0 * p,
+                100.0 * all
+            );
+            assert!(p < 0.2, "{p}");
+        }
     }
 }
