@@ -1,7 +1,8 @@
 //! Why a command did not do what was asked, and the exit code that says so.
 
+use riprap::run::given_step::TooLong;
 use riprap::run::job::JobError;
-use riprap::scenario::Diagnostics;
+use riprap::scenario::{Diagnostic, Diagnostics, Parsed};
 
 use crate::diagnostics::{self, Style};
 
@@ -39,6 +40,24 @@ impl Failure {
             Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,
             Failure::Output(_) => NOT_WRITTEN,
             Failure::Interrupted(_) => INTERRUPTED,
+        }
+    }
+
+    /// A time step that is too long, at its place in the scene.
+    pub fn step(error: &TooLong, scene: &Parsed) -> Self {
+        let mut found = Diagnostic::error("phase.time_step", error.to_string());
+        let phase = scene.scenario.phases.get(error.phase);
+        if let Some(given) = phase.and_then(|p| p.time_step.as_ref()) {
+            found = found.at(given.span.clone());
+        }
+        Failure::Scene(Diagnostics::new(scene.source.clone(), vec![found]))
+    }
+
+    /// A run that could not be carried out, at its place in the scene where it has one.
+    pub fn of_job(error: JobError, scene: &Parsed) -> Self {
+        match &error {
+            JobError::Step(step) => Failure::step(step, scene),
+            _ => error.into(),
         }
     }
 

@@ -20,6 +20,7 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let (model, summary) = (&prepared.model, &prepared.model.summary);
     let expected = forecast(&model.setup, &model.plan).map_err(|e| match e {
         ForecastError::Build(e) => Failure::Input(e.to_string()),
+        ForecastError::Step(e) => Failure::step(&e, &prepared.parsed),
         ForecastError::Physics(e) => Failure::Physics(e.to_string()),
     })?;
     if args.json {

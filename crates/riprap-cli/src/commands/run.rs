@@ -34,9 +34,11 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
         grouped(summary.blocks as u64),
         folder.display()
     );
+    let scene = prepared.parsed.clone();
     let job = prepared.job();
     with_display(&args.how, &head, &folder, |look| {
         job::run(job, &folder, existing, threads(&args.how), look)
+            .map_err(|error| Failure::of_job(error, &scene))
     })
 }
 
@@ -48,7 +50,7 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
         args.run.display()
     );
     with_display(&args.how, &head, &args.run, |look| {
-        job::resume(&args.run, threads(&args.how), look)
+        job::resume(&args.run, threads(&args.how), look).map_err(Failure::from)
     })
 }
 
@@ -72,7 +74,7 @@ fn with_display(
     how: &How,
     head: &str,
     folder: &Path,
-    work: impl FnOnce(&mut dyn FnMut(&Progress) -> Control) -> Result<Outcome, job::JobError>,
+    work: impl FnOnce(&mut dyn FnMut(&Progress) -> Control) -> Result<Outcome, Failure>,
 ) -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(how.quiet);

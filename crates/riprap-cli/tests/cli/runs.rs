@@ -139,6 +139,49 @@ fn physics_that_stops_a_run_is_code_1_and_leaves_a_checkpoint() {
     );
 }
 
+/// Two bricks, and a time step above the stable one: 2/omega = 0.61 L/c_P = 0.2 ms.
+const LONG_STEP: &str = r#"
+riprap = 1
+title = "too long a step"
+
+[space.spatial]
+gravity = "9.81 m/s2"
+
+[materials.rock]
+density = "2400 kg/m3"
+young = "18 GPa"
+poisson = 0.25
+
+[interfaces.default]
+elastic = true
+
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["2 m", "2 m", "2 m"], cell = "1 m" }
+
+[[phases]]
+name = "go"
+until = { steps = 10 }
+time_step = "1 ms"
+"#;
+
+#[test]
+fn a_step_above_the_stable_one_is_bad_input() {
+    let bench = Bench::new();
+    bench.file("long.toml", LONG_STEP);
+    for verb in ["check", "run"] {
+        bench.run(&[verb, "long.toml"]).expect(2).warns(&[
+            "long.toml:25:13",
+            "phase `go`",
+            "stable one",
+        ]);
+    }
+    assert!(!bench.path("long.run").exists());
+    bench.file("short.toml", LONG_STEP.replace("1 ms", "0.1 ms"));
+    bench.run(&["run", "short.toml"]).expect(0);
+}
+
 #[test]
 fn results_that_cannot_be_written_are_code_3() {
     let bench = Bench::with_scene();

@@ -6,6 +6,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::engine::BuildError;
+use super::given_step::{self, TooLong};
 use super::plan::{Plan, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
@@ -22,6 +23,9 @@ pub enum ForecastError {
     /// The engine cannot build the model.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// A time step of the scene is too long.
+    #[error(transparent)]
+    Step(#[from] TooLong),
     /// The physics stops it at once.
     #[error(transparent)]
     Physics(#[from] RunError),
@@ -59,9 +63,10 @@ pub struct Forecast {
 /// Advances a copy of the model by a few steps.
 ///
 /// # Errors
-/// The engine cannot build it, or the physics stops it at once.
+/// The engine cannot build it, a given step is too long, or the physics stops it at once.
 pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial())?;
+    given_step::check(&simulation)?;
     simulation.prepare()?;
     let stable = simulation.stable();
     let dt = simulation.dt();

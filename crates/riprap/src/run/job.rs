@@ -10,6 +10,7 @@ use thiserror::Error;
 use super::checks::{Check, CheckResult, Watch};
 use super::drive::{Control, DriveError, Ending, Progress, drive};
 use super::engine::{BuildError, Kind};
+use super::given_step::{self, TooLong};
 use super::plan::Plan;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{RunError, Simulation};
@@ -78,6 +79,9 @@ pub enum JobError {
     /// The engine cannot build the model.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// A time step of the scene is too long.
+    #[error(transparent)]
+    Step(#[from] TooLong),
     /// No threads.
     #[error(transparent)]
     Exec(#[from] ExecError),
@@ -99,6 +103,7 @@ impl JobError {
             | JobError::Drive(DriveError::Record(RecordError::Field(_)) | DriveError::Field(_))
             | JobError::Record(RecordError::Field(_))
             | JobError::Build(_)
+            | JobError::Step(_)
             | JobError::Exec(_) => false,
         }
     }
@@ -126,6 +131,7 @@ pub fn run(
     manifest.ended = Ended::Running;
     // A model that cannot be built leaves no folder behind.
     let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
+    given_step::check(&simulation)?;
     manifest.sources = simulation.view().sources();
     let folder = RunFolder::create(folder, existing, &manifest)?;
     folder.write_scenario(&job.resolved)?;
@@ -189,6 +195,7 @@ pub fn watch_only(
     let exec = Exec::new(threads)?;
     let begun = Instant::now();
     let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
+    given_step::check(&simulation)?;
     let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
     let ending = drive(&mut simulation, None, &mut watches, look)?;
     let mut manifest = job.manifest;

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod drive;
 pub mod engine;
 pub mod forecast;
+pub mod given_step;
 pub mod hash;
 pub mod job;
 pub mod plan;
