@@ -14,6 +14,7 @@ pub mod loads;
 pub mod meet;
 pub mod meet_solids;
 pub mod patch;
+pub mod peaks;
 pub mod picture;
 pub mod readings;
 pub mod refine;

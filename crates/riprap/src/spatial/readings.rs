@@ -252,6 +252,8 @@ fields! {
     "cavity.dome" "m" Cavity Scalar true "Mean uplift of the surface blocks nearest to the axis of the charge." |v, of| of_cavity(v, of, |c| v.profile(c).dome());
     "cavity.crater_radius" "m" Cavity Scalar true "Radius about the axis of the charge within which the free surface has risen by more than 0.02 of the depth of the charge (mean over rings)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) });
     "cavity.crater_ratio" "-" Cavity Scalar true "The same radius over the depth of the charge (n of Boreskov's formula)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) / p.depth });
+    "cavity.attenuation" "-" Cavity Scalar true "Exponent n of the attenuation v = K/r^n of the peak speed between 2 and 16 radii of a ball as large as the cavity (least squares over means of shells)." |v, of| of_cavity(v, of, |c| v.attenuation(c));
+    "cavity.roundness" "-" Cavity Scalar true "Radius along the axes over that along the diagonals of space of the contours of the peak speed around the source (blocks within 15 degrees, mean over contours); 1 is round." |v, of| of_cavity(v, of, |c| v.roundness(c));
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
