@@ -3,6 +3,7 @@
 //! Faces are listed anticlockwise seen from outside. All lengths are compared with the size of the solid (diagonal of
 //! its box) times a named tolerance.
 
+pub mod cut;
 mod hull;
 mod mass;
 mod slice;

@@ -6,7 +6,7 @@
 //!
 //! Source: Han, Liu & Li (2010), section 2; the shares of areas and of inertia are derived here.
 
-use super::{Polyhedron, area_vector, edges_of};
+use super::{Polyhedron, edges_of};
 use crate::Vec3;
 
 /// Nodes, tetrahedra and shares of areas of a convex solid.
@@ -63,8 +63,8 @@ impl Tetrahedra {
         for (face, outline) in solid.faces.iter().enumerate() {
             let middle = (corners + face) as u32;
             for (from, to) in edges_of(outline) {
-                let at = |k: u32| mesh.nodes[k as usize] - centroid;
-                let (volume, gradients) = element([at(middle), at(from), at(to)]);
+                let at = |k: u32| mesh.nodes[k as usize];
+                let (volume, gradients) = element(centroid, [at(middle), at(from), at(to)]);
                 // Not `<= 0`: NaN is refused too.
                 if !(volume > 0.0 && gradients.iter().all(|g| g.is_finite())) {
                     return Err(FlatTetrahedron {
@@ -178,29 +178,39 @@ impl Tetrahedra {
 }
 
 impl Polyhedron {
-    /// Centroid of the area of a face, m.
+    /// Centroid of the area of a face, m; of a slightly crooked one that of the triangles from the mean of its corners,
+    /// whichever corner comes first.
     #[must_use]
     pub fn face_centre(&self, face: usize) -> Vec3 {
-        let outline = self.outline(face);
-        let normal = area_vector(&outline);
-        let origin = outline.first().copied().unwrap_or(Vec3::ZERO);
+        let corners = &self.faces[face];
+        let at = |k: u32| self.vertices[k as usize];
+        let mean = corners.iter().map(|&k| at(k)).sum::<Vec3>() / corners.len() as f64;
+        let normal = self.area_vector(face);
         let (mut weight, mut first) = (0.0, Vec3::ZERO);
-        for pair in outline[1..].windows(2) {
-            let (a, b) = (pair[0] - origin, pair[1] - origin);
+        for (from, to) in edges_of(corners) {
+            let (a, b) = (at(from) - mean, at(to) - mean);
             let w = a.cross(b).dot(normal);
             weight += w;
             first += w * (a + b);
         }
-        origin + first / (3.0 * weight)
+        mean + first / (3.0 * weight)
     }
 }
 
-/// Volume (m³) and gradients (1/m) of the shape functions of nodes 1, 2, 3 at `arms` (m) from node 0.
+/// Volume (m³) and gradients (1/m) of the shape functions of nodes 1, 2, 3 of a tetrahedron with the nodes `p0` and
+/// `[p1, p2, p3]` (m).
+///
+/// Differences are taken between nodes that may be close, so that tiny faces keep their digits.
 #[must_use]
-pub fn element([a, b, c]: [Vec3; 3]) -> (f64, [Vec3; 3]) {
-    let bc = b.cross(c);
-    let six = a.dot(bc);
-    (six / 6.0, [bc / six, c.cross(a) / six, a.cross(b) / six])
+pub fn element(p0: Vec3, [p1, p2, p3]: [Vec3; 3]) -> (f64, [Vec3; 3]) {
+    let (a, b, c) = (p1 - p0, p2 - p0, p3 - p0);
+    let six = a.dot((p2 - p1).cross(p3 - p1));
+    let gradients = [
+        b.cross(p3 - p2) / six,
+        c.cross(p1 - p3) / six,
+        a.cross(p2 - p1) / six,
+    ];
+    (six / 6.0, gradients)
 }
 
 #[cfg(test)]
