@@ -4,6 +4,7 @@
 //! runner adds a headline, the time, and one closing line `N passed, N failed, N skipped`.
 
 mod bench;
+mod browser;
 mod licences;
 mod rooms;
 mod shell;

@@ -5,7 +5,7 @@ use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use crate::shell::{Counts, cargo};
-use crate::{licences, rooms, shell, tidy, verify, vtk};
+use crate::{browser, licences, rooms, shell, tidy, verify, vtk};
 
 /// How a step ended, if it could run at all.
 pub enum Outcome {
@@ -63,6 +63,11 @@ pub const STEPS: &[Step] = &[
         name: "vtk",
         about: "VTK opens the frames of a run",
         run: vtk::step,
+    },
+    Step {
+        name: "browser",
+        about: "the viewer in Chromium, over real runs",
+        run: browser::step,
     },
     Step {
         name: "licences",

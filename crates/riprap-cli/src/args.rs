@@ -3,8 +3,11 @@
 //! Doc comments here are the `--help` texts. They are read aloud before they are committed.
 
 mod plot;
+mod view;
 
 pub use plot::{Arrows, Axis, Plot};
+
+pub use view::View;
 
 use std::path::PathBuf;
 
@@ -15,6 +18,7 @@ First steps:
   riprap new hill --template slope       write a scene to start from
   riprap check hill.toml                 look at it without running it
   riprap run hill.toml                   run it; results go to hill.run/
+  riprap view hill.run                   watch it in the browser
   riprap plot hill.run                   draw what happened
 
 Exit codes:
@@ -61,6 +65,7 @@ pub enum Verb {
     ProbeContact(ProbeContact),
     Verify(Verify),
     Plot(Plot),
+    View(View),
     Fields(Fields),
     Explain(Explain),
     Schema(Schema),

@@ -50,6 +50,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::ProbeContact(args) => commands::probe::run(&args, style),
         Verb::Verify(args) => commands::verify::run(&args),
         Verb::Plot(args) => commands::plot::run(&args),
+        Verb::View(args) => commands::view::run(&args),
         Verb::Fields(args) => commands::language::fields(&args),
         Verb::Explain(args) => commands::language::explain(&args, style),
         Verb::Schema(args) => commands::language::schema(&args),

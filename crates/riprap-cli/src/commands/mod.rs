@@ -9,6 +9,7 @@ pub mod probe;
 pub mod run;
 pub mod trials;
 pub mod verify;
+pub mod view;
 
 use std::path::{Path, PathBuf};
 

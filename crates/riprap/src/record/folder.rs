@@ -500,6 +500,15 @@ fn lock(path: &Path) -> Result<File, FolderError> {
     }
 }
 
+/// Whether a process is writing into the run folder now. File systems without locks cannot tell: `None`.
+pub fn in_use(path: &Path) -> Option<bool> {
+    match File::open(path.join(LOCK)).ok()?.try_lock_shared() {
+        Ok(()) => Some(false),
+        Err(TryLockError::WouldBlock) => Some(true),
+        Err(TryLockError::Error(_)) => None,
+    }
+}
+
 /// Removes the files of an earlier run and nothing else.
 fn clear(path: &Path) -> Result<(), OutputError> {
     if path.join("frames").is_dir() {

@@ -21,7 +21,7 @@ mod read;
 mod write;
 
 pub use pvd::{PvdEntry, read_pvd, write_pvd};
-pub use read::{ReadError, Vtu, parse, read};
+pub use read::{ReadError, Vtu, Wanted, parse, read, read_some};
 pub(crate) use write::escape;
 pub use write::{blocks, contacts};
 
@@ -33,7 +33,25 @@ use std::path::Path;
 /// # Errors
 /// Files that are missing, foreign or damaged.
 pub fn read_frame(blocks: &Path, contacts: Option<&Path>) -> Result<Frame, ReadError> {
-    let b = read(blocks)?;
+    let frame = read_blocks(blocks, Wanted::ALL)?;
+    let Some(path) = contacts else {
+        return Ok(frame);
+    };
+    let c = read(path)?;
+    let frame = Frame {
+        contact_points: c.points,
+        contact_columns: c.point_columns,
+        ..frame
+    };
+    checked(frame, path)
+}
+
+/// Reads the blocks of a frame, with the wanted columns; without its geometry it has no blocks to which they belong.
+///
+/// # Errors
+/// As [`read_frame`].
+pub fn read_blocks(blocks: &Path, wanted: Wanted<'_>) -> Result<Frame, ReadError> {
+    let b = read_some(blocks, wanted)?;
     let solids = solids(&b).map_err(|reason| ReadError::Damaged {
         path: blocks.to_owned(),
         reason,
@@ -53,15 +71,18 @@ pub fn read_frame(blocks: &Path, contacts: Option<&Path>) -> Result<Frame, ReadE
         frame.offsets.push(0);
         frame.offsets.extend(b.offsets);
     }
-    if let Some(path) = contacts {
-        let c = read(path)?;
-        frame.contact_points = c.points;
-        frame.contact_columns = c.point_columns;
+    if wanted.geometry {
+        checked(frame, blocks)
+    } else {
+        Ok(frame)
     }
+}
+
+fn checked(frame: Frame, path: &Path) -> Result<Frame, ReadError> {
     match frame.fault() {
         None => Ok(frame),
         Some(reason) => Err(ReadError::Damaged {
-            path: blocks.to_owned(),
+            path: path.to_owned(),
             reason,
         }),
     }

@@ -62,16 +62,41 @@ pub struct Vtu {
     pub point_columns: Vec<Column>,
 }
 
+/// Which arrays of a file to unpack; the others are passed over, which saves most of the time.
+#[derive(Clone, Copy)]
+pub struct Wanted<'a> {
+    /// Points, cells and faces.
+    pub geometry: bool,
+    /// Whether the numbers of this name are wanted.
+    pub column: &'a dyn Fn(&str) -> bool,
+}
+
+impl Wanted<'_> {
+    /// Everything.
+    pub const ALL: Wanted<'static> = Wanted {
+        geometry: true,
+        column: &|_| true,
+    };
+}
+
 /// Reads a `.vtu` file of ours.
 ///
 /// # Errors
 /// Missing, foreign or damaged files; never panics.
 pub fn read(path: &Path) -> Result<Vtu, ReadError> {
+    read_some(path, Wanted::ALL)
+}
+
+/// Reads what is wanted of a `.vtu` file of ours.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_some(path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
     let bytes = std::fs::read(path).map_err(|source| ReadError::Read {
         path: path.to_owned(),
         source,
     })?;
-    parse(&bytes, path)
+    parse_some(&bytes, path, wanted)
 }
 
 /// Reads the bytes of a `.vtu` file; `path` is only for the messages.
@@ -79,6 +104,10 @@ pub fn read(path: &Path) -> Result<Vtu, ReadError> {
 /// # Errors
 /// As [`read`].
 pub fn parse(bytes: &[u8], path: &Path) -> Result<Vtu, ReadError> {
+    parse_some(bytes, path, Wanted::ALL)
+}
+
+fn parse_some(bytes: &[u8], path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
     let damaged = |reason: String| ReadError::Damaged {
         path: path.to_owned(),
         reason,
@@ -102,10 +131,10 @@ pub fn parse(bytes: &[u8], path: &Path) -> Result<Vtu, ReadError> {
         .strip_suffix(end)
         .ok_or_else(|| damaged("it is cut off: its end is missing".to_owned()))?;
     let tags = tags(head).ok_or_else(|| damaged("its head is not well-formed XML".to_owned()))?;
-    contents(&tags, data).map_err(damaged)
+    contents(&tags, data, wanted).map_err(damaged)
 }
 
-fn contents(tags: &[Tag], data: &[u8]) -> Result<Vtu, String> {
+fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String> {
     let file = tags
         .iter()
         .find(|t| t.name == "VTKFile")
@@ -136,16 +165,24 @@ fn contents(tags: &[Tag], data: &[u8]) -> Result<Vtu, String> {
             }
             "FieldData" | "PointData" | "CellData" | "Points" | "Cells" => section = t.name,
             "DataArray" | "Array" => {
+                i += 1;
+                if !t.wanted(section, wanted) {
+                    continue;
+                }
                 // The unit, if any, is the element inside.
                 let unit = tags
-                    .get(i + 1)
+                    .get(i)
                     .filter(|u| u.name == "InformationKey")
                     .map_or_else(|| "-".to_owned(), |u| unescape(u.text.trim()));
                 array(&mut out, t, section, unit, data, (points, cells))?;
+                continue;
             }
             _other => {}
         }
         i += 1;
+    }
+    if !wanted.geometry {
+        return Ok(out);
     }
     if out.points.len() != points || out.offsets.len() != cells {
         return Err("it has no points or no cells".to_owned());
@@ -306,6 +343,17 @@ pub(super) struct Tag<'a> {
 }
 
 impl Tag<'_> {
+    /// Whether this array of a section is asked for. Arrays without a name are, so that they are complained about.
+    fn wanted(&self, section: &str, wanted: Wanted<'_>) -> bool {
+        match section {
+            "Points" | "Cells" => wanted.geometry,
+            "PointData" | "CellData" => self
+                .attribute("Name")
+                .is_none_or(|name| (wanted.column)(&name)),
+            _other => true,
+        }
+    }
+
     pub(super) fn attribute(&self, key: &str) -> Option<String> {
         self.attributes
             .iter()

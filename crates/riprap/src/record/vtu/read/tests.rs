@@ -1,6 +1,6 @@
 //! Round trips, damage of every kind, the golden head.
 
-use super::super::{PvdEntry, blocks, contacts, read_frame, read_pvd, write_pvd};
+use super::super::{PvdEntry, blocks, contacts, read_blocks, read_frame, read_pvd, write_pvd};
 use super::*;
 use crate::record::frame::{
     Frame,
@@ -141,4 +141,26 @@ proptest! {
         }
         prop_assert!(parsed(&bytes).is_err());
     }
+}
+
+#[test]
+fn only_what_is_wanted_is_unpacked() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("b.vtu");
+    let whole = solid_sample();
+    std::fs::write(&path, blocks(&whole).unwrap()).unwrap();
+    let level = Wanted {
+        geometry: false,
+        column: &|name| name == "level",
+    };
+    let some = read_some(&path, level).unwrap();
+    assert_eq!((some.step, some.points.len()), (7, 0));
+    assert_eq!(some.cell_columns, whole.block_columns[1..]);
+    let bare = Wanted {
+        geometry: true,
+        column: &|_| false,
+    };
+    let frame = read_blocks(&path, bare).unwrap();
+    assert!(frame.block_columns.is_empty());
+    assert_eq!((frame.points, frame.solids), (whole.points, whole.solids));
 }

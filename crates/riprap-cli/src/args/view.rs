@@ -1,0 +1,32 @@
+//! `riprap view`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+/// Watch a run in the browser.
+///
+/// Serves a page on this machine only, without network, and opens it: blocks in motion, coloured by any
+/// field, contacts, vectors, clipping, histories, pictures and films. A run that is still going on is
+/// followed. Two runs stand side by side. Ctrl-C ends it; nothing in the run folder is changed.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap view hill.run
+  riprap view dry.run wet.run            two runs side by side
+  riprap view hill.run --no-open         only print the address
+  riprap view hill.run --port 9000")]
+pub struct View {
+    /// Run folder
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Another run folder, shown beside it
+    #[arg(value_name = "RUN2")]
+    pub other: Option<PathBuf>,
+    /// Do not open a browser
+    #[arg(long)]
+    pub no_open: bool,
+    /// Port to listen on; one in use moves on to the next [default: 8470]
+    #[arg(short, long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
+    pub port: Option<u16>,
+}

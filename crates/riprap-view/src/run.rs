@@ -1,0 +1,423 @@
+//! One run folder, opened for looking: frames by their place in the list of frames, read when asked for.
+//!
+//! Only the public readers of `riprap::record` touch the files, and only names that they make themselves or that
+//! lie inside the folder. A run that goes on while it is looked at is read anew each time.
+
+use riprap::Vec3;
+use riprap::record::folder::{block_file, contact_file, in_use};
+use riprap::record::table::Table;
+use riprap::record::vtu::{self, PvdEntry, ReadError, Wanted};
+use riprap::record::{Column, Ended, Frame, Manifest, Part};
+use serde::Serialize;
+use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::shape::{self, Shape};
+
+/// Shapes kept in memory; runs that split blocks have many.
+const SHAPES: usize = 3;
+/// Files larger than this are not handed out.
+const LARGEST_FILE: u64 = 256 << 20;
+
+/// Why something cannot be shown, in words for the person in front of the page.
+#[derive(Debug, Clone, Serialize, thiserror::Error)]
+#[error("{what}")]
+pub struct Problem {
+    /// What is wrong, with the file.
+    pub what: String,
+    /// What to do about it.
+    pub hint: String,
+    /// Whether it is not there, rather than broken.
+    pub missing: bool,
+}
+
+impl Problem {
+    /// Something that does not exist.
+    pub fn missing(what: impl Into<String>, hint: impl Into<String>) -> Self {
+        Problem {
+            what: what.into(),
+            hint: hint.into(),
+            missing: true,
+        }
+    }
+
+    /// Something that is there and cannot be read.
+    pub fn broken(what: impl Into<String>, hint: impl Into<String>) -> Self {
+        Problem {
+            what: what.into(),
+            hint: hint.into(),
+            missing: false,
+        }
+    }
+}
+
+impl From<ReadError> for Problem {
+    fn from(error: ReadError) -> Self {
+        let hint = match &error {
+            ReadError::Read { .. } => {
+                "The file is missing or may not be read. Copy the run folder again, whole."
+            }
+            ReadError::Foreign { .. } => "Frames of other programs can be looked at in ParaView.",
+            ReadError::Damaged { .. } => {
+                "The other frames can still be shown. Copy the run folder again, or run the scene again."
+            }
+        };
+        Problem::broken(error.to_string(), hint)
+    }
+}
+
+/// A run folder.
+#[derive(Debug)]
+pub struct Run {
+    path: PathBuf,
+    memory: Mutex<Memory>,
+}
+
+#[derive(Debug, Default)]
+struct Memory {
+    /// Middle of the first frame: positions are sent relative to it.
+    origin: Option<Vec3>,
+    /// Newest last.
+    shapes: Vec<Arc<Shape>>,
+}
+
+impl Run {
+    /// A folder, sound or not: what is wrong with it is told when it is asked for something.
+    pub fn new(path: &Path) -> Self {
+        Run {
+            path: path.to_owned(),
+            memory: Mutex::default(),
+        }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Its manifest.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn manifest(&self) -> Result<Manifest, Problem> {
+        use riprap::record::manifest::ManifestError;
+        Manifest::read(&self.path).map_err(|error| {
+            let hint = match &error {
+                ManifestError::Read { .. } => {
+                    "A run folder is what `riprap run` writes, for example hill.run; it has a manifest.json. Name that folder: riprap view hill.run"
+                }
+                ManifestError::Foreign { .. } => {
+                    "Its manifest.json was changed or cut off. Copy the run folder again, or run the scene again."
+                }
+                ManifestError::Newer { .. } => "Use the riprap that wrote it, or a newer one.",
+            };
+            Problem::broken(error.to_string(), hint)
+        })
+    }
+
+    /// Times of the frames there are.
+    ///
+    /// # Errors
+    /// A list that is missing or damaged.
+    pub fn frames(&self) -> Result<Vec<PvdEntry>, Problem> {
+        let path = self.path.join("run.pvd");
+        if !path.exists() {
+            return Ok(Vec::new());
+        }
+        vtu::read_pvd(&path).map_err(|error| {
+            Problem::broken(
+                error.to_string(),
+                "The list of frames is damaged. Copy the run folder again, or run the scene again.",
+            )
+        })
+    }
+
+    /// Whether a process is still writing into it. A manifest that says so with nobody there means that it died.
+    pub fn live(&self, manifest: &Manifest) -> bool {
+        manifest.ended == Ended::Running && in_use(&self.path) != Some(false)
+    }
+
+    /// Files of blocks and contacts of frame `k`, counted from 0.
+    fn files(&self, k: usize) -> Result<[PathBuf; 2], Problem> {
+        let frames = self.frames()?;
+        let entry = frames.get(k).ok_or_else(|| {
+            Problem::missing(
+                format!("there is no frame {k}: the run has {}", frames.len()),
+                "Frames are counted from 0.",
+            )
+        })?;
+        // Names are made here and only compared: a list that points elsewhere is not followed.
+        let number = entry
+            .file
+            .strip_prefix("frames/frame_")
+            .and_then(|n| n.strip_suffix(".vtu"))
+            .and_then(|n| n.parse().ok())
+            .filter(|n| block_file(*n) == entry.file);
+        let Some(number) = number else {
+            return Err(Problem::broken(
+                format!(
+                    "run.pvd names {:?}, which is no frame of this run",
+                    entry.file
+                ),
+                "The list of frames was changed. Copy the run folder again, or run the scene again.",
+            ));
+        };
+        Ok([
+            self.inside(&block_file(number))?,
+            self.inside(&contact_file(number))?,
+        ])
+    }
+
+    /// A file of the folder by its relative name. What leads out of the folder, by `..` or by a link, is refused.
+    ///
+    /// # Errors
+    /// Names that lead outside, files that are not there.
+    pub fn inside(&self, name: &str) -> Result<PathBuf, Problem> {
+        let refused = || {
+            Problem::missing(
+                format!("{name:?} is not inside the run folder"),
+                "Only files of the run folder are shown.",
+            )
+        };
+        let plain = Path::new(name)
+            .components()
+            .all(|c| matches!(c, Component::Normal(_)));
+        if !plain {
+            return Err(refused());
+        }
+        let absent = |_| {
+            Problem::missing(
+                format!("{} is not there", self.path.join(name).display()),
+                "The file is missing. Copy the run folder again, whole.",
+            )
+        };
+        let root = self.path.canonicalize().map_err(absent)?;
+        let file = root.join(name).canonicalize().map_err(absent)?;
+        if file.starts_with(&root) {
+            Ok(file)
+        } else {
+            Err(refused())
+        }
+    }
+
+    /// Bytes of a file of the folder.
+    ///
+    /// # Errors
+    /// As [`Run::inside`], and files that are too large.
+    pub fn file(&self, name: &str) -> Result<Vec<u8>, Problem> {
+        let path = self.inside(name)?;
+        let unreadable = |e: std::io::Error| {
+            Problem::broken(
+                format!("could not read {}: {e}", path.display()),
+                "Check that it is a file that you may read.",
+            )
+        };
+        let length = path.metadata().map_err(unreadable)?.len();
+        if length > LARGEST_FILE {
+            return Err(Problem::broken(
+                format!("{} is too large for the page", path.display()),
+                "Open it with another program.",
+            ));
+        }
+        std::fs::read(&path).map_err(unreadable)
+    }
+
+    /// Corners of frame `k` and the columns that tell its blocks apart, with the shape of its blocks.
+    ///
+    /// # Errors
+    /// Frames that are not there or damaged.
+    pub fn placed(&self, k: usize) -> Result<(Arc<Shape>, Frame), Problem> {
+        let [file, _] = self.files(k)?;
+        let known = |name: &str| ["block", "displacement", "rotation"].contains(&name);
+        let wanted = Wanted {
+            geometry: true,
+            column: &known,
+        };
+        let frame = vtu::read_blocks(&file, wanted)?;
+        let key = shape::key(&frame);
+        if let Some(shape) = self.remembered(&key) {
+            return Ok((shape, frame));
+        }
+        let origin = self.origin(k, &frame)?;
+        let shape = Arc::new(Shape::of(&frame, origin));
+        let mut memory = self.memory();
+        if memory.shapes.len() == SHAPES {
+            memory.shapes.remove(0);
+        }
+        memory.shapes.push(Arc::clone(&shape));
+        Ok((shape, frame))
+    }
+
+    fn memory(&self) -> std::sync::MutexGuard<'_, Memory> {
+        // What is kept here is only a copy of what can be read again.
+        self.memory.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn remembered(&self, key: &str) -> Option<Arc<Shape>> {
+        let mut memory = self.memory();
+        let at = memory.shapes.iter().position(|s| s.key == key)?;
+        let shape = memory.shapes.remove(at);
+        memory.shapes.push(Arc::clone(&shape));
+        Some(shape)
+    }
+
+    /// Middle of the first frame that can be read: the same for all answers.
+    fn origin(&self, k: usize, frame: &Frame) -> Result<Vec3, Problem> {
+        if let Some(origin) = self.memory().origin {
+            return Ok(origin);
+        }
+        let first = if k == 0 {
+            None
+        } else {
+            let [file, _] = self.files(0)?;
+            let bare = Wanted {
+                geometry: true,
+                column: &|_| false,
+            };
+            vtu::read_blocks(&file, bare).ok()
+        };
+        let points: Vec<Vec3> = first
+            .as_ref()
+            .unwrap_or(frame)
+            .points
+            .iter()
+            .map(|p| Vec3::from(*p))
+            .collect();
+        let (low, high) = shape::bounds(&points);
+        Ok(*self.memory().origin.insert(0.5 * (low + high)))
+    }
+
+    /// Columns of the blocks of frame `k`: the chosen ones, in the order of the file.
+    ///
+    /// # Errors
+    /// As [`Run::placed`].
+    pub fn columns(&self, k: usize, chosen: &dyn Fn(&str) -> bool) -> Result<Vec<Column>, Problem> {
+        let [file, _] = self.files(k)?;
+        let wanted = Wanted {
+            geometry: false,
+            column: chosen,
+        };
+        Ok(vtu::read_some(&file, wanted)?.cell_columns)
+    }
+
+    /// Numbers of one field of the blocks of frame `k`: `displacement.x`, `velocity` (its length), `rotation`.
+    /// With `block`, the numbers of the blocks.
+    ///
+    /// # Errors
+    /// As [`Run::placed`]; a field that the frame does not have.
+    pub fn field(&self, k: usize, name: &str) -> Result<Numbers, Problem> {
+        let (stem, part) = Part::split(name);
+        let columns = self.columns(k, &|n| n == stem || n == "block")?;
+        let column = columns.iter().find(|c| c.name == stem).ok_or_else(|| {
+            Problem::missing(
+                format!("frame {k} has no field {stem:?}"),
+                "Choose another field.",
+            )
+        })?;
+        let ids = columns.iter().find(|c| c.name == "block");
+        Ok(Numbers {
+            unit: column.unit.clone(),
+            values: column.numbers(part),
+            ids: ids.map_or_else(
+                || (0..column.len() as u32).collect(),
+                |c| c.data.iter().map(|v| *v as u32).collect(),
+            ),
+        })
+    }
+
+    /// A column of vectors.
+    ///
+    /// # Errors
+    /// As [`Run::field`].
+    pub fn vectors(&self, k: usize, name: &str) -> Result<Column, Problem> {
+        let columns = self.columns(k, &|n| n == name)?;
+        let column = columns.into_iter().find(|c| c.components > 1);
+        column.ok_or_else(|| {
+            Problem::missing(
+                format!("frame {k} has no vectors {name:?}"),
+                "Choose another field.",
+            )
+        })
+    }
+
+    /// Contacts of frame `k`: places less the origin, and columns; numbers of its blocks.
+    ///
+    /// # Errors
+    /// As [`Run::placed`].
+    pub fn contacts(&self, k: usize) -> Result<Touches, Problem> {
+        let [blocks, file] = self.files(k)?;
+        let contacts = vtu::read(&file)?;
+        let origin = self.memory().origin;
+        let origin = match origin {
+            Some(origin) => origin,
+            None => self.placed(k)?.0.origin,
+        };
+        let points = contacts
+            .points
+            .iter()
+            .map(|p| Vec3::from(*p) - origin)
+            .collect();
+        let only = Wanted {
+            geometry: false,
+            column: &|n| n == "block",
+        };
+        let ids = vtu::read_some(&blocks, only)?
+            .cell_columns
+            .first()
+            .map_or_else(Vec::new, |c| c.data.iter().map(|v| *v as u32).collect());
+        Ok(Touches {
+            points,
+            columns: contacts.point_columns,
+            ids,
+        })
+    }
+
+    /// `histories.csv` or `energy.csv`; `None` if the run has none.
+    ///
+    /// # Errors
+    /// A damaged file.
+    pub fn table(&self, name: &str) -> Result<Option<Table>, Problem> {
+        let Ok(path) = self.inside(name) else {
+            return Ok(None);
+        };
+        Table::read(&path).map(Some).map_err(|error| {
+            Problem::broken(
+                error.to_string(),
+                "Mend the file with a text editor, or copy the run folder again.",
+            )
+        })
+    }
+
+    /// Complete lines of an append-only file of JSON, the first ones; lines that are no JSON are left out.
+    pub fn lines(&self, name: &str) -> Vec<serde_json::Value> {
+        let bytes = self.file(name).unwrap_or_default();
+        let whole = bytes.iter().rposition(|b| *b == b'\n').unwrap_or(0);
+        bytes[..whole]
+            .split(|b| *b == b'\n')
+            .take(20_000)
+            .filter_map(|line| serde_json::from_slice(line).ok())
+            .collect()
+    }
+}
+
+/// Contacts of a frame.
+#[derive(Debug)]
+pub struct Touches {
+    /// Places less the origin, m.
+    pub points: Vec<Vec3>,
+    /// Numbers on contacts.
+    pub columns: Vec<Column>,
+    /// Shape `[blocks]`: numbers of the blocks of the frame.
+    pub ids: Vec<u32>,
+}
+
+/// One number per block.
+#[derive(Debug)]
+pub struct Numbers {
+    /// Unit, `-` for none.
+    pub unit: String,
+    /// Shape `[blocks]`.
+    pub values: Vec<f64>,
+    /// Shape `[blocks]`: numbers of the blocks.
+    pub ids: Vec<u32>,
+}

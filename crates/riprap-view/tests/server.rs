@@ -1,0 +1,325 @@
+//! The server as a browser, a stranger and a person with a broken folder meet it.
+
+use riprap::record::frame::{BRICK, Solids};
+use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
+use riprap_view::Server;
+use serde_json::Value;
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+
+/// A row of bricks, each moved along x a little more than the one before, at frame `k`.
+fn row(bricks: usize, k: usize) -> Frame {
+    let mut frame = Frame {
+        step: 10 * k as u64,
+        time: 1e-3 * k as f64,
+        phase: "pull".to_owned(),
+        offsets: vec![0],
+        ..Frame::default()
+    };
+    let mut shifts = Vec::new();
+    for b in 0..bricks {
+        let shift = 0.01 * (k * b) as f64;
+        frame.points.extend(BRICK.map(|c| {
+            [
+                1000.0 + b as f64 + shift + 0.5 * c[0],
+                0.5 * c[1],
+                0.5 * c[2],
+            ]
+        }));
+        frame.offsets.push(frame.points.len() as u32);
+        shifts.push([shift, 0.0, 0.0]);
+    }
+    frame.solids = Some(Solids {
+        faces: vec![0; bricks + 1],
+        ends: vec![0],
+        corners: Vec::new(),
+    });
+    frame.block_columns = vec![
+        Column::scalar("block", "-", (0..bricks).map(|b| b as f64).collect()),
+        Column::vector3("displacement", "m", &shifts),
+    ];
+    frame.contact_points = vec![[1000.5, 0.0, 0.0]];
+    frame.contact_columns = vec![
+        Column::scalar("block_a", "-", vec![0.0]),
+        Column::scalar("block_b", "-", vec![1.0]),
+        Column::scalar("broken_points", "-", vec![2.0]),
+        Column::vector3("force_on_a", "N", &[[5.0, 0.0, 0.0]]),
+    ];
+    frame
+}
+
+fn write_run(path: &Path, frames: usize) {
+    let mut manifest = Manifest {
+        title: "a row of bricks".to_owned(),
+        ..Manifest::default()
+    };
+    let mut run = RunFolder::create(path, Existing::Refuse, &manifest).unwrap();
+    run.begin_histories(&[("slip", "m")]).unwrap();
+    for k in 0..frames {
+        run.frame(&row(4, k)).unwrap();
+        run.history_row(10 * k as u64, 1e-3 * k as f64, &[Some(0.5)])
+            .unwrap();
+    }
+    manifest.ended = Ended::Finished;
+    run.write_manifest(&manifest).unwrap();
+}
+
+/// A server over folders; it ends with the test program.
+fn serve(folders: &[PathBuf]) -> SocketAddr {
+    let server = Server::bind(folders, None).unwrap();
+    let url = server.url();
+    std::thread::spawn(move || server.run());
+    url.trim_start_matches("http://")
+        .trim_end_matches('/')
+        .parse()
+        .unwrap()
+}
+
+struct Reply {
+    code: u16,
+    head: String,
+    body: Vec<u8>,
+}
+
+impl Reply {
+    fn json(&self) -> Value {
+        serde_json::from_slice(&self.body).unwrap()
+    }
+}
+
+fn ask(address: SocketAddr, method: &str, path: &str, headers: &str) -> Reply {
+    let mut stream = TcpStream::connect(address).unwrap();
+    write!(
+        stream,
+        "{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n"
+    )
+    .unwrap();
+    let mut bytes = Vec::new();
+    stream.read_to_end(&mut bytes).unwrap();
+    let end = bytes.windows(4).position(|w| w == b"\r\n\r\n").unwrap();
+    let head = String::from_utf8_lossy(&bytes[..end]).into_owned();
+    Reply {
+        code: head.split(' ').nth(1).unwrap().parse().unwrap(),
+        head: head.to_lowercase(),
+        body: bytes[end + 4..].to_vec(),
+    }
+}
+
+fn get(address: SocketAddr, path: &str) -> Reply {
+    ask(address, "GET", path, &format!("Host: {address}\r\n"))
+}
+
+#[test]
+fn a_run_is_told_frame_by_frame() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.run");
+    write_run(&path, 3);
+    let address = serve(&[path]);
+    let page = get(address, "/");
+    assert_eq!(page.code, 200);
+    assert!(
+        page.head
+            .contains("content-security-policy: default-src 'none'")
+    );
+    let summary = get(address, "/api/0/summary").json();
+    assert_eq!(summary["times"], serde_json::json!([0.0, 1e-3, 2e-3]));
+    assert_eq!(summary["manifest"]["title"], "a row of bricks");
+    assert_eq!(summary["fields"][1]["name"], "displacement");
+    assert_eq!(summary["live"], false);
+    for (question, code) in [
+        ("frame/2", 200),
+        ("shape/2", 200),
+        ("field/1?name=displacement.x", 200),
+        ("field/1?name=displacement%2Ex", 200),
+        ("vectors/1?name=displacement", 200),
+        ("contacts/1", 200),
+        ("table/histories", 200),
+        ("table/energy", 200),
+        ("events", 200),
+        ("file/histories.csv", 200),
+        ("frame/3", 404),
+        ("frame/x", 404),
+        ("field/1", 404),
+        ("field/1?name=nothing", 404),
+        ("vectors/1?name=block", 404),
+        ("block/1/9", 404),
+        ("nothing", 404),
+    ] {
+        assert_eq!(
+            get(address, &format!("/api/0/{question}")).code,
+            code,
+            "{question}"
+        );
+    }
+    let block = get(address, "/api/0/block/2/3").json();
+    assert_eq!(block["columns"][1]["values"][0], 0.06);
+    let history = get(address, "/api/0/history/3?name=displacement.x&from=1").json();
+    assert_eq!(history["values"], serde_json::json!([0.03, 0.06]));
+    let range = get(address, "/api/0/range?name=displacement").json();
+    assert_eq!(range["range"], serde_json::json!([0.0, 0.06]));
+    assert_eq!(get(address, "/api/1/summary").code, 404);
+    assert_eq!(
+        ask(
+            address,
+            "POST",
+            "/api/0/summary",
+            &format!("Host: {address}\r\n")
+        )
+        .code,
+        405
+    );
+}
+
+#[test]
+fn strangers_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.run");
+    write_run(&path, 1);
+    let address = serve(&[path]);
+    for headers in [
+        "Host: evil.example\r\n".to_owned(),
+        format!("Host: evil.example:{}\r\n", address.port()),
+        "Host: 127.0.0.1\r\n".to_owned(),
+        format!("Host: {address}\r\nOrigin: https://evil.example\r\n"),
+        format!("Host: {address}\r\nSec-Fetch-Site: cross-site\r\n"),
+    ] {
+        assert_eq!(
+            ask(address, "GET", "/api/0/summary", &headers).code,
+            403,
+            "{headers}"
+        );
+    }
+    let named = format!(
+        "Host: localhost:{}\r\nSec-Fetch-Site: same-origin\r\n",
+        address.port()
+    );
+    assert_eq!(ask(address, "GET", "/api/0/summary", &named).code, 200);
+}
+
+#[test]
+fn nothing_outside_the_folder_is_read() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.run");
+    write_run(&path, 1);
+    std::fs::write(dir.path().join("secret.txt"), "secret").unwrap();
+    let address = serve(std::slice::from_ref(&path));
+    for name in [
+        "../secret.txt",
+        "..%2Fsecret.txt",
+        "%2e%2e/secret.txt",
+        "frames/../../secret.txt",
+        "/etc/hostname",
+        "%2Fetc%2Fhostname",
+        "",
+        ".",
+        "a%00b",
+    ] {
+        let reply = get(address, &format!("/api/0/file/{name}"));
+        assert!(
+            reply.code == 404 || reply.code == 422,
+            "{name}: {}",
+            reply.code
+        );
+        assert!(!String::from_utf8_lossy(&reply.body).contains("secret\n"));
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(dir.path().join("secret.txt"), path.join("link.txt")).unwrap();
+        assert_eq!(get(address, "/api/0/file/link.txt").code, 404);
+    }
+    // A list of frames that leads elsewhere.
+    let pvd = std::fs::read_to_string(path.join("run.pvd")).unwrap();
+    for file in [
+        "../../secret.txt",
+        "frames/../frames/frame_000001.vtu",
+        "/etc/hostname",
+    ] {
+        std::fs::write(
+            path.join("run.pvd"),
+            pvd.replace("frames/frame_000001.vtu", file),
+        )
+        .unwrap();
+        assert_eq!(get(address, "/api/0/frame/0").code, 422, "{file}");
+    }
+}
+
+#[test]
+fn broken_folders_say_what_is_wrong_and_what_to_do() {
+    let dir = tempfile::tempdir().unwrap();
+    let problem = |address, what: &str| {
+        let summary = get(address, "/api/0/summary").json();
+        let said = summary["problem"]["what"]
+            .as_str()
+            .unwrap_or_default()
+            .to_owned();
+        assert!(said.contains(what), "{said}");
+        assert!(!summary["problem"]["hint"].as_str().unwrap().is_empty());
+    };
+    let path = dir.path().join("a.run");
+    std::fs::create_dir(&path).unwrap();
+    let address = serve(std::slice::from_ref(&path));
+    problem(address, "manifest.json");
+    std::fs::remove_dir(&path).unwrap();
+    write_run(&path, 3);
+    assert!(get(address, "/api/0/summary").json()["problem"].is_null());
+
+    // One frame cut off: the others are shown.
+    let frame = path.join("frames/frame_000002.vtu");
+    let bytes = std::fs::read(&frame).unwrap();
+    std::fs::write(&frame, &bytes[..bytes.len() / 2]).unwrap();
+    let reply = get(address, "/api/0/frame/1");
+    assert_eq!(reply.code, 422);
+    assert!(
+        reply.json()["what"]
+            .as_str()
+            .unwrap()
+            .contains("frame_000002.vtu is damaged")
+    );
+    assert_eq!(get(address, "/api/0/frame/2").code, 200);
+    let history = get(address, "/api/0/history/3?name=displacement.x").json();
+    assert_eq!(history["values"], serde_json::json!([0.0, null, 0.06]));
+    // A frame that is gone.
+    std::fs::remove_file(&frame).unwrap();
+    assert_eq!(get(address, "/api/0/frame/1").code, 404);
+
+    // A run whose program died, and one that writes now.
+    let manifest = Manifest::default();
+    manifest.write(&path).unwrap();
+    let summary = get(address, "/api/0/summary").json();
+    assert_eq!(
+        (&summary["live"], &summary["died"]),
+        (&Value::Bool(false), &Value::Bool(true))
+    );
+    let going = dir.path().join("b.run");
+    let _run = RunFolder::create(&going, Existing::Refuse, &manifest).unwrap();
+    let other = serve(std::slice::from_ref(&going));
+    let summary = get(other, "/api/0/summary").json();
+    assert_eq!(
+        (&summary["live"], &summary["died"]),
+        (&Value::Bool(true), &Value::Bool(false))
+    );
+    assert_eq!(summary["times"], serde_json::json!([]));
+
+    let pvd = std::fs::read(path.join("run.pvd")).unwrap();
+    std::fs::write(path.join("run.pvd"), &pvd[..pvd.len() - 20]).unwrap();
+    problem(address, "run.pvd");
+    let text = std::fs::read_to_string(path.join("manifest.json")).unwrap();
+    std::fs::write(path.join("manifest.json"), &text[..40]).unwrap();
+    problem(address, "manifest.json");
+    std::fs::write(
+        path.join("manifest.json"),
+        text.replace("\"format_version\": 1", "\"format_version\": 99"),
+    )
+    .unwrap();
+    problem(address, "99");
+}
+
+#[test]
+fn a_port_in_use_moves_on() {
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = taken.local_addr().unwrap().port();
+    let server = Server::bind(&[], Some(port)).unwrap();
+    assert!(server.url().starts_with("http://127.0.0.1:"));
+    assert_ne!(server.url(), format!("http://127.0.0.1:{port}/"));
+}

@@ -1,0 +1,20 @@
+import { defineConfig } from "@playwright/test";
+import { existsSync } from "node:fs";
+
+/** The distribution's browser, unless another is named. */
+const browsers = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+const executablePath = browsers.find((path) => path && existsSync(path));
+
+export default defineConfig({
+  testDir: "tests",
+  outputDir: "test-results",
+  globalSetup: "./tests/runs.ts",
+  reporter: [["list"], ["./tests/tally.ts"]],
+  timeout: 60_000,
+  workers: 1,
+  use: {
+    ...(executablePath ? { launchOptions: { executablePath, args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"] } } : {}),
+    viewport: { width: 1280, height: 800 },
+    acceptDownloads: true,
+  },
+});

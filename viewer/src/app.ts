@@ -1,0 +1,430 @@
+// The page: head, pictures, panel, plots, bar of time, and what ties them together.
+
+import { el, iconButton } from "./dom";
+import * as film from "./film";
+import { listen, sheet, type Shortcut } from "./keys";
+import { legendElement, legendOf } from "./legend";
+import { Panel } from "./panel";
+import { Plots, fieldNames } from "./plots";
+import { Run, told } from "./run";
+import { Choices, type Settings } from "./settings";
+import { defaultMap } from "./colour";
+import { short, quantity } from "./format";
+import type { Source } from "./source";
+import { Timeline } from "./timeline";
+import { View } from "./view";
+
+/** A running run is asked for news this often, in ms. */
+const NEWS = 1000;
+/** Settings that need other answers, not only another drawing. */
+const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks"];
+
+interface Pane {
+  view: View;
+  host: HTMLElement;
+  legend: HTMLElement;
+  banner: HTMLElement;
+  head: HTMLElement;
+  triad: HTMLElement;
+}
+
+export class App {
+  private readonly choices = new Choices();
+  private runs: Run[] = [];
+  private panes: Pane[] = [];
+  private timeline!: Timeline;
+  private panel: Panel | null = null;
+  private plots: Plots | null = null;
+  private readonly stages = el("div.stages");
+  private readonly badge = el("span.badge");
+  private readonly title = el("h1");
+  private work: AbortController | null = null;
+
+  constructor(private readonly host: HTMLElement) {}
+
+  async start(sources: Source[]): Promise<void> {
+    this.runs = await Promise.all(sources.map((s) => Run.open(s)));
+    this.theme(localStorage.getItem("riprap-theme") as "light" | "dark" | null);
+    const good = this.runs.filter((r) => !r.summary.problem);
+    this.chooseField(good);
+    this.timeline = new Timeline(
+      this.choices,
+      (time) => this.showTime(time),
+      (time) => {
+        for (const { view } of this.panes) void view.prefetch(view.run.frameAt(time), this.choices.now);
+      },
+    );
+    this.layout(good);
+    this.timeline.setTimes(this.times(good));
+    this.refreshHead();
+    if (good.some((r) => r.summary.live)) {
+      this.timeline.following = true;
+      this.news();
+    }
+    await this.timeline.go(this.timeline.following ? this.timeline.times.length - 1 : 0);
+    for (const pane of this.panes) this.refreshPane(pane);
+    const flat = this.panes[0]?.view.flat ?? true;
+    this.panel?.rebuild(flat ? 2 : 3);
+    document.documentElement.dataset.ready = "true";
+  }
+
+  private chooseField(runs: Run[]): void {
+    const names = runs.flatMap((r) => fieldNames(r.summary.fields));
+    if (!names.includes(this.choices.now.field)) this.choices.now.field = names.find((n) => n !== "block") ?? "";
+    this.choices.now.map = defaultMap(this.choices.now.field);
+  }
+
+  private times(runs: Run[]): number[] {
+    const all = runs.flatMap((r) => r.summary.times).sort((a, b) => a - b);
+    return all.filter((t, i) => i === 0 || t > all[i - 1]!);
+  }
+
+  private layout(good: Run[]): void {
+    for (const run of this.runs) {
+      if (run.summary.problem) this.stages.append(problemCard(run.summary.name, run.summary.problem));
+      else this.addPane(run);
+    }
+    const first = good[0];
+    const dimension = first?.summary.fields.some((f) => f.components === 3) ? 3 : 2;
+    this.panel = new Panel(this.runs, this.choices, this.actions(), dimension);
+    this.plots = new Plots(good, (time) => void this.timeline.seek(time));
+    const shortcuts = this.shortcuts();
+    const keys = sheet(shortcuts);
+    listen(shortcuts);
+    const toggle = (name: string) => () => {
+      this.host.classList.toggle(name);
+      if (name === "with-plots") this.openPlots();
+    };
+    const header = el(
+      "header",
+      {},
+      this.title,
+      this.badge,
+      el("span.spacer"),
+      iconButton("camera", "Save a picture (s)", () => void this.save("picture")),
+      iconButton("plots", "Histories (p)", toggle("with-plots")),
+      iconButton("theme", "Light or dark (t)", () => this.flipTheme()),
+      iconButton("help", "Keys and mouse (?)", () => keys.showModal()),
+      iconButton("menu", "Panel (m)", toggle("no-panel")),
+    );
+    this.host.replaceChildren(header, el("main", {}, el("div.middle", {}, this.stages, this.plots.object), this.panel.object), this.timeline.object, keys);
+    if (window.innerWidth < 760) this.host.classList.add("no-panel");
+    this.choices.listen((changed) => void this.changed(changed));
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.themed());
+    this.themed();
+    if (good.length > 0 && first!.summary.tables[0] && window.innerHeight > 820 && window.innerWidth > 1100) {
+      this.host.classList.add("with-plots");
+      this.openPlots();
+    }
+  }
+
+  private addPane(run: Run): void {
+    const host = el("div.stage");
+    const pane: Pane = {
+      host,
+      view: new View(run, host),
+      legend: el("div.legendhost"),
+      banner: el("div.banner", { role: "alert", hidden: true }),
+      head: el("div.panehead"),
+      triad: el("div.triad", { "aria-hidden": "true" }),
+    };
+    host.append(pane.head, pane.legend, pane.banner, pane.triad);
+    this.stages.append(host);
+    this.panes.push(pane);
+    const { view } = pane;
+    view.stage.onMove = (from) => {
+      for (const other of this.panes) if (other !== pane) other.view.stage.follow(from);
+    };
+    view.stage.onDrawn = () => drawTriad(pane);
+    let down: [number, number] | null = null;
+    view.stage.canvas.addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
+    view.stage.canvas.addEventListener("pointerup", (e) => {
+      // A click, not the end of a drag.
+      if (down && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 5 && e.button === 0) {
+        void this.pick(pane, view.pickAt(e.clientX, e.clientY));
+      }
+      down = null;
+    });
+    view.stage.canvas.addEventListener("webglcontextlost", (e) => {
+      e.preventDefault();
+      this.banner(pane, { what: "The browser has lost its graphics.", hint: "Reload the page." });
+    });
+    if (run.frames === 0) this.banner(pane, noFrames(run));
+  }
+
+  private async showTime(time: number): Promise<void> {
+    await Promise.all(this.panes.map(({ view }) => view.show(view.run.frameAt(time), this.choices.now)));
+    for (const pane of this.panes) this.refreshPane(pane);
+    this.plots?.mark(time);
+    const picked = this.panes.find((p) => p.view.picked !== null);
+    if (picked && !this.timeline.playing) await this.showNumbers(picked);
+  }
+
+  private refreshPane(pane: Pane): void {
+    const { view } = pane;
+    pane.legend.replaceChildren(legendElement(legendOf(view, this.choices.now), view.scale));
+    if (view.run.frames > 0) this.banner(pane, view.trouble ?? view.run.summary.note);
+    pane.host.classList.toggle("stale", view.trouble !== null);
+    const { summary } = view.run;
+    if (this.runs.length > 1) {
+      const time = summary.times[view.frame];
+      pane.head.replaceChildren(
+        el("b", {}, summary.manifest.title || summary.name),
+        el("span", {}, ` ${summary.name}${time === undefined ? "" : ` · ${quantity(time, "s")}`}`),
+      );
+    }
+    view.stage.canvas.dataset.frame = String(view.frame);
+    view.stage.canvas.dataset.faces = String(view.blocks?.visibleFaces ?? 0);
+    view.stage.canvas.dataset.blocks = String(view.blocks?.count ?? 0);
+  }
+
+  private banner(pane: Pane, problem: { what: string; hint: string } | null): void {
+    pane.banner.hidden = problem === null;
+    if (problem) pane.banner.replaceChildren(el("b", {}, problem.what), el("span", {}, problem.hint));
+  }
+
+  private async changed(changed: (keyof Settings)[]): Promise<void> {
+    const now = this.choices.now;
+    if (changed.some((c) => REFETCH.includes(c))) {
+      await Promise.all(this.panes.map(({ view }) => view.show(Math.max(0, view.frame), now)));
+    } else {
+      for (const { view } of this.panes) view.apply(now, changed.includes("exaggeration"));
+    }
+    for (const pane of this.panes) this.refreshPane(pane);
+  }
+
+  private async pick(pane: Pane, id: number | null): Promise<void> {
+    for (const other of this.panes) other.view.pick(other === pane ? id : null);
+    this.plots?.setPicked(pane.view.run, id);
+    if (id === null) this.panel?.showBlock(null);
+    else await this.showNumbers(pane);
+  }
+
+  private async showNumbers(pane: Pane): Promise<void> {
+    const { view } = pane;
+    if (view.picked === null) return;
+    try {
+      this.panel?.showBlock(await view.run.block(view.frame, view.picked));
+    } catch (error) {
+      const { what, hint } = told(error);
+      this.panel?.showBlock(null, `${what}. ${hint}`);
+    }
+  }
+
+  private openPlots(): void {
+    if (this.host.classList.contains("with-plots")) void this.plots?.open(this.plots.tab);
+  }
+
+  private actions(): import("./panel").Actions {
+    const first = () => this.panes[0]?.view;
+    return {
+      fit: (side) => {
+        const view = first();
+        view?.fit(side);
+        if (view) for (const other of this.panes.slice(1)) other.view.stage.follow(view.stage.standpoint());
+      },
+      picture: () => void this.save("picture"),
+      sequence: () => void this.save("sequence"),
+      film: () => void this.save("film"),
+      niceExaggeration: () => Math.min(...this.panes.map(({ view }) => view.niceExaggeration())),
+      unpick: () => {
+        for (const pane of this.panes) void this.pick(pane, null);
+      },
+      history: () => {
+        this.host.classList.add("with-plots");
+        void this.plots?.open("block");
+      },
+      range: () => {
+        const scale = first()?.scale;
+        return scale ? [scale.low, scale.high] : [0, 1];
+      },
+    };
+  }
+
+  /** Saves pictures; a second call while one is at work stops it. */
+  private async save(what: "picture" | "sequence" | "film"): Promise<void> {
+    const views = this.panes.filter((p) => p.view.blocks).map((p) => p.view);
+    if (views.length === 0) return;
+    if (this.work) {
+      this.work.abort();
+      return;
+    }
+    const work = new AbortController();
+    this.work = work;
+    const progress = (share: number) => {
+      this.panel?.say(`${Math.round(100 * share)} %; choose it again to stop`);
+      return !work.signal.aborted;
+    };
+    try {
+      if (what === "picture") await film.picture(views, this.choices.now);
+      else await film[what](views, this.choices.now, this.timeline, progress);
+      this.panel?.say(work.signal.aborted ? "stopped" : "saved");
+    } catch (error) {
+      this.panel?.say(told(error).what);
+    } finally {
+      this.work = null;
+    }
+  }
+
+  private shortcuts(): Shortcut[] {
+    const { choices, timeline } = this;
+    const actions = this.actions();
+    const times = (factor: number) => () =>
+      choices.set({ exaggeration: Math.min(1e4, Math.max(1, Number((choices.now.exaggeration * factor).toPrecision(2)))) });
+    const clip = ["", "x", "y", "z"] as const;
+    return [
+      { keys: [" "], label: "space", what: "play, pause", act: () => timeline.toggle() },
+      { keys: ["ArrowLeft"], label: "←", what: "one frame back (shift: ten)", act: (shift: boolean) => timeline.step(shift ? -10 : -1) },
+      { keys: ["ArrowRight"], label: "→", what: "one frame on (shift: ten)", act: (shift: boolean) => timeline.step(shift ? 10 : 1) },
+      { keys: ["Home"], label: "Home", what: "first frame", act: () => void timeline.go(0) },
+      { keys: ["End"], label: "End", what: "last frame", act: () => void timeline.go(timeline.times.length - 1) },
+      { keys: ["g"], label: "g", what: "follow a run that goes on", act: () => this.follow() },
+      { keys: ["f"], label: "f", what: "all in view", act: () => actions.fit() },
+      ...(["x", "y", "z"] as const).map((side, i) => ({
+        keys: [String(i + 1)],
+        label: String(i + 1),
+        what: `look along ${side} (in space)`,
+        act: () => actions.fit(side),
+      })),
+      { keys: ["e"], label: "e", what: "edges", act: () => choices.set({ edges: !choices.now.edges }) },
+      { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
+      { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
+      { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
+      { keys: ["x"], label: "x", what: "cut away: along x, y, z, nothing", act: () => choices.set({ clipAxis: clip[(clip.indexOf(choices.now.clipAxis) + 1) % 4]! }) },
+      { keys: ["["], label: "[", what: "less exaggeration", act: times(0.5) },
+      { keys: ["]"], label: "]", what: "more exaggeration", act: times(2) },
+      { keys: ["p"], label: "p", what: "histories", act: () => this.toggle("with-plots") },
+      { keys: ["m"], label: "m", what: "panel", act: () => this.toggle("no-panel") },
+      { keys: ["s"], label: "s", what: "save a picture", act: () => void this.save("picture") },
+      { keys: ["t"], label: "t", what: "light, dark", act: () => this.flipTheme() },
+      { keys: ["Escape"], label: "Esc", what: "let the block go", act: () => actions.unpick() },
+      { keys: ["?"], label: "?", what: "this sheet", act: () => document.querySelector<HTMLDialogElement>("dialog.sheet")?.showModal() },
+    ];
+  }
+
+  private toggle(name: string): void {
+    this.host.classList.toggle(name);
+    this.openPlots();
+  }
+
+  private follow(): void {
+    this.timeline.following = !this.timeline.following;
+    this.refreshHead();
+    if (this.timeline.following) void this.timeline.go(this.timeline.times.length - 1);
+  }
+
+  /** Asks a running run for news until it ends. */
+  private news(): void {
+    setTimeout(async () => {
+      const good = this.panes.map((p) => p.view.run);
+      try {
+        const other = await Promise.all(good.map((r) => r.refresh()));
+        if (other.some(Boolean)) {
+          location.reload();
+          return;
+        }
+      } catch (error) {
+        for (const pane of this.panes) this.banner(pane, told(error));
+        return;
+      }
+      const times = this.times(good);
+      const more = times.length !== this.timeline.times.length;
+      this.timeline.setTimes(times);
+      this.refreshHead();
+      if (more) {
+        if (this.timeline.following) await this.timeline.go(times.length - 1);
+        else for (const pane of this.panes) this.refreshPane(pane);
+        for (const pane of this.panes) if (pane.view.run.frames === 0) this.banner(pane, noFrames(pane.view.run));
+      }
+      if (this.plots && this.plots.tab !== "block") this.openPlots();
+      if (good.some((r) => r.summary.live)) this.news();
+      else this.panel?.rebuild();
+    }, NEWS);
+  }
+
+  private refreshHead(): void {
+    const first = this.runs[0]!;
+    const { manifest, name } = first.summary;
+    const titles = this.runs.map((r) => r.summary.manifest?.title || r.summary.name);
+    this.title.textContent = [...new Set(titles)].join(" | ");
+    this.title.title = name;
+    document.title = `${titles[0]} – riprap`;
+    const live = this.runs.some((r) => r.summary.live);
+    const died = this.runs.some((r) => r.summary.died);
+    const state = !manifest ? "unreadable" : live ? "running" : died ? "unfinished" : manifest.ended;
+    this.badge.textContent = live && this.timeline.following ? "running, followed" : state;
+    this.badge.className = `badge ${state}`;
+    this.badge.title = !manifest
+      ? ""
+      : live
+        ? `step ${manifest.steps.toLocaleString("en")}; g follows the newest frame`
+        : died
+          ? "The program that wrote this run died. What it had written is shown; riprap resume goes on from the last checkpoint."
+          : `${manifest.message || "all phases reached their ends"}; ${short(manifest.wall_time, 3)} s`;
+  }
+
+  private flipTheme(): void {
+    const dark = this.isDark();
+    localStorage.setItem("riprap-theme", dark ? "light" : "dark");
+    this.theme(dark ? "light" : "dark");
+    this.themed();
+  }
+
+  private isDark(): boolean {
+    const chosen = document.documentElement.dataset.theme;
+    return chosen ? chosen === "dark" : window.matchMedia("(prefers-color-scheme: dark)").matches;
+  }
+
+  private theme(name: "light" | "dark" | null): void {
+    if (name) document.documentElement.dataset.theme = name;
+  }
+
+  /** Colours that the style sheet cannot reach. */
+  private themed(): void {
+    const style = getComputedStyle(document.documentElement);
+    const paper = style.getPropertyValue("--paper").trim();
+    const ink = style.getPropertyValue("--ink").trim();
+    for (const { view } of this.panes) view.setTheme(paper, ink);
+    this.plots?.retheme();
+  }
+}
+
+function problemCard(name: string, problem: { what: string; hint: string }): HTMLElement {
+  return el(
+    "div.card.problem",
+    { role: "alert" },
+    el("h2", {}, `${name} cannot be shown`),
+    el("p", {}, problem.what),
+    el("p.hint", {}, problem.hint),
+  );
+}
+
+function noFrames(run: Run): { what: string; hint: string } {
+  return run.summary.live
+    ? { what: "No frame yet.", hint: "The run has begun; the first frame will be shown when it is written." }
+    : {
+        what: "This run has no frames.",
+        hint: "Ask for some in the scene and run it again: [[outputs]] frames = { every = \"10 ms\" }. Its histories are there (p).",
+      };
+}
+
+/** The directions of the axes in the corner. */
+function drawTriad(pane: Pane): void {
+  const { view } = pane;
+  if (!view.blocks) return;
+  const ends = view.stage.triad();
+  const names = view.flat ? ["x", "y"] : ["x", "y", "z"];
+  const colours = ["#d9483b", "#2f9e57", "#3576d6"];
+  const lines = names.map((n, i) => {
+    const [x, y] = [32 + 24 * ends[i]![0], 32 - 24 * ends[i]![1]];
+    const [tx, ty] = [32 + 30 * ends[i]![0], 32 - 30 * ends[i]![1]];
+    return `<line x1="32" y1="32" x2="${x}" y2="${y}" stroke="${colours[i]}"/><text x="${tx}" y="${ty}" fill="${colours[i]}">${n}</text>`;
+  });
+  const perPixel = view.stage.metresPerPixel();
+  const raw = 90 * perPixel;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const bar = ([5, 2, 1].find((k) => k * power <= raw) ?? 1) * power;
+  pane.triad.innerHTML =
+    `<svg viewBox="0 0 64 64" width="64" height="64">${lines.join("")}</svg>` +
+    `<span class="bar" style="width:${(bar / perPixel).toFixed(1)}px">${quantity(bar, "m", 3)}</span>`;
+}

@@ -1,0 +1,104 @@
+// Colour maps: a texture for the blocks, a strip for the legend.
+
+import {
+  interpolateCividis,
+  interpolateMagma,
+  interpolateRdBu,
+  interpolateTurbo,
+  interpolateViridis,
+  schemeTableau10,
+} from "d3-scale-chromatic";
+import * as THREE from "three";
+
+export const MAPS: Record<string, (t: number) => string> = {
+  viridis: interpolateViridis,
+  cividis: interpolateCividis,
+  magma: interpolateMagma,
+  turbo: interpolateTurbo,
+  "blue-red": (t) => interpolateRdBu(1 - t),
+};
+
+/** Fields whose values are kinds, not amounts. */
+export const KINDS = new Set(["block", "material", "level", "held", "surface"]);
+/** Field names that have a sign by nature. */
+const SIGNED = /\.(x|y|z)$|^rotation$|^spin$|pressure|sigma/;
+
+export function defaultMap(field: string): string {
+  return SIGNED.test(field) ? "blue-red" : "viridis";
+}
+
+/** Number of colours of a map; the texture has as many of the colour of no value after them. */
+const STEPS = 256;
+const NONE: [number, number, number] = [128, 128, 128];
+
+const probe = document.createElement("canvas").getContext("2d", { willReadFrequently: true })!;
+
+/** Red, green, blue of 0 to 255. */
+export function rgb(css: string): [number, number, number] {
+  probe.fillStyle = "#000";
+  probe.fillStyle = css;
+  probe.fillRect(0, 0, 1, 1);
+  const [r, g, b] = probe.getImageData(0, 0, 1, 1).data;
+  return [r!, g!, b!];
+}
+
+export function kindColour(value: number): string {
+  return schemeTableau10[((Math.round(value) % 10) + 10) % 10]!;
+}
+
+/** How numbers become colours. */
+export class Scale {
+  readonly texture: THREE.DataTexture;
+  low = 0;
+  high = 1;
+  log = false;
+  kinds = false;
+  private readonly data = new Uint8Array(4 * 2 * STEPS);
+
+  constructor() {
+    this.texture = new THREE.DataTexture(this.data, 2 * STEPS, 1);
+    this.texture.colorSpace = THREE.SRGBColorSpace;
+    this.texture.magFilter = THREE.NearestFilter;
+    this.texture.minFilter = THREE.NearestFilter;
+    this.paint("viridis");
+  }
+
+  /** Fills the texture. */
+  paint(map: string): void {
+    const at = MAPS[map] ?? interpolateViridis;
+    for (let i = 0; i < 2 * STEPS; i++) {
+      const css = this.kinds ? kindColour(i) : at(i / (STEPS - 1));
+      const colour = i < STEPS ? rgb(css) : NONE;
+      this.data.set([...colour, 255], 4 * i);
+    }
+    this.texture.needsUpdate = true;
+  }
+
+  /** One colour for everything. */
+  plain(css: string): void {
+    const colour = rgb(css);
+    for (let i = 0; i < 2 * STEPS; i++) this.data.set([...colour, 255], 4 * i);
+    this.texture.needsUpdate = true;
+  }
+
+  /** Place of a value in the texture, from 0 to 1. */
+  place(value: number): number {
+    if (!Number.isFinite(value)) return 0.75;
+    if (this.kinds) return ((((Math.round(value) % 250) + 250) % 250) + 0.5) / (2 * STEPS);
+    let t: number;
+    if (this.log) {
+      if (value <= 0) t = 0;
+      else t = Math.log(value / this.low) / Math.log(this.high / this.low);
+    } else {
+      t = (value - this.low) / (this.high - this.low);
+    }
+    if (!(t > 0)) t = 0;
+    else if (t > 1) t = 1;
+    return (t * (STEPS - 1) + 0.5) / (2 * STEPS);
+  }
+
+  css(t: number): string {
+    const i = 4 * Math.round(Math.min(1, Math.max(0, t)) * (STEPS - 1));
+    return `rgb(${this.data[i]}, ${this.data[i + 1]}, ${this.data[i + 2]})`;
+  }
+}

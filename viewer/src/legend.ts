@@ -1,0 +1,139 @@
+// The legend on a picture: colours with numbers, arrows, contacts; as elements and drawn into exported pictures.
+
+import { kindColour, type Scale } from "./colour";
+import { el } from "./dom";
+import { scaleFor, short, ticks, quantity } from "./format";
+import { STATES } from "./marks";
+import type { Settings } from "./settings";
+import type { View } from "./view";
+
+export interface LegendText {
+  title: string;
+  /** Places from 0 to 1 with their texts; kinds have a colour of their own. */
+  marks: { at: number; text: string; colour?: string }[];
+  kinds: boolean;
+  notes: { text: string; colour?: string }[];
+}
+
+/** What the legend of a view says. */
+export function legendOf(view: View, settings: Settings): LegendText {
+  const { scale } = view;
+  const out: LegendText = { title: "", marks: [], kinds: scale.kinds, notes: [] };
+  if (view.values && settings.field) {
+    if (scale.kinds) {
+      out.title = settings.field;
+      const kinds = [...new Set(view.values)].filter(Number.isFinite).sort((a, b) => a - b);
+      if (kinds.length <= 10) {
+        out.marks = kinds.map((k, i) => ({ at: i, text: short(k), colour: kindColour(k) }));
+      }
+    } else {
+      const unit = scaleFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), view.unit);
+      out.title = settings.field + (unit.unit ? ` [${unit.unit}]` : "");
+      out.marks = marksOf(scale, unit.factor);
+    }
+  }
+  if (view.arrow && settings.vectors) {
+    out.notes.push({ text: `longest ${settings.vectors} ${quantity(view.arrow.longest, view.arrow.unit, 3)}` });
+  }
+  if (settings.exaggeration !== 1) out.notes.push({ text: `displacements × ${short(settings.exaggeration)}` });
+  if (view.contactCounts && (settings.contacts || settings.cracks)) {
+    STATES.forEach((state, i) => {
+      const drawn = (settings.contacts && settings.states[i]) || (settings.cracks && i >= 2);
+      if (drawn) out.notes.push({ text: `${state.name} ${view.contactCounts![i]}`, colour: state.colour });
+    });
+  }
+  return out;
+}
+
+function marksOf(scale: Scale, factor: number): LegendText["marks"] {
+  const { low, high } = scale;
+  if (scale.log) {
+    const decades: LegendText["marks"] = [];
+    const from = Math.ceil(Math.log10(low) - 1e-9);
+    const to = Math.floor(Math.log10(high) + 1e-9);
+    const step = Math.max(1, Math.ceil((to - from) / 5));
+    for (let k = from; k <= to; k += step) {
+      const at = (k - Math.log10(low)) / (Math.log10(high) - Math.log10(low));
+      decades.push({ at, text: short(10 ** k * factor, 3) });
+    }
+    return decades;
+  }
+  const round = ticks(low * factor, high * factor, 4);
+  return round.map((v) => ({ at: (v / factor - low) / (high - low), text: short(v, 4) }));
+}
+
+/** The legend as an element. */
+export function legendElement(text: LegendText, scale: Scale): HTMLElement {
+  const box = el("div.legend");
+  if (text.title) box.append(el("div.title", {}, text.title));
+  if (text.kinds) {
+    for (const mark of text.marks) {
+      const chip = el("i.chip");
+      chip.style.background = mark.colour ?? "";
+      box.append(el("div.note", {}, chip, mark.text));
+    }
+  } else if (text.marks.length > 0) {
+    const strip = el("div.strip");
+    const stops = Array.from({ length: 17 }, (_, i) => scale.css(i / 16));
+    strip.style.background = `linear-gradient(to top, ${stops.join(",")})`;
+    const scaleBox = el("div.scale", {}, strip);
+    for (const mark of text.marks) {
+      const tick = el("span.tick", {}, mark.text);
+      tick.style.bottom = `${100 * mark.at}%`;
+      scaleBox.append(tick);
+    }
+    box.append(scaleBox);
+  }
+  for (const note of text.notes) {
+    const chip = note.colour ? el("i.chip") : null;
+    if (chip) chip.style.background = note.colour!;
+    box.append(el("div.note", {}, chip, note.text));
+  }
+  return box;
+}
+
+/** The legend drawn into a picture; `x`, `y`: its upper left corner, `s`: pixels per unit. */
+export function paintLegend(
+  ctx: CanvasRenderingContext2D,
+  text: LegendText,
+  scale: Scale,
+  [x, y]: [number, number],
+  s: number,
+  ink: string,
+): void {
+  ctx.textBaseline = "middle";
+  ctx.font = `600 ${12 * s}px system-ui, sans-serif`;
+  ctx.fillStyle = ink;
+  let line = y + 10 * s;
+  if (text.title) {
+    ctx.fillText(text.title, x, line);
+    line += 16 * s;
+  }
+  ctx.font = `${11 * s}px system-ui, sans-serif`;
+  const chip = (colour: string) => {
+    ctx.fillStyle = colour;
+    ctx.fillRect(x, line - 5 * s, 10 * s, 10 * s);
+    ctx.fillStyle = ink;
+  };
+  if (text.kinds) {
+    for (const mark of text.marks) {
+      chip(mark.colour ?? ink);
+      ctx.fillText(mark.text, x + 16 * s, line);
+      line += 15 * s;
+    }
+  } else if (text.marks.length > 0) {
+    const tall = 140 * s;
+    const gradient = ctx.createLinearGradient(0, line + tall, 0, line);
+    for (let i = 0; i <= 16; i++) gradient.addColorStop(i / 16, scale.css(i / 16));
+    ctx.fillStyle = gradient;
+    ctx.fillRect(x, line, 14 * s, tall);
+    ctx.fillStyle = ink;
+    for (const mark of text.marks) ctx.fillText(mark.text, x + 20 * s, line + tall * (1 - mark.at));
+    line += tall + 14 * s;
+  }
+  for (const note of text.notes) {
+    if (note.colour) chip(note.colour);
+    ctx.fillText(note.text, note.colour ? x + 16 * s : x, line);
+    line += 15 * s;
+  }
+}

@@ -1,0 +1,26 @@
+// Puts the page together.
+
+import "./style.css";
+import { App } from "./app";
+import { el } from "./dom";
+import { told } from "./run";
+import { Held, Served, type Source } from "./source";
+
+/** Runs that the page itself holds (a report), else those of the server. */
+async function sources(): Promise<Source[]> {
+  const held = document.getElementById("riprap-run");
+  if (held?.textContent) {
+    return [new Held(new Map(Object.entries(JSON.parse(held.textContent) as Record<string, string>)))];
+  }
+  const response = await fetch("/api/runs");
+  const { runs } = (await response.json()) as { runs: number };
+  return Array.from({ length: runs }, (_, i) => new Served(i));
+}
+
+const host = document.getElementById("app")!;
+try {
+  await new App(host).start(await sources());
+} catch (error) {
+  const { what, hint } = told(error);
+  host.replaceChildren(el("div.card.problem", { role: "alert" }, el("h1", {}, "The viewer cannot start"), el("p", {}, what), el("p.hint", {}, hint)));
+}

@@ -1,0 +1,224 @@
+// What is drawn over the blocks: arrows, contacts, cracks, sources, the picked block.
+
+import * as THREE from "three";
+import type { Blocks } from "./blocks";
+import type { ContactInfo } from "./run";
+import type { Packet } from "./wire";
+
+/** Arrows drawn at most; of more, every second, third, ... is. */
+const ARROWS = 4000;
+
+/** States of contacts, as the server counts them. */
+export const STATES = [
+  { name: "touching", colour: "#4b8fd6" },
+  { name: "sliding", colour: "#f0a020" },
+  { name: "broken", colour: "#e0483e" },
+  { name: "open", colour: "#b05cd0" },
+] as const;
+
+/** An arrow along +x of length one, from the origin. */
+function arrowShape(flat: boolean): THREE.BufferGeometry {
+  if (flat) {
+    const shape = new THREE.Shape();
+    shape.moveTo(0, -0.025).lineTo(0.7, -0.025).lineTo(0.7, -0.1).lineTo(1, 0);
+    shape.lineTo(0.7, 0.1).lineTo(0.7, 0.025).lineTo(0, 0.025).closePath();
+    return new THREE.ShapeGeometry(shape);
+  }
+  const shaft = new THREE.CylinderGeometry(0.025, 0.025, 0.7, 5).translate(0, 0.35, 0);
+  const head = new THREE.ConeGeometry(0.09, 0.3, 8).translate(0, 0.85, 0);
+  const merged = new THREE.BufferGeometry();
+  const parts = [shaft.toNonIndexed(), head.toNonIndexed()];
+  for (const name of ["position", "normal"]) {
+    const arrays = parts.map((p) => p.getAttribute(name).array as Float32Array);
+    const all = new Float32Array(arrays[0]!.length + arrays[1]!.length);
+    all.set(arrays[0]!);
+    all.set(arrays[1]!, arrays[0]!.length);
+    merged.setAttribute(name, new THREE.BufferAttribute(all, 3));
+  }
+  return merged.rotateZ(-Math.PI / 2);
+}
+
+const AHEAD = new THREE.Vector3(1, 0, 0);
+
+/** Arrows of one kind. */
+export class Arrows {
+  readonly object = new THREE.Group();
+  private mesh: THREE.InstancedMesh | null = null;
+  private readonly material: THREE.MeshBasicMaterial;
+
+  constructor(private readonly flat: boolean) {
+    this.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide });
+  }
+
+  set colour(colour: THREE.ColorRepresentation) {
+    this.material.color.set(colour);
+  }
+
+  /** Draws vectors at places; the longest is `length` long. Places and vectors have three numbers each. */
+  draw(places: Float32Array, vectors: Float32Array, longest: number, length: number): void {
+    this.clear();
+    const count = vectors.length / 3;
+    const some: number[] = [];
+    for (let i = 0; i < count; i++) {
+      const size = Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!);
+      if (size > longest * 0.01 && Number.isFinite(places[3 * i]!)) some.push(i);
+    }
+    const step = Math.max(1, Math.ceil(some.length / ARROWS));
+    const drawn = some.filter((_, i) => i % step === 0);
+    const mesh = new THREE.InstancedMesh(arrowShape(this.flat), this.material, drawn.length);
+    const one = new THREE.Object3D();
+    const way = new THREE.Vector3();
+    drawn.forEach((i, n) => {
+      way.fromArray(vectors, 3 * i);
+      const size = way.length();
+      one.position.fromArray(places, 3 * i);
+      if (this.flat) one.position.z += 0.5;
+      one.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(size));
+      // Short arrows keep their width down to a third, or they would vanish.
+      const long = (size / longest) * length;
+      const wide = Math.max(long, length / 3);
+      one.scale.set(long, wide, wide);
+      one.updateMatrix();
+      mesh.setMatrixAt(n, one.matrix);
+    });
+    mesh.frustumCulled = false;
+    mesh.renderOrder = 3;
+    this.mesh = mesh;
+    this.object.add(mesh);
+  }
+
+  clear(): void {
+    if (!this.mesh) return;
+    this.object.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.mesh.dispose();
+    this.mesh = null;
+  }
+}
+
+/** Contacts as points, coloured by state. */
+export class Contacts {
+  readonly object = new THREE.Group();
+  private readonly geometry = new THREE.BufferGeometry();
+  private readonly points: THREE.Points;
+  /** Faces between blocks that have come apart. */
+  private readonly cracks: THREE.Mesh;
+
+  constructor(flat: boolean) {
+    this.points = new THREE.Points(
+      this.geometry,
+      new THREE.PointsMaterial({ size: flat ? 6 : 5, sizeAttenuation: false, vertexColors: true, depthTest: !flat }),
+    );
+    this.cracks = new THREE.Mesh(
+      new THREE.BufferGeometry(),
+      new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide, flatShading: true }),
+    );
+    for (const one of [this.points, this.cracks]) {
+      one.frustumCulled = false;
+      this.object.add(one);
+    }
+    this.points.renderOrder = 2;
+    this.clear();
+  }
+
+  clear(): void {
+    this.points.visible = false;
+    this.cracks.visible = false;
+  }
+
+  /** How many there are of each state. */
+  static count(contacts: Packet<ContactInfo>): number[] {
+    const counts = STATES.map(() => 0);
+    for (const s of contacts.u8("states")) counts[s] = (counts[s] ?? 0) + 1;
+    return counts;
+  }
+
+  /** Draws points of the chosen states. */
+  drawPoints(contacts: Packet<ContactInfo>, places: Float32Array, chosen: boolean[]): void {
+    const states = contacts.u8("states");
+    const colours = STATES.map((s) => new THREE.Color(s.colour));
+    const points: number[] = [];
+    const colour: number[] = [];
+    states.forEach((s, i) => {
+      if (!chosen[s]) return;
+      points.push(places[3 * i]!, places[3 * i + 1]!, places[3 * i + 2]!);
+      colour.push(...colours[s]!.toArray());
+    });
+    this.geometry.dispose();
+    this.geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
+    this.geometry.setAttribute("color", new THREE.Float32BufferAttribute(colour, 3));
+    this.points.visible = points.length > 0;
+  }
+
+  /** Draws the faces between blocks whose contact is broken or open. */
+  drawCracks(contacts: Packet<ContactInfo>, blocks: Blocks): void {
+    const states = contacts.u8("states");
+    const a = contacts.u32("blockA");
+    const b = contacts.u32("blockB");
+    const pairs: [number, number][] = [];
+    const kinds: number[] = [];
+    states.forEach((s, i) => {
+      const [i0, i1] = [a[i] ?? 0xffffffff, b[i] ?? 0xffffffff];
+      if (s < 2 || i0 === 0xffffffff || i1 === 0xffffffff) return;
+      if (!blocks.isShown(i0) && !blocks.isShown(i1)) return;
+      pairs.push([i0, i1]);
+      kinds.push(s);
+    });
+    const { points, pair } = blocks.surfaces(pairs);
+    const colours = STATES.map((s) => new THREE.Color(s.colour));
+    const colour = new Float32Array(points.length);
+    pair.forEach((n, t) => {
+      for (let k = 0; k < 3; k++) colours[kinds[n]!]!.toArray(colour, 9 * t + 3 * k);
+    });
+    this.cracks.geometry.dispose();
+    this.cracks.geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+    this.cracks.geometry.setAttribute("color", new THREE.BufferAttribute(colour, 3));
+    this.cracks.visible = points.length > 0;
+  }
+
+  hide(which: "points" | "cracks"): void {
+    this[which].visible = false;
+  }
+}
+
+/** Places of contacts as drawn: each goes along with its first block. */
+export function contactPlaces(
+  contacts: Packet<ContactInfo>,
+  blocks: Blocks,
+  shift: (block: number, target: THREE.Vector3) => THREE.Vector3,
+): Float32Array {
+  const points = contacts.f32("points").slice();
+  const owners = contacts.u32("blockA");
+  const way = new THREE.Vector3();
+  for (let i = 0; i < owners.length; i++) {
+    const b = owners[i]!;
+    if (b >= blocks.count) continue;
+    shift(b, way);
+    points[3 * i] = points[3 * i]! + way.x;
+    points[3 * i + 1] = points[3 * i + 1]! + way.y;
+    points[3 * i + 2] = points[3 * i + 2]! + way.z;
+  }
+  return points;
+}
+
+/** Outline of the picked block. */
+export class Picked {
+  readonly object: THREE.LineSegments;
+
+  constructor() {
+    this.object = new THREE.LineSegments(
+      new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ color: 0xff2e88, depthTest: false, transparent: true }),
+    );
+    this.object.renderOrder = 5;
+    this.object.frustumCulled = false;
+    this.object.visible = false;
+  }
+
+  draw(points: Float32Array | null): void {
+    this.object.visible = points !== null;
+    if (!points) return;
+    this.object.geometry.dispose();
+    this.object.geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+  }
+}

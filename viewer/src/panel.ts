@@ -1,0 +1,300 @@
+// The panel at the side: everything that can be chosen, and what is known about the run and the picked block.
+
+import { MAPS, defaultMap } from "./colour";
+import { check, choice, el, row } from "./dom";
+import { quantity, short } from "./format";
+import { STATES } from "./marks";
+import { fieldNames } from "./plots";
+import type { BlockNumbers, Run } from "./run";
+import type { Choices, Settings } from "./settings";
+
+export interface Actions {
+  fit: (side?: "default" | "x" | "y" | "z") => void;
+  picture: () => void;
+  sequence: () => void;
+  film: () => void;
+  niceExaggeration: () => number;
+  unpick: () => void;
+  history: () => void;
+  range: () => [number, number];
+}
+
+export class Panel {
+  readonly object: HTMLElement;
+  private readonly blockBox = el("div.numbers");
+  private readonly status = el("div.exportstate", { role: "status" });
+  private readonly colourBox = el("div");
+  private readonly moveBox = el("div");
+  private readonly marksBox = el("div");
+
+  constructor(
+    private readonly runs: Run[],
+    private readonly choices: Choices,
+    private readonly actions: Actions,
+    private dimension: 2 | 3,
+  ) {
+    this.object = el("aside.panel", { "aria-label": "settings" });
+    this.rebuild();
+    choices.listen((changed) => {
+      const deep: (keyof Settings)[] = ["field", "rangeMode", "exaggeration", "clipAxis", "vectors", "contacts", "log"];
+      if (changed.some((c) => deep.includes(c))) this.refill();
+    });
+  }
+
+  /** Everything anew: another kind of run, new fields. */
+  rebuild(dimension = this.dimension): void {
+    this.dimension = dimension;
+    this.object.replaceChildren(
+      section("Colour", true, this.colourBox),
+      section("Shape and view", true, this.moveBox),
+      section("Vectors and contacts", true, this.marksBox),
+      section("Block", true, this.blockBox),
+      section("Save", false, this.saveBox()),
+      ...this.runs.map((run, i) => section(this.runs.length > 1 ? `Run ${i + 1}` : "Run", false, aboutRun(run))),
+    );
+    this.refill();
+    if (!this.blockBox.hasChildNodes()) this.showBlock(null);
+  }
+
+  private refill(): void {
+    this.colourBox.replaceChildren(...this.colourRows());
+    this.moveBox.replaceChildren(...this.moveRows());
+    this.marksBox.replaceChildren(...this.markRows());
+  }
+
+  private colourRows(): HTMLElement[] {
+    const { choices } = this;
+    const now = choices.now;
+    const names = [...new Set(this.runs.flatMap((r) => fieldNames(r.summary.fields ?? [])))];
+    const field = choice(
+      [["", "one colour"], ...names.map((n): [string, string] => [n, n])],
+      now.field,
+      (name) => choices.set({ field: name, map: defaultMap(name), log: false, rangeMode: now.rangeMode === "fixed" ? "run" : now.rangeMode }),
+      "field",
+    );
+    const rows = [row("Field", field)];
+    const meaning = this.meaning(now.field);
+    if (meaning) rows.push(el("p.hint", {}, meaning));
+    if (!now.field) return rows;
+    rows.push(
+      row("Colours", choice(Object.keys(MAPS).map((m) => [m, m]), now.map, (map) => choices.set({ map }), "colour map")),
+      row(
+        "Range",
+        choice(
+          [
+            ["run", "whole run"],
+            ["frame", "this frame"],
+            ["fixed", "fixed"],
+          ],
+          now.rangeMode,
+          (mode) => {
+            const [low, high] = this.actions.range();
+            choices.set({ rangeMode: mode as Settings["rangeMode"], low, high });
+          },
+          "range of the colours",
+        ),
+      ),
+    );
+    if (now.rangeMode === "fixed") {
+      const number = (key: "low" | "high", label: string) => {
+        const box = el("input", { type: "number", step: "any", value: String(now[key]), "aria-label": label });
+        box.addEventListener("change", () => {
+          if (Number.isFinite(box.valueAsNumber)) choices.set({ [key]: box.valueAsNumber });
+        });
+        return box;
+      };
+      rows.push(row("From, to (SI)", number("low", "lowest value"), number("high", "highest value")));
+    }
+    rows.push(
+      el(
+        "div.checks",
+        {},
+        check("powers of ten", now.log, (log) => choices.set({ log }), "Logarithmic colours"),
+        check("only in range", now.only, (only) => choices.set({ only }), "Hide blocks whose value is outside the range"),
+      ),
+    );
+    return rows;
+  }
+
+  private meaning(name: string): string {
+    const stem = name.replace(/\.(x|y|z|magnitude)$/, "");
+    for (const run of this.runs) {
+      const note = run.summary.manifest?.fields?.find((f) => f.name === stem || f.name === `block.${stem}`);
+      if (note) return note.meaning;
+    }
+    return "";
+  }
+
+  private moveRows(): HTMLElement[] {
+    const { choices, actions } = this;
+    const now = choices.now;
+    const slider = el("input", { type: "range", min: "0", max: "4", step: "0.02", value: String(Math.log10(Math.max(1, now.exaggeration))), "aria-label": "exaggeration" });
+    const factor = el("output", {}, `× ${short(now.exaggeration, 3)}`);
+    const value = () => Number((10 ** Number(slider.value)).toPrecision(2));
+    slider.addEventListener("input", () => (factor.textContent = `× ${short(value(), 3)}`));
+    slider.addEventListener("change", () => choices.set({ exaggeration: value() }));
+    const small = (label: string, title: string, act: () => void) => el("button", { type: "button", title, onclick: act }, label);
+    const rows = [
+      row("Displacement", slider, factor),
+      el(
+        "div.buttons",
+        {},
+        small("true", "Displacements as they are", () => choices.set({ exaggeration: 1 })),
+        small("visible", "Exaggerate so that the largest displacement can be seen", () => choices.set({ exaggeration: actions.niceExaggeration() })),
+        small("fit", "All in view (f)", () => actions.fit()),
+        ...(this.dimension === 3
+          ? (["x", "y", "z"] as const).map((side) => small(side, `Look along ${side}`, () => actions.fit(side)))
+          : []),
+      ),
+      el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)")),
+      row(
+        "Cut away",
+        choice(
+          [["", "nothing"], ...(this.dimension === 3 ? ["x", "y", "z"] : ["x", "y"]).map((a): [string, string] => [a, `along ${a}`])],
+          now.clipAxis,
+          (axis) => choices.set({ clipAxis: axis as Settings["clipAxis"] }),
+          "clipping plane",
+        ),
+        now.clipAxis ? check("other side", now.clipFlip, (clipFlip) => choices.set({ clipFlip })) : null,
+      ),
+    ];
+    if (now.clipAxis) {
+      const place = el("input", { type: "range", min: "0", max: "1", step: "0.005", value: String(now.clipAt), "aria-label": "place of the clipping plane" });
+      place.addEventListener("input", () => choices.set({ clipAt: Number(place.value) }));
+      rows.push(row("Plane at", place));
+    }
+    return rows;
+  }
+
+  private markRows(): HTMLElement[] {
+    const { choices } = this;
+    const now = choices.now;
+    const names = new Set(this.runs.flatMap((r) => (r.summary.fields ?? []).filter((f) => f.components > 1).map((f) => f.name)));
+    const kinds = (["displacement", "velocity", "force"] as const).filter((v) => names.has(v));
+    const rows = [
+      row(
+        "Arrows",
+        choice(
+          [["", "none"], ...kinds.map((k): [string, string] => [k, k]), ["contact force", "contact force"]],
+          now.vectors,
+          (v) => choices.set({ vectors: v as Settings["vectors"] }),
+          "vectors",
+        ),
+      ),
+    ];
+    if (now.vectors) {
+      const size = el("input", { type: "range", min: "-1", max: "1", step: "0.05", value: String(Math.log10(now.vectorSize)), "aria-label": "length of arrows" });
+      size.addEventListener("input", () => choices.set({ vectorSize: 10 ** Number(size.value) }));
+      rows.push(row("Length", size));
+    }
+    rows.push(
+      el(
+        "div.checks",
+        {},
+        check("contacts", now.contacts, (contacts) => choices.set({ contacts }), "Points at contacts, coloured by state (c)"),
+        this.dimension === 3
+          ? check("cracks", now.cracks, (cracks) => choices.set({ cracks }), "Broken and open faces between glassy blocks (k)")
+          : null,
+      ),
+    );
+    if (now.contacts) {
+      rows.push(
+        el(
+          "div.checks",
+          {},
+          ...STATES.map((state, i) => {
+            const box = check(state.name, now.states[i]!, (on) => choices.set({ states: now.states.map((s, j) => (j === i ? on : s)) }));
+            box.style.setProperty("--chip", state.colour);
+            box.classList.add("chipped");
+            return box;
+          }),
+        ),
+      );
+    }
+    return rows;
+  }
+
+  private saveBox(): HTMLElement {
+    const button = (label: string, title: string, act: () => void) => el("button", { type: "button", title, onclick: act }, label);
+    return el(
+      "div",
+      {},
+      el(
+        "div.buttons",
+        {},
+        button("Picture", "PNG of what is shown (s)", this.actions.picture),
+        button("All frames", "PNG of every frame, in a zip", this.actions.sequence),
+        button("Film", "WebM, at the frames per second of the bar below", this.actions.film),
+      ),
+      this.status,
+    );
+  }
+
+  say(text: string): void {
+    this.status.textContent = text;
+  }
+
+  /** Numbers of the picked block. */
+  showBlock(numbers: BlockNumbers | null, problem = ""): void {
+    if (!numbers) {
+      this.blockBox.replaceChildren(el("p.hint", {}, problem || "Click a block to see its numbers and their history."));
+      return;
+    }
+    const rows = numbers.columns
+      .filter((c) => c.name !== "block")
+      .map((c) => {
+        const parts = c.values.map((v) => (typeof v === "number" ? v : Number.NaN));
+        const text =
+          parts.length > 1
+            ? `${quantity(Math.hypot(...parts), c.unit)}`
+            : c.unit === "-" ? short(parts[0] ?? Number.NaN) : quantity(parts[0] ?? Number.NaN, c.unit);
+        const detail = parts.length > 1 ? `(${parts.map((p) => short(p, 3)).join(", ")})` : "";
+        return el("tr", {}, el("td", {}, c.name), el("td", {}, text, detail ? el("small", {}, detail) : null));
+      });
+    this.blockBox.replaceChildren(
+      el(
+        "div.buttons.pickhead",
+        {},
+        el("b", {}, `block ${numbers.block}`),
+        el("button", { type: "button", onclick: this.actions.history }, "history"),
+        el("button", { type: "button", onclick: this.actions.unpick, title: "Let it go (Esc)" }, "clear"),
+      ),
+      el("table", {}, ...rows),
+    );
+  }
+}
+
+function section(title: string, open: boolean, ...children: HTMLElement[]): HTMLElement {
+  return el("details", { open }, el("summary", {}, title), ...children);
+}
+
+/** What ended how, with what. */
+function aboutRun(run: Run): HTMLElement {
+  const { manifest: m, name } = run.summary;
+  if (!m) return el("p.hint", {}, "This folder cannot be read.");
+  const rows: [string, string][] = [
+    ["folder", name],
+    ["scene", m.scenario],
+    ["case", [m.variant, m.case].filter((t, i, all) => t && t !== "default" && all.indexOf(t) === i).join(", ")],
+    ["ended", m.ended + (m.message ? `: ${m.message}` : "")],
+    ["model time", quantity(m.time, "s")],
+    ["steps", m.steps.toLocaleString("en")],
+    ["time step", quantity(m.dt, "s")],
+    ["wall time", `${short(m.wall_time, 3)} s on ${m.threads} thread${m.threads === 1 ? "" : "s"}`],
+    ["started", m.started.replace("T", " ").replace("Z", " UTC")],
+    ["riprap", m.riprap],
+    ["state hash", m.state_hash.slice(0, 16)],
+  ];
+  const files = ["scenario.resolved.toml", "manifest.json", "histories.csv", "energy.csv", "events.jsonl"];
+  const links = files.flatMap((file) => {
+    const href = run.source.file(file);
+    return href ? [el("a", { href, target: "_blank", rel: "noopener" }, file), " "] : [];
+  });
+  return el(
+    "div",
+    {},
+    el("table", {}, ...rows.filter(([, v]) => v).map(([k, v]) => el("tr", {}, el("td", {}, k), el("td", {}, v)))),
+    ...m.warnings.map((w) => el("p.warning", {}, w)),
+    el("p.files", {}, ...links),
+  );
+}

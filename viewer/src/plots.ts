@@ -1,0 +1,240 @@
+// Histories below the picture: one plot per unit, with a line at the time of the frame.
+
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { choice, el } from "./dom";
+import { short } from "./format";
+import type { Field, Run, Table } from "./run";
+
+const COLOURS = ["#2f7ed8", "#e4572e", "#2a9d5c", "#9a5fc9", "#d99a1c", "#17a2b0", "#c2448d", "#7a7f87"];
+
+interface Curve {
+  name: string;
+  unit: string;
+  time: ArrayLike<number>;
+  values: ArrayLike<number | null>;
+  dash: boolean;
+}
+
+type Tab = "histories" | "energy" | "block";
+
+export class Plots {
+  readonly object: HTMLElement;
+  tab: Tab = "histories";
+  private time = 0;
+  private readonly body = el("div.charts");
+  private readonly bar = el("div.tabs", { role: "tablist" });
+  private readonly extra = el("span.extra");
+  private plots: uPlot[] = [];
+  private curves: Curve[] = [];
+  private blockField = "displacement";
+  private picked: { run: Run; id: number } | null = null;
+  private stamp = 0;
+
+  constructor(
+    private readonly runs: Run[],
+    private readonly seek: (time: number) => void,
+  ) {
+    this.object = el("section.plots", { "aria-label": "histories" }, el("div.plothead", {}, this.bar, this.extra), this.body);
+    new ResizeObserver(() => this.resize()).observe(this.body);
+    this.tabs();
+  }
+
+  private tabs(): void {
+    const tabs: [Tab, string][] = [
+      ["histories", "Histories"],
+      ["energy", "Energy"],
+      ["block", "Block"],
+    ];
+    this.bar.replaceChildren(
+      ...tabs.map(([tab, label]) =>
+        el(
+          "button",
+          { role: "tab", type: "button", "aria-selected": String(tab === this.tab), onclick: () => void this.open(tab) },
+          label,
+        ),
+      ),
+    );
+  }
+
+  /** Shows one of the kinds of histories, read anew. */
+  async open(tab: Tab): Promise<void> {
+    this.tab = tab;
+    this.tabs();
+    const stamp = ++this.stamp;
+    this.extra.replaceChildren();
+    if (tab === "block") return this.openBlock(stamp);
+    const tables = await Promise.all(this.runs.map((run) => run.table(tab).catch(() => null)));
+    if (stamp !== this.stamp) return;
+    this.curves = tables.flatMap((table, i) => (table ? curvesOf(table, i > 0) : []));
+    const none =
+      tab === "histories"
+        ? "This run recorded no histories. Ask for some in the scene: [[outputs]] history = { field = \"...\" }"
+        : "This run has no energy.csv.";
+    this.draw(none);
+  }
+
+  /** The block whose history is wanted. */
+  setPicked(run: Run, id: number | null): void {
+    this.picked = id === null ? null : { run, id };
+    if (this.tab === "block") void this.open("block");
+  }
+
+  private async openBlock(stamp: number): Promise<void> {
+    this.curves = [];
+    if (!this.picked) return this.draw("Pick a block in the picture to see its history.");
+    const { run, id } = this.picked;
+    const names = fieldNames(run.summary.fields);
+    if (!names.includes(this.blockField)) this.blockField = names[0] ?? "";
+    this.extra.replaceChildren(
+      el("span", {}, `block ${id}: `),
+      choice(
+        names.map((n) => [n, n]),
+        this.blockField,
+        (name) => {
+          this.blockField = name;
+          void this.open("block");
+        },
+        "field of the block",
+      ),
+    );
+    this.draw("Reading the frames …");
+    await run.history(id, this.blockField, (time, values, unit) => {
+      if (stamp !== this.stamp) return false;
+      this.curves = [{ name: this.blockField, unit, time: [...time], values: [...values], dash: false }];
+      this.draw("");
+      return true;
+    });
+  }
+
+  /** Moves the line. */
+  mark(time: number): void {
+    this.time = time;
+    for (const plot of this.plots) plot.redraw(false);
+  }
+
+  private draw(none: string): void {
+    for (const plot of this.plots) plot.destroy();
+    this.plots = [];
+    this.body.replaceChildren();
+    if (this.curves.length === 0) {
+      this.body.append(el("p.hint", {}, none));
+      return;
+    }
+    const groups = new Map<string, Curve[]>();
+    for (const curve of this.curves) {
+      const key = curve.unit === "-" ? `- ${curve.name}` : curve.unit;
+      groups.set(key, [...(groups.get(key) ?? []), curve]);
+    }
+    for (const curves of groups.values()) this.body.append(this.one(curves));
+    this.resize();
+  }
+
+  private one(curves: Curve[]): HTMLElement {
+    const unit = curves[0]!.unit === "-" ? "" : curves[0]!.unit;
+    const host = el("figure.chart", {});
+    const style = getComputedStyle(document.documentElement);
+    const ink = style.getPropertyValue("--ink2").trim();
+    const grid = style.getPropertyValue("--line").trim();
+    const accent = style.getPropertyValue("--accent").trim();
+    const names = [...new Set(curves.map((c) => c.name))];
+    const log = curves.every((c) => /unbalanced/.test(c.name));
+    const values = (_: uPlot, all: number[]) => all.map((v) => (v === null ? "" : short(v)));
+    const options: uPlot.Options = {
+      width: 300,
+      height: 180,
+      title: names.length === 1 ? names[0] + (unit ? ` [${unit}]` : "") : unit ? `[${unit}]` : "",
+      cursor: { sync: { key: "riprap" }, drag: { x: true, y: false } },
+      legend: { live: true },
+      scales: { x: { time: false }, y: log ? { distr: 3 } : {} },
+      axes: [
+        { stroke: ink, grid: { stroke: grid }, ticks: { stroke: grid }, size: 28, values },
+        { stroke: ink, grid: { stroke: grid }, ticks: { stroke: grid }, size: 62, values },
+      ],
+      series: [
+        { label: "time [s]", value: (_, v) => (v === null ? "–" : short(v)) },
+        ...curves.map((c, i) => ({
+          label: c.dash ? `${c.name} (2)` : c.name,
+          stroke: COLOURS[names.indexOf(c.name) % COLOURS.length] ?? COLOURS[i % COLOURS.length]!,
+          width: 1.4,
+          ...(c.dash ? { dash: [6, 4] } : {}),
+          points: { show: c.time.length < 40, size: 4 },
+          spanGaps: true,
+          value: (_: uPlot, v: number | null) => (v === null || v === undefined ? "–" : short(v)),
+        })),
+      ],
+      hooks: {
+        draw: [
+          (u) => {
+            const x = u.valToPos(this.time, "x", true);
+            const { left, top, width, height } = u.bbox;
+            if (x < left || x > left + width) return;
+            u.ctx.save();
+            u.ctx.strokeStyle = accent;
+            u.ctx.lineWidth = 1.5 * devicePixelRatio;
+            u.ctx.beginPath();
+            u.ctx.moveTo(x, top);
+            u.ctx.lineTo(x, top + height);
+            u.ctx.stroke();
+            u.ctx.restore();
+          },
+        ],
+      },
+    };
+    const plot = new uPlot(options, joined(curves, log), host);
+    plot.over.addEventListener("click", () => {
+      const { left } = plot.cursor;
+      if (left !== undefined && left !== null && left >= 0) this.seek(plot.posToVal(left, "x"));
+    });
+    this.plots.push(plot);
+    return host;
+  }
+
+  private resize(): void {
+    const charts = this.plots.length;
+    if (charts === 0) return;
+    const wide = this.body.clientWidth;
+    const across = Math.max(1, Math.min(charts, Math.floor(wide / 330)));
+    const width = Math.floor(wide / across) - 12;
+    const tall = charts > across ? 190 : Math.max(150, this.body.clientHeight - 66);
+    for (const plot of this.plots) plot.setSize({ width, height: Math.min(tall, 320) });
+  }
+
+  /** Colours follow the theme. */
+  retheme(): void {
+    if (this.curves.length > 0) this.draw("");
+  }
+}
+
+function curvesOf(table: Table, dash: boolean): Curve[] {
+  return table.names.map((name, i) => ({
+    name,
+    unit: table.units[i]!,
+    time: table.time,
+    values: table.columns[i]!,
+    dash,
+  }));
+}
+
+/** Names of numbers among fields: parts of vectors one by one. */
+export function fieldNames(fields: Field[]): string[] {
+  return fields.flatMap((f) =>
+    f.components === 1
+      ? [f.name]
+      : [f.name, ...["x", "y", "z"].slice(0, f.components).map((part) => `${f.name}.${part}`)],
+  );
+}
+
+/** Curves over one time axis, gaps where one has no value. */
+function joined(curves: Curve[], positive: boolean): uPlot.AlignedData {
+  const tables = curves.map((c): uPlot.AlignedData => {
+    const time = Array.from(c.time);
+    const values = Array.from(c.values, (v) => (v === null || !Number.isFinite(v) || (positive && v <= 0) ? null : v));
+    return [time, values];
+  });
+  const first = curves[0]!.time;
+  if (curves.every((c) => c.time === first)) {
+    return [tables[0]![0], ...tables.map((t) => t[1]!)] as uPlot.AlignedData;
+  }
+  return uPlot.join(tables);
+}

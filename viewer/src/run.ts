@@ -1,0 +1,240 @@
+// One run: what it has, and its frames as they are asked for, with a memory of those seen.
+
+import type { Source } from "./source";
+import { Problem } from "./source";
+import type { Packet } from "./wire";
+
+/** Bytes of answers kept. */
+const MEMORY = 400e6;
+
+export interface Field {
+  name: string;
+  unit: string;
+  components: number;
+}
+
+export interface Manifest {
+  riprap: string;
+  title: string;
+  scenario: string;
+  variant: string;
+  case: string;
+  started: string;
+  wall_time: number;
+  dt: number;
+  steps: number;
+  time: number;
+  threads: number;
+  state_hash: string;
+  input_hash: string;
+  ended: "running" | "finished" | "stopped" | "interrupted" | "unstable";
+  message: string;
+  warnings: string[];
+  fields: { name: string; unit: string; meaning: string }[];
+  sources: { name: string; centre?: number[]; line?: number[][] }[];
+}
+
+export interface Summary {
+  name: string;
+  problem?: { what: string; hint: string };
+  manifest: Manifest;
+  live: boolean;
+  died: boolean;
+  times: number[];
+  fields: Field[];
+  note: { what: string; hint: string } | null;
+  tables: [boolean, boolean];
+}
+
+export interface ShapeInfo {
+  key: string;
+  dimension: 2 | 3;
+  size: number;
+  origin: [number, number, number];
+  low: [number, number, number];
+  high: [number, number, number];
+}
+
+export interface MotionInfo {
+  shape: string;
+  time: number;
+  step: number;
+  phase: string;
+  turnScale: number;
+  shutDecade: number;
+  steps: number;
+}
+
+export interface FieldInfo {
+  unit: string;
+  range: [number, number] | null;
+}
+
+export interface ContactInfo {
+  fields: Field[];
+  forceUnit: string | null;
+  longest: number | null;
+}
+
+export interface Table {
+  names: string[];
+  units: string[];
+  /** Without the columns step and time. */
+  columns: Float64Array[];
+  time: Float64Array;
+}
+
+export interface BlockNumbers {
+  block: number;
+  frame: number;
+  columns: { name: string; unit: string; values: (number | string)[] }[];
+}
+
+export class Run {
+  private readonly memory = new Map<string, { answer: Promise<Packet<unknown>>; bytes: number }>();
+  private held = 0;
+  /** Values over all frames, by field. */
+  private readonly ranges = new Map<string, [number, number] | null>();
+
+  constructor(
+    readonly source: Source,
+    public summary: Summary,
+  ) {}
+
+  static async open(source: Source): Promise<Run> {
+    return new Run(source, await source.json<Summary>("summary"));
+  }
+
+  get frames(): number {
+    return this.summary.times?.length ?? 0;
+  }
+
+  /** Reads the summary again; whether another run has taken the folder. */
+  async refresh(): Promise<boolean> {
+    const next = await this.source.json<Summary>("summary");
+    const other = !next.problem && next.manifest.started !== this.summary.manifest?.started;
+    if (other) {
+      this.memory.clear();
+      this.held = 0;
+    }
+    if (next.times?.length !== this.summary.times?.length) this.ranges.clear();
+    this.summary = next;
+    return other;
+  }
+
+  motion(k: number): Promise<Packet<MotionInfo>> {
+    return this.packet<MotionInfo>(`frame/${k}`);
+  }
+
+  /** The shape with this key, which frame `k` has. */
+  shape(key: string, k: number): Promise<Packet<ShapeInfo>> {
+    return this.packet<ShapeInfo>(`shape/${k}`, `shape ${key}`);
+  }
+
+  field(k: number, name: string): Promise<Packet<FieldInfo>> {
+    return this.packet<FieldInfo>(`field/${k}?name=${encodeURIComponent(name)}`);
+  }
+
+  vectors(k: number, name: string): Promise<Packet<{ unit: string; longest: number | null }>> {
+    return this.packet(`vectors/${k}?name=${encodeURIComponent(name)}`);
+  }
+
+  contacts(k: number): Promise<Packet<ContactInfo>> {
+    return this.packet<ContactInfo>(`contacts/${k}`);
+  }
+
+  block(k: number, id: number): Promise<BlockNumbers> {
+    return this.source.json<BlockNumbers>(`block/${k}/${id}`);
+  }
+
+  /** A field of one block over all frames; `more` is called as frames come in and may say to stop. */
+  async history(id: number, name: string, more: (times: number[], values: (number | null)[], unit: string) => boolean) {
+    const times: number[] = [];
+    const values: (number | null)[] = [];
+    const at = 24;
+    for (let from = 0; from < this.frames; from += at) {
+      const part = await this.source.json<{ unit: string; times: number[]; values: (number | string | null)[] }>(
+        `history/${id}?name=${encodeURIComponent(name)}&from=${from}&count=${at}`,
+      );
+      times.push(...part.times);
+      values.push(...part.values.map((v) => (typeof v === "number" ? v : null)));
+      if (!more(times, values, part.unit)) return;
+    }
+  }
+
+  /** Smallest and largest value of a field over the whole run. */
+  async range(name: string): Promise<[number, number] | null> {
+    const known = this.ranges.get(name);
+    if (known !== undefined) return known;
+    let all: [number, number] | null = null;
+    const at = 24;
+    for (let from = 0; from < this.frames; from += at) {
+      const { range } = await this.source.json<{ range: [number, number] | null }>(
+        `range?name=${encodeURIComponent(name)}&from=${from}&count=${at}`,
+      );
+      if (range) all = all ? [Math.min(all[0], range[0]), Math.max(all[1], range[1])] : range;
+    }
+    this.ranges.set(name, all);
+    return all;
+  }
+
+  async table(name: "histories" | "energy"): Promise<Table> {
+    const packet = await this.source.packet<{ columns: { name: string; unit: string }[] }>(`table/${name}`);
+    const heads = packet.info.columns;
+    const time = heads.findIndex((h) => h.name === "time");
+    const keep = heads.map((_, i) => i).filter((i) => i !== time && heads[i]!.name !== "step");
+    return {
+      names: keep.map((i) => heads[i]!.name),
+      units: keep.map((i) => heads[i]!.unit),
+      columns: keep.map((i) => packet.f64(String(i))),
+      time: time < 0 ? new Float64Array() : packet.f64(String(time)),
+    };
+  }
+
+  /** The last frame not later than `time`. */
+  frameAt(time: number): number {
+    const times = this.summary.times ?? [];
+    let low = 0;
+    let high = times.length;
+    const slack = 1e-9 * Math.abs(time);
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (times[middle]! <= time + slack) low = middle + 1;
+      else high = middle;
+    }
+    return Math.max(0, low - 1);
+  }
+
+  private packet<T>(question: string, key = question): Promise<Packet<T>> {
+    const known = this.memory.get(key);
+    if (known) {
+      this.memory.delete(key);
+      this.memory.set(key, known);
+      return known.answer as Promise<Packet<T>>;
+    }
+    const answer = this.source.packet<T>(question);
+    const entry = { answer: answer as Promise<Packet<unknown>>, bytes: 0 };
+    this.memory.set(key, entry);
+    answer.then(
+      (packet) => {
+        entry.bytes = packet.bytes;
+        this.held += packet.bytes;
+        for (const [name, old] of this.memory) {
+          if (this.held < MEMORY) break;
+          if (old !== entry && old.bytes > 0) {
+            this.memory.delete(name);
+            this.held -= old.bytes;
+          }
+        }
+      },
+      () => this.memory.delete(key),
+    );
+    return answer;
+  }
+}
+
+/** What to tell about an error. */
+export function told(error: unknown): { what: string; hint: string } {
+  if (error instanceof Problem) return { what: error.what, hint: error.hint };
+  return { what: error instanceof Error ? error.message : String(error), hint: "Reload the page." };
+}

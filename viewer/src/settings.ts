@@ -1,0 +1,64 @@
+// What the person has chosen; one object, one way to change it.
+
+export interface Settings {
+  /** Field with its part (`velocity.x`); empty: one colour. */
+  field: string;
+  map: string;
+  rangeMode: "frame" | "run" | "fixed";
+  low: number;
+  high: number;
+  log: boolean;
+  exaggeration: number;
+  edges: boolean;
+  clipAxis: "" | "x" | "y" | "z";
+  /** Share of the model. */
+  clipAt: number;
+  clipFlip: boolean;
+  /** Only blocks whose value is in the range. */
+  only: boolean;
+  vectors: "" | "displacement" | "velocity" | "force" | "contact force";
+  vectorSize: number;
+  contacts: boolean;
+  states: boolean[];
+  cracks: boolean;
+  speed: number;
+  loop: boolean;
+}
+
+export const DEFAULTS: Settings = {
+  field: "displacement",
+  map: "viridis",
+  rangeMode: "run",
+  low: 0,
+  high: 1,
+  log: false,
+  exaggeration: 1,
+  edges: true,
+  clipAxis: "",
+  clipAt: 0.5,
+  clipFlip: false,
+  only: false,
+  vectors: "",
+  vectorSize: 1,
+  contacts: false,
+  states: [false, true, true, true],
+  cracks: false,
+  speed: 10,
+  loop: true,
+};
+
+type Listener = (changed: (keyof Settings)[]) => void;
+
+export class Choices {
+  readonly now: Settings = { ...DEFAULTS, states: [...DEFAULTS.states] };
+  private readonly listeners: Listener[] = [];
+
+  set(change: Partial<Settings>): void {
+    Object.assign(this.now, change);
+    for (const listener of this.listeners) listener(Object.keys(change) as (keyof Settings)[]);
+  }
+
+  listen(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+}

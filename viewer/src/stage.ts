@@ -1,0 +1,203 @@
+// Camera, light and picture of one run. Draws only when something has changed.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+type Camera = THREE.OrthographicCamera | THREE.PerspectiveCamera;
+
+/** Where a camera stands, to be taken over by another. */
+export interface Standpoint {
+  position: THREE.Vector3;
+  target: THREE.Vector3;
+  zoom: number;
+}
+
+export type Side = "default" | "x" | "y" | "z";
+
+export class Stage {
+  readonly canvas: HTMLCanvasElement;
+  readonly scene = new THREE.Scene();
+  readonly renderer: THREE.WebGLRenderer;
+  camera: Camera;
+  controls: OrbitControls;
+  onMove: ((from: Standpoint) => void) | null = null;
+  onDrawn: (() => void) | null = null;
+  private readonly light = new THREE.DirectionalLight(0xffffff, 1.6);
+  private due = false;
+  private following = false;
+  private readonly axes = new THREE.Group();
+  private box = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
+
+  constructor(
+    readonly host: HTMLElement,
+    public dimension: 2 | 3,
+  ) {
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.canvas = this.renderer.domElement;
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("aria-label", "the blocks");
+    host.append(this.canvas);
+    // One light over the shoulder and much from everywhere: shades tell faces apart, colours stay readable.
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0xdcdcdc, 1.75), this.light, this.light.target, this.axes);
+    this.camera = this.makeCamera();
+    this.controls = this.makeControls();
+    new ResizeObserver(() => this.resize()).observe(host);
+    this.resize();
+  }
+
+  set background(colour: string) {
+    this.scene.background = new THREE.Color(colour);
+    this.redraw();
+  }
+
+  /** Between the plane and space. */
+  setDimension(dimension: 2 | 3): void {
+    if (dimension === this.dimension) return;
+    this.dimension = dimension;
+    this.controls.dispose();
+    this.camera = this.makeCamera();
+    this.controls = this.makeControls();
+    this.resize();
+  }
+
+  private makeCamera(): Camera {
+    if (this.dimension === 2) return new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
+    const camera = new THREE.PerspectiveCamera(32, 1, 0.01, 1000);
+    camera.up.set(0, 0, 1);
+    return camera;
+  }
+
+  private makeControls(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.zoomToCursor = true;
+    controls.screenSpacePanning = true;
+    if (this.dimension === 2) {
+      controls.enableRotate = false;
+      controls.mouseButtons = { LEFT: THREE.MOUSE.PAN, MIDDLE: THREE.MOUSE.DOLLY, RIGHT: THREE.MOUSE.PAN };
+      controls.touches = { ONE: THREE.TOUCH.PAN, TWO: THREE.TOUCH.DOLLY_PAN };
+    }
+    controls.addEventListener("change", () => {
+      this.redraw();
+      if (!this.following) this.onMove?.(this.standpoint());
+    });
+    return controls;
+  }
+
+  standpoint(): Standpoint {
+    return {
+      position: this.camera.position.clone(),
+      target: this.controls.target.clone(),
+      zoom: this.camera.zoom,
+    };
+  }
+
+  /** Takes the place of another camera. */
+  follow(from: Standpoint): void {
+    this.following = true;
+    this.camera.position.copy(from.position);
+    this.controls.target.copy(from.target);
+    this.camera.zoom = from.zoom;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.following = false;
+    this.redraw();
+  }
+
+  /** Looks at all of a box from a side. */
+  look(box: THREE.Box3, side: Side = "default"): void {
+    if (!box.isEmpty()) this.box = box.clone();
+    const centre = this.box.getCenter(new THREE.Vector3());
+    const size = this.box.getSize(new THREE.Vector3());
+    this.controls.target.copy(centre);
+    this.camera.zoom = 1;
+    if (this.camera instanceof THREE.OrthographicCamera) {
+      this.camera.position.set(centre.x, centre.y, centre.z + 100);
+      this.frameOrthographic(size);
+    } else {
+      const ways = { default: [-0.55, -1, 0.62], x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] } as const;
+      const radius = Math.max(1e-9, 0.5 * size.length());
+      const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
+      const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+      const away = new THREE.Vector3(...ways[side]).normalize().multiplyScalar((0.92 * radius) / Math.sin(narrow));
+      this.camera.position.copy(centre).add(away);
+      this.camera.near = radius / 200;
+      this.camera.far = radius * 200;
+    }
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.redraw();
+  }
+
+  private frameOrthographic(size: THREE.Vector3): void {
+    const camera = this.camera as THREE.OrthographicCamera;
+    const { clientWidth: w, clientHeight: h } = this.host;
+    const aspect = w > 0 && h > 0 ? w / h : 1;
+    const half = 0.53 * Math.max(size.y, size.x / aspect, 1e-9);
+    camera.left = -half * aspect;
+    camera.right = half * aspect;
+    camera.top = half;
+    camera.bottom = -half;
+  }
+
+  private resize(): void {
+    const { clientWidth: w, clientHeight: h } = this.host;
+    if (w === 0 || h === 0) return;
+    this.renderer.setSize(w, h, false);
+    if (this.camera instanceof THREE.PerspectiveCamera) this.camera.aspect = w / h;
+    else this.frameOrthographic(this.box.getSize(new THREE.Vector3()));
+    this.camera.updateProjectionMatrix();
+    // Drawn at once: a cleared canvas would flicker.
+    this.draw();
+  }
+
+  /** Asks for a picture at the next chance. */
+  redraw(): void {
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame(() => {
+      if (this.due) this.draw();
+    });
+  }
+
+  /** Draws now. */
+  draw(): void {
+    this.due = false;
+    const away = this.camera.position.clone().sub(this.controls.target);
+    this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.3, 0.2, 0.8).multiplyScalar(away.length()));
+    this.light.target.position.copy(this.controls.target);
+    this.renderer.render(this.scene, this.camera);
+    this.onDrawn?.();
+  }
+
+  /** A ray through a place of the canvas. */
+  ray(clientX: number, clientY: number): THREE.Raycaster {
+    const rect = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(
+      (2 * (clientX - rect.left)) / rect.width - 1,
+      1 - (2 * (clientY - rect.top)) / rect.height,
+    );
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(at, this.camera);
+    return ray;
+  }
+
+  /** Directions of the axes on the screen: right and up parts. */
+  triad(): [number, number][] {
+    const inverse = this.camera.quaternion.clone().invert();
+    return [0, 1, 2].map((k) => {
+      const v = new THREE.Vector3().setComponent(k, 1).applyQuaternion(inverse);
+      return [v.x, v.y];
+    });
+  }
+
+  /** Metres per pixel at the target. */
+  metresPerPixel(): number {
+    const h = Math.max(1, this.host.clientHeight);
+    if (this.camera instanceof THREE.OrthographicCamera) {
+      return (this.camera.top - this.camera.bottom) / this.camera.zoom / h;
+    }
+    const away = this.camera.position.distanceTo(this.controls.target);
+    return (2 * away * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2))) / h;
+  }
+}

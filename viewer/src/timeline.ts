@@ -1,0 +1,149 @@
+// The bar below: play, step, scrub.
+
+import { choice, el, icon, iconButton } from "./dom";
+import { quantity } from "./format";
+import type { Choices } from "./settings";
+
+export class Timeline {
+  readonly object: HTMLElement;
+  /** Times that can be shown, ascending. */
+  times: number[] = [];
+  at = 0;
+  playing = false;
+  /** Stay at the newest frame of a run that goes on. */
+  following = false;
+  private readonly slider: HTMLInputElement;
+  private readonly label: HTMLElement;
+  private readonly playButton: HTMLButtonElement;
+  private busy = false;
+  private wanted: number | null = null;
+
+  constructor(
+    private readonly choices: Choices,
+    /** Shows the frame at a time and resolves when it stands. */
+    private readonly show: (time: number) => Promise<void>,
+    /** Called before the next frame is due, to have it ready. */
+    private readonly ahead: (time: number) => void,
+  ) {
+    this.slider = el("input.scrub", { type: "range", min: "0", max: "0", step: "1", value: "0", "aria-label": "time" });
+    this.slider.addEventListener("input", () => {
+      this.pause();
+      this.following = false;
+      void this.go(Number(this.slider.value));
+    });
+    this.label = el("output.time", { "aria-live": "off" });
+    this.playButton = iconButton("play", "Play (space)", () => this.toggle());
+    this.playButton.classList.add("primary");
+    const speeds: [string, string][] = [1, 2, 5, 10, 20, 30].map((n) => [String(n), `${n}/s`]);
+    const speed = choice(speeds, String(choices.now.speed), (v) => choices.set({ speed: Number(v) }), "frames per second");
+    speed.title = "Frames per second";
+    this.object = el(
+      "div.timeline",
+      {},
+      iconButton("first", "First frame (Home)", () => void this.go(0)),
+      iconButton("back", "One frame back (←)", () => this.step(-1)),
+      this.playButton,
+      iconButton("next", "One frame on (→)", () => this.step(1)),
+      iconButton("last", "Last frame (End)", () => void this.go(this.times.length - 1)),
+      this.slider,
+      this.label,
+      speed,
+    );
+  }
+
+  setTimes(times: number[]): void {
+    this.times = times;
+    this.slider.max = String(Math.max(0, times.length - 1));
+    this.object.classList.toggle("empty", times.length === 0);
+    this.say();
+  }
+
+  private say(): void {
+    const time = this.times[this.at];
+    this.slider.value = String(this.at);
+    this.label.replaceChildren(
+      el("b", {}, time === undefined ? "no frames" : quantity(time, "s")),
+      el("small", {}, this.times.length ? `${this.at + 1} of ${this.times.length}` : ""),
+    );
+    this.slider.setAttribute("aria-valuetext", time === undefined ? "" : quantity(time, "s"));
+  }
+
+  /** Goes to a place. Calls that come while one is under way are joined: only the last counts. */
+  async go(at: number): Promise<void> {
+    const last = this.times.length - 1;
+    this.at = Math.min(Math.max(0, at), Math.max(0, last));
+    this.say();
+    if (last < 0) return;
+    if (this.busy) {
+      this.wanted = this.at;
+      return;
+    }
+    this.busy = true;
+    try {
+      await this.show(this.times[this.at]!);
+    } finally {
+      this.busy = false;
+    }
+    if (this.wanted !== null) {
+      const next = this.wanted;
+      this.wanted = null;
+      if (next !== at) await this.go(next);
+    }
+  }
+
+  /** The place of the time nearest to `time`. */
+  async seek(time: number): Promise<void> {
+    let best = 0;
+    this.times.forEach((t, i) => {
+      if (Math.abs(t - time) < Math.abs(this.times[best]! - time)) best = i;
+    });
+    this.following = false;
+    await this.go(best);
+  }
+
+  step(by: number): void {
+    this.pause();
+    this.following = false;
+    void this.go(this.at + by);
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause();
+    else void this.play();
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.face();
+  }
+
+  private face(): void {
+    this.playButton.replaceChildren(icon(this.playing ? "pause" : "play"));
+    const label = this.playing ? "Pause (space)" : "Play (space)";
+    this.playButton.title = label;
+    this.playButton.setAttribute("aria-label", label);
+  }
+
+  async play(): Promise<void> {
+    if (this.playing || this.times.length < 2) return;
+    this.playing = true;
+    this.following = false;
+    this.face();
+    if (this.at >= this.times.length - 1) await this.go(0);
+    while (this.playing) {
+      const begun = performance.now();
+      if (this.at >= this.times.length - 1 && !this.choices.now.loop) break;
+      const next = (this.at + 1) % this.times.length;
+      for (const k of [1, 2]) {
+        const time = this.times[(next + k) % this.times.length];
+        if (time !== undefined) this.ahead(time);
+      }
+      await this.go(next);
+      // The browser draws in between; what is left of the frame's share is slept.
+      await new Promise((done) => requestAnimationFrame(done));
+      const rest = 1000 / this.choices.now.speed - (performance.now() - begun);
+      if (rest > 1) await new Promise((done) => setTimeout(done, rest));
+    }
+    this.pause();
+  }
+}

@@ -1,0 +1,305 @@
+// One run on its stage: fetches what the settings need for a frame, then shows it.
+
+import * as THREE from "three";
+import { Blocks, type Look } from "./blocks";
+import { KINDS, Scale } from "./colour";
+import { Arrows, Contacts, Picked, contactPlaces } from "./marks";
+import { told, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
+import type { Settings } from "./settings";
+import { Stage } from "./stage";
+import type { Packet } from "./wire";
+
+/** What a frame needs, fetched. */
+interface Fetched {
+  k: number;
+  motion: Packet<MotionInfo>;
+  field: Packet<FieldInfo> | null;
+  range: [number, number] | null;
+  vectors: Packet<{ unit: string; longest: number | null }> | null;
+  contacts: Packet<ContactInfo> | null;
+}
+
+export class View {
+  readonly stage: Stage;
+  readonly scale = new Scale();
+  blocks: Blocks | null = null;
+  frame = -1;
+  motion: Packet<MotionInfo> | null = null;
+  unit = "";
+  /** Longest arrow and its unit. */
+  arrow: { longest: number; unit: string } | null = null;
+  contactCounts: number[] | null = null;
+  /** What is wrong with the frame that was asked for. */
+  trouble: { what: string; hint: string } | null = null;
+  picked: number | null = null;
+  values: Float32Array | null = null;
+  private readonly arrows: { plane: Arrows; space: Arrows };
+  private readonly marks: { plane: Contacts; space: Contacts };
+  private readonly pickedMark = new Picked();
+  private readonly sources = new THREE.Group();
+  private last: Fetched | null = null;
+  private ticket = 0;
+
+  constructor(
+    readonly run: Run,
+    readonly host: HTMLElement,
+  ) {
+    this.stage = new Stage(host, 2);
+    this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
+    this.marks = { plane: new Contacts(true), space: new Contacts(false) };
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark]) {
+      this.stage.scene.add(one.object);
+    }
+    this.stage.scene.add(this.sources);
+  }
+
+  get flat(): boolean {
+    return this.blocks?.dimension !== 3;
+  }
+
+  setTheme(background: string, ink: string): void {
+    this.stage.background = background;
+    for (const arrows of Object.values(this.arrows)) arrows.colour = ink;
+    this.stage.redraw();
+  }
+
+  /** Shows frame `k`; resolves to false when a later call has overtaken this one. */
+  async show(k: number, settings: Settings): Promise<boolean> {
+    const ticket = ++this.ticket;
+    if (this.run.frames === 0) return true;
+    try {
+      const fetched = await this.fetch(k, settings);
+      if (ticket !== this.ticket) return false;
+      const key = fetched.motion.info.shape;
+      if (this.blocks?.shape.info.key !== key) {
+        const shape = await this.run.shape(key, k);
+        if (ticket !== this.ticket) return false;
+        this.build(new Blocks(shape, this.scale));
+      }
+      this.last = fetched;
+      this.trouble = null;
+      this.apply(settings, true);
+    } catch (error) {
+      if (ticket !== this.ticket) return false;
+      this.trouble = told(error);
+    }
+    this.frame = k;
+    return true;
+  }
+
+  /** Fetches a frame into memory before it is wanted. */
+  prefetch(k: number, settings: Settings): Promise<unknown> {
+    return this.fetch(k, settings).catch(() => undefined);
+  }
+
+  private hasField(name: string): boolean {
+    const stem = name.replace(/\.(x|y|z|magnitude)$/, "");
+    return this.run.summary.fields.some((f) => f.name === stem);
+  }
+
+  private async fetch(k: number, settings: Settings): Promise<Fetched> {
+    const { field, vectors } = settings;
+    const needContacts = settings.contacts || settings.cracks || vectors === "contact force";
+    const none = Promise.resolve(null);
+    const withField = field !== "" && this.hasField(field);
+    const [motion, values, range, arrows, contacts] = await Promise.all([
+      this.run.motion(k),
+      withField ? this.run.field(k, field) : none,
+      withField && settings.rangeMode === "run" && !KINDS.has(field) ? this.run.range(field) : none,
+      vectors && vectors !== "contact force" && this.hasField(vectors) ? this.run.vectors(k, vectors) : none,
+      needContacts ? this.run.contacts(k) : none,
+    ]);
+    return { k, motion, field: values, range, vectors: arrows, contacts };
+  }
+
+  private build(blocks: Blocks): void {
+    const first = this.blocks === null;
+    const before = this.blocks;
+    if (before) {
+      this.stage.scene.remove(before.object);
+      before.dispose();
+    }
+    this.blocks = blocks;
+    this.stage.setDimension(blocks.dimension);
+    this.stage.scene.add(blocks.object);
+    if (first) {
+      this.markSources();
+      this.stage.look(blocks.box());
+    }
+  }
+
+  /** Charges as small stars. */
+  private markSources(): void {
+    const origin = this.blocks!.shape.info.origin;
+    const size = this.blocks!.size;
+    for (const source of this.run.summary.manifest.sources ?? []) {
+      const ends = source.centre ? [source.centre] : (source.line ?? []);
+      for (const end of ends) {
+        const star = new THREE.Mesh(
+          new THREE.OctahedronGeometry(0.3 * size),
+          new THREE.MeshBasicMaterial({ color: 0xff7a00, depthTest: false, transparent: true, opacity: 0.85 }),
+        );
+        star.position.set(end[0]! - origin[0], end[1]! - origin[1], end[2]! - origin[2]);
+        star.renderOrder = 4;
+        this.sources.add(star);
+      }
+    }
+    this.sources.visible = false;
+  }
+
+  /** Puts what was fetched on the stage. `moved`: the frame or the exaggeration is another. */
+  apply(settings: Settings, moved: boolean): void {
+    const { last, blocks } = this;
+    if (!last || !blocks) return;
+    const look = this.look(settings);
+    this.motion = last.motion;
+    if (moved) blocks.move(last.motion, look);
+    this.values = last.field?.f32("values") ?? null;
+    this.unit = last.field?.info.unit ?? "";
+    this.tune(settings);
+    blocks.paint(this.values, this.scale);
+    blocks.reveal(look, this.values);
+    blocks.glass = settings.cracks && !this.flat;
+    this.sources.visible = settings.cracks || settings.clipAxis !== "";
+    this.drawArrows(settings);
+    this.drawContacts(settings);
+    this.drawPicked();
+    this.stage.redraw();
+  }
+
+  private look(settings: Settings): Look {
+    const { low, high } = this.blocks!.shape.info;
+    const axis = "xyz".indexOf(settings.clipAxis || "x") as 0 | 1 | 2;
+    return {
+      exaggeration: settings.exaggeration,
+      edges: settings.edges,
+      clip: settings.clipAxis
+        ? { axis, at: low[axis] + settings.clipAt * (high[axis] - low[axis]), keep: settings.clipFlip ? -1 : 1 }
+        : null,
+      only: settings.only ? [this.scale.low, this.scale.high] : null,
+    };
+  }
+
+  /** Range and colours of the scale. */
+  private tune(settings: Settings): void {
+    const { scale, last } = this;
+    scale.kinds = KINDS.has(settings.field);
+    if (!this.values) {
+      scale.kinds = false;
+      scale.plain("#b9a88c");
+      return;
+    }
+    let [low, high] = (settings.rangeMode === "run" ? last?.range : last?.field?.info.range) ?? [0, 1];
+    if (settings.rangeMode === "fixed") [low, high] = [settings.low, settings.high];
+    else if (settings.map === "blue-red" && low < 0 && high > 0 && !settings.log) {
+      // White means zero.
+      high = Math.max(-low, high);
+      low = -high;
+    }
+    if (settings.log) {
+      high = high > 0 ? high : 1;
+      low = low > 0 ? low : high * 1e-6;
+      low = Math.max(low, high * 1e-9);
+    }
+    if (!(high > low)) high = low + (Math.abs(low) || 1) * 1e-6;
+    scale.low = low;
+    scale.high = high;
+    scale.log = settings.log;
+    scale.paint(settings.map);
+  }
+
+  private shiftOf(b: number, factor: number, target: THREE.Vector3): THREE.Vector3 {
+    const shifts = this.last!.motion.f32("shifts");
+    if (this.flat) target.set(shifts[2 * b]!, shifts[2 * b + 1]!, 0);
+    else target.fromArray(shifts, 3 * b);
+    return target.multiplyScalar(factor);
+  }
+
+  private drawArrows(settings: Settings): void {
+    const { last, blocks } = this;
+    this.arrow = null;
+    const arrows = this.flat ? this.arrows.plane : this.arrows.space;
+    const place = new THREE.Vector3();
+    const length = 0.08 * this.modelSize() * settings.vectorSize;
+    if (settings.vectors === "contact force" && last!.contacts?.has("forces")) {
+      const contacts = last!.contacts;
+      const longest = contacts.info.longest ?? 0;
+      const places = this.contactPlaces(settings);
+      if (longest > 0) arrows.draw(places, contacts.f32("forces"), longest, length);
+      else arrows.clear();
+      this.arrow = { longest, unit: contacts.info.forceUnit ?? "" };
+    } else if (last!.vectors) {
+      const places = new Float32Array(3 * blocks!.count);
+      const vectors = last!.vectors.f32("values");
+      for (let b = 0; b < blocks!.count; b++) {
+        this.shiftOf(b, settings.exaggeration, place);
+        for (let k = 0; k < 3; k++) places[3 * b + k] = blocks!.middles[3 * b + k]! + place.getComponent(k);
+        if (!blocks!.isShown(b)) places[3 * b] = NaN;
+      }
+      const longest = last!.vectors.info.longest ?? 0;
+      if (longest > 0) arrows.draw(places, vectors, longest, length);
+      else arrows.clear();
+      this.arrow = { longest, unit: last!.vectors.info.unit };
+    } else {
+      arrows.clear();
+    }
+  }
+
+  private modelSize(): number {
+    const { low, high } = this.blocks!.shape.info;
+    return Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
+  }
+
+  private contactPlaces(settings: Settings): Float32Array {
+    return contactPlaces(this.last!.contacts!, this.blocks!, (b, target) =>
+      this.shiftOf(b, settings.exaggeration - 1, target),
+    );
+  }
+
+  private drawContacts(settings: Settings): void {
+    const contacts = this.last!.contacts;
+    const marks = this.flat ? this.marks.plane : this.marks.space;
+    this.contactCounts = contacts ? Contacts.count(contacts) : null;
+    if (contacts && settings.contacts) marks.drawPoints(contacts, this.contactPlaces(settings), settings.states);
+    else marks.hide("points");
+    if (contacts && settings.cracks && !this.flat) marks.drawCracks(contacts, this.blocks!);
+    else marks.hide("cracks");
+  }
+
+  private drawPicked(): void {
+    const at = this.picked === null ? -1 : this.blocks!.placeOf(this.picked);
+    this.pickedMark.draw(at < 0 ? null : this.blocks!.outline(at));
+  }
+
+  /** Picks the block under a place of the screen; null: none there. */
+  pickAt(x: number, y: number): number | null {
+    if (!this.blocks) return null;
+    const at = this.blocks.pick(this.stage.ray(x, y));
+    return at === null ? null : this.blocks.ids[at]!;
+  }
+
+  pick(id: number | null): void {
+    this.picked = id;
+    if (this.blocks) this.drawPicked();
+    this.stage.redraw();
+  }
+
+  /** An exaggeration at which the largest displacement is a twentieth of the model. */
+  niceExaggeration(): number {
+    const shifts = this.last?.motion.f32("shifts");
+    if (!shifts) return 1;
+    const n = this.flat ? 2 : 3;
+    let far = 0;
+    for (let i = 0; i < shifts.length; i += n) {
+      far = Math.max(far, Math.hypot(shifts[i]!, shifts[i + 1]!, n === 3 ? shifts[i + 2]! : 0));
+    }
+    if (!(far > 0)) return 1;
+    const raw = (0.05 * this.modelSize()) / far;
+    const power = 10 ** Math.floor(Math.log10(raw));
+    return Math.max(1, power * Math.floor(raw / power));
+  }
+
+  fit(side?: "default" | "x" | "y" | "z"): void {
+    if (this.blocks) this.stage.look(this.blocks.box(), side);
+  }
+}
