@@ -5,7 +5,7 @@ import * as film from "./film";
 import { listen, sheet, type Shortcut } from "./keys";
 import { legendElement, legendOf } from "./legend";
 import { Panel } from "./panel";
-import { Plots, fieldNames } from "./plots";
+import { Plots, namesOf } from "./plots";
 import { Run, told } from "./run";
 import { Choices, type Settings } from "./settings";
 import { defaultMap } from "./colour";
@@ -69,7 +69,7 @@ export class App {
   }
 
   private chooseField(runs: Run[]): void {
-    const names = runs.flatMap((r) => fieldNames(r.summary.fields));
+    const names = runs.flatMap((r) => namesOf(r));
     if (!names.includes(this.choices.now.field)) this.choices.now.field = names.find((n) => n !== "block") ?? "";
     this.choices.now.map = defaultMap(this.choices.now.field);
   }

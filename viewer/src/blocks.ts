@@ -288,7 +288,7 @@ export class Blocks {
     if (look.clip) {
       const { axis, at, keep } = look.clip;
       for (let b = 0; b < this.count; b++) {
-        if (keep * (this.middles[3 * b + axis]! - at) > 0) shown[b] = 0;
+        if (keep * (this.middles[3 * b + axis]! - at) < 0) shown[b] = 0;
       }
     }
     if (look.only && values) {

@@ -6,11 +6,14 @@ import {
   interpolateRdBu,
   interpolateTurbo,
   interpolateViridis,
+  interpolateYlGnBu,
   schemeTableau10,
 } from "d3-scale-chromatic";
 import * as THREE from "three";
 
 export const MAPS: Record<string, (t: number) => string> = {
+  // Most blocks of most runs have low values: light ones leave their edges to be seen.
+  light: (t) => interpolateYlGnBu(0.12 + 0.88 * t),
   viridis: interpolateViridis,
   cividis: interpolateCividis,
   magma: interpolateMagma,
@@ -24,7 +27,7 @@ export const KINDS = new Set(["block", "material", "level", "held", "surface"]);
 const SIGNED = /\.(x|y|z)$|^rotation$|^spin$|pressure|sigma/;
 
 export function defaultMap(field: string): string {
-  return SIGNED.test(field) ? "blue-red" : "viridis";
+  return SIGNED.test(field) ? "blue-red" : "light";
 }
 
 /** Number of colours of a map; the texture has as many of the colour of no value after them. */
@@ -60,12 +63,12 @@ export class Scale {
     this.texture.colorSpace = THREE.SRGBColorSpace;
     this.texture.magFilter = THREE.NearestFilter;
     this.texture.minFilter = THREE.NearestFilter;
-    this.paint("viridis");
+    this.paint("light");
   }
 
   /** Fills the texture. */
   paint(map: string): void {
-    const at = MAPS[map] ?? interpolateViridis;
+    const at = MAPS[map] ?? interpolateYlGnBu;
     for (let i = 0; i < 2 * STEPS; i++) {
       const css = this.kinds ? kindColour(i) : at(i / (STEPS - 1));
       const colour = i < STEPS ? rgb(css) : NONE;

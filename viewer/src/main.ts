@@ -10,14 +10,14 @@ import { Held, Served, type Source } from "./source";
 async function sources(): Promise<Source[]> {
   const held = document.getElementById("riprap-run");
   if (held?.textContent) {
-    return [new Held(new Map(Object.entries(JSON.parse(held.textContent) as Record<string, string>)))];
+    return [new Held(new Map(Object.entries(JSON.parse(held.textContent) as Record<string, string | { as: string }>)))];
   }
   const response = await fetch("/api/runs");
   const { runs } = (await response.json()) as { runs: number };
   return Array.from({ length: runs }, (_, i) => new Served(i));
 }
 
-const host = document.getElementById("app")!;
+const host = document.getElementById("app") ?? el("div");
 try {
   await new App(host).start(await sources());
 } catch (error) {

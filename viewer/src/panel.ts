@@ -4,7 +4,7 @@ import { MAPS, defaultMap } from "./colour";
 import { check, choice, el, row } from "./dom";
 import { quantity, short } from "./format";
 import { STATES } from "./marks";
-import { fieldNames } from "./plots";
+import { namesOf } from "./plots";
 import type { BlockNumbers, Run } from "./run";
 import type { Choices, Settings } from "./settings";
 
@@ -36,8 +36,9 @@ export class Panel {
     this.object = el("aside.panel", { "aria-label": "settings" });
     this.rebuild();
     choices.listen((changed) => {
-      const deep: (keyof Settings)[] = ["field", "rangeMode", "exaggeration", "clipAxis", "vectors", "contacts", "log"];
-      if (changed.some((c) => deep.includes(c))) this.refill();
+      // A slider that is being moved must stay.
+      const sliding: (keyof Settings)[] = ["clipAt", "vectorSize"];
+      if (!changed.every((c) => sliding.includes(c))) this.refill();
     });
   }
 
@@ -65,7 +66,7 @@ export class Panel {
   private colourRows(): HTMLElement[] {
     const { choices } = this;
     const now = choices.now;
-    const names = [...new Set(this.runs.flatMap((r) => fieldNames(r.summary.fields ?? [])))];
+    const names = [...new Set(this.runs.flatMap((r) => namesOf(r)))];
     const field = choice(
       [["", "one colour"], ...names.map((n): [string, string] => [n, n])],
       now.field,
@@ -109,7 +110,7 @@ export class Panel {
       el(
         "div.checks",
         {},
-        check("powers of ten", now.log, (log) => choices.set({ log }), "Logarithmic colours"),
+        check("powers of ten", now.log, (log) => choices.set(log && now.map === "blue-red" ? { log, map: "light" } : { log }), "Logarithmic colours"),
         check("only in range", now.only, (only) => choices.set({ only }), "Hide blocks whose value is outside the range"),
       ),
     );
@@ -155,7 +156,7 @@ export class Panel {
           (axis) => choices.set({ clipAxis: axis as Settings["clipAxis"] }),
           "clipping plane",
         ),
-        now.clipAxis ? check("other side", now.clipFlip, (clipFlip) => choices.set({ clipFlip })) : null,
+        now.clipAxis ? check("flip", now.clipFlip, (clipFlip) => choices.set({ clipFlip }), "Take away the other side") : null,
       ),
     ];
     if (now.clipAxis) {
@@ -171,6 +172,7 @@ export class Panel {
     const now = choices.now;
     const names = new Set(this.runs.flatMap((r) => (r.summary.fields ?? []).filter((f) => f.components > 1).map((f) => f.name)));
     const kinds = (["displacement", "velocity", "force"] as const).filter((v) => names.has(v));
+    if (this.runs.some((r) => r.summary.held)) return [el("p.hint", {}, "Not in a report: riprap view shows them.")];
     const rows = [
       row(
         "Arrows",

@@ -44,8 +44,8 @@ export class Plots {
     const tabs: [Tab, string][] = [
       ["histories", "Histories"],
       ["energy", "Energy"],
-      ["block", "Block"],
     ];
+    if (!this.runs.some((r) => r.summary.held)) tabs.push(["block", "Block"]);
     this.bar.replaceChildren(
       ...tabs.map(([tab, label]) =>
         el(
@@ -84,7 +84,7 @@ export class Plots {
     this.curves = [];
     if (!this.picked) return this.draw("Pick a block in the picture to see its history.");
     const { run, id } = this.picked;
-    const names = fieldNames(run.summary.fields);
+    const names = namesOf(run);
     if (!names.includes(this.blockField)) this.blockField = names[0] ?? "";
     this.extra.replaceChildren(
       el("span", {}, `block ${id}: `),
@@ -148,8 +148,8 @@ export class Plots {
       legend: { live: true },
       scales: { x: { time: false }, y: log ? { distr: 3 } : {} },
       axes: [
-        { stroke: ink, grid: { stroke: grid }, ticks: { stroke: grid }, size: 28, values },
-        { stroke: ink, grid: { stroke: grid }, ticks: { stroke: grid }, size: 62, values },
+        { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, size: 28, values },
+        { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, size: 62, values },
       ],
       series: [
         { label: "time [s]", value: (_, v) => (v === null ? "–" : short(v)) },
@@ -194,8 +194,8 @@ export class Plots {
     const charts = this.plots.length;
     if (charts === 0) return;
     const wide = this.body.clientWidth;
-    const across = Math.max(1, Math.min(charts, Math.floor(wide / 330)));
-    const width = Math.floor(wide / across) - 12;
+    const across = Math.max(1, Math.min(charts, Math.floor(wide / 300)));
+    const width = Math.floor((wide - 24) / across) - 12;
     const tall = charts > across ? 190 : Math.max(150, this.body.clientHeight - 66);
     for (const plot of this.plots) plot.setSize({ width, height: Math.min(tall, 320) });
   }
@@ -216,8 +216,13 @@ function curvesOf(table: Table, dash: boolean): Curve[] {
   }));
 }
 
+/** Names of the fields of a run. */
+export function namesOf(run: Run): string[] {
+  return run.summary.names ?? fieldNames(run.summary.fields ?? []);
+}
+
 /** Names of numbers among fields: parts of vectors one by one. */
-export function fieldNames(fields: Field[]): string[] {
+function fieldNames(fields: Field[]): string[] {
   return fields.flatMap((f) =>
     f.components === 1
       ? [f.name]

@@ -42,6 +42,10 @@ export interface Summary {
   died: boolean;
   times: number[];
   fields: Field[];
+  /** In a report: the fields that it holds. */
+  names?: string[];
+  /** The answers are in the page itself, and few. */
+  held?: boolean;
   note: { what: string; hint: string } | null;
   tables: [boolean, boolean];
 }
@@ -166,6 +170,11 @@ export class Run {
   async range(name: string): Promise<[number, number] | null> {
     const known = this.ranges.get(name);
     if (known !== undefined) return known;
+    if (this.summary.held) {
+      const { range } = await this.source.json<{ range: [number, number] | null }>(`range?name=${name}`);
+      this.ranges.set(name, range);
+      return range;
+    }
     let all: [number, number] | null = null;
     const at = 24;
     for (let from = 0; from < this.frames; from += at) {

@@ -27,7 +27,7 @@ export interface Settings {
 
 export const DEFAULTS: Settings = {
   field: "displacement",
-  map: "viridis",
+  map: "light",
   rangeMode: "run",
   low: 0,
   high: 1,

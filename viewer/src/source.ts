@@ -50,7 +50,7 @@ export class Served implements Source {
 
 /** Answers that the page itself holds: gzip in base64 by question. */
 export class Held implements Source {
-  constructor(private readonly answers: Map<string, string>) {}
+  constructor(private readonly answers: Map<string, string | { as: string }>) {}
 
   async json<T>(question: string): Promise<T> {
     return JSON.parse(new TextDecoder().decode(await this.bytes(question))) as T;
@@ -65,8 +65,9 @@ export class Held implements Source {
   }
 
   private async bytes(question: string): Promise<ArrayBuffer> {
-    const text = this.answers.get(question);
-    if (text === undefined) {
+    let text = this.answers.get(question);
+    if (typeof text === "object") text = this.answers.get(text.as);
+    if (typeof text !== "string") {
       throw new Problem("The report does not hold this.", "Look at the run itself: riprap view RUN");
     }
     const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));

@@ -174,7 +174,12 @@ export class View {
       exaggeration: settings.exaggeration,
       edges: settings.edges,
       clip: settings.clipAxis
-        ? { axis, at: low[axis] + settings.clipAt * (high[axis] - low[axis]), keep: settings.clipFlip ? -1 : 1 }
+        ? {
+            axis,
+            at: low[axis] + settings.clipAt * (high[axis] - low[axis]),
+            // The camera begins in front, to the left and above: what is nearer to it goes first.
+            keep: (axis === 2) === settings.clipFlip ? 1 : -1,
+          }
         : null,
       only: settings.only ? [this.scale.low, this.scale.high] : null,
     };

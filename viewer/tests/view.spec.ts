@@ -30,8 +30,10 @@ test("a planar run plays, scrubs, colours, picks and plots", async ({ view }) =>
   await expect(page.locator(".legend .title")).toHaveText(/^velocity.x \[.*m\/s\]/);
   expect(await pixels(page)).not.toBe(before);
   await page.getByLabel("range of the colours").selectOption("fixed");
-  await page.getByLabel("highest value").fill("0.5");
-  await page.getByLabel("highest value").press("Enter");
+  for (const [label, value] of [["lowest value", "-0.5"], ["highest value", "0.5"]] as const) {
+    await page.getByLabel(label).fill(value);
+    await page.getByLabel(label).press("Enter");
+  }
   await expect(page.locator(".legend .tick").last()).toHaveText(/500|0.5/);
 
   await pickSome(page);
@@ -65,10 +67,10 @@ test("arrows, contacts, exaggeration and cutting in the plane", async ({ view })
   await expect(page.locator(".legend")).toContainText("longest contact force");
   await page.keyboard.press("]");
   await expect(page.locator(".legend")).toContainText("displacements × 2");
-  await page.getByRole("button", { name: "true" }).click();
+  await page.getByRole("button", { name: "true", exact: true }).click();
   await page.getByLabel("clipping plane").selectOption("x");
   const cut = await pixels(page);
-  await page.getByText("other side").click();
+  await page.getByText("flip").click();
   expect(await pixels(page)).not.toBe(cut);
 });
 
@@ -98,7 +100,7 @@ test("a blast: faces, cracks, cut, glass, views", async ({ view }) => {
   await page.keyboard.press("v");
   await page.keyboard.press("x");
   await page.keyboard.press("x");
-  await page.getByRole("button", { name: "visible" }).click();
+  await page.getByRole("button", { name: "visible", exact: true }).click();
   await expect(page.locator(".legend")).toContainText("displacements ×");
   await page.keyboard.press("3");
   await shoot(page, "blast-above");
@@ -133,7 +135,7 @@ test("pictures, frames and a film are saved", async ({ view }) => {
   const page = await view("steep");
   const saved = async (label: string) => {
     const waiting = page.waitForEvent("download", { timeout: 50_000 });
-    await page.getByRole("button", { name: label }).click();
+    await page.getByRole("button", { name: label, exact: true }).click();
     const download = await waiting;
     return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
   };

@@ -7,7 +7,7 @@ mod view;
 
 pub use plot::{Arrows, Axis, Plot};
 
-pub use view::View;
+pub use view::{Report, View};
 
 use std::path::PathBuf;
 
@@ -66,6 +66,7 @@ pub enum Verb {
     Verify(Verify),
     Plot(Plot),
     View(View),
+    Report(Report),
     Fields(Fields),
     Explain(Explain),
     Schema(Schema),

@@ -51,6 +51,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Verify(args) => commands::verify::run(&args),
         Verb::Plot(args) => commands::plot::run(&args),
         Verb::View(args) => commands::view::run(&args),
+        Verb::Report(args) => commands::report::run(&args),
         Verb::Fields(args) => commands::language::fields(&args),
         Verb::Explain(args) => commands::language::explain(&args, style),
         Verb::Schema(args) => commands::language::schema(&args),

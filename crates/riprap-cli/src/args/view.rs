@@ -1,4 +1,4 @@
-//! `riprap view`.
+//! `riprap view` and `riprap report`.
 
 use std::path::PathBuf;
 
@@ -29,4 +29,26 @@ pub struct View {
     /// Port to listen on; one in use moves on to the next [default: 8470]
     #[arg(short, long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
     pub port: Option<u16>,
+}
+
+/// Write a run as one HTML file to mail.
+///
+/// How the run ended, its checks, a replay to turn and colour, every plot, the energy ledger, the scene as
+/// run, versions and hashes, in one file that needs nothing else and prints well. Plots are drawn anew into
+/// the run folder first, as `riprap plot RUN` does.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap report hill.run                 writes hill.html
+  riprap report hill.run -o letter.html --frames 20")]
+pub struct Report {
+    /// Run folder
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// File to write [default: the run folder's name with .html, in the working folder]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Frames of the replay at most
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=1000))]
+    pub frames: u16,
 }

@@ -6,6 +6,7 @@ pub mod language;
 pub mod new;
 pub mod plot;
 pub mod probe;
+pub mod report;
 pub mod run;
 pub mod trials;
 pub mod verify;

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::Parser;
 use riprap::record::plot::{self, BlockOptions, CraterOptions, Normal, PlotError, Vectors, Which};
 use riprap::scenario::units::{self, Dim};
 
-use crate::args::{Arrows, Axis, Plot};
+use crate::args::{Arrows, Axis, Cli, Plot, Verb};
 use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
@@ -14,6 +15,30 @@ use crate::screen;
 const OF_BLASTS: [&str; 4] = ["ppv", "crater", "heave", "cavity"];
 
 pub fn run(args: &Plot) -> Result<(), Failure> {
+    for path in draw(args)? {
+        screen::line(&path.display().to_string());
+    }
+    Ok(())
+}
+
+/// Draws what `riprap plot FOLDER` draws; the files written.
+pub fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let words = [
+        "riprap".as_ref(),
+        "plot".as_ref(),
+        "--".as_ref(),
+        folder.as_os_str(),
+    ];
+    match Cli::try_parse_from(words).map(|cli| cli.verb) {
+        Ok(Verb::Plot(args)) => draw(&args),
+        Ok(_) | Err(_) => Err(Failure::Input(format!(
+            "{} cannot be plotted",
+            folder.display()
+        ))),
+    }
+}
+
+fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
     let folder = &args.run;
     if args.output.is_none() && folder.join("manifest.json").exists() {
         let plots = folder.join("plots");
@@ -21,7 +46,7 @@ pub fn run(args: &Plot) -> Result<(), Failure> {
             .map_err(|e| Failure::Output(format!("could not make {}: {e}", plots.display())))?;
     }
     let asked = Asked::read(args)?;
-    let written = match (args.what.as_deref(), args.history.as_deref()) {
+    Ok(match (args.what.as_deref(), args.history.as_deref()) {
         (Some("spectrum"), Some(history)) => {
             let out = asked.out(&format!("spectrum_{}", file_name(history)));
             plot::spectrum(folder, history, &out)?
@@ -38,11 +63,7 @@ pub fn run(args: &Plot) -> Result<(), Failure> {
         }
         (Some(what), None) => asked.picture(what)?,
         (None, _) => everything(folder, &asked)?,
-    };
-    for path in written {
-        screen::line(&path.display().to_string());
-    }
-    Ok(())
+    })
 }
 
 /// All pictures that suit the run.

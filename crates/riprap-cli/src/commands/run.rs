@@ -124,7 +124,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
     }
     if !quiet {
         screen::print(&format!(
-            "\nresults in {shown}; next:\n  riprap plot {shown}\n  riprap plot {shown} blocks --by velocity --png\n  \
+            "\nresults in {shown}; next:\n  riprap view {shown}\n  riprap plot {shown}\n  riprap plot {shown} blocks --by velocity --png\n  \
              paraview {shown}/run.pvd\n"
         ));
     }

@@ -1,0 +1,60 @@
+//! `riprap report`.
+
+use std::path::{Path, PathBuf};
+
+use riprap_view::report::{self, Limits};
+use riprap_view::run::Run;
+
+use crate::args::Report;
+use crate::commands::plot;
+use crate::diagnostics;
+use crate::failure::Failure;
+use crate::screen;
+
+pub fn run(args: &Report) -> Result<(), Failure> {
+    let run = Run::new(&args.run);
+    run.manifest()
+        .map_err(|problem| Failure::Input(format!("{}; {}", problem.what, problem.hint)))?;
+    // A picture that cannot be drawn, as of a run without frames, does not stop the report.
+    if let Err(error) = plot::all(&args.run) {
+        match error {
+            Failure::Input(text) => diagnostics::print_line("note", &text),
+            other => return Err(other),
+        }
+    }
+    let limits = Limits {
+        frames: usize::from(args.frames),
+        ..Limits::default()
+    };
+    let html = report::report(&run, &pictures(&args.run), limits)
+        .map_err(|problem| Failure::Input(format!("{}; {}", problem.what, problem.hint)))?;
+    let out = args
+        .output
+        .clone()
+        .unwrap_or_else(|| default_name(&args.run));
+    std::fs::write(&out, &html)
+        .map_err(|e| Failure::Output(format!("could not write {}: {e}", out.display())))?;
+    let size = html.len() as f64 / 1e6;
+    screen::line(&format!("{}  ({size:.1} MB)", out.display()));
+    Ok(())
+}
+
+/// `hill.run` gives `hill.html` in the working folder.
+fn default_name(run: &Path) -> PathBuf {
+    let whole = run.canonicalize().unwrap_or_else(|_| run.to_owned());
+    let stem = whole.file_stem().unwrap_or_default().to_string_lossy();
+    PathBuf::from(format!("{stem}.html"))
+}
+
+/// SVG pictures in the run's plots, by name.
+fn pictures(run: &Path) -> Vec<PathBuf> {
+    let mut found: Vec<PathBuf> = std::fs::read_dir(run.join("plots"))
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|e| e == "svg"))
+        .collect();
+    found.sort();
+    found
+}
