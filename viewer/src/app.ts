@@ -55,6 +55,7 @@ export class App {
       },
     );
     this.layout(good);
+    for (const { view } of this.panes) view.others = good.filter((run) => run !== view.run);
     this.timeline.setTimes(this.times(good));
     this.refreshHead();
     if (good.some((r) => r.summary.live)) {
@@ -63,6 +64,8 @@ export class App {
     }
     await this.timeline.go(this.timeline.following ? this.timeline.times.length - 1 : 0);
     for (const pane of this.panes) this.refreshPane(pane);
+    const [leader, ...others] = this.panes;
+    if (leader) for (const other of others) other.view.stage.follow(leader.view.stage.standpoint());
     const flat = this.panes[0]?.view.flat ?? true;
     this.panel?.rebuild(flat ? 2 : 3);
     document.documentElement.dataset.ready = "true";

@@ -12,6 +12,8 @@ export interface Shortcut {
 export function listen(shortcuts: Shortcut[]): void {
   const by = new Map(shortcuts.flatMap((s) => s.keys.map((k) => [k, s] as const)));
   document.addEventListener("keydown", (event) => {
+    // An open sheet has its own keys: Esc closes it.
+    if (document.querySelector("dialog[open]")) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as HTMLElement;
     const typing = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type === "number");

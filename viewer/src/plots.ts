@@ -171,6 +171,7 @@ export class Plots {
             if (x < left || x > left + width) return;
             u.ctx.save();
             u.ctx.strokeStyle = accent;
+            u.ctx.setLineDash([]);
             u.ctx.lineWidth = 1.5 * devicePixelRatio;
             u.ctx.beginPath();
             u.ctx.moveTo(x, top);

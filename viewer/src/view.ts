@@ -39,6 +39,8 @@ export class View {
   private readonly sources = new THREE.Group();
   private last: Fetched | null = null;
   private ticket = 0;
+  /** Runs shown with this one: their colours mean the same. */
+  others: Run[] = [];
 
   constructor(
     readonly run: Run,
@@ -105,11 +107,19 @@ export class View {
     const [motion, values, range, arrows, contacts] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
-      withField && settings.rangeMode === "run" && !KINDS.has(field) ? this.run.range(field) : none,
+      withField && settings.rangeMode === "run" && !KINDS.has(field) ? this.sharedRange(field) : none,
       vectors && vectors !== "contact force" && this.hasField(vectors) ? this.run.vectors(k, vectors) : none,
       needContacts ? this.run.contacts(k) : none,
     ]);
     return { k, motion, field: values, range, vectors: arrows, contacts };
+  }
+
+  /** Range of a field over all runs that are shown. */
+  private async sharedRange(field: string): Promise<[number, number] | null> {
+    const ranges = await Promise.all([this.run, ...this.others].map((run) => run.range(field)));
+    const known = ranges.filter((r) => r !== null);
+    if (known.length === 0) return null;
+    return [Math.min(...known.map((r) => r[0])), Math.max(...known.map((r) => r[1]))];
   }
 
   private build(blocks: Blocks): void {
