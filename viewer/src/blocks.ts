@@ -45,7 +45,12 @@ export class Blocks {
   readonly middles: Float32Array;
   private readonly geometry = new THREE.BufferGeometry();
   private readonly edgeGeometry = new THREE.BufferGeometry();
+  /** Place of each block in the texture of colours. */
   private readonly shades: Float32Array;
+  /** Corners that are drawn: which, and of which block. What is hidden is not sent to the graphics. */
+  private readonly drawn = { count: 0, points: new Uint32Array(), blocks: new Uint32Array() };
+  /** Place of each corner among those drawn. */
+  private readonly drawnAs: Uint32Array;
   private readonly mesh: THREE.Mesh;
   private readonly lines: THREE.LineSegments;
   private readonly shown: Uint8Array;
@@ -82,15 +87,12 @@ export class Blocks {
     for (let k = 0; k < this.twins.length; k++) this.twinOf[this.twins[k]!] = k >> 1;
     this.middles = this.means();
     this.positions = this.rest.slice();
-    this.shades = new Float32Array((this.positions.length / 3) * 2).fill(0.25);
+    this.shades = new Float32Array(this.count).fill(0.25);
+    this.drawnAs = new Uint32Array(this.positions.length / 3);
     this.shown = new Uint8Array(this.count).fill(1);
     this.faceShown = new Uint8Array(faces);
 
-    const position = new THREE.BufferAttribute(this.positions, 3).setUsage(THREE.DynamicDrawUsage);
-    this.geometry.setAttribute("position", position);
-    this.geometry.setAttribute("uv", new THREE.BufferAttribute(this.shades, 2).setUsage(THREE.DynamicDrawUsage));
     this.geometry.boundingSphere = new THREE.Sphere();
-    this.edgeGeometry.setAttribute("position", position);
     this.edgeGeometry.boundingSphere = this.geometry.boundingSphere;
     const flat = this.dimension === 2;
     const common = {
@@ -170,7 +172,6 @@ export class Blocks {
     // Number of the smallest opening that shows.
     const { shutDecade, steps } = motion.info;
     this.gapLimit = Math.ceil((Math.log10(OPEN / Math.max(s, 1e-12)) - shutDecade) * steps) + 1;
-    this.geometry.attributes.position!.needsUpdate = true;
     this.bound();
   }
 
@@ -273,12 +274,7 @@ export class Blocks {
 
   /** Colours the blocks by their values; none: all in the first colour. */
   paint(values: Float32Array | null, scale: Scale): void {
-    const { shades, offsets } = this;
-    for (let b = 0; b < this.count; b++) {
-      const u = values ? scale.place(values[b]!) : 0.25;
-      for (let p = offsets[b]!; p < offsets[b + 1]!; p++) shades[2 * p] = u;
-    }
-    this.geometry.attributes.uv!.needsUpdate = true;
+    for (let b = 0; b < this.count; b++) this.shades[b] = values ? scale.place(values[b]!) : 0.25;
   }
 
   /** Decides which faces are drawn. */
@@ -310,6 +306,50 @@ export class Blocks {
       }
     }
     this.index(look.edges);
+    this.send();
+  }
+
+  /** Puts corners and colours of what is drawn where the graphics take them from. */
+  private send(): void {
+    const { count, points, blocks } = this.drawn;
+    const position = this.geometry.getAttribute("position") as THREE.BufferAttribute;
+    const uv = this.geometry.getAttribute("uv") as THREE.BufferAttribute;
+    const to = position.array as Float32Array;
+    const shade = uv.array as Float32Array;
+    const { positions, shades } = this;
+    for (let i = 0; i < count; i++) {
+      const p = 3 * points[i]!;
+      to[3 * i] = positions[p]!;
+      to[3 * i + 1] = positions[p + 1]!;
+      to[3 * i + 2] = positions[p + 2]!;
+      shade[2 * i] = shades[blocks[i]!]!;
+    }
+    update(position, 3 * count);
+    update(uv, 2 * count);
+  }
+
+  /** Room for so many corners, and numbers of triangles and edges. Grows in steps, so that buffers live long. */
+  private room(corners: number, index: number, lines: number): void {
+    const have = this.geometry.getAttribute("position") as THREE.BufferAttribute | undefined;
+    if (!have || have.count < corners) {
+      const size = Math.ceil(1.25 * corners) + 64;
+      this.geometry.dispose();
+      this.edgeGeometry.dispose();
+      const position = new THREE.BufferAttribute(new Float32Array(3 * size), 3).setUsage(THREE.DynamicDrawUsage);
+      const uv = new THREE.BufferAttribute(new Float32Array(2 * size), 2).setUsage(THREE.DynamicDrawUsage);
+      this.geometry.setAttribute("position", position);
+      this.geometry.setAttribute("uv", uv);
+      this.edgeGeometry.setAttribute("position", position);
+      this.drawn.points = new Uint32Array(size);
+      this.drawn.blocks = new Uint32Array(size);
+    }
+    for (const [geometry, size] of [[this.geometry, index], [this.edgeGeometry, lines]] as const) {
+      const now = geometry.getIndex();
+      if (now && now.count >= size) continue;
+      geometry.dispose();
+      const attribute = new THREE.BufferAttribute(new Uint32Array(Math.ceil(1.25 * size) + 64), 1);
+      geometry.setIndex(attribute.setUsage(THREE.DynamicDrawUsage));
+    }
   }
 
   private index(edges: boolean): void {
@@ -332,41 +372,63 @@ export class Blocks {
     this.lines.visible = withEdges;
     if (state === this.seen) return;
     this.seen = state;
-    const index = new Uint32Array(3 * triangles);
+    this.room(sides, 3 * triangles, withEdges ? 2 * sides : 0);
+    const index = this.geometry.getIndex()!.array as Uint32Array;
+    const lines = this.edgeGeometry.getIndex()!.array as Uint32Array;
     const owner = new Uint32Array(triangles);
-    const lines = new Uint32Array(withEdges ? 2 * sides : 0);
+    const { drawn, drawnAs } = this;
+    const none = 0xffffffff;
+    drawnAs.fill(none);
+    drawn.count = 0;
     let t = 0;
     let e = 0;
+    let block = -1;
+    let begun = 0;
     for (let f = 0; f < faceShown.length; f++) {
       if (!faceShown[f]) continue;
       const from = faceEnds[f]!;
       const to = faceEnds[f + 1]!;
+      for (let k = from; k < to; k++) {
+        const p = corners[k]!;
+        if (drawnAs[p] !== none) continue;
+        drawnAs[p] = drawn.count;
+        drawn.points[drawn.count] = p;
+        drawn.blocks[drawn.count++] = this.blockOf[f]!;
+      }
       const cut = this.hollow.get(f);
       if (cut) {
         owner.fill(f, t / 3, (t + cut.length) / 3);
-        index.set(cut, t);
-        t += cut.length;
+        for (const p of cut) index[t++] = drawnAs[p]!;
       } else {
         for (let k = from + 1; k + 1 < to; k++) {
           owner[t / 3] = f;
-          index[t++] = corners[from]!;
-          index[t++] = corners[k]!;
-          index[t++] = corners[k + 1]!;
+          index[t++] = drawnAs[corners[from]!]!;
+          index[t++] = drawnAs[corners[k]!]!;
+          index[t++] = drawnAs[corners[k + 1]!]!;
         }
       }
       if (withEdges) {
+        if (this.blockOf[f] !== block) {
+          block = this.blockOf[f]!;
+          begun = e;
+        }
         for (let k = from; k < to; k++) {
-          lines[e++] = corners[k]!;
-          lines[e++] = corners[k + 1 < to ? k + 1 : from]!;
+          const p = drawnAs[corners[k]!]!;
+          const q = drawnAs[corners[k + 1 < to ? k + 1 : from]!]!;
+          // The neighbouring face of the block has the same edge the other way round.
+          let known = false;
+          for (let i = begun; i < e && !known; i += 2) known = lines[i] === q && lines[i + 1] === p;
+          if (known) continue;
+          lines[e++] = p;
+          lines[e++] = q;
         }
       }
     }
     this.triangleFace = owner;
-    // A new buffer each time: sizes differ. The old one is freed by hand.
-    this.geometry.dispose();
-    this.edgeGeometry.dispose();
-    this.geometry.setIndex(new THREE.BufferAttribute(index, 1));
-    this.edgeGeometry.setIndex(new THREE.BufferAttribute(lines, 1));
+    update(this.geometry.getIndex()!, t);
+    update(this.edgeGeometry.getIndex()!, e);
+    this.geometry.setDrawRange(0, t);
+    this.edgeGeometry.setDrawRange(0, e);
   }
 
   /** The block under a ray, as its place in the frame. */
@@ -446,4 +508,11 @@ export class Blocks {
     });
     return { points: Float32Array.from(points), pair };
   }
+}
+
+/** Marks the first numbers of a buffer as changed. */
+function update(attribute: THREE.BufferAttribute, numbers: number): void {
+  attribute.clearUpdateRanges();
+  attribute.addUpdateRange(0, numbers);
+  attribute.needsUpdate = true;
 }

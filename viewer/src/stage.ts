@@ -32,8 +32,10 @@ export class Stage {
     readonly host: HTMLElement,
     public dimension: 2 | 3,
   ) {
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    // Smooth edges cost a processor more than all else.
+    const software = drawnBySoftware();
+    this.renderer = new THREE.WebGLRenderer({ antialias: !software, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("aria-label", "the blocks");
@@ -200,4 +202,14 @@ export class Stage {
     const away = this.camera.position.distanceTo(this.controls.target);
     return (2 * away * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2))) / h;
   }
+}
+
+/** Whether WebGL runs on the processor, for want of graphics. */
+function drawnBySoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return false;
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
