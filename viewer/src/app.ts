@@ -93,7 +93,7 @@ export class App {
     this.plots = new Plots(good, (time) => void this.timeline.seek(time));
     const shortcuts = this.shortcuts();
     const keys = sheet(shortcuts);
-    listen(shortcuts);
+    listen(shortcuts, this.host);
     const toggle = (name: string) => () => {
       this.host.classList.toggle(name);
       if (name === "with-plots") this.openPlots();

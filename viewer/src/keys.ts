@@ -9,11 +9,14 @@ export interface Shortcut {
   act: (shift: boolean) => void;
 }
 
-export function listen(shortcuts: Shortcut[]): void {
+/** `host`: where the keys count; in a report only while the pointer or the focus is in it. */
+export function listen(shortcuts: Shortcut[], host: HTMLElement): void {
   const by = new Map(shortcuts.flatMap((s) => s.keys.map((k) => [k, s] as const)));
   document.addEventListener("keydown", (event) => {
     // An open sheet has its own keys: Esc closes it.
     if (document.querySelector("dialog[open]")) return;
+    const inside = host.matches(":hover") || host.contains(document.activeElement);
+    if (host.classList.contains("replay") && !inside) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as HTMLElement;
     const typing = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type === "number");
