@@ -131,6 +131,9 @@ const FORBIDDEN: [(&str, &[&str], &[&str], &str); 10] = [
     ),
 ];
 
+/// What the viewer may use of the library: the readers of run folders, and vectors.
+const OF_THE_VIEWER: [&str; 3] = ["record", "geom", "Vec3"];
+
 /// Prints every breach; returns how many there are.
 pub fn check(root: &Path) -> Result<u64, String> {
     let source = root.join("crates/riprap/src");
@@ -151,8 +154,30 @@ pub fn check(root: &Path) -> Result<u64, String> {
             breaches += 1;
         }
     }
-    println!("{} files, {breaches} breaches", paths.len());
+    let viewer = files(&root.join("crates/riprap-view/src"), &["rs"]);
+    for path in &viewer {
+        let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        for (line, message) in breaches_of_the_viewer(&text) {
+            println!("{}:{line}: {message}", shown(root, path));
+            breaches += 1;
+        }
+    }
+    println!("{} files, {breaches} breaches", paths.len() + viewer.len());
     Ok(breaches)
+}
+
+/// Uses of the library, in a file of the viewer, other than reading run folders.
+fn breaches_of_the_viewer(text: &str) -> Vec<(usize, String)> {
+    let code = without_comments_and_strings(text);
+    paths_of(&code, "riprap::")
+        .into_iter()
+        .filter(|(_, used)| !OF_THE_VIEWER.contains(&used.split("::").next().unwrap_or(used)))
+        .map(|(at, used)| {
+            let line = code[..at].matches('\n').count() + 1;
+            let why = "the viewer reads the run folder and nothing else";
+            (line, format!("the viewer may not use `{used}`: {why}"))
+        })
+        .collect()
 }
 
 /// Breaches of one file (`inside`: path below `src`): line number and message.
@@ -208,12 +233,17 @@ fn forbidden_arrow(room: &str, used: &str) -> Option<&'static str> {
 
 /// Every `crate::…` path in `code`, groups opened: offset and path without `crate::`.
 fn crate_paths(code: &str) -> Vec<(usize, String)> {
+    paths_of(code, "crate::")
+}
+
+/// Every path in `code` that begins with `root` (such as `crate::`), groups opened: offset and path without `root`.
+fn paths_of(code: &str, root: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
-    for (at, _) in code.match_indices("crate::") {
+    for (at, _) in code.match_indices(root) {
         if at > 0 && code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$') {
             continue;
         }
-        for path in open_group(&code[at + "crate::".len()..], "") {
+        for path in open_group(&code[at + root.len()..], "") {
             found.push((at, path));
         }
     }
@@ -388,6 +418,19 @@ mod tests {
         );
         assert_eq!(messages("ledger.rs", "use crate::planar::World;").len(), 1);
         assert_eq!(messages("lib.rs", "use crate::planar::World;").len(), 0);
+    }
+
+    #[test]
+    fn the_viewer_only_reads() {
+        let found = |text: &str| breaches_of_the_viewer(text).len();
+        assert_eq!(
+            found("use riprap::{Vec3, geom::Quat, record::{Frame, vtu}};"),
+            0
+        );
+        assert_eq!(
+            found("use riprap::run::job;\nuse riprap::{record::Frame, planar};"),
+            2
+        );
     }
 
     #[test]

@@ -252,7 +252,10 @@ mod tests {
         let bytes = wire(&shape, &bricks(Vec3::new(1e-4, 0.0, 0.0), Vec3::ZERO, 1.01));
         assert_eq!(array(&bytes, "bent"), [1, 0, 0, 0]);
         assert_eq!(singles(&array(&bytes, "bentShifts")).len(), 24);
-        let still = wire(&shape, &bricks(Vec3::new(1.5e-4, 0.0, 0.0), Vec3::ZERO, 1.0));
+        let still = wire(
+            &shape,
+            &bricks(Vec3::new(1.5e-4, 0.0, 0.0), Vec3::ZERO, 1.0),
+        );
         assert_eq!(array(&still, "gaps"), [5]);
         let shut = wire(&shape, &bricks(Vec3::ZERO, Vec3::ZERO, 1.0));
         assert_eq!(array(&shut, "gaps"), [0]);
