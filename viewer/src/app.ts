@@ -339,7 +339,7 @@ export class App {
         else for (const pane of this.panes) this.refreshPane(pane);
         for (const pane of this.panes) if (pane.view.run.frames === 0) this.banner(pane, noFrames(pane.view.run));
       }
-      if (this.plots && this.plots.tab !== "block") this.openPlots();
+      if (more && this.plots && this.plots.tab !== "block") this.openPlots();
       if (good.some((r) => r.summary.live)) this.news();
       else this.panel?.rebuild();
     }, NEWS);

@@ -3,6 +3,8 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { Problem } from "./source";
+
 type Camera = THREE.OrthographicCamera | THREE.PerspectiveCamera;
 
 /** Where a camera stands, to be taken over by another. */
@@ -32,6 +34,12 @@ export class Stage {
     readonly host: HTMLElement,
     public dimension: 2 | 3,
   ) {
+    if (!document.createElement("canvas").getContext("webgl2")) {
+      throw new Problem(
+        "This browser draws no WebGL 2.",
+        "Switch on its hardware acceleration or try another browser. Without it: riprap plot RUN draws pictures.",
+      );
+    }
     // Smooth edges cost a processor more than all else.
     const software = drawnBySoftware();
     this.renderer = new THREE.WebGLRenderer({ antialias: !software, preserveDrawingBuffer: true });
