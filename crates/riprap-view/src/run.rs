@@ -103,16 +103,37 @@ impl Run {
         use riprap::record::manifest::ManifestError;
         Manifest::read(&self.path).map_err(|error| {
             let hint = match &error {
-                ManifestError::Read { .. } => {
-                    "A run folder is what `riprap run` writes, for example hill.run; it has a manifest.json. Name that folder: riprap view hill.run"
-                }
+                ManifestError::Read { .. } => self.where_runs_are(),
                 ManifestError::Foreign { .. } => {
-                    "Its manifest.json was changed or cut off. Copy the run folder again, or run the scene again."
+                    "Its manifest.json was changed or cut off. Copy the run folder again, or run the scene again.".to_owned()
                 }
-                ManifestError::Newer { .. } => "Use the riprap that wrote it, or a newer one.",
+                ManifestError::Newer { .. } => {
+                    "Use the riprap that wrote it, or a newer one.".to_owned()
+                }
             };
             Problem::broken(error.to_string(), hint)
         })
+    }
+
+    /// What to name instead of a folder that is no run: runs inside it, as sweeps and comparisons leave them.
+    fn where_runs_are(&self) -> String {
+        let mut inside: Vec<String> = std::fs::read_dir(&self.path)
+            .into_iter()
+            .flatten()
+            .flatten()
+            .take(1000)
+            .filter(|entry| entry.path().join("manifest.json").is_file())
+            .map(|entry| self.path.join(entry.file_name()).display().to_string())
+            .collect();
+        inside.sort();
+        match &inside[..] {
+            [] => "A run folder is what `riprap run` writes, for example hill.run; it has a manifest.json. Name that folder: riprap view hill.run".to_owned(),
+            [one] => format!("There is a run in it: riprap view {one}"),
+            [one, two, ..] => format!(
+                "There are {} runs in it. Name one or two of them: riprap view {one} {two}",
+                inside.len()
+            ),
+        }
     }
 
     /// Times of the frames there are.

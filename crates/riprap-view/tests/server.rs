@@ -260,7 +260,10 @@ fn broken_folders_say_what_is_wrong_and_what_to_do() {
     std::fs::create_dir(&path).unwrap();
     let address = serve(std::slice::from_ref(&path));
     problem(address, "manifest.json");
-    std::fs::remove_dir(&path).unwrap();
+    write_run(&path.join("case_1"), 1);
+    let told = get(address, "/api/0/summary").json();
+    assert!(told["problem"]["hint"].as_str().unwrap().contains("case_1"));
+    std::fs::remove_dir_all(&path).unwrap();
     write_run(&path, 3);
     assert!(get(address, "/api/0/summary").json()["problem"].is_null());
 

@@ -267,6 +267,50 @@ fn probe_contact_shows_touching_pairs() {
 }
 
 #[test]
+fn a_report_is_one_file() {
+    let bench = Bench::with_scene();
+    bench.run(&["run", "fall.toml", "-q"]).expect(0);
+    bench
+        .run(&["report", "fall.run"])
+        .expect(0)
+        .says(&["fall.html", "MB"]);
+    let page = bench.read("fall.html");
+    for part in [
+        "a block falls",
+        "free fall",
+        "id=\"riprap-run\"",
+        "Energy ledger",
+        "data:image/svg+xml;base64,",
+        "input hash",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    // Of the script only the two ends of its element.
+    assert_eq!(page.matches("</script").count(), 2);
+    bench
+        .run(&["report", "nothing.run"])
+        .expect(2)
+        .warns(&["manifest.json"]);
+    bench
+        .run(&["report", "fall.run", "-o", "no/such/folder.html"])
+        .expect(3)
+        .warns(&["could not write"]);
+}
+
+#[test]
+fn only_folders_are_viewed() {
+    let bench = Bench::with_scene();
+    bench
+        .run(&["view", "fall.toml", "--no-open"])
+        .expect(2)
+        .warns(&["is a file, not a run folder"]);
+    bench
+        .run(&["view", "nothing.run", "--no-open"])
+        .expect(2)
+        .warns(&["does not exist"]);
+}
+
+#[test]
 fn plots_are_drawn() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q"]).expect(0);

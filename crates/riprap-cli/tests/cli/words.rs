@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 
-const VERBS: [&str; 15] = [
+const VERBS: [&str; 17] = [
     "new",
     "check",
     "run",
@@ -13,6 +13,8 @@ const VERBS: [&str; 15] = [
     "probe-contact",
     "verify",
     "plot",
+    "view",
+    "report",
     "fields",
     "explain",
     "schema",
