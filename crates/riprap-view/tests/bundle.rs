@@ -54,9 +54,7 @@ fn the_bundle_is_not_stale() {
 fn the_bundle_asks_nobody_else() {
     let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
     let page = std::fs::read_to_string(assets.join("index.html")).expect("the page");
-    for (at, _) in page.match_indices("http") {
-        panic!("the page names another address: {}", &page[at..]);
-    }
+    assert!(!page.contains("http"), "the page names another address");
     let style = std::fs::read_to_string(assets.join("app.css")).expect("the style");
     assert!(!style.contains("@import") && !style.contains("url(http"));
 }
