@@ -210,7 +210,7 @@ export class App {
       this.panel?.showBlock(await view.run.block(view.frame, view.picked));
     } catch (error) {
       const { what, hint } = told(error);
-      this.panel?.showBlock(null, `${what}. ${hint}`);
+      this.panel?.showBlock(null, `${what.replace(/\.$/, "")}. ${hint}`);
     }
   }
 
@@ -394,11 +394,15 @@ export class App {
 
 function problemCard(name: string, problem: { what: string; hint: string }): HTMLElement {
   return el(
-    "div.card.problem",
-    { role: "alert" },
-    el("h2", {}, `${name} cannot be shown`),
-    el("p", {}, problem.what),
-    el("p.hint", {}, problem.hint),
+    "div.cardhost",
+    {},
+    el(
+      "div.card.problem",
+      { role: "alert" },
+      el("h2", {}, `${name} cannot be shown`),
+      el("p", {}, problem.what),
+      el("p.hint", {}, problem.hint),
+    ),
   );
 }
 

@@ -7,6 +7,9 @@ import type { Packet } from "./wire";
 
 /** Faces farther apart than this share of a block, as drawn, are open. */
 const OPEN = 0.004;
+/** With more faces than this, openings are told from this share of a block on only: nobody sees finer ones then. */
+const MANY = 120_000;
+const OPEN_IF_MANY = 0.03;
 /** Above this many visible faces edges cost more than they show. */
 const EDGES = 40_000;
 
@@ -171,8 +174,18 @@ export class Blocks {
     this.gaps = motion.has("gaps") ? motion.u8("gaps") : null;
     // Number of the smallest opening that shows.
     const { shutDecade, steps } = motion.info;
-    this.gapLimit = Math.ceil((Math.log10(OPEN / Math.max(s, 1e-12)) - shutDecade) * steps) + 1;
+    const limit = (open: number) => Math.ceil((Math.log10(open / Math.max(s, 1e-12)) - shutDecade) * steps) + 1;
+    this.gapLimit = limit(OPEN);
+    if (this.gaps && this.openFaces(this.gapLimit) > MANY) this.gapLimit = limit(OPEN_IF_MANY);
     this.bound();
+  }
+
+  /** Faces of pairs that are open by a limit. */
+  private openFaces(limit: number): number {
+    const pairs = this.twins.length / 2;
+    let open = 0;
+    for (let k = 0; k < pairs; k++) if (((this.gaps![k >> 1]! >> (4 * (k & 1))) & 15) >= limit) open += 2;
+    return open;
   }
 
   private movePlane(shifts: Float32Array, turns: Float32Array, s: number): void {
@@ -261,13 +274,14 @@ export class Blocks {
       return [at(0.0025) - spare, at(0.9975) + spare];
     });
     const point = new THREE.Vector3();
-    for (let p = 0; p < this.positions.length; p += 3) {
-      point.fromArray(this.positions, p);
+    for (let b = 0; b < this.count; b++) {
+      const first = 3 * this.offsets[b]!;
       const inside = [0, 1, 2].every((k) => {
-        const v = this.positions[p + k]!;
+        const v = this.positions[first + k]!;
         return v >= limits[k]![0]! && v <= limits[k]![1]!;
       });
-      if (inside) box.expandByPoint(point);
+      if (!inside) continue;
+      for (let p = this.offsets[b]!; p < this.offsets[b + 1]!; p++) box.expandByPoint(point.fromArray(this.positions, 3 * p));
     }
     return box;
   }

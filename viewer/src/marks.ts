@@ -160,7 +160,7 @@ export class Contacts {
     states.forEach((s, i) => {
       const [i0, i1] = [a[i] ?? 0xffffffff, b[i] ?? 0xffffffff];
       if (s < 2 || i0 === 0xffffffff || i1 === 0xffffffff) return;
-      if (!blocks.isShown(i0) && !blocks.isShown(i1)) return;
+      if (!blocks.isShown(i0) || !blocks.isShown(i1)) return;
       pairs.push([i0, i1]);
       kinds.push(s);
     });

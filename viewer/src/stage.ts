@@ -129,7 +129,7 @@ export class Stage {
       const radius = Math.max(1e-9, 0.5 * size.length());
       const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
       const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
-      const away = new THREE.Vector3(...ways[side]).normalize().multiplyScalar(((this.camera.aspect < 1 ? 1.02 : 0.92) * radius) / Math.sin(narrow));
+      const away = new THREE.Vector3(...ways[side]).normalize().multiplyScalar((1.02 * radius) / Math.sin(narrow));
       this.camera.position.copy(centre).add(away);
       this.camera.near = radius / 200;
       this.camera.far = radius * 200;
