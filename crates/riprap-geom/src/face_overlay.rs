@@ -107,6 +107,7 @@ impl Fan {
                     high,
                 }
             })
+            .filter(|triangle| triangle.twice() > 0.0)
             .collect()
     }
 }
@@ -120,15 +121,16 @@ struct Flat {
 }
 
 impl Flat {
-    fn area(&self) -> f64 {
+    /// Twice the area, m².
+    fn twice(&self) -> f64 {
         let [a, b, c] = self.at;
-        0.5 * (b - a).perp_dot(c - a)
+        (b - a).perp_dot(c - a)
     }
 
     /// Weights of the corners at a point.
     fn weights(&self, p: Vec2) -> [f64; 3] {
         let [a, b, c] = self.at;
-        let whole = (b - a).perp_dot(c - a);
+        let whole = self.twice();
         let wb = (p - a).perp_dot(c - a) / whole;
         let wc = (b - a).perp_dot(p - a) / whole;
         [1.0 - wb - wc, wb, wc]
@@ -174,21 +176,19 @@ pub fn overlay(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointPoint>
     let mut points = Points::new(a);
     for ta in &flat_a {
         for tb in &flat_b {
-            if ta.area() <= 0.0 || tb.area() <= 0.0 || apart(ta, tb) {
+            if apart(ta, tb) {
                 continue;
             }
             let mut piece = Piece::new(&ta.at);
             for k in 0..3 {
                 piece.keep_left(tb.at[k], tb.at[(k + 1) % 3]);
             }
-            if piece.area() <= sliver {
+            let (area, shares) = piece.shares();
+            if area <= sliver {
                 continue;
             }
-            for [p, q, r] in piece.triangles() {
-                let third = (q - p).perp_dot(r - p) / 6.0;
-                for at in [p, q, r] {
-                    points.add(at, third, || [ta.anchor(a, at), tb.anchor(b, at)]);
-                }
+            for (&at, share) in piece.at[..piece.count].iter().zip(shares) {
+                points.add(at, share, || [ta.anchor(a, at), tb.anchor(b, at)]);
             }
         }
     }
@@ -262,17 +262,30 @@ impl Piece {
 
     fn keep_left(&mut self, p: Vec2, q: Vec2) {
         let along = q - p;
-        let side = |r: Vec2| along.perp_dot(r - p);
-        let (old, count) = (self.at, self.count);
+        let count = self.count;
+        let mut sides = [0.0; 8];
+        let (mut all, mut none) = (true, true);
+        for (side, at) in sides.iter_mut().zip(&self.at[..count]) {
+            *side = along.perp_dot(*at - p);
+            all &= *side >= 0.0;
+            none &= *side <= 0.0;
+        }
+        if all {
+            return;
+        }
+        let old = self.at;
         self.count = 0;
+        if none {
+            return;
+        }
         for k in 0..count {
-            let (a, b) = (old[k], old[(k + 1) % count]);
-            let (s, t) = (side(a), side(b));
+            let next = if k + 1 < count { k + 1 } else { 0 };
+            let (s, t) = (sides[k], sides[next]);
             if s >= 0.0 {
-                self.push(a);
+                self.push(old[k]);
             }
             if s * t < 0.0 {
-                self.push(a + (s / (s - t)) * (b - a));
+                self.push(old[k] + (s / (s - t)) * (old[next] - old[k]));
             }
         }
     }
@@ -285,14 +298,18 @@ impl Piece {
         }
     }
 
-    fn triangles(&self) -> impl Iterator<Item = [Vec2; 3]> + '_ {
-        (1..self.count.max(2) - 1).map(|k| [self.at[0], self.at[k], self.at[k + 1]])
-    }
-
-    fn area(&self) -> f64 {
-        self.triangles()
-            .map(|[p, q, r]| 0.5 * (q - p).perp_dot(r - p))
-            .sum()
+    /// Area of the piece and what each corner gets of it: a third of each triangle from the first corner.
+    fn shares(&self) -> (f64, [f64; 8]) {
+        let (mut area, mut shares) = (0.0, [0.0; 8]);
+        for k in 2..self.count {
+            let (p, q) = (self.at[k - 1] - self.at[0], self.at[k] - self.at[0]);
+            let third = p.perp_dot(q) / 6.0;
+            area += 3.0 * third;
+            shares[0] += third;
+            shares[k - 1] += third;
+            shares[k] += third;
+        }
+        (area, shares)
     }
 }
 

@@ -234,16 +234,29 @@ impl Polyhedron {
     /// Outward normal of a face times its area (Newell's sum: the best plane of a slightly crooked face), m².
     #[must_use]
     pub fn area_vector(&self, face: usize) -> Vec3 {
-        area_vector(&self.outline(face))
+        let corners = &self.faces[face];
+        let Some(&first) = corners.first() else {
+            return Vec3::ZERO;
+        };
+        let origin = self.vertices[first as usize];
+        let arm = |k: u32| self.vertices[k as usize] - origin;
+        let mut sum = Vec3::ZERO;
+        for pair in corners.windows(2) {
+            sum += arm(pair[0]).cross(arm(pair[1]));
+        }
+        0.5 * sum
     }
 
     /// Unit outward normal of a face and its distance from the origin along it, m.
     #[must_use]
     pub fn plane(&self, face: usize) -> (Vec3, f64) {
         let normal = self.area_vector(face).normalize_or_zero();
-        let outline = self.outline(face);
-        let middle = outline.iter().sum::<Vec3>() / outline.len() as f64;
-        (normal, normal.dot(middle))
+        let corners = &self.faces[face];
+        let sum = corners
+            .iter()
+            .map(|&v| self.vertices[v as usize])
+            .sum::<Vec3>();
+        (normal, normal.dot(sum / corners.len() as f64))
     }
 
     fn check_numbers(&self) -> Result<(), SolidError> {

@@ -137,6 +137,9 @@ pub enum CutError {
     /// The solid to be cut is not sound.
     #[error("the solid to be cut is not sound: {0}")]
     Solid(FlatTetrahedron),
+    /// The solid to be cut, of which no plane was cut, is not sound.
+    #[error("the solid to be cut is not sound: {0}")]
+    Rest(Refusal),
 }
 
 /// Divides a convex solid by parallel planes with the normal `normal` (any length).
@@ -158,40 +161,88 @@ pub fn cut(
     let high = heights().fold(f64::NEG_INFINITY, f64::max);
     let (offsets, spacing) = offsets(planes, n, low, high)?;
     let snap = (limits.snap * spacing).max(least_snap(solid));
-    let whole = Part {
+    let whole = Shape {
         solid: solid.clone(),
         origins: (0..solid.faces.len() as u32)
             .map(FaceOrigin::Parent)
             .collect(),
-        mesh: Tetrahedra::new(solid).map_err(CutError::Solid)?,
     };
-    let smallest = limits.sliver * whole.mesh.volume();
-    let mut made = Parts {
-        parts: Vec::with_capacity(offsets.len() + 1),
-        offsets: Vec::with_capacity(offsets.len()),
-        refused: Vec::new(),
+    let volume = Tetrahedra::new(solid).map_err(CutError::Solid)?.volume();
+    let job = Job {
+        n,
+        snap,
+        tolerance: tolerance(solid, snap),
+        smallest: limits.sliver * volume,
     };
-    let mut rest = whole;
-    for offset in offsets {
-        let plane = made.offsets.len() as u32;
-        let halves = halve(&rest, n, offset, snap, plane).and_then(|halves| {
-            let volume = halves[0].mesh.volume().min(halves[1].mesh.volume());
-            if volume < smallest {
-                return Err(Refusal::Sliver { volume });
+    // What is left above a plane is nearly always sound: it is looked at when all planes are done, and only if it
+    // is not, once more after each.
+    let parts = match job.all(&whole, volume, &offsets, false) {
+        Ok(parts) => Ok(parts),
+        Err(_) => job.all(&whole, volume, &offsets, true),
+    };
+    parts.map_err(CutError::Rest)
+}
+
+/// What all planes of a cut share.
+struct Job {
+    n: Vec3,
+    snap: f64,
+    /// Distance beyond a face at which a part is not convex, m.
+    tolerance: f64,
+    smallest: f64,
+}
+
+impl Job {
+    /// Cuts plane after plane; `Err` when the part above the last one is not sound.
+    fn all(
+        &self,
+        whole: &Shape,
+        volume: f64,
+        offsets: &[f64],
+        careful: bool,
+    ) -> Result<Parts, Refusal> {
+        let mut made = Parts {
+            parts: Vec::with_capacity(offsets.len() + 1),
+            offsets: Vec::with_capacity(offsets.len()),
+            refused: Vec::new(),
+        };
+        let (mut rest, mut left) = (whole.clone(), volume);
+        for &offset in offsets {
+            match self.one(&rest, left, offset, made.offsets.len() as u32, careful) {
+                Ok((below, above)) => {
+                    left -= below.mesh.volume();
+                    made.parts.push(below);
+                    made.offsets.push(offset);
+                    rest = above;
+                }
+                Err(why) => made.refused.push((offset, why)),
             }
-            Ok(halves)
-        });
-        match halves {
-            Ok([below, above]) => {
-                made.parts.push(below);
-                made.offsets.push(offset);
-                rest = above;
-            }
-            Err(why) => made.refused.push((offset, why)),
         }
+        made.parts.push(rest.finish(self.tolerance)?);
+        Ok(made)
     }
-    made.parts.push(rest);
-    Ok(made)
+
+    /// The part below a plane and what is left of the volume `left` above it.
+    fn one(
+        &self,
+        rest: &Shape,
+        left: f64,
+        offset: f64,
+        plane: u32,
+        careful: bool,
+    ) -> Result<(Part, Shape), Refusal> {
+        let [below, above] = halve_shape(rest, self.n, offset, self.snap, plane)?;
+        let below = below.finish(self.tolerance)?;
+        if careful {
+            above.clone().finish(self.tolerance)?;
+        }
+        let volume = below.mesh.volume();
+        let volume = volume.min(left - volume);
+        if volume < self.smallest {
+            return Err(Refusal::Sliver { volume });
+        }
+        Ok((below, above))
+    }
 }
 
 /// Least snap length of a solid, m: vertices nearer than this to a plane cannot be told from ones on it.
@@ -234,7 +285,30 @@ pub fn halve(
     snap: f64,
     plane: u32,
 ) -> Result<[Part; 2], Refusal> {
-    let solid = &part.solid;
+    let shape = Shape {
+        solid: part.solid.clone(),
+        origins: part.origins.clone(),
+    };
+    let [below, above] = halve_shape(&shape, n, offset, snap, plane)?;
+    let tolerance = tolerance(&part.solid, snap);
+    Ok([below.finish(tolerance)?, above.finish(tolerance)?])
+}
+
+/// A closed surface with the topology of a ball, not yet known to be convex.
+#[derive(Clone)]
+struct Shape {
+    solid: Polyhedron,
+    origins: Vec<FaceOrigin>,
+}
+
+fn halve_shape(
+    shape: &Shape,
+    n: Vec3,
+    offset: f64,
+    snap: f64,
+    plane: u32,
+) -> Result<[Shape; 2], Refusal> {
+    let solid = &shape.solid;
     let signs: Vec<f64> = solid
         .vertices
         .iter()
@@ -251,7 +325,7 @@ pub fn halve(
         edges: Vec::new(),
     };
     let mut sides = [Side::default(), Side::default()];
-    for (corners, origin) in solid.faces.iter().zip(&part.origins) {
+    for (corners, origin) in solid.faces.iter().zip(&shape.origins) {
         let mut pieces = [
             Vec::with_capacity(corners.len() + 2),
             Vec::with_capacity(corners.len() + 2),
@@ -281,6 +355,10 @@ pub fn halve(
         }
     }
     let cap = open_chain(&sides[0].faces).ok_or(Refusal::Open)?;
+    // The open edges above are those of the cap turned round, or the parts do not fit.
+    if open_chain(&sides[1].faces).is_none_or(|other| !turned(&cap, &other)) {
+        return Err(Refusal::Open);
+    }
     let mut back = cap.clone();
     back.reverse();
     let [mut below, mut above] = sides;
@@ -288,9 +366,18 @@ pub fn halve(
     above.faces.push(back);
     let finish = |mut side: Side| {
         side.origins.push(FaceOrigin::Plane(plane));
-        side.finish(&points.vertices, snap)
+        side.finish(&points.vertices)
     };
     Ok([finish(below)?, finish(above)?])
+}
+
+/// Whether a ring runs through the same vertices as another, the other way.
+fn turned(a: &[u32], b: &[u32]) -> bool {
+    let Some(start) = b.iter().position(|k| *k == a[0]) else {
+        return false;
+    };
+    let n = b.len();
+    a.len() == n && (0..n).all(|k| a[k] == b[(start + n - k) % n])
 }
 
 /// Vertices of a solid and the points where its edges meet the plane.
@@ -323,7 +410,7 @@ struct Side {
 }
 
 impl Side {
-    fn finish(mut self, points: &[Vec3], snap: f64) -> Result<Part, Refusal> {
+    fn finish(mut self, points: &[Vec3]) -> Result<Shape, Refusal> {
         const UNUSED: u32 = u32::MAX;
         let mut number = vec![UNUSED; points.len()];
         for &corner in self.faces.iter().flatten() {
@@ -343,18 +430,59 @@ impl Side {
             vertices,
             faces: self.faces,
         };
-        let mesh = sound(&solid, snap)?;
-        Ok(Part {
+        let edges: usize = solid.faces.iter().map(Vec::len).sum();
+        if 2 * (solid.vertices.len() + solid.faces.len()) != edges + 4 {
+            return Err(Refusal::Open);
+        }
+        Ok(Shape {
             solid,
+            origins: self.origins,
+        })
+    }
+}
+
+impl Shape {
+    /// The part, if all its tetrahedra have a volume and it is convex within `tolerance`.
+    fn finish(self, tolerance: f64) -> Result<Part, Refusal> {
+        let mesh = Tetrahedra::new(&self.solid).map_err(Refusal::Flat)?;
+        let (distance, face) = beyond(&self.solid);
+        if distance > tolerance {
+            return Err(Refusal::NotConvex { face, distance });
+        }
+        Ok(Part {
+            solid: self.solid,
             origins: self.origins,
             mesh,
         })
     }
 }
 
+/// Distance beyond a face at which a part of a solid is not convex, m: what snapping and the solid itself bring about.
+fn tolerance(solid: &Polyhedron, snap: f64) -> f64 {
+    2.0 * (snap + beyond(solid).0) + FLAT * solid.size()
+}
+
+/// Largest distance (m) of a vertex beyond a face, and the face.
+fn beyond(solid: &Polyhedron) -> (f64, usize) {
+    let mut worst = (0.0, 0);
+    for face in 0..solid.faces.len() {
+        let (normal, offset) = solid.plane(face);
+        for v in &solid.vertices {
+            let distance = normal.dot(*v) - offset;
+            if distance > worst.0 {
+                worst = (distance, face);
+            }
+        }
+    }
+    worst
+}
+
 /// Directed edges, sorted; empty when one occurs twice.
 fn directed_edges(faces: &[Vec<u32>]) -> Vec<(u32, u32)> {
-    let mut edges: Vec<(u32, u32)> = faces.iter().flat_map(|f| edges_of(f)).collect();
+    let mut edges = Vec::with_capacity(faces.iter().map(Vec::len).sum());
+    for face in faces {
+        edges.extend(edges_of(face));
+    }
     edges.sort_unstable();
     if edges.windows(2).any(|pair| pair[0] == pair[1]) {
         edges.clear();
@@ -390,30 +518,6 @@ fn open_chain(faces: &[Vec<u32>]) -> Option<Vec<u32>> {
         }
     }
     (ring.len() == next.len()).then_some(ring)
-}
-
-/// Nodes and tetrahedra of a solid that is closed, has the topology of a ball and is convex within `snap`.
-fn sound(solid: &Polyhedron, snap: f64) -> Result<Tetrahedra, Refusal> {
-    let edges = directed_edges(&solid.faces);
-    let twins = edges
-        .iter()
-        .all(|&(from, to)| edges.binary_search(&(to, from)).is_ok());
-    let euler = solid.vertices.len() + solid.faces.len() == edges.len() / 2 + 2;
-    if edges.is_empty() || !twins || !euler {
-        return Err(Refusal::Open);
-    }
-    let mesh = Tetrahedra::new(solid).map_err(Refusal::Flat)?;
-    let tolerance = 2.0 * snap + FLAT * solid.size();
-    for face in 0..solid.faces.len() {
-        let (normal, offset) = solid.plane(face);
-        for v in &solid.vertices {
-            let distance = normal.dot(*v) - offset;
-            if distance > tolerance {
-                return Err(Refusal::NotConvex { face, distance });
-            }
-        }
-    }
-    Ok(mesh)
 }
 
 #[cfg(test)]

@@ -49,17 +49,21 @@ impl Tetrahedra {
     pub fn new(solid: &Polyhedron) -> Result<Self, FlatTetrahedron> {
         let corners = solid.vertices.len();
         let centroid = solid.moments().centroid;
-        let mut nodes = solid.vertices.clone();
-        nodes.extend((0..solid.faces.len()).map(|f| solid.face_centre(f)));
+        let faces = solid.faces.len();
+        let tets = solid.faces.iter().map(Vec::len).sum();
+        let mut nodes = Vec::with_capacity(corners + faces + 1);
+        nodes.extend_from_slice(&solid.vertices);
+        nodes.extend((0..faces).map(|f| solid.face_centre(f)));
         nodes.push(centroid);
         let centre = nodes.len() as u32 - 1;
         let mut mesh = Self {
             nodes,
-            tets: Vec::new(),
-            first: vec![0],
-            volumes: Vec::new(),
-            gradients: Vec::new(),
+            tets: Vec::with_capacity(tets),
+            first: Vec::with_capacity(faces + 1),
+            volumes: Vec::with_capacity(tets),
+            gradients: Vec::with_capacity(tets),
         };
+        mesh.first.push(0);
         for (face, outline) in solid.faces.iter().enumerate() {
             let middle = (corners + face) as u32;
             for (from, to) in edges_of(outline) {
@@ -205,10 +209,11 @@ impl Polyhedron {
 pub fn element(p0: Vec3, [p1, p2, p3]: [Vec3; 3]) -> (f64, [Vec3; 3]) {
     let (a, b, c) = (p1 - p0, p2 - p0, p3 - p0);
     let six = a.dot((p2 - p1).cross(p3 - p1));
+    let scale = 1.0 / six;
     let gradients = [
-        b.cross(p3 - p2) / six,
-        c.cross(p1 - p3) / six,
-        a.cross(p2 - p1) / six,
+        scale * b.cross(p3 - p2),
+        scale * c.cross(p1 - p3),
+        scale * a.cross(p2 - p1),
     ];
     (six / 6.0, gradients)
 }
