@@ -17,6 +17,7 @@ pub mod diagnostic;
 pub mod language;
 pub mod load;
 pub mod moments;
+pub mod msh;
 pub mod names;
 pub mod overrides;
 pub mod path;
