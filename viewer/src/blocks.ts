@@ -431,7 +431,7 @@ export class Blocks {
           const q = drawnAs[corners[k + 1 < to ? k + 1 : from]!]!;
           // The neighbouring face of the block has the same edge the other way round.
           let known = false;
-          for (let i = begun; i < e && !known; i += 2) known = lines[i] === q && lines[i + 1] === p;
+          for (let i = this.dimension === 3 ? begun : e; i < e && !known; i += 2) known = lines[i] === q && lines[i + 1] === p;
           if (known) continue;
           lines[e++] = p;
           lines[e++] = q;

@@ -34,6 +34,7 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
         &["run", "check"],
         "the page has mistakes (npm run check)",
     )?;
+    same_bundle(root, &viewer)?;
     let binary = root.join(release_binary(root)?);
     let mut command = Command::new("npx");
     command
@@ -96,6 +97,28 @@ fn packages(viewer: &Path) -> Result<(), String> {
         "npm could not install the packages of viewer/package-lock.json (network?)",
     )?;
     std::fs::write(&stamp, lock).map_err(|e| format!("{}: {e}", stamp.display()))
+}
+
+/// The committed bundle must be, byte for byte, what its sources give.
+fn same_bundle(root: &Path, viewer: &Path) -> Result<(), String> {
+    let assets = root.join("crates/riprap-view/assets");
+    let files = ["app.js", "app.css", "index.html", "sources.sha256"];
+    let read = || -> Result<Vec<Vec<u8>>, String> {
+        let one =
+            |name: &&str| std::fs::read(assets.join(name)).map_err(|e| format!("{name}: {e}"));
+        files.iter().map(one).collect()
+    };
+    let committed = read()?;
+    npm(
+        viewer,
+        &["run", "build"],
+        "the page cannot be bundled (npm run build)",
+    )?;
+    if read()? == committed {
+        Ok(())
+    } else {
+        Err("crates/riprap-view/assets was not built from viewer/: commit what npm run build has just written there".to_owned())
+    }
 }
 
 fn npm(viewer: &Path, words: &[&str], what: &str) -> Result<(), String> {
