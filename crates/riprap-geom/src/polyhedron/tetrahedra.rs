@@ -146,39 +146,126 @@ impl Tetrahedra {
         shares
     }
 
-    /// As [`Tetrahedra::lumped`], with the trace of the inertia tensor of the solid: what vertices and face centres
-    /// stand for is reduced by one factor (4/7 for a cube, never above 1), the centroid gets the rest.
+    /// As [`Tetrahedra::lumped`], with the inertia tensor of the solid.
     ///
-    /// *Shape* `[n_nodes]`.
+    /// First what vertices and face centres stand for is reduced by one factor (4/7 for a cube, never above 1) and the
+    /// centroid gets the rest: that gives the trace. Then shares are changed by the least amounts, relative to
+    /// themselves, that give the whole tensor; if one of them would fall below a third, only so far. *Shape* `[n_nodes]`.
     #[must_use]
     pub fn inertial(&self) -> Vec<f64> {
         let mut shares = self.lumped();
         let centre = self.nodes[self.nodes.len() - 1];
-        let exact: f64 = self
-            .tets
-            .iter()
-            .zip(&self.volumes)
-            .map(|(tet, volume)| {
-                let arms = tet.map(|k| self.nodes[k as usize] - centre);
-                let sum = arms[0] + arms[1] + arms[2] + arms[3];
-                let squares: f64 = arms.iter().map(|r| r.length_squared()).sum();
-                volume / 20.0 * (squares + sum.length_squared())
-            })
-            .sum();
-        let lumped: f64 = shares
-            .iter()
-            .zip(&self.nodes)
-            .map(|(share, node)| share * node.distance_squared(centre))
-            .sum();
-        let factor = exact / lumped;
+        let exact = self.second_moments(centre);
+        let arms: Vec<Vec3> = self.nodes.iter().map(|x| *x - centre).collect();
+        let polar = |shares: &[f64]| -> f64 {
+            let each = shares.iter().zip(&arms);
+            each.map(|(share, r)| share * r.length_squared()).sum()
+        };
+        let factor = (exact[0] + exact[1] + exact[2]) / polar(&shares);
         let last = shares.len() - 1;
         for share in &mut shares[..last] {
             *share *= factor;
         }
         let rest: f64 = shares[..last].iter().sum();
         shares[last] = self.volume() - rest;
+        correct(&mut shares, &arms, &exact);
         shares
     }
+
+    /// Integrals of xx, yy, zz, yz, zx, xy over the volume, about a point, m⁵.
+    fn second_moments(&self, about: Vec3) -> [f64; 6] {
+        let mut sums = [0.0; 6];
+        for (tet, volume) in self.tets.iter().zip(&self.volumes) {
+            let arms = tet.map(|k| self.nodes[k as usize] - about);
+            let all = arms[0] + arms[1] + arms[2] + arms[3];
+            // int x x^T = V/20 (sum of x x^T over the corners + sum sum^T).
+            for r in arms.into_iter().chain([all]) {
+                for (sum, product) in sums.iter_mut().zip(products(r)) {
+                    *sum += volume / 20.0 * product;
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// xx, yy, zz, yz, zx, xy.
+fn products(r: Vec3) -> [f64; 6] {
+    [
+        r.x * r.x,
+        r.y * r.y,
+        r.z * r.z,
+        r.y * r.z,
+        r.z * r.x,
+        r.x * r.y,
+    ]
+}
+
+/// Changes shares by factors `1 + a . (1, x, y, z, xx, ...)` so that sum and first moments stay and the second moments
+/// are `exact`, or go that way until a share is a third of what it was.
+fn correct(shares: &mut [f64], arms: &[Vec3], exact: &[f64; 6]) {
+    const LEAST: f64 = 1.0 / 3.0;
+    let size = arms.iter().map(|r| r.length()).fold(0.0, f64::max);
+    let basis = |r: Vec3| {
+        let (r, mut phi) = (r / size, [1.0; 10]);
+        phi[1..4].copy_from_slice(&r.to_array());
+        phi[4..].copy_from_slice(&products(r));
+        phi
+    };
+    let mut matrix = [[0.0; 11]; 10];
+    for (row, target) in matrix[4..].iter_mut().zip(exact) {
+        row[10] = target / (size * size);
+    }
+    for (share, r) in shares.iter().zip(arms) {
+        let phi = basis(*r);
+        for (k, row) in matrix.iter_mut().enumerate() {
+            for (sum, other) in row.iter_mut().zip(phi) {
+                *sum += share * phi[k] * other;
+            }
+            if k >= 4 {
+                row[10] -= share * phi[k];
+            }
+        }
+    }
+    let Some(solution) = solve(matrix) else {
+        return;
+    };
+    let change = |r: Vec3| -> f64 { basis(r).iter().zip(solution).map(|(p, a)| p * a).sum() };
+    let lowest = arms.iter().map(|r| change(*r)).fold(0.0, f64::min);
+    let part = if lowest < LEAST - 1.0 {
+        (LEAST - 1.0) / lowest
+    } else {
+        1.0
+    };
+    for (share, r) in shares.iter_mut().zip(arms) {
+        *share *= 1.0 + part * change(*r);
+    }
+}
+
+/// Solution of ten linear equations (right-hand sides in the last column), if there is one.
+fn solve(mut m: [[f64; 11]; 10]) -> Option<[f64; 10]> {
+    let scale = m
+        .iter()
+        .flat_map(|row| &row[..10])
+        .fold(0.0, |s: f64, x| s.max(x.abs()));
+    for k in 0..10 {
+        let pivot = (k..10).max_by(|&i, &j| m[i][k].abs().total_cmp(&m[j][k].abs()))?;
+        if m[pivot][k].abs() <= 1e-12 * scale {
+            return None;
+        }
+        m.swap(k, pivot);
+        let row = m[k];
+        for (i, other) in m.iter_mut().enumerate() {
+            if i != k {
+                let factor = other[k] / row[k];
+                for (x, y) in other.iter_mut().zip(row) {
+                    *x -= factor * y;
+                }
+            }
+        }
+    }
+    let x = std::array::from_fn(|k| m[k][10] / m[k][k]);
+    x.iter().all(|x| f64::is_finite(*x)).then_some(x)
 }
 
 impl Polyhedron {
@@ -287,11 +374,17 @@ mod tests {
                 let first: Vec3 = pairs().map(|(s, x)| *s * (*x - c)).sum();
                 assert!(first.length() < 1e-14 * exact.volume * 10.0, "{first}");
             }
-            // Trace of the inertia tensor: twice the sum of m r^2.
+            // The whole inertia tensor.
             let inertial = mesh.inertial();
-            let pairs = inertial.iter().zip(&mesh.nodes);
-            let polar: f64 = pairs.map(|(s, x)| 2.0 * s * x.distance_squared(c)).sum();
-            assert!((polar / trace(&exact.inertia) - 1.0).abs() < 1e-12);
+            let mut tensor = crate::Mat3::ZERO;
+            for (share, x) in inertial.iter().zip(&mesh.nodes) {
+                let r = *x - c;
+                let outer = crate::Mat3::from_cols(r.x * r, r.y * r, r.z * r);
+                tensor += (crate::Mat3::IDENTITY * r.length_squared() - outer) * *share;
+            }
+            let error = (tensor - exact.inertia).to_cols_array();
+            let worst = error.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            assert!(worst < 1e-12 * trace(&exact.inertia), "{worst:e}");
             // Gradients of a linear field are exact.
             let field = |x: Vec3| 3.0 * x.x - 2.0 * x.y + 0.5 * x.z;
             for (tet, g) in mesh.tets.iter().zip(&mesh.gradients) {
