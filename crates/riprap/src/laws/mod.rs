@@ -10,3 +10,4 @@ pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;
 pub mod tetrahedron;
+pub mod transfer;

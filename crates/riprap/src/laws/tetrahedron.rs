@@ -20,7 +20,7 @@ mod stiffness;
 #[cfg(test)]
 mod tests;
 
-pub use point::{Elastic, Gradient, Strain, Symmetric, energy_density, stress};
+pub use point::{Elastic, Gradient, Strain, Symmetric, energy_density, second_piola, stress};
 pub use stiffness::{Stiffness, row_sums};
 
 use point::{density, first_piola, hooke, measure};
@@ -74,7 +74,9 @@ impl StartStress {
         }
     }
 
-    fn one(&self, tet: usize) -> Symmetric {
+    /// That of one tetrahedron, Pa.
+    #[must_use]
+    pub fn one(&self, tet: usize) -> Symmetric {
         self.of(tet / LANES).map(|c| c.0[tet % LANES])
     }
 }

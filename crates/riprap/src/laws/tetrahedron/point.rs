@@ -149,6 +149,15 @@ pub fn stress(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) ->
     }
 }
 
+/// Second Piola-Kirchhoff stress at a displacement gradient, Pa; with small strain just the stress.
+#[must_use]
+pub fn second_piola(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) -> Symmetric {
+    match strain {
+        Strain::Small => hooke(law, &measure::<f64, false>(h), start),
+        Strain::Large => hooke(law, &measure::<f64, true>(h), start),
+    }
+}
+
 /// Strain energy per undeformed volume, J/m³; a start stress adds its work.
 #[must_use]
 pub fn energy_density(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) -> f64 {
