@@ -1,6 +1,6 @@
 // The panel at the side: everything that can be chosen, and what is known about the run and the picked block.
 
-import { MAPS, defaultMap } from "./colour";
+import { KINDS, MAPS, defaultMap } from "./colour";
 import { check, choice, el, row } from "./dom";
 import { quantity, short } from "./format";
 import { STATES } from "./marks";
@@ -76,7 +76,8 @@ export class Panel {
     const rows = [row("Field", field)];
     const meaning = this.meaning(now.field);
     if (meaning) rows.push(el("p.hint", {}, meaning));
-    if (!now.field) return rows;
+    // Kinds have their own colours and no range.
+    if (!now.field || KINDS.has(now.field)) return rows;
     rows.push(
       row("Colours", choice(Object.keys(MAPS).map((m) => [m, m]), now.map, (map) => choices.set({ map }), "colour map")),
       row(
