@@ -16,7 +16,7 @@ pub struct TwoExponential {
     pub b: f64,
     /// Value after a long time.
     pub plateau: f64,
-    /// Time of `t = 0`: that of the first sample, s.
+    /// Time of `t = 0`, s: that of the first sample, or a step before it where the rise is over by then.
     pub start: f64,
     /// Share of the variance that the fit explains.
     pub r2: f64,
@@ -36,6 +36,8 @@ impl TwoExponential {
 
 /// Rates of the grid of the search.
 const RATES: usize = 48;
+/// Share of the top that the first sample reaches where the rise is over by then.
+const RISEN: f64 = 0.9;
 
 /// Fits `p0 (exp(-a t) - exp(-b t)) + plateau` by least squares; every sample counts alike.
 ///
@@ -58,7 +60,7 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
     if step <= 0.0 {
         return Err(FitError::NotAscending);
     }
-    let start = time[0];
+    let start = if risen(&y) { time[0] - step } else { time[0] };
     let t: Vec<f64> = time.iter().map(|v| v - start).collect();
     let syy = spread(&y, &y);
     let size = y.iter().fold(0.0, |s: f64, v| s.max(v.abs()));
@@ -105,6 +107,15 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
         rise_unresolved: limits[1] - best[1] < 0.5 * spacing,
         decay_unresolved: best[0] - limits[0] < 0.5 * spacing,
     })
+}
+
+/// Whether the first sample stands near the top already, seen from the last one: the law begins with its plateau, so
+/// that the rise must come before.
+fn risen(y: &[f64]) -> bool {
+    let last = y.last().copied().unwrap_or(0.0);
+    let top = y.iter().fold(0.0, |s: f64, v| s.max((v - last).abs()));
+    y.first()
+        .is_some_and(|first| (first - last).abs() >= RISEN * top)
 }
 
 /// `exp(-a t) - exp(-b t)` for the logarithms of the rates.
@@ -233,6 +244,16 @@ mod tests {
         let f = two_exponential(&t, &y).unwrap();
         assert!(f.rise_unresolved && f.r2 > 0.999, "{f:?}");
         assert!((f.a / 1000.0 - 1.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_fall_from_the_start_has_its_rise_before() {
+        let law =
+            |t: f64| 2.0 * (-1000.0 * t).exp() + 0.5 + 0.1 * (-300.0 * t).exp() * (9e3 * t).sin();
+        let (t, y) = samples(500, 0.01, law);
+        let f = two_exponential(&t, &y).unwrap();
+        assert!(f.r2 > 0.98, "{f:?}");
+        assert!((f.plateau / 0.5 - 1.0).abs() < 0.02 && f.p0 > 0.0, "{f:?}");
     }
 
     #[test]

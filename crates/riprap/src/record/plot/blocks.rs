@@ -145,7 +145,7 @@ struct Window {
 }
 
 impl Window {
-    fn around(frames: &[Frame], columns: usize) -> Self {
+    fn around(frames: &[Frame], columns: usize, arrows: bool) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in frames
             .iter()
@@ -163,7 +163,8 @@ impl Window {
         let largest = (high[0] - low[0])
             .max(high[1] - low[1])
             .max(1e-9 * low[0].abs().max(1e-6));
-        let margin = 0.03 * largest;
+        // Arrows of blocks at the rim reach beyond it.
+        let margin = if arrows { 0.08 } else { 0.03 } * largest;
         let size = [0, 1].map(|k| high[k] - low[k] + 2.0 * margin);
         let wide = if columns == 1 {
             720.0
@@ -189,7 +190,7 @@ impl Window {
 
 /// Panels side by side: wide scenes are stacked, tall ones stand beside each other.
 fn columns_for(frames: &[Frame]) -> usize {
-    let one = Window::around(frames, 1);
+    let one = Window::around(frames, 1, false);
     let aspect = one.size[0] / one.size[1];
     let columns =
         ((1.6 * frames.len() as f64 / aspect).sqrt().ceil() as usize).clamp(1, frames.len());
@@ -215,7 +216,7 @@ pub(super) fn draw(
     let (map, scale) = colours(&all, options.log);
     let columns = columns_for(frames);
     let rows = frames.len().div_ceil(columns);
-    let window = Window::around(frames, columns);
+    let window = Window::around(frames, columns, options.vectors.is_some());
     let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
     let step = [w + LEFT + 10.0, h + 72.0];
     let right = LEFT + step[0] * (columns - 1) as f64 + w;

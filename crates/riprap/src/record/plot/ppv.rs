@@ -15,6 +15,9 @@ const PICTURE: &str = "peak particle velocity";
 /// Velocities are drawn in mm/s, the unit of site laws and limits.
 const MM: f64 = 1e3;
 
+/// A block that is as fast now as ever, to this share, has its peak still to come.
+const RISING: f64 = 0.98;
+
 /// Roots of the mass that distances are divided by: cylindrical and spherical charges.
 const ROOTS: [(f64, &str, &str); 2] = [
     (2.0, "square root", "m/kg^(1/2)"),
@@ -31,7 +34,7 @@ struct Sample {
 }
 
 /// Draws the peak particle velocities of the blocks of a frame against scaled distance, by square root and by cube root
-/// of the mass of the nearest source, with the site law `v = K SD^-n` and its upper 95 % line. With `surface` only
+/// of the mass of the nearest source, without blocks whose peak is still to come, with the site law `v = K SD^-n` and its upper 95 % line. With `surface` only
 /// blocks with a free face looking up count.
 ///
 /// Distances are those before anything moved. The fitted numbers are also in `NAME_fit.csv`.
@@ -118,6 +121,11 @@ fn samples(frame: &Frame, charges: &[&Source], surface: bool) -> Result<Vec<Samp
         None
     };
     let ids = frame.column("block").filter(|c| c.components == 1);
+    let now = frame.column("velocity").filter(|c| c.components == 3);
+    let rising = |i: usize| {
+        let v = now.map_or([0.0; 3], |c| [0, 1, 2].map(|k| c.data[3 * i + k]));
+        v[0].hypot(v[1]).hypot(v[2]) > RISING * speed[i]
+    };
     let mut out = Vec::new();
     for (i, body) in solid::bodies(frame).iter().enumerate() {
         let place = body.start().to_array();
@@ -125,7 +133,7 @@ fn samples(frame: &Frame, charges: &[&Source], surface: bool) -> Result<Vec<Samp
             .iter()
             .map(|s| (s.distance(place), s.mass.unwrap_or(f64::NAN)))
             .min_by(|a, b| a.0.total_cmp(&b.0));
-        let counts = speed[i] > 0.0 && up.as_ref().is_none_or(|u| u[i] > 0.5);
+        let counts = speed[i] > 0.0 && !rising(i) && up.as_ref().is_none_or(|u| u[i] > 0.5);
         if let Some((distance, mass)) = nearest.filter(|n| counts && n.0 > 0.0) {
             out.push(Sample {
                 block: ids.map_or(i as f64, |c| c.data[i]),
