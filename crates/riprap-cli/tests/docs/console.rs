@@ -163,7 +163,19 @@ fn run_page(name: &str) -> TempDir {
 #[test]
 fn the_first_hour_works() {
     let folder = run_page("first-hour.md");
-    for picture in ["topple.svg", "tilt.svg", "hill.svg"] {
+    keep(&folder, &["topple.svg", "tilt.svg", "hill.svg"]);
+}
+
+#[test]
+fn the_first_blast_works() {
+    let folder = run_page("first-blast.md");
+    let pictures = ["section", "cavity", "ppv", "spectrum"].map(|what| format!("shot-{what}.svg"));
+    keep(&folder, &pictures.each_ref().map(String::as_str));
+}
+
+/// Pictures that a page's commands made are those that it shows.
+fn keep(folder: &TempDir, pictures: &[&str]) {
+    for picture in pictures {
         let made = read(&folder.path().join(picture));
         let kept = pages().join("img").join(picture);
         if writing() {
