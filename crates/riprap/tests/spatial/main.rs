@@ -7,6 +7,7 @@ mod edit;
 mod faces;
 mod rock;
 mod runs;
+mod sector;
 mod solids;
 mod stability;
 mod statics;
