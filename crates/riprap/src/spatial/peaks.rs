@@ -14,7 +14,7 @@ const CONE: f64 = 0.965_925_826_289_068_3;
 const SHELLS: f64 = 4.0;
 
 /// Distances over the radius of a ball as large as the cavity between which the attenuation is fitted.
-const RANGE: [f64; 2] = [2.0, 16.0];
+const RANGE: std::ops::RangeInclusive<f64> = 2.0..=16.0;
 
 /// Mean logarithms of distance (m) and peak speed (m/s) over shells, from the inside outwards.
 type Curve = Vec<[f64; 2]>;
@@ -25,10 +25,7 @@ impl View<'_> {
     #[must_use]
     pub fn attenuation(&self, cavity: &Cavity) -> f64 {
         let radius = libm::cbrt(3.0 * cavity.removed / (4.0 * std::f64::consts::PI));
-        let within = |p: &[f64; 2]| {
-            let r = libm::exp(p[0]) / radius;
-            r >= RANGE[0] && r <= RANGE[1]
-        };
+        let within = |p: &[f64; 2]| RANGE.contains(&(libm::exp(p[0]) / radius));
         let points = self.peaks(cavity).filter(|(_, p)| within(p));
         -slope(&shells(points.map(|(_, p)| p).collect()))
     }

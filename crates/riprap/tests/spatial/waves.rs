@@ -361,7 +361,7 @@ fn oblique_waves_into_viscous_sides() {
             let peak = |u: &mut dyn Iterator<Item = f64>| u.map(f64::abs).fold(0.0, f64::max);
             let p = peak(&mut back.clone().map(|u| u.dot(ray)))
                 / peak(&mut straight.clone().map(|u| u.dot(direct)));
-            let all = peak(&mut back.map(|u| u.length())) / peak(&mut straight.map(|u| u.length()));
+            let all = peak(&mut back.map(Vec3::length)) / peak(&mut straight.map(Vec3::length));
             println!(
                 "{angle} deg, half cell {half_cell}: P {:.1} %, P and S {:.1} %",
                 100.0 * p,
