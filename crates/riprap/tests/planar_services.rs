@@ -57,6 +57,7 @@ fn plan(time_step: TimeStep) -> Plan {
             joints: vec![],
             zero_velocities: false,
             zero_displacements: false,
+            deform: None,
         }],
         ..Plan::default()
     }

@@ -81,6 +81,10 @@ fn fields_of(fields: &[serde_json::Value], text: &mut String) {
         ),
         ("group", "A group of blocks: `of = \"group\"`."),
         ("cavity", "A charge or another cavity: `of = \"source\"`."),
+        (
+            "boundary",
+            "A condition on free faces: `of = \"its name\"`.",
+        ),
         ("model", "The whole model; without `of`."),
         ("energy", "The energy ledger; without `of`."),
     ];

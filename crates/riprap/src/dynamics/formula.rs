@@ -125,10 +125,10 @@ impl Serialize for Formula {
 }
 
 impl<'de> Deserialize<'de> for Formula {
-    /// Reads a formula of time, the only kind that is stored.
+    /// Reads a formula of time or place, the only kinds that are stored.
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Self::new(&text, &["t"]).map_err(serde::de::Error::custom)
+        Self::new(&text, &["t", "x", "y", "z"]).map_err(serde::de::Error::custom)
     }
 }
 

@@ -230,6 +230,8 @@ impl Builder<'_> {
                 }
                 return Some(blocks);
             }
+            // Refused by the rules of the language, or taken by `node_support`.
+            Target::Nodes(_) => return None,
         };
         let blocks = self.directory.all(names);
         self.take(blocks)

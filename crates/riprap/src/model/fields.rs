@@ -152,11 +152,14 @@ impl Builder<'_> {
         if site == Site::Cavity {
             return self.field_source(name, names);
         }
+        if site == Site::Boundary {
+            return self.field_boundary(name, names);
+        }
         let (need, example): (usize, &str) = match site {
             Site::Block => (1, "of = \"block\""),
             Site::Pair => (2, "of = [\"a\", \"b\"]"),
             Site::Group => (1, "of = \"group\""),
-            Site::Cavity => (1, "of = \"charge\""),
+            Site::Cavity | Site::Boundary => (1, ""),
             Site::Model | Site::Energy => (0, ""),
             Site::Contact => {
                 let help = "use a `pair` field for the sum over the contacts of two blocks";
@@ -240,6 +243,31 @@ impl Builder<'_> {
         let message = format!("there is no source `{one}`");
         let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
         error.help = suggest(one.as_str(), sources.iter().map(String::as_str));
+        self.found.push(error);
+        None
+    }
+
+    /// The condition on free faces a field is read at.
+    fn field_boundary(&mut self, name: &Name, names: &[Name]) -> Option<Vec<u32>> {
+        let [one] = names else {
+            let message = format!("`{name}` needs one boundary");
+            let place = names.first().unwrap_or(name);
+            self.error_at(
+                "field.of",
+                place,
+                message,
+                "give the boundary a `name` and write it here",
+            );
+            return None;
+        };
+        let known = self.spatial.boundaries.iter().map(|b| b.name.as_str());
+        if let Some(number) = known.clone().position(|b| b == one.as_str()) {
+            return Some(vec![number as u32]);
+        }
+        let known: Vec<&str> = known.collect();
+        let message = format!("there is no boundary `{one}`");
+        let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
+        error.help = suggest(one.as_str(), known);
         self.found.push(error);
         None
     }

@@ -6,12 +6,19 @@ use super::fields::Said as Place;
 use super::interfaces::changed;
 use super::solid::changed_joint;
 use crate::planar::setup::ContactLaw;
-use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
+use crate::run::plan::{
+    Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep, Until,
+};
 use crate::scenario::language::{self, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::JointLaw;
+
+/// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
+const RELAXED: f64 = 1e-6;
+/// Default of `iterations`.
+const MOST_ITERATIONS: u64 = 200_000;
 
 impl Builder<'_> {
     pub(super) fn phases(&mut self) {
@@ -125,7 +132,54 @@ impl Builder<'_> {
             joints,
             zero_velocities: said.reset.contains(&Reset::Velocities),
             zero_displacements: said.reset.contains(&Reset::Displacements),
+            deform: self.deforming(said),
         }
+    }
+
+    /// Rules for deformable blocks. A static phase relaxes them with fictitious masses if no rigid block is free.
+    fn deforming(&mut self, said: &language::Phase) -> Option<Deforming> {
+        if self.spatial.deform.sets.is_empty() {
+            return None;
+        }
+        let key = |word: &str| format!("phases.{}.{word}", said.name);
+        let given = |there: bool| {
+            if there {
+                Provenance::Given
+            } else {
+                Provenance::Default
+            }
+        };
+        let breaking = said.breaking.unwrap_or(true);
+        self.explain(
+            key("breaking"),
+            breaking.to_string(),
+            given(said.breaking.is_some()),
+            "",
+        );
+        let relaxes = said.kind == Some(language::PhaseKind::Static) && self.all_free_deform();
+        let relax = relaxes.then(|| {
+            let tolerance = said.until.unbalanced.as_ref().map(Quantity::si);
+            let iterations = said.iterations.unwrap_or(MOST_ITERATIONS);
+            let from = given(said.iterations.is_some());
+            self.explain(key("iterations"), iterations.to_string(), from, "");
+            Relaxing {
+                tolerance: tolerance.unwrap_or(RELAXED),
+                load_steps: said.load_steps.unwrap_or(1),
+                iterations,
+            }
+        });
+        Some(Deforming { breaking, relax })
+    }
+
+    /// Whether every block that is not held is deformable.
+    fn all_free_deform(&self) -> bool {
+        let mut bound = vec![false; self.spatial.blocks.len()];
+        let sets = self.spatial.deform.sets.iter().map(|s| &s.blocks);
+        let held = self.spatial.supports.iter().map(|s| &s.blocks);
+        for &b in sets.chain(held).flatten() {
+            bound[b as usize] = true;
+        }
+        bound.into_iter().all(|b| b)
     }
 
     pub(super) fn outputs(&mut self) {

@@ -21,6 +21,8 @@ pub enum Site {
     Model,
     /// One value for a charge or another cavity.
     Cavity,
+    /// One value for a condition on free faces.
+    Boundary,
     /// One term of the energy ledger.
     Energy,
 }
@@ -35,6 +37,7 @@ impl Site {
             Site::Group => "group",
             Site::Model => "model",
             Site::Cavity => "cavity",
+            Site::Boundary => "boundary",
             Site::Energy => "energy",
         }
     }

@@ -121,7 +121,7 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 9] = [
+const FILES: [&str; 10] = [
     LOCK,
     "scenario.resolved.toml",
     "checks.jsonl",
@@ -130,6 +130,7 @@ const FILES: [&str; 9] = [
     "events.jsonl",
     "run.pvd",
     "contacts.pvd",
+    "cracks.pvd",
     "manifest.json",
 ];
 
@@ -379,6 +380,10 @@ impl RunFolder {
         );
         write_whole(&blocks, &vtu::blocks(frame).at(&blocks)?)?;
         write_whole(&contacts, &vtu::contacts(frame).at(&contacts)?)?;
+        let cracks = self.path.join(crack_file(index));
+        if let Some(bytes) = vtu::cracks(frame).at(&cracks)? {
+            write_whole(&cracks, &bytes)?;
+        }
         self.frames.push(FrameEntry {
             index,
             step: frame.step,
@@ -440,6 +445,20 @@ impl RunFolder {
                 .collect();
             write_whole(&self.path.join(name), vtu::write_pvd(&entries).as_bytes())?;
         }
+        let there = |f: &&FrameEntry| self.path.join(crack_file(f.index)).exists();
+        let entries: Vec<PvdEntry> = self
+            .frames
+            .iter()
+            .filter(there)
+            .map(|f| PvdEntry {
+                time: f.time,
+                file: crack_file(f.index),
+            })
+            .collect();
+        if !entries.is_empty() {
+            let path = self.path.join("cracks.pvd");
+            write_whole(&path, vtu::write_pvd(&entries).as_bytes())?;
+        }
         Ok(())
     }
 }
@@ -447,6 +466,11 @@ impl RunFolder {
 /// File of the blocks of frame `index`, relative to the run folder.
 pub fn block_file(index: u32) -> String {
     format!("frames/frame_{index:06}.vtu")
+}
+
+/// File of the cracks of frame `index`, relative to the run folder; there only with deformable blocks.
+pub fn crack_file(index: u32) -> String {
+    format!("frames/cracks_{index:06}.vtu")
 }
 
 /// File of the contacts of frame `index`, relative to the run folder.
@@ -466,7 +490,8 @@ fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputError> {
             .unwrap_or_default();
         let number = name
             .strip_prefix("frame_")
-            .or_else(|| name.strip_prefix("contacts_"));
+            .or_else(|| name.strip_prefix("contacts_"))
+            .or_else(|| name.strip_prefix("cracks_"));
         if let Some(Ok(index)) = number.and_then(|n| n.strip_suffix(".vtu")).map(str::parse) {
             found.push((index, file));
         }

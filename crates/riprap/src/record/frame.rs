@@ -149,6 +149,17 @@ impl Solids {
     }
 }
 
+/// Polygons in space with numbers: crack surfaces.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Surfaces {
+    /// Shape `[polygons]`: end of each polygon's run of points.
+    pub ends: Vec<u32>,
+    /// Corners, m, global axes.
+    pub points: Vec<[f64; 3]>,
+    /// Numbers on polygons.
+    pub columns: Vec<Column>,
+}
+
 /// Blocks and contact points at one time, with their numbers.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
@@ -170,6 +181,8 @@ pub struct Frame {
     pub contact_points: Vec<[f64; 3]>,
     /// Numbers on contacts.
     pub contact_columns: Vec<Column>,
+    /// Cracks between deformable blocks; `None` where there are no such blocks. Not read back.
+    pub cracks: Option<Surfaces>,
 }
 
 impl Frame {
@@ -252,6 +265,7 @@ pub(crate) mod tests {
             ],
             contact_points: vec![[2.0, 0.5, 0.0]],
             contact_columns: vec![Column::vector("force", "N/m", &[[1e5, -2e4]])],
+            cracks: None,
         }
     }
 
@@ -281,6 +295,7 @@ pub(crate) mod tests {
             ],
             contact_points: vec![[1.0, 0.25, 0.25]],
             contact_columns: vec![Column::vector3("force", "N", &[[1.0, 0.0, 5.0]])],
+            cracks: None,
         }
     }
 

@@ -141,6 +141,15 @@ pub struct Stable {
     pub block: Option<u32>,
 }
 
+/// State of a relaxing phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Relaxed {
+    /// Whether the last look found it converged.
+    pub converged: bool,
+    /// Iterations since loads or bonds last changed.
+    pub iterations: u64,
+}
+
 /// The fastest or the deepest: who, and how much.
 pub type Who = (String, f64);
 
@@ -291,6 +300,41 @@ impl Engine {
         }
     }
 
+    /// How far a relaxing phase of deformable blocks is; `None` if none is.
+    #[must_use]
+    pub fn relaxing(&self) -> Option<Relaxed> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(e) => {
+                let relax = e.world.deform.as_ref()?.relax.as_ref()?;
+                Some(Relaxed {
+                    converged: relax.converged,
+                    iterations: relax.iterations,
+                })
+            }
+        }
+    }
+
+    /// Lets model time pass by `increment` (s) in the coming iteration of a relaxing phase.
+    pub fn load_step(&mut self, increment: f64) {
+        if let Self::Spatial(e) = self {
+            spatial::deform::phase::load_step(&mut e.world, increment);
+        }
+    }
+
+    /// Breaks the bonds that are due at the present state, after [`Engine::evaluate`] with the same step, and evaluates
+    /// anew; returns how many facets lost some.
+    ///
+    /// # Errors
+    /// A block whose forces are not finite.
+    pub fn fracture(&mut self, dt: f64) -> Result<usize, u32> {
+        match self {
+            Self::Planar(_) => Ok(0),
+            Self::Spatial(e) => spatial::deform::fracture::step(&mut e.world, &mut e.scratch, dt)
+                .map_err(|e| e.block),
+        }
+    }
+
     /// Gravity now, m/s²; in the plane the third component is 0.
     #[must_use]
     pub fn gravity(&self) -> [f64; 3] {
@@ -312,7 +356,10 @@ impl Engine {
     pub fn zero_displacements(&mut self) {
         match self {
             Self::Planar(e) => e.world.zero_displacements(),
-            Self::Spatial(e) => e.world.zero_displacements(),
+            Self::Spatial(e) => {
+                let poses = e.view().present_poses();
+                e.world.zero_displacements(poses);
+            }
         }
     }
 
@@ -338,11 +385,12 @@ impl Engine {
             Self::Planar(e) => planar_events(&e.view()),
             Self::Spatial(e) => {
                 let events = std::mem::take(&mut e.world.events);
+                let deform = e.world.deform.as_mut();
+                let broken = deform.map(|d| std::mem::take(&mut d.broken));
                 let view = e.view();
-                events
-                    .iter()
-                    .map(|event| spatial_event(&view, event))
-                    .collect()
+                let others = broken.iter().flatten().map(|b| break_event(&view, b));
+                let edits = events.iter().map(|event| spatial_event(&view, event));
+                edits.chain(others).collect()
             }
         }
     }
@@ -437,6 +485,11 @@ fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
         world.halt();
     }
     world.hold_driven();
+    let rules = phase.deform.map(|d| spatial::deform::phase::Rules {
+        relax: d.relax.map(|r| r.tolerance),
+        breaking: d.breaking,
+    });
+    spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
 }
 
 impl<'a> View<'a> {
@@ -661,6 +714,22 @@ fn source_note(v: &spatial::fields::View<'_>, cavity: &spatial::cavity::Cavity) 
         cavity_volume: cavity.removed,
         depth: Some(profile.depth).filter(|d| *d > 0.0),
     }
+}
+
+fn break_event(
+    v: &spatial::fields::View<'_>,
+    event: &spatial::deform::store::Break,
+) -> serde_json::Value {
+    let blocks = v.softs().map(|(deform, _)| {
+        let facet = &deform.facets[event.facet as usize];
+        facet.blocks.map(|b| v.name(b as usize))
+    });
+    serde_json::json!({
+        "event": "bond_broken", "step": event.step, "time": event.time,
+        "blocks": blocks, "facet": event.facet,
+        "area_tension": event.area[0], "area_shear": event.area[1],
+        "utilisation": event.utilisation, "released": event.released,
+    })
 }
 
 fn spatial_event(

@@ -88,5 +88,14 @@ pub fn spatial(world: &spatial::world::World) -> String {
     for anchor in world.faces.iter().flat_map(|f| f.anchor) {
         anchor.to_array().into_iter().for_each(&mut put);
     }
+    if let Some(deform) = &world.deform {
+        let nodes = [&deform.nodes.moved, &deform.nodes.rate];
+        nodes.into_iter().flatten().flatten().for_each(|&x| put(x));
+        for m in &deform.memory {
+            m.law.slip.iter().for_each(|&x| put(x));
+            put(m.law.damage);
+            put(f64::from(u8::from(m.state.is_broken())));
+        }
+    }
     hasher.finalize().to_hex().to_string()
 }

@@ -339,6 +339,7 @@ mod tests {
             joints: Vec::new(),
             zero_velocities: false,
             zero_displacements: false,
+            deform: None,
         };
         let history = History {
             name: "drop".to_owned(),

@@ -55,6 +55,28 @@ pub struct Phase {
     pub zero_velocities: bool,
     /// Measures displacements from the start of this phase on.
     pub zero_displacements: bool,
+    /// Rules for deformable blocks; `None` where there are none.
+    pub deform: Option<Deforming>,
+}
+
+/// Rules of a phase for deformable blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deforming {
+    /// Whether bonds may break.
+    pub breaking: bool,
+    /// How a static phase relaxes; `None` in dynamic phases, and where a rigid block is free.
+    pub relax: Option<Relaxing>,
+}
+
+/// A static phase of deformable blocks: dynamic relaxation with fictitious masses.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Relaxing {
+    /// Ratio of net to external forces at which it is converged.
+    pub tolerance: f64,
+    /// Load steps over `until.time`.
+    pub load_steps: u64,
+    /// Iterations after which a load step that has not converged ends the phase.
+    pub iterations: u64,
 }
 
 impl Phase {
@@ -67,6 +89,7 @@ impl Phase {
             || !self.contacts.is_empty()
             || !self.joints.is_empty()
             || self.zero_velocities
+            || self.deform.is_some()
     }
 }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::engine::{BuildError, Engine, Kind, Stable, State, View};
-use super::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
+use super::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::exec::Exec;
 use crate::model::Setup;
 
@@ -280,6 +280,9 @@ impl Simulation {
                 self.evaluate(&damping, dt)?;
             }
         }
+        if self.fracture()? == 0 && self.relax(&phase) {
+            self.evaluate(&damping, self.dt)?;
+        }
         self.guard()?;
         Ok(if self.phase_over(&phase) {
             Stage::PhaseEnd
@@ -341,11 +344,7 @@ impl Simulation {
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
         self.engine
             .evaluate(damping, dt)
-            .map_err(|block| RunError::NonFinite {
-                block: self.view().name(block),
-                step: self.steps(),
-                time: self.time(),
-            })
+            .map_err(|block| self.not_finite(block))
     }
 
     fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
@@ -402,8 +401,60 @@ impl Simulation {
             .set_gravity(std::array::from_fn(|k| from[k] + share * (to[k] - from[k])));
     }
 
+    /// Lets time pass in a relaxing phase whose present load step has converged and breaks nothing more; whether the
+    /// forces must be evaluated anew.
+    fn relax(&mut self, phase: &Rules) -> bool {
+        let (Some(rules), Some(now)) = (phase.relax, self.engine.relaxing()) else {
+            return false;
+        };
+        let Some(span) = phase.until.time else {
+            return false;
+        };
+        if !now.converged || self.elapsed() >= span * (1.0 - 1e-9) {
+            return false;
+        }
+        let step = span / rules.load_steps.max(1) as f64;
+        self.engine.load_step(step.min(span - self.elapsed()));
+        true
+    }
+
+    fn fracture(&mut self) -> Result<usize, RunError> {
+        self.engine
+            .fracture(self.dt)
+            .map_err(|block| self.not_finite(block))
+    }
+
+    fn not_finite(&self, block: u32) -> RunError {
+        RunError::NonFinite {
+            block: self.view().name(block),
+            step: self.steps(),
+            time: self.time(),
+        }
+    }
+
+    /// Whether a relaxing phase is over: all its time has passed and nothing moves or breaks any more, or it does
+    /// not converge.
+    fn relaxed(&self, phase: &Rules, rules: Relaxing) -> bool {
+        let now = self.engine.relaxing();
+        now.is_none_or(|now| {
+            let all = phase
+                .until
+                .time
+                .is_none_or(|span| self.elapsed() >= span * (1.0 - 1e-9));
+            (now.converged && all) || now.iterations >= rules.iterations
+        })
+    }
+
+    /// Model time since the start of the phase, s.
+    fn elapsed(&self) -> f64 {
+        self.time() - self.cursor.start_time
+    }
+
     /// Length of the coming step: the rule of the phase, shortened for fast blocks and for the end.
     fn next_step(&mut self, phase: &Rules) -> f64 {
+        if phase.relax.is_some() {
+            return 1.0;
+        }
         let wanted = match phase.time_step {
             TimeStep::Given { dt } => dt,
             TimeStep::Auto { safety } => safety * self.stable().dt,
@@ -430,7 +481,10 @@ impl Simulation {
         if until.steps.is_some_and(|n| steps >= n) {
             return true;
         }
-        let elapsed = self.time() - self.cursor.start_time;
+        if let Some(rules) = phase.relax {
+            return self.relaxed(phase, rules);
+        }
+        let elapsed = self.elapsed();
         if until.time.is_some_and(|t| elapsed >= t - 1e-9 * self.dt) {
             return true;
         }
@@ -483,6 +537,7 @@ struct Rules {
     time_step: TimeStep,
     damping: Damping,
     gravity_ramp: Option<f64>,
+    relax: Option<Relaxing>,
 }
 
 impl Rules {
@@ -492,6 +547,7 @@ impl Rules {
             time_step: phase.time_step,
             damping: damping_of(phase),
             gravity_ramp: phase.gravity_ramp,
+            relax: phase.deform.and_then(|d| d.relax),
         }
     }
 }

@@ -38,5 +38,6 @@ pub use language::Scenario;
 pub use load::{Parsed, load, parse};
 pub use overrides::{Case, apply_overrides, cases};
 pub use quantity::{Name, Names, Quantity, Span, Table};
+pub(crate) use rules::target_span;
 pub use schema::{explain_key, keys, markdown, schema_text};
 pub use time_function::TimeFunction;

@@ -280,6 +280,8 @@ kinds! {
     Frequency: Some(Dim::RATE), POSITIVE, "a frequency", "2 Hz";
     /// A rate > 0, 1/s.
     PositiveRate: Some(Dim::RATE), POSITIVE, "a rate", "1500 1/s";
+    /// A fracture energy > 0, J/m2.
+    FractureEnergy: Some(Dim::FORCE_PER_LENGTH), POSITIVE, "a fracture energy (energy per area)", "50 J/m2";
     /// A mass > 0, kg.
     Mass: Some(Dim::MASS), POSITIVE, "a mass", "0.03 kg";
     /// Energy per mass, J/kg.

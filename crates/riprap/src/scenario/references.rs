@@ -165,14 +165,16 @@ impl<'a> References<'a> {
                     self.unknown("group", name, known);
                 }
             }
-            Target::Box(_) => {}
+            Target::Box(_) | Target::Nodes(_) => {}
         }
     }
 
-    /// Blocks, groups, or sources: which of them a field wants, the model knows.
+    /// Blocks, groups, sources or boundaries: which of them a field wants, the model knows.
     fn of(&mut self, names: Option<&Names>) {
         for name in names.iter().flat_map(|names| &names.0) {
-            if !self.is_source(name.as_str()) {
+            let boundaries = self.scenario.boundaries.iter();
+            let mut named = boundaries.filter_map(|b| b.name.as_ref());
+            if !self.is_source(name.as_str()) && !named.any(|b| b.as_str() == name.as_str()) {
                 self.block_or_group(name);
             }
         }

@@ -7,6 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::boundary::{self, Face};
 use super::cavity::{self, Cavity, CavityError, Wall};
+use super::deform;
 use super::meet::{self, Cell, Free, Rectangle, Shared};
 use super::meet_solids::meet_solids;
 use super::refine::{self, Origin, RefineError};
@@ -46,6 +47,35 @@ pub enum BuildError {
     /// A source cannot be built.
     #[error("{0}")]
     Source(#[from] CavityError),
+    /// Deformable blocks that touch need a bond law.
+    #[error(
+        "the blocks `{}` and `{}` touch and one of them is deformable, but the interface `{interface}` says nothing \
+         about bonds: give it `brittle_bond`", .blocks[0], .blocks[1]
+    )]
+    NoBond {
+        /// Name of the interface.
+        interface: String,
+        /// Names of the blocks.
+        blocks: [String; 2],
+    },
+    /// A notch that is not on a face.
+    #[error(
+        "a notch finds no shared face of deformable blocks whose centre is in its box, whose lowest corner is \
+         ({}, {}, {}) m: cracks that are there at the start lie on faces between blocks", .at[0], .at[1], .at[2]
+    )]
+    NoFacet {
+        /// Lowest corner of the box, m (global).
+        at: [f64; 3],
+    },
+    /// A support for nodes finds none.
+    #[error(
+        "a support finds no node of a deformable block in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
+         corners, the face centres and the centroid of a block", .at[0], .at[1], .at[2]
+    )]
+    NoNode {
+        /// Lowest corner of the box, m (global).
+        at: [f64; 3],
+    },
     /// A condition for faces finds none.
     #[error(
         "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
@@ -90,6 +120,7 @@ impl World {
             classes: Vec::new(),
             faces: Vec::new(),
             cavities: Vec::new(),
+            deform: None,
             looked: 0,
             events: Vec::new(),
             works: Works::default(),
@@ -97,6 +128,7 @@ impl World {
             setup,
         };
         world.find_solids()?;
+        world.deform = deform::build::bodies(&world)?.map(Box::new);
         for (b, block) in world.setup.blocks.iter().enumerate() {
             world.bodies.set_rate(b, block.velocity, block.spin);
         }
@@ -110,6 +142,12 @@ impl World {
         world.build_patches(&charges)?;
         let scratch = Scratch::new(&mut world, exec);
         Ok((world, scratch))
+    }
+
+    /// Whether block `b` is deformable.
+    #[must_use]
+    pub fn deforms(&self, b: usize) -> bool {
+        self.deform.as_ref().is_some_and(|d| d.body(b).is_some())
     }
 
     /// Name of a block, as `rock`, `rock.17` or `rock.17/3`.
@@ -179,8 +217,11 @@ impl World {
         }
         let mut walls: Vec<Vec<Wall>> = vec![Vec::new(); charges.len()];
         let mut table = ClassTable::new(self, finest);
+        let mut joined = Vec::new();
         for overlap in overlaps {
+            let deforms = overlap.blocks.iter().any(|&b| self.deforms(b as usize));
             match overlap.blocks.map(|b| owner.get(&b)) {
+                [None, None] if deforms => joined.push(overlap),
                 [None, None] => self.add_patch(&mut table, &overlap)?,
                 [Some(_), Some(_)] => {}
                 [Some(&k), None] => {
@@ -196,6 +237,8 @@ impl World {
         self.faces = faces.into_iter().filter(living).collect();
         self.faces.sort_by_key(|f| f.block);
         boundary::assign(self, tolerance)?;
+        let faces = std::mem::take(&mut self.faces);
+        self.faces = deform::build::finish(self, &joined, faces)?;
         for (source, (blocks, walls)) in charges.iter().zip(walls).enumerate() {
             let cavity = Cavity::new(self, source, blocks.clone(), walls)?;
             self.cavities.push(cavity);

@@ -7,6 +7,7 @@ use super::patch::{self, Points, Poses, Resultant, turned_inertia};
 use super::step::Scratch;
 use super::world::{PatchClass, World, flag};
 use crate::laws::face_joint::{self, Traction};
+use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 
 /// A world with its forces evaluated, ready to be read.
@@ -21,7 +22,7 @@ pub struct View<'a> {
 impl View<'_> {
     /// Share of the coming kick that lies before the present time: velocities are those of half a
     /// step before, the kick spans both halves.
-    fn past(&self) -> f64 {
+    pub(super) fn past(&self) -> f64 {
         let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
         if before > 0.0 {
             before / (before + after)
@@ -44,6 +45,9 @@ impl View<'_> {
     /// Velocity of the centroid of block `b` at the present time, m/s.
     #[must_use]
     pub fn velocity(&self, b: usize) -> Vec3 {
+        if let Some(soft) = self.soft(b) {
+            return soft.velocity();
+        }
         let change = self.scratch.change(self.world, b);
         self.world.bodies.velocity(b) + self.past() * change.velocity
     }
@@ -51,6 +55,9 @@ impl View<'_> {
     /// Spin of block `b` at the present time, rad/s.
     #[must_use]
     pub fn spin(&self, b: usize) -> Vec3 {
+        if let Some(soft) = self.soft(b) {
+            return soft.spin(&self.world.solid_of(b).inverse);
+        }
         let change = self.scratch.change(self.world, b);
         match &self.world.turned[b] {
             Some(turned) => {
@@ -64,19 +71,31 @@ impl View<'_> {
     /// Displacement of the centroid since the start or the last reset, m.
     #[must_use]
     pub fn displacement(&self, b: usize) -> Vec3 {
-        self.world.bodies.displacement(b) - self.world.datum(b)[0]
+        self.shift(b) - self.world.datum(b)[0]
+    }
+
+    /// Displacement of the centroid since the start, m.
+    fn shift(&self, b: usize) -> Vec3 {
+        match self.soft(b) {
+            Some(soft) => soft.displacement(),
+            None => self.world.bodies.displacement(b),
+        }
     }
 
     /// Position of the centroid, m.
     #[must_use]
     pub fn position(&self, b: usize) -> Vec3 {
-        self.world.reference[b] + self.world.bodies.displacement(b)
+        self.world.reference[b] + self.shift(b)
     }
 
     /// Rotation vector since the start or the last reset (difference of the vectors), rad.
     #[must_use]
     pub fn rotation(&self, b: usize) -> Vec3 {
-        self.world.bodies.rotation(b) - self.world.datum(b)[1]
+        let rotation = match self.soft(b) {
+            Some(soft) => soft.rotation(),
+            None => self.world.bodies.rotation(b),
+        };
+        rotation - self.world.datum(b)[1]
     }
 
     /// Largest speed of the centroid so far, m/s.
@@ -89,6 +108,9 @@ impl View<'_> {
     /// velocity taken half a step as long as the last one after the present time.
     #[must_use]
     pub fn kinetic(&self, b: usize) -> f64 {
+        if let Some(soft) = self.soft(b) {
+            return soft.kinetic();
+        }
         let world = self.world;
         let (solid, change) = (world.solid_of(b), self.scratch.change(world, b));
         let whole = 2.0 * self.past();
@@ -123,6 +145,9 @@ impl View<'_> {
         let finite = self.world.turned.iter().any(Option::is_some);
         self.living()
             .map(|b| {
+                if let Some(soft) = self.soft(b) {
+                    return soft.angular_momentum(soft.body.strain == Strain::Large);
+                }
                 let solid = self.world.solid_of(b);
                 let place = if finite {
                     self.position(b)
@@ -147,8 +172,15 @@ impl View<'_> {
     pub fn unbalanced(&self) -> f64 {
         let (mut net, mut all) = (0.0, 0.0);
         let world = self.world;
+        let soft = self.soft_unbalanced();
+        if let Some(ratio) = soft.filter(|_| world.patches.is_empty()) {
+            return ratio;
+        }
         let free = |b: usize| world.alive[b] && world.is_free(b);
-        for b in self.living().filter(|b| free(*b)) {
+        for b in self
+            .living()
+            .filter(|b| free(*b) && self.soft(*b).is_none())
+        {
             let solid = world.solid_of(b);
             let [along, about] = world.freedoms(b);
             net += (along * self.scratch.net.force(b)).length()
@@ -165,7 +197,8 @@ impl View<'_> {
             let blocks = world.patches.ends[p].map(|b| b as usize);
             all += force * blocks.iter().filter(|b| free(**b)).count() as f64;
         }
-        if all > 0.0 { net / all } else { 0.0 }
+        let rigid = if all > 0.0 { net / all } else { 0.0 };
+        soft.map_or(rigid, |soft| soft.max(rigid))
     }
 
     fn poses(&self) -> Poses<'_> {
@@ -249,12 +282,15 @@ impl View<'_> {
         for face in &world.faces {
             sum[face.block as usize] += context.dyad(face);
         }
-        for (b, arm, force) in self.cavity_forces() {
+        for (b, arm, force) in self.cavity_forces().chain(self.bond_forces()) {
             sum[b] += outer(arm, force);
         }
         for (b, s) in sum.iter_mut().enumerate() {
             let volume = world.solid_of(b).volume;
             *s = (0.5 / volume) * (*s + s.transpose());
+            if let Some(soft) = self.soft(b) {
+                *s = soft.stress();
+            }
         }
         sum
     }
@@ -274,7 +310,8 @@ impl View<'_> {
         self.world.faces.iter().map(|f| context.stored(f)).sum()
     }
 
-    /// The energy ledger at the present time: patches as contact springs, boundary springs as bonds.
+    /// The energy ledger at the present time: patches and bonds of deformable blocks as contact springs, boundary springs and
+    /// strain energy of blocks as bonds.
     #[must_use]
     pub fn balance(&self) -> Balance {
         let mut out = Balance {
@@ -288,7 +325,10 @@ impl View<'_> {
             out.contact_normal += normal;
             out.contact_shear += shear;
         }
-        out.bond = self.boundary_energy();
+        out.bond = self.boundary_energy() + self.strain_energy();
+        let [normal, shear] = self.bond_energy();
+        out.contact_normal += normal;
+        out.contact_shear += shear;
         out.start = self.world.start_energy.unwrap_or_else(|| out.total());
         out
     }

@@ -13,7 +13,7 @@ pub fn apply(world: &World, applied: &mut [Push]) {
         let factor = load.time.at(world.time);
         for &b in &load.blocks {
             let b = b as usize;
-            if !world.alive[b] {
+            if !world.alive[b] || world.deforms(b) {
                 continue;
             }
             let slot = &mut applied[b];

@@ -4,6 +4,7 @@ pub mod boundary;
 pub mod build;
 pub mod cavity;
 pub mod crater;
+pub mod deform;
 pub mod edit;
 pub mod fields;
 pub mod forces;

@@ -36,6 +36,8 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     frame.solids = Some(solids);
     frame.block_columns = block_columns(view, &living);
     put_patches(view, &mut frame);
+    put_facets(view, &mut frame);
+    frame.cracks = super::deform::cracks::surfaces(view);
     frame
 }
 
@@ -47,16 +49,33 @@ fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) 
         Some(turned) => turned.attitude,
         None => patch::rotation(world.bodies.rotation(b)),
     };
+    let soft = view.soft(b);
+    let node = |k: usize| {
+        soft.map(|soft| {
+            let at = soft.place(soft.body.first as usize + k);
+            (at + world.setup.origin).to_array()
+        })
+    };
     match &world.setup.blocks[b].shape {
         Shape::Brick { half, .. } => {
             for corner in BRICK {
+                // Nodes count x, y, z as bits.
+                let bits = [0, 1, 2].map(|k: usize| usize::from(corner[k] > 0.0) << k);
+                if let Some(point) = node(bits.iter().sum()) {
+                    frame.points.push(point);
+                    continue;
+                }
                 let arm = attitude * (*half * Vec3::from(corner));
                 frame.points.push((place + arm).to_array());
             }
         }
         Shape::Polyhedron(solid) => {
             let centroid = world.reference[b];
-            for corner in &solid.vertices {
+            for (k, corner) in solid.vertices.iter().enumerate() {
+                if let Some(point) = node(k) {
+                    frame.points.push(point);
+                    continue;
+                }
                 let arm = attitude * (*corner - centroid);
                 frame.points.push((place + arm).to_array());
             }
@@ -127,7 +146,55 @@ fn broken_shares(view: &View<'_>) -> Vec<f64> {
             sums[*b as usize][1] += 4.0;
         }
     }
+    for facet in view.softs().iter().flat_map(|(deform, _)| &deform.facets) {
+        let broken = view.broken_points(facet);
+        for b in facet.blocks {
+            sums[b as usize][0] += f64::from(broken);
+            sums[b as usize][1] += f64::from(facet.count);
+        }
+    }
     sums.iter().map(|[n, all]| n / all.max(1.0)).collect()
+}
+
+/// Facets of deformable blocks, in the columns of patches.
+fn put_facets(view: &View<'_>, frame: &mut Frame) {
+    let Some((deform, work)) = view.softs() else {
+        return;
+    };
+    let many = deform.facets.len() > MANY_PATCHES;
+    for facet in &deform.facets {
+        let broken = view.broken_points(facet);
+        if many && broken == 0 {
+            continue;
+        }
+        let moved = view.position(facet.blocks[0] as usize)
+            - view.world.reference[facet.blocks[0] as usize];
+        let place = facet.centre + moved + view.world.setup.origin;
+        frame.contact_points.push(place.to_array());
+        let points = facet.points();
+        let force: Vec3 = points.clone().map(|p| Vec3::from(work.slots[p])).sum();
+        let [n, b, c] = facet.frame.map(|e| e.dot(force) / facet.area);
+        let open = points.filter(|p| {
+            deform.memory[*p].state.is_broken() && Vec3::from(work.slots[*p]) == Vec3::ZERO
+        });
+        let numbers = [
+            f64::from(facet.blocks[0]),
+            f64::from(facet.blocks[1]),
+            force.x,
+            force.y,
+            force.z,
+            n,
+            b.hypot(c),
+            facet.area,
+            f64::from(broken),
+            open.count() as f64,
+            0.0,
+        ];
+        let mut numbers = numbers.into_iter();
+        for column in &mut frame.contact_columns {
+            column.data.extend(numbers.by_ref().take(column.components));
+        }
+    }
 }
 
 fn put_patches(view: &View<'_>, frame: &mut Frame) {

@@ -7,10 +7,14 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::cavity::Cavity;
 use super::crater::UPLIFT;
+use super::deform::fracture;
+use super::deform::read::Motion;
 use super::fields::View;
 use super::refine::Origin;
 use super::setup::Shape;
+use super::setup::deform::BondFailure;
 use super::world::flag;
+use crate::laws::tetrahedron::Gradient;
 use crate::record::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
 
 /// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
@@ -183,6 +187,11 @@ pub fn principal(m: &Mat3) -> [f64; 3] {
     [high, 3.0 * mean - high - low, low]
 }
 
+fn gradient(v: &View<'_>, of: &[u32]) -> Gradient {
+    v.soft(first(of))
+        .map_or([[f64::NAN; 3]; 3], |soft| soft.gradient())
+}
+
 fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
     v.stress(first(of))
 }
@@ -206,7 +215,7 @@ fields! {
     "block.broken_share" "-" Block Scalar true "Share of the points of its patches that have failed." |v, of| one(broken_share(v, first(of) as u32));
     "block.level" "-" Block Scalar false "How often the block's ancestors were split." |v, of| one(f64::from(v.world.level(first(of))));
     "block.removed" "-" Block Scalar false "1 once the block has been removed or split." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
-    "pair.force" "N" Pair Vector3 true "Sum of the patch forces of the second block on the first, without dashpots." |v, of| between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum();
+    "pair.force" "N" Pair Vector3 true "Sum of the forces of patches and bonds of the second block on the first, without dashpots." |v, of| between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum::<Vec3>() + v.facet_force(pair(of));
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
@@ -254,6 +263,22 @@ fields! {
     "cavity.crater_ratio" "-" Cavity Scalar true "The same radius over the depth of the charge (n of Boreskov's formula)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) / p.depth });
     "cavity.attenuation" "-" Cavity Scalar true "Exponent n of the attenuation v = K/r^n of the peak speed between 2 and 16 radii of a ball as large as the cavity (least squares over means of shells)." |v, of| of_cavity(v, of, |c| v.attenuation(c));
     "cavity.roundness" "-" Cavity Scalar true "Radius along the axes over that along the diagonals of space of the contours of the peak speed around the source (blocks within 15 degrees, mean over contours); 1 is round." |v, of| of_cavity(v, of, |c| v.roundness(c));
+    "block.node_displacement" "m" Block Vector3 false "Displacement, since the start, of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Displacement);
+    "block.node_velocity" "m/s" Block Vector3 false "Velocity of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Velocity);
+    "block.strain_normal" "-" Block Vector3 true "Mean normal strains xx, yy, zz of a deformable block as x, y, z; extension positive." |v, of| { let h = gradient(v, of); Vec3::new(h[0][0], h[1][1], h[2][2]) };
+    "block.strain_shear" "-" Block Vector3 true "Mean shear strains yz, zx, xy (half the angle) of a deformable block as x, y, z." |v, of| { let h = gradient(v, of); 0.5 * Vec3::new(h[1][2] + h[2][1], h[2][0] + h[0][2], h[0][1] + h[1][0]) };
+    "block.sigma2_compressive" "Pa" Block Scalar true "Middle principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[1]);
+    "boundary.displacement" "m" Boundary Vector3 true "Mean displacement, by area, of the faces a condition acts on." |v, of| v.on_boundary(first(of)).0;
+    "boundary.force" "N" Boundary Vector3 true "Force by which a condition acts on the nodes of deformable blocks: tractions and reactions." |v, of| v.on_boundary(first(of)).1;
+    "model.strain_energy" "J" Model Scalar true "Elastic energy of deformable blocks." |v, _| one(v.strain_energy());
+    "model.bond_energy" "J" Model Scalar true "Elastic energy of the bonds of deformable blocks." |v, _| one(v.bond_energy().iter().sum());
+    "model.facets" "-" Model Scalar false "Number of facets: shared parts of faces along which a deformable block is joined." |v, _| one(v.softs().map_or(0, |s| s.0.facets.len()) as f64);
+    "model.springs" "-" Model Scalar false "Number of springs of these facets." |v, _| one(v.softs().map_or(0, |s| s.0.points.len()) as f64);
+    "model.broken_area" "m2" Model Scalar true "Area of broken bonds." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area.iter().sum()));
+    "model.utilisation" "-" Model Scalar true "Largest traction over strength of a spring that is not broken." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
+    "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
+    "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
+    "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(super::stable::stable_step(v.world, v.scratch, 0.0).dt);
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
@@ -327,11 +352,12 @@ impl Reading {
         let of: &[u32] = match (self.at, self.info().site) {
             (Some(point), _) => match self.holder(view, point) {
                 Some(block) => {
-                    found = [block];
+                    found = [block, view.spot(block, point)];
                     &found
                 }
                 None => return f64::NAN,
             },
+            (None, Site::Block) if self.info().name.starts_with("block.node_") => return f64::NAN,
             (None, Site::Block | Site::Pair) if self.gone(view) => return f64::NAN,
             (None, _) => &self.of,
         };

@@ -4,6 +4,8 @@
 //! tension-positive; a patch's normal points from its block `i` to its block `j`. Rotations are vectors, rad,
 //! right-handed.
 
+pub mod deform;
+
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +48,8 @@ pub struct Setup {
     pub groups: Vec<Group>,
     /// How blocks turn.
     pub kinematics: Kinematics,
+    /// Deformable blocks and their bonds.
+    pub deform: deform::Deformables,
 }
 
 /// A named set of blocks.
@@ -94,7 +98,7 @@ pub struct BlockName {
     pub number: u32,
 }
 
-/// One rigid block.
+/// One block.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BlockSpec {
     /// Unique name.

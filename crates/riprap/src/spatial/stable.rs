@@ -7,6 +7,7 @@
 
 use riprap_geom::Vec3;
 
+use super::deform;
 use super::setup::BoundaryKind;
 use super::step::Scratch;
 use super::world::{PatchClass, World};
@@ -33,7 +34,30 @@ pub struct Stable {
 /// Finds the stable step of the patches and boundaries as they were built; `stiffness_damping` is that of the
 /// phase, s.
 #[must_use]
-pub fn stable_step(world: &World, _scratch: &Scratch, stiffness_damping: f64) -> Stable {
+pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> Stable {
+    let rigid = rigid_step(world, stiffness_damping);
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
+        return rigid;
+    };
+    let (square, block) = deform::stable::highest(world, deform, work);
+    if square == 0.0 {
+        return rigid;
+    }
+    let square = square + deform::stable::on_bonds(world, deform);
+    // The largest eigenvalue of a sum is at most the sum of the largest ones.
+    let dt = 2.0 / (square + (2.0 / rigid.dt).powi(2)).sqrt();
+    if 2.0 / square.sqrt() > rigid.dt {
+        return Stable { dt, ..rigid };
+    }
+    Stable {
+        dt,
+        block,
+        why: "nodes against their bonds and tetrahedra",
+    }
+}
+
+/// The same for the rigid blocks and their patches.
+fn rigid_step(world: &World, stiffness_damping: f64) -> Stable {
     let n = world.alive.len();
     let springs = Springs::new(world);
     // A start that has a part of every mode: no symmetry, no zeros.
@@ -177,7 +201,7 @@ impl Springs {
     fn new(world: &World) -> Self {
         let root = (0..world.alive.len())
             .map(|b| {
-                if !world.alive[b] {
+                if !world.alive[b] || world.deforms(b) {
                     return [Vec3::ZERO; 2];
                 }
                 let [move_free, turn_free] = world.freedoms(b);

@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 
 use super::boundary::Push;
 use super::cavity;
+use super::deform::{self, Workspace};
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
 use super::integrate;
@@ -50,6 +51,8 @@ pub struct Scratch {
     pub damping: Damping,
     /// Number of times the patches were laid out; whoever keeps something derived from them looks here.
     pub rebuilds: u64,
+    /// Of deformable blocks, where there are any.
+    pub deform: Option<Box<Workspace>>,
     pub(super) slots: [Sums; 2],
     wide: Vec<Wide>,
     strong: bool,
@@ -94,6 +97,7 @@ impl Scratch {
             coming_dt: 0.0,
             damping: Damping::default(),
             rebuilds: 0,
+            deform: None,
             slots: [Sums::default(), Sums::default()],
             wide: Vec::new(),
             strong: false,
@@ -133,6 +137,8 @@ impl Scratch {
         self.works = vec![Works::default(); count];
         self.partial = vec![Partial::default(); count];
         self.turning = true;
+        let deform = world.deform.as_deref();
+        self.deform = deform.map(|d| Box::new(Workspace::new(&world.setup, d)));
         self.rebuilds += 1;
     }
 
@@ -194,7 +200,7 @@ impl Scratch {
     /// Velocity change of block `b` in the coming kick.
     #[must_use]
     pub fn change(&self, world: &World, b: usize) -> Change {
-        if world.alive[b] {
+        if world.alive[b] && !world.deforms(b) {
             self.kick(world)
                 .change(b, &world.moving(b), &self.acting(b))
         } else {
@@ -226,8 +232,15 @@ pub fn evaluate(
     });
     profile.stage("kinematics", || change_over(world, scratch));
     profile.stage("cavities", || cavity::act(world, scratch, dt));
+    if world.deform.is_some() {
+        profile.stage("bonds", || deform::bonds::update(world, scratch));
+    }
     profile.stage("patches", || patches(world, scratch));
-    let result = profile.stage("gather", || gather::gather(world, scratch));
+    let mut result = profile.stage("gather", || gather::gather(world, scratch));
+    if world.deform.is_some() {
+        let nodes = profile.stage("nodes", || deform::step::evaluate(world, scratch, dt));
+        result = result.and(nodes);
+    }
     world.pending = 0.0;
     world.fresh = false;
     scratch.profile = profile;
@@ -238,10 +251,14 @@ pub fn evaluate(
 pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let mut profile = std::mem::take(&mut scratch.profile);
     profile.stage("integrate", || integrate::integrate(world, scratch, dt));
+    let mut passed = dt;
+    if world.deform.is_some() {
+        passed = profile.stage("move nodes", || deform::step::advance(world, scratch, dt));
+    }
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();
-    world.time += dt;
+    world.time += passed;
     world.step += 1;
     world.last_dt = dt;
     world.pending = dt;

@@ -26,11 +26,27 @@ impl View<'_> {
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         let one = |b: usize| {
+            if let Some(soft) = self.soft(b) {
+                return soft.half_kick();
+            }
             let (solid, change) = (self.world.solid_of(b), self.scratch.change(self.world, b));
             solid.mass * change.velocity.length_squared()
                 + change.spin.dot(solid.inertia * change.spin)
         };
         self.living().map(one).sum()
+    }
+
+    /// Displacement (m) and rotation vector (rad) of every block since the start.
+    #[must_use]
+    pub fn present_poses(&self) -> Vec<[Vec3; 2]> {
+        let pose = |b: usize| match self.soft(b) {
+            Some(soft) => [soft.displacement(), soft.rotation()],
+            None => [
+                self.world.bodies.displacement(b),
+                self.world.bodies.rotation(b),
+            ],
+        };
+        (0..self.world.bodies.len()).map(pose).collect()
     }
 
     /// Charges and other pressures inside the rock, in the order of the sources.
@@ -48,6 +64,9 @@ impl View<'_> {
     /// Average stress of one block, Pa, tension-positive; see [`View::stresses`].
     #[must_use]
     pub fn stress(&self, block: usize) -> Mat3 {
+        if let Some(soft) = self.soft(block) {
+            return soft.stress();
+        }
         let world = self.world;
         let mut sum = Mat3::ZERO;
         let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
@@ -70,7 +89,8 @@ impl View<'_> {
         for face in world.faces.iter().filter(|f| f.block == id) {
             sum += context.dyad(face);
         }
-        for (_, arm, force) in self.cavity_forces().filter(|f| f.0 == block) {
+        let others = self.cavity_forces().chain(self.bond_forces());
+        for (_, arm, force) in others.filter(|f| f.0 == block) {
             sum += outer(arm, force);
         }
         (0.5 / world.solid_of(block).volume) * (sum + sum.transpose())
@@ -112,12 +132,9 @@ impl World {
         self.lineage[b].level
     }
 
-    /// Measures displacements and rotations from the present poses on.
-    pub fn zero_displacements(&mut self) {
-        let bodies = &self.bodies;
-        self.datum = (0..bodies.len())
-            .map(|b| [bodies.displacement(b), bodies.rotation(b)])
-            .collect();
+    /// Measures displacements (m) and rotations (rad) from these on; [`View::present_poses`] gives the present ones.
+    pub fn zero_displacements(&mut self, poses: Vec<[Vec3; 2]>) {
+        self.datum = poses;
     }
 
     /// Displacement (m) and rotation vector (rad) at which those of outputs are zero.
@@ -133,6 +150,9 @@ impl World {
             if let Some(turned) = &mut self.turned[b] {
                 turned.momentum = Vec3::ZERO;
             }
+        }
+        if let Some(deform) = &mut self.deform {
+            deform.nodes.rate.fill([0.0; 3]);
         }
         self.last_dt = 0.0;
     }

@@ -170,6 +170,11 @@ impl Tiles {
         for b in loads.copied().chain(walls.map(|w| w.block)) {
             pushed[b as usize] = true;
         }
+        for facet in world.deform.iter().flat_map(|d| &d.facets) {
+            for b in facet.blocks {
+                pushed[b as usize] = true;
+            }
+        }
         let mut faces = world
             .faces
             .iter()
@@ -182,7 +187,7 @@ impl Tiles {
                 while faces.next_if(|f| f.block as usize == b).is_some() {
                     touched = true;
                 }
-                if !world.alive[b] {
+                if !world.alive[b] || world.deforms(b) {
                     continue;
                 }
                 let plain = !touched

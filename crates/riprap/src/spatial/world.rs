@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::boundary::Face;
 use super::cavity::Cavity;
+use super::deform::Deform;
 use super::edit::EditEvent;
 use super::refine::Origin;
 use super::setup::{Motion, Setup};
@@ -63,6 +64,8 @@ pub struct World {
     pub faces: Vec<Face>,
     /// Charges and other pressures inside the rock.
     pub cavities: Vec<Cavity>,
+    /// Nodes, bonds and conditions of deformable blocks; `None` if all blocks are rigid.
+    pub deform: Option<Box<Deform>>,
     /// Step at which the criteria of splitting were last looked at: once a step is enough.
     pub looked: u64,
     /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.

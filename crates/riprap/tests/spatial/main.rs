@@ -3,6 +3,7 @@
 mod bits;
 mod blast;
 mod conserve;
+mod deform;
 mod edit;
 mod faces;
 mod rock;

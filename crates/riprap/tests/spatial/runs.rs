@@ -58,6 +58,7 @@ fn column() -> Job {
         joints: Vec::new(),
         zero_velocities: false,
         zero_displacements: false,
+        deform: None,
     };
     // M = 21.6 GPa: the half block under the lowest centroid carries 3 blocks, then whole ones 2 and 1.
     let weight = 2400.0 * 10.0;

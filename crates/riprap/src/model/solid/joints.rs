@@ -44,7 +44,8 @@ impl Builder<'_> {
     fn joint(&mut self, name: &str, said: &language::Interface) -> JointLaw {
         let key = |word: &str| format!("interfaces.{name}.{word}");
         let stiffness = self.stiffness(name, said);
-        let strength = if said.elastic {
+        let bond = said.brittle_bond.as_ref();
+        let strength = if said.elastic || bond.is_some_and(|b| b.elastic) {
             self.explain(key("elastic"), "true", Provenance::Given, "");
             None
         } else {
@@ -115,6 +116,7 @@ impl Builder<'_> {
 
     fn strength(&mut self, name: &str, said: &language::Interface) -> Strength {
         let key = |word: &str| format!("interfaces.{name}.{word}");
+        let bond = said.brittle_bond.as_ref();
         let degrees = |tangent: f64| with_unit(libm::atan(tangent).to_degrees(), "deg");
         let friction = match (&said.friction_angle, &said.friction_coefficient) {
             (Some(angle), _) => {
@@ -127,8 +129,10 @@ impl Builder<'_> {
                 self.explain(key("friction_coefficient"), raw, Provenance::Given, "");
                 coefficient.si()
             }
-            // Reported by the rules of the language.
-            (None, None) => 0.0,
+            // Reported by the rules of the language, unless bonds have one.
+            (None, None) => bond
+                .and_then(|b| b.friction_angle.as_ref())
+                .map_or(0.0, |angle| libm::tan(angle.si())),
         };
         let residual_friction = match &said.residual_friction_angle {
             Some(angle) => libm::tan(angle.si()),
@@ -144,8 +148,20 @@ impl Builder<'_> {
             "deg",
         );
         Strength {
-            cohesion: self.or(&key("cohesion"), said.cohesion.as_ref(), 0.0, "Pa"),
-            tension: self.or(&key("tension"), said.tension.as_ref(), 0.0, "Pa"),
+            cohesion: self.or(
+                &key("cohesion"),
+                said.cohesion.as_ref(),
+                bond.and_then(|b| b.cohesion.as_ref())
+                    .map_or(0.0, Quantity::si),
+                "Pa",
+            ),
+            tension: self.or(
+                &key("tension"),
+                said.tension.as_ref(),
+                bond.and_then(|b| b.tension.as_ref())
+                    .map_or(0.0, Quantity::si),
+                "Pa",
+            ),
             friction,
             residual_friction,
             residual_cohesion: self.or(

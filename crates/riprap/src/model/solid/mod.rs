@@ -9,6 +9,7 @@
 //! given, and the finest cells around charges.
 
 mod boundaries;
+mod deform;
 mod fit;
 mod grid;
 mod in_situ;
@@ -66,6 +67,7 @@ impl Builder<'_> {
             .map(|(name, blocks)| Group { name, blocks })
             .collect();
         self.joints();
+        self.bonds();
         self.solid_supports();
         self.boundaries();
         self.in_situ();

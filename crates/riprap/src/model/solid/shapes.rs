@@ -142,6 +142,7 @@ impl Builder<'_> {
             .map_or(Vec3::ZERO, |v| v.xyz().into());
         let spin = block.spin.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
         self.spatial.blocks.reserve(shapes.len());
+        let first = self.spatial.blocks.len() as u32;
         for (number, shape) in (1u32..).zip(shapes) {
             self.directory.centroids.push(centroid(&shape).into());
             self.spatial.blocks.push(BlockSpec {
@@ -155,6 +156,7 @@ impl Builder<'_> {
                 spin,
             });
         }
+        self.enter_deformable(block, first);
     }
 
     /// A checked convex solid in local coordinates.

@@ -23,6 +23,9 @@ fn fixed(said: &Fixed) -> Motion {
 impl Builder<'_> {
     pub(super) fn solid_supports(&mut self) {
         for support in &self.parsed.scenario.supports {
+            if self.node_support(support) {
+                continue;
+            }
             let Some(blocks) = self.target(&support.on) else {
                 continue;
             };
@@ -50,6 +53,11 @@ impl Builder<'_> {
                 // Reported by the rules of the language.
                 (None, None) => continue,
             };
+            if matches!(motion, Motion::Acceleration { .. })
+                && self.any_deforms(&blocks, &support.on, "are driven by a velocity")
+            {
+                continue;
+            }
             self.spatial.supports.push(Support { blocks, motion });
         }
     }
@@ -86,6 +94,11 @@ impl Builder<'_> {
                     force: point.force.xyz().into(),
                     at: point.at.as_ref().map(|at| self.local(at.xyz())),
                 });
+            }
+            if load.moment.is_some()
+                && self.any_deforms(&blocks, &load.on, "take no moment: give forces at points")
+            {
+                continue;
             }
             if let Some(moment) = &load.moment {
                 kinds.push(LoadKind::Moment {

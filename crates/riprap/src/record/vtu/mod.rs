@@ -6,7 +6,7 @@
 //!
 //! Choices, tried with VTK 9.7:
 //! - blocks are polygons (cell type 7) at z = 0, hexahedra (12) or polyhedra (42), with cell data; contacts are vertices (cell type 1) with point data,
-//!   in a file of their own, since ParaView glyphs want points and a threshold on blocks must not touch contacts;
+//!   in a file of their own, and so are cracks (polygons in space), since ParaView glyphs want points and a threshold on blocks must not touch contacts;
 //! - vectors in the plane get a zero third component, so that *Warp* and *Glyph* take them;
 //! - an array is named after its quantity alone (`displacement`), because names with blanks and brackets cannot be
 //!   typed into ParaView's calculator. The unit stands in the array's information key `UNITS_LABEL`, which VTK
@@ -23,7 +23,7 @@ mod write;
 pub use pvd::{PvdEntry, read_pvd, write_pvd};
 pub use read::{ReadError, Vtu, Wanted, parse, read, read_some};
 pub(crate) use write::escape;
-pub use write::{blocks, contacts};
+pub use write::{blocks, contacts, cracks};
 
 use super::frame::{Frame, Solids};
 use std::path::Path;
@@ -66,6 +66,7 @@ pub fn read_blocks(blocks: &Path, wanted: Wanted<'_>) -> Result<Frame, ReadError
         block_columns: b.cell_columns,
         contact_points: Vec::new(),
         contact_columns: Vec::new(),
+        cracks: None,
     };
     if !b.offsets.is_empty() {
         frame.offsets.push(0);

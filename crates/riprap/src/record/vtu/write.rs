@@ -63,6 +63,32 @@ pub fn contacts(frame: &Frame) -> io::Result<Vec<u8>> {
     file(frame, &mesh)
 }
 
+/// The cracks of a frame as a `.vtu` file of polygons; `None` where no block is deformable.
+///
+/// # Errors
+/// Columns that do not fit the polygons are `InvalidData`: a mistake of the engine.
+pub fn cracks(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
+    let Some(cracks) = &frame.cracks else {
+        return Ok(None);
+    };
+    let count = cracks.ends.len();
+    let last = cracks.ends.last().map_or(0, |e| *e as usize);
+    if last != cracks.points.len() || cracks.columns.iter().any(|c| c.len() != count) {
+        let text = "the lists of cracks do not fit together";
+        return Err(io::Error::new(io::ErrorKind::InvalidData, text));
+    }
+    let ends: Vec<i64> = cracks.ends.iter().map(|e| i64::from(*e)).collect();
+    let mesh = Mesh {
+        points: &cracks.points,
+        ends: &ends,
+        kinds: &vec![POLYGON; count],
+        faces: None,
+        on_cells: &cracks.columns,
+        on_points: &[],
+    };
+    file(frame, &mesh).map(Some)
+}
+
 fn check(frame: &Frame) -> io::Result<()> {
     match frame.fault() {
         None => Ok(()),

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::scenario::quantity::{
-    FrictionAngle, Name, NotNegativePlain, PositiveLength, Quantity, Speed, StiffnessPerArea,
-    Strength,
+    FractureEnergy, FrictionAngle, Modulus, Name, NotNegativePlain, Poisson, PositiveLength,
+    Quantity, Speed, StiffnessPerArea, Strength,
 };
 
 /// The law of contact between two materials.
@@ -76,6 +76,73 @@ pub struct Interface {
     /// Joins blocks that share an edge at the start with patches that can break.
     #[schemars(extend("x-space" = "planar", "x-instead" = "give `tension`, `cohesion`, ... of the interface itself: blocks that share a face are joined"))]
     pub bond: Option<Bond>,
+    /// Bonds between deformable blocks, and between a deformable and a rigid one. Strengths that the interface itself
+    /// does not give are also those of its joints between rigid blocks.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `bond`"))]
+    pub brittle_bond: Option<BrittleBond>,
+}
+
+/// Springs over the shared part of two faces that break by Mohr-Coulomb with a tension cut-off; what is broken is a contact with
+/// friction.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BrittleBond {
+    /// Thickness L of the interface, m: springs E/L and G/L per area. One for all facets; 0.01 of the smallest block
+    /// adds 1 % of compliance.
+    pub thickness: Quantity<PositiveLength>,
+    /// Young's modulus of the interface, Pa. Default those of the two materials in series.
+    pub young: Option<Quantity<Modulus>>,
+    /// Poisson's ratio of the interface, greater than -1 and less than 0.5. Needed with `young`.
+    pub poisson: Option<Quantity<Poisson>>,
+    /// Whether bonds never break. Default false.
+    #[serde(default)]
+    pub elastic: bool,
+    /// Tensile strength, Pa; zero or more. Needed unless `elastic`.
+    pub tension: Option<Quantity<Strength>>,
+    /// Cohesion, Pa; zero or more. Needed unless `elastic`.
+    pub cohesion: Option<Quantity<Strength>>,
+    /// Angle of friction, at least 0 and less than 90 deg. Needed unless `elastic`.
+    pub friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Angle of friction of broken bonds. Default `friction_angle`.
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Lets bonds soften: the work of separation is then that of the material and not of the mesh.
+    pub cohesive: Option<Cohesive>,
+    /// What fails as one. Default `spring`; `cohesive` goes with `spring` only.
+    pub failure: Option<BondFailure>,
+}
+
+/// Energies of separation of softening bonds.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cohesive {
+    /// Fracture energy of opening, J/m2 = N/m; above tension^2 thickness/(2 E), below which the bond cannot resolve it.
+    pub mode_1: Quantity<FractureEnergy>,
+    /// Fracture energy of sliding, J/m2 = N/m; above cohesion^2 thickness/(2 G).
+    pub mode_2: Quantity<FractureEnergy>,
+    /// Curve from the peak to nothing. Default `linear`.
+    pub softening: Option<Softening>,
+}
+
+/// Softening curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Softening {
+    /// A straight line.
+    Linear,
+    /// Measured on concrete (Munjiza): steep first, with a long tail.
+    Munjiza,
+}
+
+/// What fails as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BondFailure {
+    /// Each spring by its own traction (the source).
+    Spring,
+    /// A facet by the mean traction of its springs.
+    Facet,
+    /// A facet by the mean of the average stresses of its two blocks: does not depend on the size of the facet.
+    BlockStress,
 }
 
 /// Where the stiffness of joints comes from: the elastic half blocks on both sides in series.

@@ -23,6 +23,9 @@ pub enum Target {
     Blocks(Vec<Name>),
     /// The blocks whose centroid lies in a box at the start.
     Box(BoxRegion),
+    /// The nodes of deformable blocks that lie in a box at the start, its surface included: corners of the blocks,
+    /// centres of their faces, their centroids. For supports in `[space.spatial]` only.
+    Nodes(BoxRegion),
 }
 
 /// Blocks that are held or moved. Exactly one of `fixed` and `motion`.

@@ -32,8 +32,8 @@ pub use ground::{
     Side, TensionPositive, Viscous,
 };
 pub use interfaces::{
-    Bond, Failure, FrictionLaw, Interface, InterfaceChange, NormalLaw, Points, Reflex,
-    StiffnessRule,
+    Bond, BondFailure, BrittleBond, Cohesive, Failure, FrictionLaw, Interface, InterfaceChange,
+    NormalLaw, Points, Reflex, Softening, StiffnessRule,
 };
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
@@ -41,7 +41,8 @@ pub use loads::{
 pub use outputs::{Every, History, Moment, Output, Period, Schedule};
 pub use phases::{Damping, Phase, PhaseKind, Reset, Until};
 pub use solids::{
-    Ball, BoxRegion, Brick, Empty, Grid, GridBox, Mechanics, Plane, Polyhedron, Segment, span_of,
+    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, Mechanics, Notch, Plane, Polyhedron,
+    Segment, StrainMeasure, span_of,
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,
@@ -99,6 +100,10 @@ pub struct Scenario {
     #[schemars(extend("x-space" = "spatial", "x-instead" = "use [[supports]] and [[loads]] on blocks"))]
     #[serde(default)]
     pub boundaries: Vec<Boundary>,
+    /// Cracks that are there at the start.
+    #[schemars(extend("x-space" = "spatial"))]
+    #[serde(default)]
+    pub notches: Vec<Notch>,
     /// Stress at the start.
     #[schemars(extend("x-space" = "spatial", "x-instead" = "let a first phase with kind = \"static\" settle the model"))]
     pub in_situ: Option<InSitu>,

@@ -47,6 +47,17 @@ pub struct Phase {
     /// Interfaces that change from this phase on, by name.
     #[serde(default)]
     pub interfaces: Table<InterfaceChange>,
+    /// Whether bonds of deformable blocks may break. Default true.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub breaking: Option<bool>,
+    /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and driven
+    /// nodes follow it, and each step is relaxed to `until.unbalanced`. Default 1.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub load_steps: Option<u64>,
+    /// Iterations after which a load step of deformable blocks that does not converge ends a `static` phase. Default
+    /// 200000.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub iterations: Option<u64>,
 }
 
 /// How a phase is calculated.

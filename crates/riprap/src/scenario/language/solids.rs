@@ -62,8 +62,33 @@ pub struct Polyhedron {
 pub enum Mechanics {
     /// They do not: all deformation is in the joints. Write `rigid = {}`.
     Rigid(Empty),
-    /// Not possible yet.
-    Deformable(Empty),
+    /// Each block is divided into tetrahedra and joined to its neighbours by bonds
+    /// (`brittle_bond` of the interface). Write `deformable = {}`.
+    Deformable(Box<Deformable>),
+}
+
+/// Deformable blocks.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Deformable {
+    /// Measure of strain. Default `small`.
+    pub strain: Option<StrainMeasure>,
+    /// Displacement of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m), for
+    /// example `["1e-4*x", "0", "0"]`. Default none.
+    pub displacement: Option<[Name; 3]>,
+    /// Velocity of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m/s), added
+    /// to `velocity` and `spin` of the block. Default none.
+    pub velocity: Option<[Name; 3]>,
+}
+
+/// Measure of strain of tetrahedra.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StrainMeasure {
+    /// Small strain and rotation (linear); a block that turns freely swells.
+    Small,
+    /// Green's strain with St. Venant-Kirchhoff's law: any rotation.
+    TotalLagrangian,
 }
 
 /// A table without keys: `{}`.
@@ -79,6 +104,16 @@ pub struct BoxRegion {
     pub min: Vector<Length>,
     /// Corner with the highest coordinates, m.
     pub max: Vector<Length>,
+}
+
+/// A crack along faces of deformable blocks that is there at the start: a contact without strength, whose friction is that of
+/// broken bonds.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Notch {
+    /// The shared parts of faces whose centre lies in this box, its surface included.
+    #[serde(rename = "box")]
+    pub region: BoxRegion,
 }
 
 /// A straight piece of a line.

@@ -2,7 +2,7 @@
 
 use super::{MAX_BLOCKS, Rules};
 use crate::scenario::language::{
-    Block, BoxRegion, Copies, Cut, Geometry, Grid, Group, Mechanics, Polygon, Polyhedron, span_of,
+    Block, BoxRegion, Copies, Cut, Geometry, Grid, Group, Polygon, Polyhedron, span_of,
 };
 use crate::scenario::quantity::Span;
 use crate::scenario::values::short;
@@ -34,11 +34,6 @@ impl Rules {
         // A shape of the other space was refused already.
         if given.iter().all(|(key, _)| all.contains(key)) {
             self.one_of(span, &of, &flags);
-        }
-        if let Some(Mechanics::Deformable(_)) = block.mechanics {
-            let message = format!("{of} cannot be deformable yet: blocks are rigid");
-            let help = "leave `mechanics` out; all deformation is in the joints between the blocks";
-            self.error("mechanics.deformable", span, message, help);
         }
         for (key, geometry) in given {
             self.geometry(span, &of, geometry);

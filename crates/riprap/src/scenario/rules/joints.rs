@@ -15,8 +15,24 @@ impl Rules {
     ) {
         if interface.elastic {
             self.no_strength(span, of, interface);
-        } else {
+        } else if interface.brittle_bond.is_none()
+            || interface.friction_angle.is_some()
+            || interface.friction_coefficient.is_some()
+        {
             self.friction(span, of, interface);
+        }
+        if let Some(bond) = &interface.brittle_bond {
+            let meant = |name: &str| {
+                let between = interface.between.as_ref();
+                between.is_none_or(|pair| pair.iter().any(|one| one.as_str() == name))
+            };
+            let materials: Vec<(f64, f64)> = scenario
+                .materials
+                .iter()
+                .filter(|(name, _)| meant(name.as_str()))
+                .filter_map(|(_, m)| Some((m.young.as_ref()?.si(), m.poisson.as_ref()?.si())))
+                .collect();
+            self.bond(span, of, bond, &materials);
         }
         if let (Some(_), Some(given)) = (&interface.stiffness, &interface.normal_stiffness) {
             let message = format!("{of} has `stiffness` and `normal_stiffness`");

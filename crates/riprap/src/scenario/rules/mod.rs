@@ -2,6 +2,7 @@
 //! other, numbers that must be in order. References between tables are in [`super::references`].
 
 mod blocks;
+mod bonds;
 mod checks;
 mod ground;
 mod interfaces;
@@ -149,12 +150,16 @@ impl Rules {
         }
         for block in &scenario.blocks {
             self.block(block);
+            self.deformable(block, scenario);
         }
         for (_, group) in scenario.groups.iter() {
             self.group(group);
         }
         self.ground(scenario);
         self.sources(scenario);
+        for notch in &scenario.notches {
+            self.region(&notch.region);
+        }
         for support in &scenario.supports {
             self.support(support);
         }
@@ -248,10 +253,10 @@ impl Rules {
 }
 
 /// The place of a target.
-pub(super) fn target_span(target: &Target) -> Span {
+pub(crate) fn target_span(target: &Target) -> Span {
     match target {
         Target::Block(name) | Target::Group(name) => name.span.clone(),
         Target::Blocks(names) => names.first().map_or(0..0, |name| name.span.clone()),
-        Target::Box(region) => region.min.span.clone(),
+        Target::Box(region) | Target::Nodes(region) => region.min.span.clone(),
     }
 }

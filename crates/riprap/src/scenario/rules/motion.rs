@@ -21,6 +21,7 @@ impl Rules {
         if let Target::Box(region) = &support.on {
             self.region(region);
         }
+        self.nodes(support);
         let any = match &support.motion {
             Some(Motion::Velocity(motion)) => self.components(&span, motion),
             Some(Motion::Acceleration(motion)) => {
@@ -135,6 +136,7 @@ impl Rules {
             self.one_of(&span, "an edge load", &keys);
         }
         self.time_function(&span, load.time.as_ref());
+        self.loaded(load);
     }
 
     pub(super) fn phase(&mut self, phase: &Phase) {
@@ -162,6 +164,7 @@ impl Rules {
                     .help("it belongs to the automatic time step; here `time_step` is given"),
             );
         }
+        self.relaxing(phase);
         for (name, change) in phase.interfaces.iter() {
             let of = format!("phases.{}.interfaces.{name}", phase.name);
             if let (Some(_), Some(second)) = (&change.friction_angle, &change.friction_coefficient)

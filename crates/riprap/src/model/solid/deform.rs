@@ -1,0 +1,179 @@
+//! Deformable blocks: their sets, bond laws, held nodes.
+
+use crate::dynamics::TimeFunction;
+use crate::model::builder::Builder;
+use crate::model::explain::Provenance;
+use crate::scenario::language::{self, Mechanics, Support, Target};
+use crate::scenario::{Diagnostic, Name, Quantity, target_span};
+use crate::spatial::setup::deform::{
+    BondFailure, BondLaw, Cohesive, DeformableSet, NodeHold, Softening, Strain, Strength,
+};
+
+impl Builder<'_> {
+    /// Enters the blocks of one table, numbers `first` and following, if they are deformable.
+    pub(super) fn enter_deformable(&mut self, block: &language::Block, first: u32) {
+        let Some(Mechanics::Deformable(said)) = &block.mechanics else {
+            return;
+        };
+        let (strain, word, from) = match said.strain {
+            Some(language::StrainMeasure::TotalLagrangian) => {
+                (Strain::Large, "total_lagrangian", Provenance::Given)
+            }
+            Some(language::StrainMeasure::Small) => (Strain::Small, "small", Provenance::Given),
+            None => (Strain::Small, "small", Provenance::Default),
+        };
+        let key = format!("blocks.{}.mechanics.deformable.strain", block.name);
+        self.explain(key, word, from, "");
+        let mut field = |names: &Option<[Name; 3]>| {
+            [0, 1, 2].map(|k: usize| {
+                let text = &names.as_ref()?[k];
+                self.formula(text, &["x", "y", "z"])
+            })
+        };
+        let (displacement, velocity) = (field(&said.displacement), field(&said.velocity));
+        let last = self.spatial.blocks.len() as u32;
+        self.spatial.deform.sets.push(DeformableSet {
+            blocks: (first..last).collect(),
+            strain,
+            displacement,
+            velocity,
+        });
+    }
+
+    /// Bond laws of all interfaces, in their order.
+    pub(super) fn bonds(&mut self) {
+        for (name, interface) in self.parsed.scenario.interfaces.iter() {
+            let said = interface.brittle_bond.as_ref();
+            let law = said.map(|said| self.bond_law(name.as_str(), said));
+            self.spatial.deform.bonds.push(law);
+        }
+        for notch in &self.parsed.scenario.notches {
+            let corners = [&notch.region.min, &notch.region.max];
+            let corners = corners.map(|corner| self.local(corner.xyz()));
+            self.spatial.deform.notches.push(corners);
+        }
+        if !self.spatial.deform.sets.is_empty() && self.parsed.scenario.in_situ.is_some() {
+            let error = Diagnostic::error(
+                "mechanics.in_situ",
+                "deformable blocks cannot start under [in_situ] stress",
+            );
+            let help = "load them in a first phase with kind = \"static\" instead";
+            self.found.push(error.help(help));
+        }
+    }
+
+    fn bond_law(&mut self, name: &str, said: &language::BrittleBond) -> BondLaw {
+        let key = |word: &str| format!("interfaces.{name}.brittle_bond.{word}");
+        let raw = said.thickness.raw.to_string();
+        self.explain(key("thickness"), raw, Provenance::Given, "");
+        let moduli = said.young.as_ref().zip(said.poisson.as_ref());
+        let moduli = moduli.map(|(young, poisson)| {
+            let young = young.si();
+            [young, 0.5 * young / (1.0 + poisson.si())]
+        });
+        let (failure, word) = match said.failure {
+            Some(language::BondFailure::Facet) => (BondFailure::Facet, "facet"),
+            Some(language::BondFailure::BlockStress) => (BondFailure::BlockStress, "block_stress"),
+            Some(language::BondFailure::Spring) | None => (BondFailure::Spring, "spring"),
+        };
+        let from = if said.failure.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
+        };
+        if !said.elastic {
+            self.explain(key("failure"), word, from, "");
+        }
+        let strength = (!said.elastic).then(|| {
+            let si = |q: Option<f64>| q.unwrap_or(0.0);
+            let tangent = |angle: f64| libm::tan(angle);
+            let friction = tangent(si(said.friction_angle.as_ref().map(Quantity::si)));
+            let residual = said.residual_friction_angle.as_ref().map(Quantity::si);
+            Strength {
+                tension: si(said.tension.as_ref().map(Quantity::si)),
+                cohesion: si(said.cohesion.as_ref().map(Quantity::si)),
+                friction,
+                residual_friction: residual.map_or(friction, tangent),
+            }
+        });
+        let cohesive = said.cohesive.as_ref().zip(strength);
+        let cohesive = cohesive.map(|(said, strength)| {
+            let (softening, word) = match said.softening {
+                Some(language::Softening::Munjiza) => (Softening::Munjiza, "munjiza"),
+                Some(language::Softening::Linear) | None => (Softening::Linear, "linear"),
+            };
+            let from = if said.softening.is_some() {
+                Provenance::Given
+            } else {
+                Provenance::Default
+            };
+            self.explain(key("cohesive.softening"), word, from, "");
+            Cohesive {
+                strength,
+                energy: [said.mode_1.si(), said.mode_2.si()],
+                softening,
+            }
+        });
+        BondLaw {
+            thickness: said.thickness.si(),
+            moduli,
+            strength,
+            cohesive,
+            failure,
+        }
+    }
+
+    /// Reports what deformable blocks cannot do; whether one of `blocks` is deformable.
+    pub(super) fn any_deforms(&mut self, blocks: &[u32], target: &Target, what: &str) -> bool {
+        let sets = &self.spatial.deform.sets;
+        let deforms = |b: &u32| sets.iter().any(|s| s.blocks.binary_search(b).is_ok());
+        let Some(&block) = blocks.iter().find(|b| deforms(b)) else {
+            return false;
+        };
+        let name = self.directory.name(block);
+        let message = format!("the block `{name}` is deformable, and deformable blocks {what}");
+        let error = Diagnostic::error("mechanics.deformable", message);
+        self.found.push(error.at(target_span(target)));
+        true
+    }
+
+    /// A support for nodes; whether it was one.
+    pub(super) fn node_support(&mut self, support: &Support) -> bool {
+        let Target::Nodes(region) = &support.on else {
+            return false;
+        };
+        if self.spatial.deform.sets.is_empty() {
+            let message = "there are no nodes: no block is deformable";
+            let error = Diagnostic::error("target.empty", message);
+            let help = "write mechanics.deformable = {} for blocks, or hold blocks by name";
+            self.found
+                .push(error.at(region.min.span.clone()).help(help));
+            return true;
+        }
+        let still = || Some(TimeFunction::Constant(0.0));
+        let velocity = match (&support.fixed, &support.motion) {
+            (Some(fixed), _) => [fixed.x, fixed.y, fixed.z].map(|held| held.then(still).flatten()),
+            (None, Some(language::Motion::Velocity(m))) => [
+                self.maybe(m.x.as_ref()),
+                self.maybe(m.y.as_ref()),
+                self.maybe(m.z.as_ref()),
+            ],
+            (None, Some(language::Motion::Acceleration(_))) => {
+                let message = "nodes are driven by a velocity";
+                let error = Diagnostic::error("key.forbidden", message);
+                let help = "write motion.velocity = { x = ... }";
+                self.found
+                    .push(error.at(region.min.span.clone()).help(help));
+                return true;
+            }
+            // Reported by the rules of the language.
+            (None, None) => return true,
+        };
+        let (min, max) = (self.local(region.min.xyz()), self.local(region.max.xyz()));
+        self.spatial
+            .deform
+            .holds
+            .push(NodeHold { min, max, velocity });
+        true
+    }
+}

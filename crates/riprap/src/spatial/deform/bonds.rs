@@ -1,0 +1,388 @@
+//! Forces of bonds: jump across each point, law, force to its slot.
+//!
+//! Tension positive, the normal points from A to B, the jump is `u_B - u_A`. A point pulls A with `A t` and B with
+//! the opposite, so momentum is kept; both anchors stand in the same spot, so angular momentum is too.
+
+use riprap_geom::Vec3;
+
+use super::store::{Anchor, Deform, Facet, Memory, Nodes, Point, State};
+use super::workspace::FACETS;
+use crate::exec::Divide;
+use crate::laws::bond;
+use crate::ledger::Works;
+use crate::spatial::boundary::Push;
+use crate::spatial::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::spatial::step::Scratch;
+use crate::spatial::world::{Bodies, Turned, World};
+
+/// Dissipation of one piece of facets, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BondWorks {
+    /// What the sliders and softening have taken.
+    pub works: Works,
+    /// Whether a point has broken.
+    pub broke: bool,
+}
+
+/// What points hang on.
+#[derive(Clone, Copy)]
+pub struct Anchors<'a> {
+    /// Nodes.
+    pub nodes: &'a Nodes,
+    /// Rigid blocks.
+    pub bodies: &'a Bodies,
+    /// Those with finite rotations.
+    pub turned: &'a [Option<Box<Turned>>],
+}
+
+impl<'a> Anchors<'a> {
+    /// Those of a world whose deformable part has been taken out.
+    #[must_use]
+    pub fn new(world: &'a World, deform: &'a Deform) -> Self {
+        Self {
+            nodes: &deform.nodes,
+            bodies: &world.bodies,
+            turned: &world.turned,
+        }
+    }
+
+    /// Displacement of an anchor, m.
+    #[inline]
+    #[must_use]
+    pub fn moved(&self, anchor: &Anchor, rigid: Option<u32>) -> [f64; 3] {
+        match rigid {
+            None => weighted(&self.nodes.moved, anchor),
+            Some(b) => self.rigid(b as usize, Vec3::from_array(anchor.weights)),
+        }
+    }
+
+    /// Velocity of an anchor half a step ago, m/s.
+    #[must_use]
+    pub fn rate(&self, anchor: &Anchor, rigid: Option<u32>) -> [f64; 3] {
+        match rigid {
+            None => weighted(&self.nodes.rate, anchor),
+            Some(b) => {
+                let b = b as usize;
+                let arm = self.arm(b, Vec3::from_array(anchor.weights));
+                (self.bodies.velocity(b) + self.bodies.spin(b).cross(arm)).to_array()
+            }
+        }
+    }
+
+    fn rigid(&self, b: usize, arm: Vec3) -> [f64; 3] {
+        let moved = match &self.turned[b] {
+            Some(turned) => turned.attitude * arm - arm,
+            None => self.bodies.rotation(b).cross(arm),
+        };
+        (self.bodies.displacement(b) + moved).to_array()
+    }
+
+    /// Present arm of a point of a rigid block, m.
+    #[must_use]
+    pub fn arm(&self, b: usize, arm: Vec3) -> Vec3 {
+        match &self.turned[b] {
+            Some(turned) => turned.attitude * arm,
+            None => arm,
+        }
+    }
+
+    /// Jump across a point, m, global axes.
+    #[inline]
+    #[must_use]
+    pub fn jump(&self, facet: &Facet, point: &Point) -> Vec3 {
+        let [a, b] = [0, 1].map(|s| self.moved(&point.anchors[s], rigid(facet, s)));
+        Vec3::new(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+    }
+
+    /// Rate of the jump, m/s, global axes.
+    #[must_use]
+    pub fn jump_rate(&self, facet: &Facet, point: &Point) -> Vec3 {
+        let [a, b] = [0, 1].map(|s| self.rate(&point.anchors[s], rigid(facet, s)));
+        Vec3::new(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+    }
+}
+
+/// The rigid block on a side, if it is one.
+#[inline]
+#[must_use]
+pub fn rigid(facet: &Facet, side: usize) -> Option<u32> {
+    facet.rigid[side].then_some(facet.blocks[side])
+}
+
+#[inline]
+fn weighted(lists: &[[f64; 3]], anchor: &Anchor) -> [f64; 3] {
+    let [a, b, c] = anchor.nodes.map(|n| lists[n as usize]);
+    let [p, q, r] = anchor.weights;
+    [0, 1, 2].map(|k| p * a[k] + q * b[k] + r * c[k])
+}
+
+/// Facets of a piece of work.
+struct Piece<'a> {
+    facets: &'a [Facet],
+    first: usize,
+    worn: &'a mut [bool],
+    memory: &'a mut [Memory],
+    slots: &'a mut [[f64; 3]],
+    works: &'a mut [BondWorks],
+}
+
+impl Divide for Piece<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let (a, b) = self.facets.split_at(middle * FACETS);
+        let points = (b[0].first - a[0].first) as usize;
+        let worn = self.worn.split_at_mut(middle * FACETS);
+        let (memory, slots) = (
+            self.memory.split_at_mut(points),
+            self.slots.split_at_mut(points),
+        );
+        let works = self.works.split_at_mut(middle);
+        (
+            Self {
+                facets: a,
+                first: self.first,
+                worn: worn.0,
+                memory: memory.0,
+                slots: slots.0,
+                works: works.0,
+            },
+            Self {
+                facets: b,
+                first: self.first + points,
+                worn: worn.1,
+                memory: memory.1,
+                slots: slots.1,
+                works: works.1,
+            },
+        )
+    }
+}
+
+/// Finds the forces of all points, and what they push rigid blocks with.
+pub(in crate::spatial) fn update(world: &mut World, scratch: &mut Scratch) {
+    let (Some(mut deform), Some(mut work)) = (world.deform.take(), scratch.deform.take()) else {
+        return;
+    };
+    let mut memory = std::mem::take(&mut deform.memory);
+    let mut worn = std::mem::take(&mut deform.worn);
+    let context = Context {
+        anchors: Anchors::new(world, &deform),
+        points: &deform.points,
+        bonds: &world.setup.deform.bonds,
+        live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
+        relaxing: deform.relax.is_some(),
+        breaking: deform.breaking,
+        time: world.time,
+    };
+    let piece = Piece {
+        facets: &deform.facets,
+        first: 0,
+        worn: &mut worn,
+        memory: &mut memory,
+        slots: &mut work.slots,
+        works: &mut work.bond_works,
+    };
+    let count = deform.facets.len().div_ceil(FACETS);
+    scratch
+        .exec
+        .divided(piece, count, |_, piece| context.piece(piece));
+    work.broke = false;
+    for part in &work.bond_works {
+        world.works.add(&part.works);
+        work.broke |= part.broke;
+    }
+    deform.memory = memory;
+    deform.worn = worn;
+    push_rigid(world, &deform, &work.slots, &mut scratch.pushed);
+    world.deform = Some(deform);
+    scratch.deform = Some(work);
+}
+
+/// How bonds behave in the present evaluation.
+struct Context<'a> {
+    anchors: Anchors<'a>,
+    points: &'a [Point],
+    bonds: &'a [Option<BondLaw>],
+    /// Time moved since the last evaluation, s, if the laws must be applied.
+    live: Option<f64>,
+    /// Whether softening waits for convergence.
+    relaxing: bool,
+    breaking: bool,
+    time: f64,
+}
+
+impl Context<'_> {
+    fn piece(&self, piece: Piece) {
+        let mut works = BondWorks::default();
+        for (k, facet) in piece.facets.iter().enumerate() {
+            let here = facet.first as usize - piece.first
+                ..(facet.first + facet.count) as usize - piece.first;
+            let points = &self.points[facet.points()];
+            let slots = &mut piece.slots[here.clone()];
+            let law = self.bonds[usize::from(facet.row)].as_ref();
+            let linear = !piece.worn[k] && law.is_none_or(|l| l.cohesive.is_none());
+            if linear {
+                self.elastic(facet, points, slots);
+                // Points break one by one while they move; a relaxing phase breaks only what has converged.
+                let strength = law
+                    .filter(|l| l.failure == BondFailure::Spring)
+                    .and_then(|l| l.strength.as_ref())
+                    .filter(|_| self.breaking && !self.relaxing && self.live.is_some());
+                if strength.is_none_or(|s| !fails(s, facet, points, slots)) {
+                    continue;
+                }
+                piece.worn[k] = true;
+            }
+            if let Some(law) = law {
+                let memory = &mut piece.memory[here];
+                self.worn(facet, law, points, memory, slots, &mut works);
+            }
+        }
+        piece.works[0] = works;
+    }
+
+    /// Points that have no memory: `t = ks d + (kn - ks) (d.n) n`.
+    #[inline]
+    fn elastic(&self, facet: &Facet, points: &[Point], slots: &mut [[f64; 3]]) {
+        let n = facet.frame[0];
+        let [kn, ks] = facet.stiffness;
+        for (point, slot) in points.iter().zip(slots) {
+            let d = self.anchors.jump(facet, point);
+            let t = ks * d + ((kn - ks) * d.dot(n)) * n;
+            *slot = (point.area * t).to_array();
+        }
+    }
+
+    /// Points with a memory.
+    fn worn(
+        &self,
+        facet: &Facet,
+        law: &BondLaw,
+        points: &[Point],
+        memory: &mut [Memory],
+        slots: &mut [[f64; 3]],
+        works: &mut BondWorks,
+    ) {
+        let at_once = self.breaking && !self.relaxing && law.failure == BondFailure::Spring;
+        let respond = |memory: &Memory, at: &[f64; 3], breaks: bool| {
+            respond(law, facet.stiffness, memory, at, breaks)
+        };
+        for ((point, memory), slot) in points.iter().zip(memory).zip(slots) {
+            let jump = self.anchors.jump(facet, point);
+            let at = facet.frame.map(|e| e.dot(jump));
+            let (t, after) = respond(memory, &at, at_once && self.live.is_some());
+            let global = t[0] * facet.frame[0] + t[1] * facet.frame[1] + t[2] * facet.frame[2];
+            *slot = (point.area * global).to_array();
+            let Some(pending) = self.live else { continue };
+            let rate = self.anchors.jump_rate(facet, point);
+            let before = facet.frame.map(|e| e.dot(jump - pending * rate));
+            let (t_before, old) = respond(memory, &before, false);
+            let lost = point.area
+                * bond::loss(
+                    facet.stiffness,
+                    &memory.start,
+                    (&before, &t_before, &old),
+                    (&at, &t, &after),
+                );
+            if after.damage > old.damage {
+                works.works.fracture += lost;
+            } else {
+                works.works.friction += lost;
+            }
+            // Softening during an iteration that overshoots would be for good.
+            if !(self.relaxing && law.cohesive.is_some()) {
+                works.broke |= commit(memory, law, after, &t_before, self.time);
+            }
+        }
+    }
+}
+
+/// Takes a new state of a point over; whether it has broken just now. `t` is the traction (Pa) that tells how.
+pub fn commit(
+    memory: &mut Memory,
+    law: &BondLaw,
+    after: bond::State,
+    t: &bond::Traction,
+    time: f64,
+) -> bool {
+    let breaks = after.damage >= 1.0 && memory.law.damage < 1.0;
+    memory.law = after;
+    if breaks {
+        let mode = law.strength.map(|s| s.utilisation(t).1);
+        memory.state = match mode {
+            Some(bond::Mode::Tension) | None => State::Opened,
+            Some(bond::Mode::Shear) => State::Sheared,
+        };
+        memory.broken_at = time;
+        memory.untold = true;
+    }
+    breaks
+}
+
+/// Traction (n, b, c) of a point at a jump (m) and its state there; `breaks`: whether a brittle one may break.
+#[must_use]
+pub fn respond(
+    law: &BondLaw,
+    springs: bond::Springs,
+    memory: &Memory,
+    at: &[f64; 3],
+    breaks: bool,
+) -> (bond::Traction, bond::State) {
+    match (&law.strength, &law.cohesive) {
+        // A notch in an elastic model.
+        (None, _) if memory.law.damage >= 1.0 => {
+            bond::contact(springs, 0.0, &memory.start, at, &memory.law)
+        }
+        (None, _) => (bond::connect(springs, &memory.start, at), memory.law),
+        (Some(_), Some(cohesive)) => {
+            bond::cohesive(springs, cohesive, &memory.start, at, &memory.law)
+        }
+        (Some(strength), None) if breaks => {
+            bond::brittle(springs, strength, &memory.start, at, &memory.law)
+        }
+        (Some(strength), None) if memory.law.damage >= 1.0 => bond::contact(
+            springs,
+            strength.residual_friction,
+            &memory.start,
+            at,
+            &memory.law,
+        ),
+        (Some(_), None) => (bond::connect(springs, &memory.start, at), memory.law),
+    }
+}
+
+/// Whether a linear facet has a point beyond its strength.
+fn fails(strength: &Strength, facet: &Facet, points: &[Point], slots: &[[f64; 3]]) -> bool {
+    let n = facet.frame[0];
+    points.iter().zip(slots).any(|(point, slot)| {
+        let t = Vec3::from_array(*slot) / point.area;
+        let sigma = t.dot(n);
+        let shear = (t.length_squared() - sigma * sigma).max(0.0).sqrt();
+        strength.failure(&[sigma, shear, 0.0]).is_some()
+    })
+}
+
+/// Sums the forces of points on rigid blocks, in the order of the facets.
+fn push_rigid(world: &World, deform: &Deform, slots: &[[f64; 3]], pushed: &mut Vec<Push>) {
+    if !deform.facets.iter().any(|f| f.rigid[0] || f.rigid[1]) {
+        return;
+    }
+    pushed.resize(world.alive.len(), Push::default());
+    if world.cavities.is_empty() {
+        pushed.fill(Push::default());
+    }
+    let anchors = Anchors::new(world, deform);
+    for facet in &deform.facets {
+        for (side, sign) in [(0, 1.0), (1, -1.0)] {
+            let Some(b) = rigid(facet, side) else {
+                continue;
+            };
+            let push = &mut pushed[b as usize];
+            for p in facet.points() {
+                let force = sign * Vec3::from_array(slots[p]);
+                let arm = Vec3::from_array(deform.points[p].anchors[side].weights);
+                push.force += force;
+                push.moment += anchors.arm(b as usize, arm).cross(force);
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! What the tetrahedra of a body say: forces, stress, strain, energy.
+
+use riprap_geom::Mat3;
+
+use super::store::{Body, Deform};
+use super::workspace::{Kind, Workspace};
+use crate::laws::tetrahedron::{Gradient, StartStress, Strain, Symmetric};
+
+/// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m).
+///
+/// Small strain with a shared kind takes the dense matrix. To be called inside `Width::run`.
+#[inline(always)]
+pub fn add_forces(kind: &Kind, strain: Strain, u: &[[f64; 3]], f: &mut [[f64; 3]]) {
+    match (&kind.stiffness, strain) {
+        (Some(stiffness), Strain::Small) => stiffness.add_forces(u, f),
+        (None, Strain::Small) | (_, Strain::Large) => {
+            kind.groups
+                .add_forces(&kind.law, strain, &StartStress::default(), u, f);
+        }
+    }
+}
+
+/// A symmetric tensor (xx, yy, zz, yz, zx, xy) as a matrix.
+#[must_use]
+pub fn matrix([xx, yy, zz, yz, zx, xy]: Symmetric) -> Mat3 {
+    Mat3::from_cols_array(&[xx, xy, zx, xy, yy, yz, zx, yz, zz])
+}
+
+impl Deform {
+    /// Displacements of the nodes of a body, m.
+    #[must_use]
+    pub fn moved(&self, body: &Body) -> &[[f64; 3]] {
+        &self.nodes.moved[body.nodes()]
+    }
+
+    /// Mean Cauchy stress (Pa, tension-positive) and mean displacement gradient of a body.
+    #[must_use]
+    pub fn average(&self, work: &Workspace, body: &Body) -> (Mat3, Gradient) {
+        let kind = work.kind(body);
+        let u = self.moved(body);
+        let (stress, gradient) =
+            kind.groups
+                .average(&kind.law, body.strain, &StartStress::default(), u);
+        (matrix(stress), gradient)
+    }
+
+    /// Strain energy of a body, J.
+    #[must_use]
+    pub fn strain_energy(&self, work: &Workspace, body: &Body) -> f64 {
+        let kind = work.kind(body);
+        kind.groups.energy(
+            &kind.law,
+            body.strain,
+            &StartStress::default(),
+            self.moved(body),
+        )
+    }
+}

@@ -1,0 +1,112 @@
+//! Nodes that are held or driven.
+
+use riprap_geom::{Mat3, Vec3};
+use serde::{Deserialize, Serialize};
+
+use crate::dynamics::TimeFunction;
+
+/// Directions whose cosine differs from 1 by less than this are the same.
+const SAME: f64 = 1e-9;
+
+/// A node whose motion is prescribed in some directions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Hold {
+    /// The node.
+    pub node: u32,
+    /// Takes the free part of a vector: `1 - sum e e^T`.
+    pub free: Mat3,
+    /// What is prescribed; at most three, independent.
+    along: Vec<Along>,
+}
+
+/// Prescribed velocity along a unit direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Along {
+    direction: Vec3,
+    /// m/s; `None` is held.
+    velocity: Option<TimeFunction>,
+    /// The direction less its parts along the earlier bases, normalised.
+    basis: Vec3,
+}
+
+impl Hold {
+    /// A node that is still free.
+    #[must_use]
+    pub fn new(node: u32) -> Self {
+        Self {
+            node,
+            free: Mat3::IDENTITY,
+            along: Vec::new(),
+        }
+    }
+
+    /// Prescribes the velocity along a unit direction; an earlier one along the same line is replaced, one that follows from
+    /// earlier ones changes nothing.
+    pub fn add(&mut self, direction: Vec3, velocity: Option<TimeFunction>) {
+        let same = |a: &&mut Along| a.direction.dot(direction).abs() > 1.0 - SAME;
+        if let Some(same) = self.along.iter_mut().find(same) {
+            if same.direction.dot(direction) < 0.0 {
+                same.basis = -same.basis;
+            }
+            same.direction = direction;
+            same.velocity = velocity;
+            return;
+        }
+        let mut rest = direction;
+        for a in &self.along {
+            rest -= a.basis.dot(rest) * a.basis;
+        }
+        if rest.length() < SAME {
+            return;
+        }
+        let basis = rest.normalize();
+        self.free -= Mat3::from_cols(basis.x * basis, basis.y * basis, basis.z * basis);
+        self.along.push(Along {
+            direction,
+            velocity,
+            basis,
+        });
+    }
+
+    /// Whether nothing is prescribed.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.along.is_empty()
+    }
+
+    /// Prescribed velocity at time `t`, m/s: the shortest with the prescribed parts.
+    #[must_use]
+    pub fn velocity(&self, t: f64) -> Vec3 {
+        let mut v = Vec3::ZERO;
+        for a in &self.along {
+            let wanted = a.velocity.as_ref().map_or(0.0, |f| f.at(t));
+            v += (wanted - a.direction.dot(v)) / a.direction.dot(a.basis) * a.basis;
+        }
+        v
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_directions_go_together() {
+        let two = || Some(TimeFunction::Constant(2.0));
+        let mut hold = Hold::new(3);
+        hold.add(Vec3::X, None);
+        hold.add(Vec3::new(0.6, 0.8, 0.0), two());
+        let v = hold.free * Vec3::new(1.0, 2.0, 3.0);
+        assert!((v - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-15);
+        let v = hold.velocity(0.0);
+        assert!(v.x.abs() < 1e-15 && (Vec3::new(0.6, 0.8, 0.0).dot(v) - 2.0).abs() < 1e-15);
+        // Follows from the two.
+        hold.add(Vec3::Y, None);
+        assert_eq!(hold.velocity(0.0), v);
+        hold.add(-Vec3::X, two());
+        assert!((hold.velocity(0.0).x + 2.0).abs() < 1e-15);
+        hold.add(-Vec3::Z, two());
+        assert!((hold.velocity(0.0).z + 2.0).abs() < 1e-15);
+        assert!((hold.free * Vec3::ONE).length() < 1e-15 && !hold.is_free());
+    }
+}

@@ -1,0 +1,32 @@
+//! Deformable blocks: nodes, tetrahedra, bonds between faces; static relaxation, dynamics, breaking.
+//!
+//! A deformable block is a convex polyhedron with nodes **[vertices | face centres | centroid]**, contiguous in the lists, and
+//! the tetrahedra between them. Blocks are joined by **facets**, the shared parts of two faces, each with a short
+//! run of **points**; a point hangs on up to three nodes of a face on each side (or on a rigid block) with weights that sum to
+//! one and place the point in the same spot from both sides, so that a bond force keeps momentum and angular
+//! momentum to round-off. Everything that acts on nodes goes through such weights.
+//!
+//! One evaluation: points (jump, law, force to its slot) -> blocks (stress, gathered slots, loads, velocity change). Every sum is
+//! in a fixed order. [`Deform`] is state, [`Workspace`] can be dropped and rebuilt.
+//!
+//! Not here: cutting. It will go through `spatial::edit`: nodes of new blocks are appended, [`build::join`] makes the facets of a
+//! list of blocks, [`store::Deform::retire`] takes blocks out.
+
+pub mod bonds;
+pub mod build;
+pub mod cracks;
+pub mod elements;
+pub mod fracture;
+pub mod hold;
+pub mod loads;
+pub mod overlay;
+pub mod phase;
+pub mod read;
+pub mod relax;
+pub mod stable;
+pub mod step;
+pub mod store;
+pub mod workspace;
+
+pub use store::Deform;
+pub use workspace::Workspace;

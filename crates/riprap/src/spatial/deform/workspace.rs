@@ -1,0 +1,205 @@
+//! Everything of the deformable blocks that can be dropped and rebuilt without changing a result.
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
+
+use super::store::{Deform, Masses};
+use crate::laws::tetrahedron::{Elastic, Groups, Stiffness, row_sums};
+use crate::ledger::Works;
+use crate::spatial::setup::{Setup, Shape};
+
+/// Bodies per piece of work.
+pub const BODIES: usize = 64;
+/// Facets per piece of work.
+pub const FACETS: usize = 256;
+
+/// Shape, elements and masses of congruent bodies of one material.
+#[derive(Debug)]
+pub struct Kind {
+    /// Nodes and tetrahedra about the centroid.
+    pub mesh: Tetrahedra,
+    /// Its faces: corners, anticlockwise seen from outside.
+    pub faces: Vec<Vec<u32>>,
+    /// The tetrahedra, eight at a time.
+    pub groups: Groups,
+    /// Dense small-strain stiffness where several bodies share the kind.
+    pub stiffness: Option<Stiffness>,
+    /// Elasticity.
+    pub law: Elastic,
+    /// Lumped masses of the nodes, kg.
+    pub lumped: Vec<f64>,
+    /// Masses with the true moment of inertia, kg.
+    pub inertial: Vec<f64>,
+    /// Row sums of the stiffness matrix, N/m.
+    pub row_sums: Vec<f64>,
+}
+
+impl Kind {
+    /// Masses of the nodes, kg.
+    #[must_use]
+    pub fn masses(&self, rule: Masses) -> &[f64] {
+        match rule {
+            Masses::Lumped => &self.lumped,
+            Masses::Inertia => &self.inertial,
+        }
+    }
+}
+
+/// A point of a facet as a body sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Hook {
+    /// The point.
+    pub point: u32,
+    /// 0 on the side of A, 1 on that of B.
+    pub side: u32,
+}
+
+/// Scratch data of the deformable blocks.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    /// Shapes and elements, as `Deform::kinds`.
+    pub kinds: Vec<Kind>,
+    /// Points of each body: body `k` has `hooks[hooked[k]..hooked[k + 1]]`.
+    pub hooks: Vec<Hook>,
+    /// See `hooks`.
+    pub hooked: Vec<u32>,
+    /// Force of each point on A, N.
+    pub slots: Vec<[f64; 3]>,
+    /// External loads on nodes without gravity, N; empty without any.
+    pub loads: Vec<[f64; 3]>,
+    /// Net forces on nodes without damping and supports, N.
+    pub net: Vec<[f64; 3]>,
+    /// Velocity change of the coming kick, m/s.
+    pub change: Vec<[f64; 3]>,
+    /// Fictitious masses of the nodes, kg; empty outside relaxing phases.
+    pub fictitious: Vec<f64>,
+    /// Dashpots on nodes of viscous faces, by node.
+    pub dashpots: Vec<super::loads::Dashpot>,
+    /// Works of the coming half step.
+    pub departure: Works,
+    /// Norms of the net forces along free directions, of the reactions and of the external forces, N.
+    pub norms: [f64; 3],
+    /// Whether a point broke in the last evaluation.
+    pub broke: bool,
+    pub(super) partial: Vec<super::step::Partial>,
+    pub(super) bond_works: Vec<super::bonds::BondWorks>,
+}
+
+/// A convex solid with its centroid at the origin, and that centroid.
+#[must_use]
+pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
+    match shape {
+        Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
+        Shape::Polyhedron(solid) => {
+            let mut body = Polyhedron {
+                vertices: solid.vertices.clone(),
+                faces: solid.faces.clone(),
+            };
+            let centroid = body.moments().centroid;
+            for v in &mut body.vertices {
+                *v -= centroid;
+            }
+            (body, centroid)
+        }
+    }
+}
+
+impl Workspace {
+    /// Lays out everything for the bodies and bonds there are.
+    #[must_use]
+    pub fn new(setup: &Setup, deform: &Deform) -> Self {
+        let nodes = deform.nodes.len();
+        let mut work = Self {
+            kinds: kinds(setup, deform),
+            slots: vec![[0.0; 3]; deform.points.len()],
+            net: vec![[0.0; 3]; nodes],
+            change: vec![[0.0; 3]; nodes],
+            ..Self::default()
+        };
+        work.hook(deform);
+        work.dashpots = super::loads::dashpots(setup, deform);
+        if deform.relax.is_some() {
+            work.fictitious = super::relax::masses(deform, &work.kinds);
+        }
+        let pieces = deform.bodies.len().div_ceil(BODIES);
+        work.partial = vec![super::step::Partial::default(); pieces];
+        let pieces = deform.facets.len().div_ceil(FACETS);
+        work.bond_works = vec![super::bonds::BondWorks::default(); pieces];
+        work
+    }
+
+    /// Lists the points of each body, in the order of the points.
+    fn hook(&mut self, deform: &Deform) {
+        let mut counts = vec![0u32; deform.bodies.len() + 1];
+        let sides = |visit: &mut dyn FnMut(usize, Hook)| {
+            for facet in &deform.facets {
+                for side in 0..2 {
+                    if facet.rigid[side] {
+                        continue;
+                    }
+                    let slot = deform.slot[facet.blocks[side] as usize] as usize;
+                    for point in facet.points() {
+                        let (point, side) = (point as u32, side as u32);
+                        visit(slot, Hook { point, side });
+                    }
+                }
+            }
+        };
+        sides(&mut |slot, _| counts[slot + 1] += 1);
+        for k in 1..counts.len() {
+            counts[k] += counts[k - 1];
+        }
+        let mut next = counts.clone();
+        let total = counts.last().copied().unwrap_or(0) as usize;
+        self.hooks = vec![Hook { point: 0, side: 0 }; total];
+        sides(&mut |slot, hook| {
+            self.hooks[next[slot] as usize] = hook;
+            next[slot] += 1;
+        });
+        self.hooked = counts;
+    }
+
+    /// Kind of a body.
+    #[must_use]
+    pub fn kind(&self, body: &super::store::Body) -> &Kind {
+        &self.kinds[body.kind as usize]
+    }
+
+    /// Points of body `k`.
+    #[must_use]
+    pub fn hooks_of(&self, k: usize) -> &[Hook] {
+        &self.hooks[self.hooked[k] as usize..self.hooked[k + 1] as usize]
+    }
+}
+
+fn kinds(setup: &Setup, deform: &Deform) -> Vec<Kind> {
+    let mut shared = vec![0u32; deform.kinds.len()];
+    for body in &deform.bodies {
+        shared[body.kind as usize] += 1;
+    }
+    let mut kinds = Vec::with_capacity(deform.kinds.len());
+    for (&block, &shared) in deform.kinds.iter().zip(&shared) {
+        let spec = &setup.blocks[block as usize];
+        let material = &setup.materials[usize::from(spec.material)];
+        let (solid, _) = centred(&spec.shape);
+        // Both were looked at when the kind was made.
+        let (Ok(mesh), Some(young), Some(poisson)) =
+            (Tetrahedra::new(&solid), material.young, material.poisson)
+        else {
+            unreachable!("a kind of deformable block that cannot be built")
+        };
+        let law = Elastic::new(young, poisson);
+        let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
+        kinds.push(Kind {
+            faces: solid.faces,
+            groups: Groups::new(&mesh),
+            stiffness: (shared > 1).then(|| Stiffness::new(&mesh, &law)),
+            law,
+            lumped: scale(mesh.lumped()),
+            inertial: scale(mesh.inertial()),
+            row_sums: row_sums(&mesh, &law),
+            mesh,
+        });
+    }
+    kinds
+}

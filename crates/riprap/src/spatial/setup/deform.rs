@@ -1,0 +1,72 @@
+//! What the deformable part of a spatial model is built from.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::dynamics::{Formula, TimeFunction};
+pub use crate::laws::bond::{Cohesive, Softening, Strength};
+pub use crate::laws::tetrahedron::Strain;
+
+/// Deformable blocks, their bonds and what holds single nodes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Deformables {
+    /// Sets of deformable blocks; a block is in one set at most.
+    pub sets: Vec<DeformableSet>,
+    /// Bond law of each row of `Setup::interfaces`; `None` where no deformable block meets.
+    pub bonds: Vec<Option<BondLaw>>,
+    /// Held and driven nodes; a later entry wins over an earlier one for the same direction.
+    pub holds: Vec<NodeHold>,
+    /// Boxes (lowest and highest corner, m, local): facets whose centre lies in one are broken at the start.
+    pub notches: Vec<[Vec3; 2]>,
+}
+
+/// Deformable blocks of one kind.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DeformableSet {
+    /// Indices of the blocks, ascending.
+    pub blocks: Vec<u32>,
+    /// Measure of strain.
+    pub strain: Strain,
+    /// Displacement at the start along x, y, z, m, formulas in x, y, z (m, global).
+    pub displacement: [Option<Formula>; 3],
+    /// Velocity at the start along x, y, z, m/s, formulas in x, y, z; added to that of the block.
+    pub velocity: [Option<Formula>; 3],
+}
+
+/// Nodes held or driven in a box.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NodeHold {
+    /// Lowest corner of the box, m (local).
+    pub min: Vec3,
+    /// Highest corner, m.
+    pub max: Vec3,
+    /// Velocity along x, y, z, m/s, 0 holds; `None` leaves a direction free.
+    pub velocity: [Option<TimeFunction>; 3],
+}
+
+/// Law of the bonds between two materials.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BondLaw {
+    /// Thickness L of the interface, m: springs `E/L` and `G/L` per area.
+    pub thickness: f64,
+    /// Moduli E and G of the interface, Pa; `None` takes those of the two materials in series.
+    pub moduli: Option<[f64; 2]>,
+    /// Strength; `None` is elastic.
+    pub strength: Option<Strength>,
+    /// Fracture energies and softening; `None` breaks at once.
+    pub cohesive: Option<Cohesive>,
+    /// What fails as one.
+    pub failure: BondFailure,
+}
+
+/// What fails as one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum BondFailure {
+    /// Each spring by its own traction (the source).
+    #[default]
+    Spring,
+    /// A facet by its mean traction.
+    Facet,
+    /// A facet by the mean of the average stresses of its two blocks.
+    BlockStress,
+}
