@@ -7,6 +7,8 @@ const executablePath = browsers.find((path) => path && existsSync(path));
 
 export default defineConfig({
   testDir: "tests",
+  // Speed is measured when somebody asks for it.
+  testIgnore: process.env.RIPRAP_LARGE ? [] : ["speed.spec.ts"],
   outputDir: "test-results",
   globalSetup: "./tests/runs.ts",
   reporter: [["list"], ["./tests/tally.ts"]],

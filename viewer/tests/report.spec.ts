@@ -22,7 +22,7 @@ test("a report is one file that plays and prints", async ({ page, allow }) => {
   await page.locator(".stage > canvas").click();
   await page.keyboard.press("End");
   await expect.poll(() => frame(page)).toBeGreaterThan(5);
-  expect(await pixels(page)).not.toBe(first);
+  await expect.poll(() => pixels(page)).not.toBe(first);
   await page.getByLabel("field", { exact: true }).selectOption("velocity");
   await expect(page.locator(".legend .title")).toHaveText(/^velocity/);
   await page.getByTitle("Histories (p)").click();

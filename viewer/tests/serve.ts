@@ -2,6 +2,7 @@
 
 import { test as base, expect, type Locator, type Page } from "@playwright/test";
 import { spawn, type ChildProcess } from "node:child_process";
+import { createHash } from "node:crypto";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { BINARY, ROOT, run } from "./runs";
@@ -72,9 +73,10 @@ export async function frame(page: Page, n = 0): Promise<number> {
   return Number(await stage(page, n).getAttribute("data-frame"));
 }
 
-/** A copy of the pixels of a stage, to be compared with another. */
-export function pixels(page: Page, n = 0): Promise<string> {
-  return stage(page, n).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+/** A fingerprint of the pixels of a stage, to be compared with another. */
+export async function pixels(page: Page, n = 0): Promise<string> {
+  const picture = await stage(page, n).evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  return createHash("sha256").update(picture).digest("hex");
 }
 
 /** Clicks places of the stage until a block is picked. */

@@ -15,7 +15,7 @@ test("a planar run plays, scrubs, colours, picks and plots", async ({ view }) =>
   const stopped = await frame(page);
   await page.waitForTimeout(400);
   expect(await frame(page)).toBe(stopped);
-  expect(await pixels(page)).not.toBe(first);
+  await expect.poll(() => pixels(page)).not.toBe(first);
 
   await page.locator(".scrub").fill("15");
   await expect.poll(() => frame(page)).toBe(15);
@@ -28,7 +28,7 @@ test("a planar run plays, scrubs, colours, picks and plots", async ({ view }) =>
   const before = await pixels(page);
   await page.getByLabel("field", { exact: true }).selectOption("velocity.x");
   await expect(page.locator(".legend .title")).toHaveText(/^velocity.x \[.*m\/s\]/);
-  expect(await pixels(page)).not.toBe(before);
+  await expect.poll(() => pixels(page)).not.toBe(before);
   await page.getByLabel("range of the colours").selectOption("fixed");
   for (const [label, value] of [["lowest value", "-0.5"], ["highest value", "0.5"]] as const) {
     await page.getByLabel(label).fill(value);
@@ -62,7 +62,7 @@ test("arrows, contacts, exaggeration and cutting in the plane", async ({ view })
   await expect(page.locator(".legend")).toContainText("sliding");
   await page.getByText("touching").click();
   await shoot(page, "planar-arrows");
-  expect(await pixels(page)).not.toBe(plain);
+  await expect.poll(() => pixels(page)).not.toBe(plain);
   await page.getByLabel("vectors").selectOption("contact force");
   await expect(page.locator(".legend")).toContainText("longest contact force");
   await page.keyboard.press("]");
@@ -71,7 +71,7 @@ test("arrows, contacts, exaggeration and cutting in the plane", async ({ view })
   await page.getByLabel("clipping plane").selectOption("x");
   const cut = await pixels(page);
   await page.getByText("flip").click();
-  expect(await pixels(page)).not.toBe(cut);
+  await expect.poll(() => pixels(page)).not.toBe(cut);
 });
 
 test("a blast: faces, cracks, cut, glass, views", async ({ view }) => {

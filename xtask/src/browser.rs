@@ -11,6 +11,8 @@ use crate::shell;
 use crate::steps::Outcome;
 use crate::verify::release_binary;
 
+/// Oldest version of Node that will do.
+const NODE: u32 = 20;
 /// Programs, one of which must be there, and the package that brings them.
 const PROGRAMS: [(&[&str], &str); 3] = [
     (&["node"], "nodejs"),
@@ -27,6 +29,7 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
         return Ok(Outcome::Skipped("RIPRAP_SKIP_BROWSER=1".to_owned()));
     }
     programs()?;
+    new_enough()?;
     let viewer = root.join("viewer");
     packages(&viewer)?;
     npm(
@@ -79,6 +82,20 @@ fn programs() -> Result<(), String> {
             "{} missing and apt-get could not bring it (network? rights?); install it by hand: {install}",
             missing.join(", ")
         ))
+    }
+}
+
+/// Old distributions bring a Node that the tools of the page do not run on.
+fn new_enough() -> Result<(), String> {
+    let said = Command::new("node").arg("--version").output();
+    let said = said.map_err(|e| format!("node could not be started: {e}"))?;
+    let version = String::from_utf8_lossy(&said.stdout).trim().to_owned();
+    let digits = version.trim_start_matches('v').split('.').next();
+    match digits.and_then(|d| d.parse::<u32>().ok()) {
+        Some(major) if major >= NODE => Ok(()),
+        Some(_) | None => Err(format!(
+            "node is {version}, but the tools of viewer/ need {NODE} or newer: install it from https://nodejs.org"
+        )),
     }
 }
 
