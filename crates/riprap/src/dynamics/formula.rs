@@ -48,6 +48,21 @@ impl Formula {
     /// # Errors
     /// Text that is no formula, is too large, or uses a name that is not in `known`.
     pub fn new(text: &str, known: &[&str]) -> Result<Self, FormulaError> {
+        let formula = Self::compiled(text)?;
+        for name in &formula.names {
+            if !known.contains(&name.as_str()) && !["pi", "deg"].contains(&name.as_str()) {
+                let mut list: Vec<&str> = known.to_vec();
+                list.extend(["pi", "deg"]);
+                return Err(FormulaError::UnknownName {
+                    name: name.clone(),
+                    known: list.join(", "),
+                });
+            }
+        }
+        Ok(formula)
+    }
+
+    fn compiled(text: &str) -> Result<Self, FormulaError> {
         let (mut depth, mut deepest) = (0usize, 0usize);
         for c in text.chars() {
             match c {
@@ -64,16 +79,6 @@ impl Formula {
             .map_err(|e| FormulaError::Syntax(e.to_string()))?;
         let expression = Box::new(expression);
         let names: Vec<String> = expression.var_names().to_vec();
-        for name in &names {
-            if !known.contains(&name.as_str()) && !["pi", "deg"].contains(&name.as_str()) {
-                let mut list: Vec<&str> = known.to_vec();
-                list.extend(["pi", "deg"]);
-                return Err(FormulaError::UnknownName {
-                    name: name.clone(),
-                    known: list.join(", "),
-                });
-            }
-        }
         Ok(Self {
             text: text.to_owned(),
             expression,
@@ -125,10 +130,10 @@ impl Serialize for Formula {
 }
 
 impl<'de> Deserialize<'de> for Formula {
-    /// Reads a formula of time or place, the only kinds that are stored.
+    /// Reads a formula whose names were checked when it was made.
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Self::new(&text, &["t", "x", "y", "z"]).map_err(serde::de::Error::custom)
+        Self::compiled(&text).map_err(serde::de::Error::custom)
     }
 }
 
@@ -199,6 +204,18 @@ mod tests {
                 "{text}"
             );
         }
+    }
+
+    /// Runs with a check against a formula of other names than `t` could not be resumed.
+    #[test]
+    fn a_formula_is_read_back_with_all_its_names() {
+        let formula = Formula::new("g*t^2/2 + sin(a*deg)", &["t", "g", "a"]).unwrap();
+        let bytes = postcard::to_stdvec(&formula).unwrap();
+        let again: Formula = postcard::from_bytes(&bytes).unwrap();
+        let values = [("t", 2.0), ("g", 10.0), ("a", 30.0)];
+        assert_eq!(again.value(&values), formula.value(&values));
+        assert!((again.value(&values) - 20.5).abs() < 1e-12);
+        assert!(postcard::from_bytes::<Formula>(&[3, b'2', b'*', b'(']).is_err());
     }
 
     #[test]
