@@ -87,14 +87,15 @@ const LOOK: Duration = Duration::from_millis(100);
 const AUTOSAVE: Duration = Duration::from_secs(30);
 
 /// A check with its field.
-struct Watched<'a> {
-    watch: &'a mut Watch,
+#[derive(Debug)]
+struct Watched {
+    watch: Watch,
     reading: Reading,
     /// For costly fields over an interval: model time between two readings, s.
     rhythm: f64,
 }
 
-impl Watched<'_> {
+impl Watched {
     /// Feeds the value at the present state if it can matter.
     fn look(&mut self, simulation: &Simulation, last: bool) {
         let view = simulation.view();
@@ -112,99 +113,208 @@ impl Watched<'_> {
     }
 }
 
-/// Runs to the end of the plan, until stopped, or until the physics gives up.
-///
-/// `look` is called after the first step, about ten times a second, and at the end. With a recorder a checkpoint is
-/// written at the end of each phase, every 30 s of wall time, when stopped, and when the physics
-/// stops the run.
-///
-/// # Errors
-/// The disk, or fields that do not exist.
-pub fn drive(
-    simulation: &mut Simulation,
-    mut recorder: Option<&mut Recorder>,
-    watches: &mut [Watch],
-    look: &mut dyn FnMut(&Progress) -> Control,
-) -> Result<Ending, DriveError> {
-    let mut watched = watch_list(simulation, watches)?;
-    let mut clock = Clock::new(simulation.steps());
-    let mut saved = Instant::now();
-    loop {
-        let stage = match simulation.prepare() {
-            Ok(stage) => stage,
-            Err(error) => {
-                if let Some(r) = recorder.as_deref_mut() {
-                    r.checkpoint(simulation, state(&watched))?;
-                }
-                return Ok(Ending::Unstable(error));
-            }
-        };
-        let last_phase = simulation.cursor().phase + 1 >= simulation.plan().phases.len();
-        let last = stage == Stage::Done || (stage == Stage::PhaseEnd && last_phase);
-        for w in &mut watched {
-            w.look(simulation, last);
-        }
-        if let Some(r) = recorder.as_deref_mut() {
-            if simulation.steps() == simulation.cursor().start_step && stage == Stage::Within {
-                r.phase_event(simulation, "phase_started")?;
-            }
-            r.record(simulation, stage != Stage::Within)?;
-        }
-        match stage {
-            Stage::Within => simulation.step(),
-            Stage::PhaseEnd => {
-                if let Some(r) = recorder.as_deref_mut() {
-                    r.phase_event(simulation, "phase_ended")?;
-                }
-                if last {
-                    look(&clock.progress(simulation));
-                }
-                simulation.next_phase();
-                if let Some(r) = recorder.as_deref_mut() {
-                    r.checkpoint(simulation, state(&watched))?;
-                }
-                if last {
-                    return Ok(Ending::Finished);
-                }
-                continue;
-            }
-            Stage::Done => {
-                look(&clock.progress(simulation));
-                return Ok(Ending::Finished);
-            }
-        }
-        if let Some(r) = recorder.as_deref_mut()
-            && r.checkpoint_due(simulation)
-        {
-            r.checkpoint(simulation, state(&watched))?;
-        }
-        if clock.due(simulation.steps()) {
-            if let Some(r) = recorder.as_deref_mut()
-                && saved.elapsed() >= AUTOSAVE
-            {
-                r.checkpoint(simulation, state(&watched))?;
-                saved = Instant::now();
-            }
-            let progress = clock.progress(simulation);
-            if look(&progress) == Control::Stop {
-                if let Some(r) = recorder.as_deref_mut() {
-                    r.checkpoint(simulation, state(&watched))?;
-                }
-                return Ok(Ending::Stopped);
-            }
-        }
+/// Where to pause: at the first state that has come so far. The steps are those of a run without pauses.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pause {
+    /// Step count since the start of the run.
+    pub step: Option<u64>,
+    /// Model time since the start of the run, s.
+    pub time: Option<f64>,
+}
+
+impl Pause {
+    /// To the end.
+    pub const NEVER: Self = Self {
+        step: None,
+        time: None,
+    };
+
+    fn reached(&self, simulation: &Simulation) -> bool {
+        let early = 1e-9 * simulation.dt();
+        self.step.is_some_and(|n| simulation.steps() >= n)
+            || self.time.is_some_and(|t| simulation.time() >= t - early)
     }
 }
 
-/// The checks as they stand, for a checkpoint.
-fn state(watched: &[Watched<'_>]) -> Vec<Watch> {
-    watched.iter().map(|w| w.watch.clone()).collect()
+/// A simulation under way, with its recorder and its checks.
+#[derive(Debug)]
+pub struct Drive {
+    simulation: Simulation,
+    recorder: Option<Recorder>,
+    watched: Vec<Watched>,
+    clock: Clock,
+    saved: Instant,
+    /// Set during a pause: the present state has been prepared, looked at and recorded.
+    standing: bool,
 }
 
-fn watch_list<'a>(
-    simulation: &Simulation,
-    watches: &'a mut [Watch],
-) -> Result<Vec<Watched<'a>>, FieldError> {
+impl Drive {
+    /// Without a recorder nothing is written.
+    ///
+    /// # Errors
+    /// Checks of fields that do not exist.
+    pub fn new(
+        simulation: Simulation,
+        recorder: Option<Recorder>,
+        watches: Vec<Watch>,
+    ) -> Result<Self, FieldError> {
+        let watched = watch_list(&simulation, watches)?;
+        let clock = Clock::new(simulation.steps());
+        Ok(Self {
+            simulation,
+            recorder,
+            watched,
+            clock,
+            saved: Instant::now(),
+            standing: false,
+        })
+    }
+
+    /// The simulation; during a pause its forces are those of the present positions.
+    #[must_use]
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// The recorder.
+    pub fn recorder(&mut self) -> Option<&mut Recorder> {
+        self.recorder.as_mut()
+    }
+
+    /// The checks as they stand.
+    #[must_use]
+    pub fn watches(&self) -> Vec<Watch> {
+        self.watched.iter().map(|w| w.watch.clone()).collect()
+    }
+
+    /// Writes a checkpoint, if there is a recorder.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn checkpoint(&mut self) -> Result<(), OutputError> {
+        let watches = self.watches();
+        match &mut self.recorder {
+            Some(recorder) => recorder.checkpoint(&self.simulation, watches),
+            None => Ok(()),
+        }
+    }
+
+    /// Goes on to the pause (then `None`), to the end of the plan, until stopped, or until the physics gives up.
+    ///
+    /// `look` is called after the first step, about ten times a second, and at the end. With a recorder a checkpoint is
+    /// written at the end of each phase, every 30 s of wall time, when stopped, and when the physics stops the run.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn advance(
+        &mut self,
+        pause: Pause,
+        look: &mut dyn FnMut(&Progress) -> Control,
+    ) -> Result<Option<Ending>, DriveError> {
+        loop {
+            if self.standing {
+                // The pause was within a phase.
+                if pause.reached(&self.simulation) {
+                    return Ok(None);
+                }
+                self.standing = false;
+            } else {
+                let stage = match self.simulation.prepare() {
+                    Ok(stage) => stage,
+                    Err(error) => {
+                        self.checkpoint()?;
+                        return Ok(Some(Ending::Unstable(error)));
+                    }
+                };
+                self.observe(stage)?;
+                if stage != Stage::Within {
+                    if self.phase_end(stage, look)? {
+                        return Ok(Some(Ending::Finished));
+                    }
+                    continue;
+                }
+                if pause.reached(&self.simulation) {
+                    self.standing = true;
+                    return Ok(None);
+                }
+            }
+            self.simulation.step();
+            if self.after_step(look)? == Control::Stop {
+                return Ok(Some(Ending::Stopped));
+            }
+        }
+    }
+
+    fn last_phase(&self) -> bool {
+        self.simulation.cursor().phase + 1 >= self.simulation.plan().phases.len()
+    }
+
+    /// Checks and records of the prepared state.
+    fn observe(&mut self, stage: Stage) -> Result<(), DriveError> {
+        let last = stage == Stage::Done || (stage == Stage::PhaseEnd && self.last_phase());
+        for w in &mut self.watched {
+            w.look(&self.simulation, last);
+        }
+        if let Some(r) = &mut self.recorder {
+            let simulation = &mut self.simulation;
+            if stage == Stage::Within {
+                r.phase_started(simulation)?;
+            }
+            r.record(simulation, stage != Stage::Within)?;
+        }
+        Ok(())
+    }
+
+    /// Goes to the next phase; true at the end of the plan.
+    fn phase_end(
+        &mut self,
+        stage: Stage,
+        look: &mut dyn FnMut(&Progress) -> Control,
+    ) -> Result<bool, DriveError> {
+        if stage == Stage::Done {
+            look(&self.clock.progress(&self.simulation));
+            return Ok(true);
+        }
+        let last = self.last_phase();
+        if let Some(r) = &mut self.recorder {
+            r.phase_ended(&self.simulation)?;
+        }
+        if last {
+            look(&self.clock.progress(&self.simulation));
+        }
+        self.simulation.next_phase();
+        self.checkpoint()?;
+        Ok(last)
+    }
+
+    /// Checkpoints that are due, and the look of the caller.
+    fn after_step(
+        &mut self,
+        look: &mut dyn FnMut(&Progress) -> Control,
+    ) -> Result<Control, DriveError> {
+        let due = match &mut self.recorder {
+            Some(r) => r.checkpoint_due(&self.simulation),
+            None => false,
+        };
+        if due {
+            self.checkpoint()?;
+        }
+        if !self.clock.due(self.simulation.steps()) {
+            return Ok(Control::Continue);
+        }
+        if self.recorder.is_some() && self.saved.elapsed() >= AUTOSAVE {
+            self.checkpoint()?;
+            self.saved = Instant::now();
+        }
+        let control = look(&self.clock.progress(&self.simulation));
+        if control == Control::Stop {
+            self.checkpoint()?;
+        }
+        Ok(control)
+    }
+}
+
+fn watch_list(simulation: &Simulation, watches: Vec<Watch>) -> Result<Vec<Watched>, FieldError> {
     let kind = simulation.kind();
     let total: f64 = simulation
         .plan()
@@ -213,7 +323,7 @@ fn watch_list<'a>(
         .filter_map(|p| p.until.time)
         .sum();
     watches
-        .iter_mut()
+        .into_iter()
         .map(|watch| {
             let check = watch.check();
             let reading = Reading::new(kind, &check.gauge)?;
@@ -233,6 +343,7 @@ fn watch_list<'a>(
 }
 
 /// Wall clock of a run; asks the operating system for the time only every few steps.
+#[derive(Debug)]
 struct Clock {
     last: Instant,
     step: u64,

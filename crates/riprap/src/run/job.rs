@@ -1,6 +1,7 @@
 //! One run with everything around it: the folder, the manifest, the checks, how it ended.
 //!
-//! [`run`] begins in a new folder, [`resume`] goes on in an old one, [`watch_only`] leaves no files.
+//! [`run`] begins in a new folder, [`resume`] goes on in an old one, [`watch_only`] leaves no files; each advances a
+//! [`Live`] run, which can also be advanced bit by bit.
 
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
@@ -8,7 +9,7 @@ use std::time::{Instant, SystemTime};
 use thiserror::Error;
 
 use super::checks::{Check, CheckResult, Watch};
-use super::drive::{Control, DriveError, Ending, Progress, drive};
+use super::drive::{Control, Drive, DriveError, Ending, Pause, Progress};
 use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
 use super::plan::Plan;
@@ -120,26 +121,7 @@ pub fn run(
     threads: usize,
     look: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<Outcome, JobError> {
-    let exec = Exec::new(threads)?;
-    let mut manifest = job.manifest;
-    manifest.threads = exec.threads();
-    manifest.machine = Machine::this();
-    manifest.started = utc(SystemTime::now());
-    manifest.title.clone_from(&job.plan.title);
-    let kind = Kind::of(&job.setup);
-    manifest.fields = kind.fields().iter().map(Into::into).collect();
-    manifest.ended = Ended::Running;
-    // A model that cannot be built leaves no folder behind.
-    let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
-    given_step::check(&simulation)?;
-    manifest.sources = simulation.view().sources();
-    let folder = RunFolder::create(folder, existing, &manifest)?;
-    folder.write_scenario(&job.resolved)?;
-    let mut recorder = Recorder::new(folder, kind, simulation.plan(), None)?;
-    // Whatever happens from now on, there is something to resume from.
-    let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
-    recorder.checkpoint(&simulation, watches.clone())?;
-    go_on(&mut simulation, &mut recorder, &mut watches, manifest, look)
+    Live::begin(job, folder, existing, threads)?.finish(look)
 }
 
 /// Goes on with the run in `folder` from its last good checkpoint.
@@ -151,36 +133,7 @@ pub fn resume(
     threads: usize,
     look: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<Outcome, JobError> {
-    let mut manifest = Manifest::read(folder)?;
-    let ended = match manifest.ended {
-        Ended::Running | Ended::Interrupted => None,
-        Ended::Finished => Some("all its phases are done".to_owned()),
-        Ended::Stopped | Ended::Unstable => Some(manifest.message.clone()),
-    };
-    if let Some(ended) = ended {
-        return Err(JobError::Ended {
-            path: folder.to_owned(),
-            ended,
-        });
-    }
-    let latest = checkpoint::latest::<Checkpoint>(folder, KIND)?;
-    let broken = latest
-        .broken
-        .iter()
-        .map(|why| format!("skipped a checkpoint: {why}"));
-    manifest.warnings.extend(broken);
-    let exec = Exec::new(threads)?;
-    manifest.threads = exec.threads();
-    let Checkpoint {
-        snapshot,
-        marks,
-        counts,
-        mut watches,
-    } = latest.value;
-    let folder = RunFolder::reopen(folder, &marks)?;
-    let mut simulation = Simulation::resume(snapshot, exec);
-    let mut recorder = Recorder::new(folder, simulation.kind(), simulation.plan(), Some(counts))?;
-    go_on(&mut simulation, &mut recorder, &mut watches, manifest, look)
+    Live::reopen(folder, threads)?.finish(look)
 }
 
 /// Runs a job for its checks alone; nothing is written.
@@ -192,57 +145,197 @@ pub fn watch_only(
     threads: usize,
     look: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<Outcome, JobError> {
-    let exec = Exec::new(threads)?;
-    let begun = Instant::now();
-    let mut simulation = Simulation::new(job.setup, job.plan, exec)?;
-    given_step::check(&simulation)?;
-    let mut watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
-    let ending = drive(&mut simulation, None, &mut watches, look)?;
-    let mut manifest = job.manifest;
-    close(&mut manifest, &simulation, &ending, begun);
-    let checks = results(&watches, &manifest);
-    Ok(Outcome {
-        ending,
-        manifest,
-        checks,
-    })
+    Live::unrecorded(job, threads)?.finish(look)
 }
 
-fn go_on(
-    simulation: &mut Simulation,
-    recorder: &mut Recorder,
-    watches: &mut [Watch],
-    mut manifest: Manifest,
-    look: &mut dyn FnMut(&Progress) -> Control,
-) -> Result<Outcome, JobError> {
-    let begun = Instant::now();
-    manifest.ended = Ended::Running;
-    recorder.folder.write_manifest(&manifest)?;
-    let ending = drive(simulation, Some(recorder), watches, look)?;
-    close(&mut manifest, simulation, &ending, begun);
-    let checks = results(watches, &manifest);
-    if !checks.is_empty() {
-        let lines: Result<Vec<String>, _> = checks.iter().map(serde_json::to_string).collect();
-        let text = lines.unwrap_or_default().join("\n") + "\n";
-        recorder
-            .folder
-            .write_file("checks.jsonl", text.as_bytes())?;
+/// A run under way, to be advanced bit by bit.
+#[derive(Debug)]
+pub struct Live {
+    drive: Drive,
+    manifest: Manifest,
+    ending: Option<Ending>,
+}
+
+impl Live {
+    /// Begins a job in `folder`.
+    ///
+    /// # Errors
+    /// A folder that `existing` does not allow, the disk, unknown fields.
+    pub fn begin(
+        job: Job,
+        folder: &Path,
+        existing: Existing,
+        threads: usize,
+    ) -> Result<Self, JobError> {
+        let exec = Exec::new(threads)?;
+        let mut manifest = job.manifest;
+        manifest.threads = exec.threads();
+        manifest.machine = Machine::this();
+        manifest.started = utc(SystemTime::now());
+        manifest.title.clone_from(&job.plan.title);
+        let kind = Kind::of(&job.setup);
+        manifest.fields = kind.fields().iter().map(Into::into).collect();
+        manifest.ended = Ended::Running;
+        // A model that cannot be built leaves no folder behind.
+        let simulation = Simulation::new(job.setup, job.plan, exec)?;
+        given_step::check(&simulation)?;
+        manifest.sources = simulation.view().sources();
+        let folder = RunFolder::create(folder, existing, &manifest)?;
+        folder.write_scenario(&job.resolved)?;
+        let recorder = Recorder::new(folder, kind, simulation.plan(), None)?;
+        let watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
+        let mut live = Self::new(simulation, Some(recorder), watches, manifest)?;
+        // Whatever happens from now on, there is something to resume from.
+        live.drive.checkpoint()?;
+        Ok(live)
     }
-    recorder.folder.write_manifest(&manifest)?;
-    Ok(Outcome {
-        ending,
-        manifest,
-        checks,
-    })
-}
 
-fn results(watches: &[Watch], manifest: &Manifest) -> Vec<CheckResult> {
-    let result = |watch: &Watch| watch.finish(&manifest.scenario, &manifest.case, false);
-    watches.iter().map(result).collect()
+    /// Reopens the run in `folder` at its last good checkpoint.
+    ///
+    /// # Errors
+    /// A folder without a run or a checkpoint, a run that has ended, the disk.
+    pub fn reopen(folder: &Path, threads: usize) -> Result<Self, JobError> {
+        let mut manifest = Manifest::read(folder)?;
+        let ended = match manifest.ended {
+            Ended::Running | Ended::Interrupted => None,
+            Ended::Finished => Some("all its phases are done".to_owned()),
+            Ended::Stopped | Ended::Unstable => Some(manifest.message.clone()),
+        };
+        if let Some(ended) = ended {
+            return Err(JobError::Ended {
+                path: folder.to_owned(),
+                ended,
+            });
+        }
+        let latest = checkpoint::latest::<Checkpoint>(folder, KIND)?;
+        let broken = latest
+            .broken
+            .iter()
+            .map(|why| format!("skipped a checkpoint: {why}"));
+        manifest.warnings.extend(broken);
+        let exec = Exec::new(threads)?;
+        manifest.threads = exec.threads();
+        let Checkpoint {
+            snapshot,
+            marks,
+            counts,
+            watches,
+        } = latest.value;
+        let folder = RunFolder::reopen(folder, &marks)?;
+        manifest.ended = Ended::Running;
+        folder.write_manifest(&manifest)?;
+        let simulation = Simulation::resume(snapshot, exec);
+        let recorder = Recorder::new(folder, simulation.kind(), simulation.plan(), Some(counts))?;
+        Self::new(simulation, Some(recorder), watches, manifest)
+    }
+
+    /// Begins a job that leaves no files.
+    ///
+    /// # Errors
+    /// Unknown fields.
+    pub fn unrecorded(job: Job, threads: usize) -> Result<Self, JobError> {
+        let exec = Exec::new(threads)?;
+        let simulation = Simulation::new(job.setup, job.plan, exec)?;
+        given_step::check(&simulation)?;
+        let watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
+        Self::new(simulation, None, watches, job.manifest)
+    }
+
+    fn new(
+        simulation: Simulation,
+        recorder: Option<Recorder>,
+        watches: Vec<Watch>,
+        manifest: Manifest,
+    ) -> Result<Self, JobError> {
+        let drive = Drive::new(simulation, recorder, watches).map_err(DriveError::from)?;
+        Ok(Self {
+            drive,
+            manifest,
+            ending: None,
+        })
+    }
+
+    /// The simulation; between two calls of [`Live::advance`] its forces are those of the present positions.
+    #[must_use]
+    pub fn simulation(&self) -> &Simulation {
+        self.drive.simulation()
+    }
+
+    /// How it ended, once it has.
+    #[must_use]
+    pub fn ending(&self) -> Option<&Ending> {
+        self.ending.as_ref()
+    }
+
+    /// Goes on to the pause; `None` there, how it ended otherwise. What has ended stays as it is, but one that the
+    /// caller stopped goes on.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn advance(
+        &mut self,
+        pause: Pause,
+        look: &mut dyn FnMut(&Progress) -> Control,
+    ) -> Result<Option<Ending>, JobError> {
+        if let Some(Ending::Finished | Ending::Unstable(_)) = self.ending {
+            return Ok(self.ending.clone());
+        }
+        let begun = Instant::now();
+        self.ending = self.drive.advance(pause, look)?;
+        self.manifest.wall_time += begun.elapsed().as_secs_f64();
+        Ok(self.ending.clone())
+    }
+
+    /// Goes on to the end, or until `look` stops it, and closes the books.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn finish(
+        mut self,
+        look: &mut dyn FnMut(&Progress) -> Control,
+    ) -> Result<Outcome, JobError> {
+        self.advance(Pause::NEVER, look)?;
+        self.close()
+    }
+
+    /// Closes the books where they are: a run that has not ended can be resumed.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn close(mut self) -> Result<Outcome, JobError> {
+        let ending = match self.ending.take() {
+            Some(ending) => ending,
+            None => {
+                self.drive.checkpoint()?;
+                Ending::Stopped
+            }
+        };
+        let mut manifest = self.manifest;
+        close(&mut manifest, self.drive.simulation(), &ending);
+        let watches = self.drive.watches();
+        let result = |watch: &Watch| watch.finish(&manifest.scenario, &manifest.case, false);
+        let checks: Vec<CheckResult> = watches.iter().map(result).collect();
+        if let Some(recorder) = self.drive.recorder() {
+            if !checks.is_empty() {
+                let lines: Result<Vec<String>, _> =
+                    checks.iter().map(serde_json::to_string).collect();
+                let text = lines.unwrap_or_default().join("\n") + "\n";
+                recorder
+                    .folder
+                    .write_file("checks.jsonl", text.as_bytes())?;
+            }
+            recorder.folder.write_manifest(&manifest)?;
+        }
+        Ok(Outcome {
+            ending,
+            manifest,
+            checks,
+        })
+    }
 }
 
 /// Writes into the manifest how the run ended.
-fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending, begun: Instant) {
+fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
     let view = simulation.view();
     (manifest.ended, manifest.message) = match ending {
         Ending::Finished => (Ended::Finished, String::new()),
@@ -252,7 +345,6 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending, begu
         ),
         Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
     };
-    manifest.wall_time += begun.elapsed().as_secs_f64();
     manifest.dt = view.last_dt();
     manifest.steps = view.step();
     manifest.time = view.time();
@@ -445,6 +537,40 @@ mod tests {
         ] {
             let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
             assert_eq!(bytes(&whole), bytes(&died), "{file}");
+        }
+    }
+
+    #[test]
+    fn pauses_change_no_bit() {
+        let dir = tempfile::tempdir().unwrap();
+        let (whole, bits) = (dir.path().join("whole.run"), dir.path().join("bits.run"));
+        let wanted = run(falling(), &whole, Existing::Refuse, 1, &mut go).unwrap();
+        let mut live = Live::begin(falling(), &bits, Existing::Refuse, 1).unwrap();
+        let mut steps = Vec::new();
+        for step in [0, 0, 1, 500, 500] {
+            let pause = Pause {
+                step: Some(step),
+                time: None,
+            };
+            assert_eq!(live.advance(pause, &mut go).unwrap(), None);
+            steps.push(live.simulation().steps());
+        }
+        assert_eq!(steps, [0, 0, 1, 500, 500]);
+        let left = live.close().unwrap();
+        assert_eq!(left.ending, Ending::Stopped);
+        let mut live = Live::reopen(&bits, 1).unwrap();
+        let pause = Pause {
+            step: None,
+            time: Some(0.15),
+        };
+        assert_eq!(live.advance(pause, &mut go).unwrap(), None);
+        assert!((live.simulation().time() - 0.15).abs() < 1.1e-4);
+        let outcome = live.finish(&mut go).unwrap();
+        assert_eq!(outcome.manifest.state_hash, wanted.manifest.state_hash);
+        assert_eq!(outcome.checks, wanted.checks);
+        for file in ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"] {
+            let read = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+            assert!(read(&whole) == read(&bits), "{file} differs");
         }
     }
 

@@ -18,6 +18,8 @@ pub struct Counts {
     checkpoints: u64,
     histories: Vec<u64>,
     last_step: Option<u64>,
+    /// Phases whose start has been noted.
+    phases: usize,
 }
 
 /// Checkpoint of a recorded run.
@@ -161,11 +163,28 @@ impl Recorder {
         self.folder.energy_row(view.step(), view.time(), &row)
     }
 
-    /// Notes the start or end of a phase.
+    /// Notes the start of the present phase, once.
     ///
     /// # Errors
     /// The disk.
-    pub fn phase_event(&mut self, simulation: &Simulation, what: &str) -> Result<(), OutputError> {
+    pub fn phase_started(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+        let phase = simulation.cursor().phase;
+        if self.counts.phases > phase {
+            return Ok(());
+        }
+        self.counts.phases = phase + 1;
+        self.phase_event(simulation, "phase_started")
+    }
+
+    /// Notes the end of the present phase.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn phase_ended(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+        self.phase_event(simulation, "phase_ended")
+    }
+
+    fn phase_event(&mut self, simulation: &Simulation, what: &str) -> Result<(), OutputError> {
         let view = simulation.view();
         let phase = simulation.phase().map_or("", |p| p.name.as_str());
         self.folder.event(&json!({

@@ -8,7 +8,7 @@ use crate::record::{FieldInfo, Manifest};
 use crate::run::engine::Kind;
 use crate::run::job::Job;
 use crate::scenario::language::Space;
-use crate::scenario::{self, Case, Diagnostics, Parsed};
+use crate::scenario::{self, Case, Diagnostics, Parsed, Source, apply_overrides};
 
 /// A scene as the user wants it run.
 #[derive(Clone, Debug)]
@@ -46,6 +46,27 @@ impl Scene {
         let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
         Ok(Self {
             path: path.to_owned(),
+            parsed,
+            cases,
+            changes: changes.to_vec(),
+        })
+    }
+
+    /// As [`Scene::load`] for a text; relative paths in it are seen from `folder`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text.
+    pub fn parse(
+        source: Source,
+        folder: PathBuf,
+        changes: &[(String, String)],
+    ) -> Result<Self, Diagnostics> {
+        let path = PathBuf::from(&source.name);
+        let mut parsed = scenario::parse(apply_overrides(&source, changes)?)?;
+        parsed.folder = folder;
+        let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
+        Ok(Self {
+            path,
             parsed,
             cases,
             changes: changes.to_vec(),
