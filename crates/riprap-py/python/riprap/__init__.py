@@ -1,0 +1,68 @@
+"""Discrete-element simulation of blocky rock.
+
+A scenario is a dictionary, a TOML text or a file; a run leaves a run folder; fields and histories are NumPy arrays
+with units::
+
+    import riprap
+
+    scenario = riprap.Scenario("slide.toml", set={"interfaces.default.friction_angle": "15 deg"})
+    print(scenario.check())
+    run = scenario.run(threads=2)
+    slip = run.histories()["slip"]
+    print(slip[-1], slip.unit)
+"""
+
+from ._data import Field, Fields, Frame, Table
+from ._folder import RunFolder
+from ._plot import Picture, plot
+from ._riprap import Progress, explain, si, version
+from ._run import resume, run
+from ._scenario import Report, Scenario
+from ._simulation import Simulation, Value
+from ._sweep import Sweep, sweep
+from ._words import FieldInfo, fields, schema
+from .errors import (
+    Diagnostic,
+    FolderError,
+    OutputError,
+    PlotError,
+    RiprapError,
+    RunError,
+    ScenarioError,
+    UnstableError,
+)
+
+__version__ = version()
+
+__all__ = [
+    "Diagnostic",
+    "Field",
+    "FieldInfo",
+    "Fields",
+    "FolderError",
+    "Frame",
+    "OutputError",
+    "Picture",
+    "PlotError",
+    "Progress",
+    "Report",
+    "RiprapError",
+    "RunError",
+    "RunFolder",
+    "Scenario",
+    "ScenarioError",
+    "Simulation",
+    "Sweep",
+    "Table",
+    "UnstableError",
+    "Value",
+    "__version__",
+    "explain",
+    "fields",
+    "plot",
+    "resume",
+    "run",
+    "schema",
+    "si",
+    "sweep",
+]

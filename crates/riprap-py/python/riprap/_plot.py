@@ -1,0 +1,95 @@
+"""Pictures of a run."""
+
+from __future__ import annotations
+
+import re
+from os import PathLike
+from pathlib import Path
+
+from . import _riprap
+from ._folder import RunFolder
+
+
+class Picture:
+    """Files of a picture; a notebook shows it."""
+
+    def __init__(self, files: list[Path]) -> None:
+        self.files = files
+        """The picture and the numbers behind it (CSV)."""
+
+    def __repr__(self) -> str:
+        return f"Picture({', '.join(str(f) for f in self.files)})"
+
+    def file(self, ending: str) -> Path | None:
+        """The file with that ending, such as ``.svg``."""
+        return next((f for f in self.files if f.suffix == ending), None)
+
+    def _repr_svg_(self) -> str | None:
+        svg = self.file(".svg")
+        return None if svg is None else svg.read_text(encoding="utf-8")
+
+    def _repr_png_(self) -> bytes | None:
+        png = self.file(".png")
+        return None if png is None or self.file(".svg") is not None else png.read_bytes()
+
+
+def plot(
+    run: "RunFolder | str | PathLike[str]",
+    what: str = "histories",
+    *names: str,
+    out: str | PathLike[str] | None = None,
+    by: str = "displacement",
+    times: "float | list[float] | None" = None,
+    log: bool = False,
+    vectors: str | None = None,
+    exaggerate: float | None = None,
+    normal: str = "y",
+    at: "str | float | None" = None,
+    surface: bool = False,
+    uplift: "str | float | None" = None,
+    source: str | None = None,
+) -> Picture:
+    """Draws a picture of a run folder, with the numbers behind it as CSV.
+
+    Args:
+        run: the run folder.
+        what: ``histories``, ``energy``, ``blocks``, ``section``, ``ppv``, ``crater``, ``heave``, ``cavity``,
+            ``spectrum``.
+        names: histories to draw (all by default); the one history of a spectrum.
+        out: ``.svg``, ``.png``, or both without an ending; by default an SVG in ``plots/`` of the run.
+        by: field that colours blocks, such as ``velocity.x``.
+        times: model times of frames [s]; by default the last frame.
+        log: logarithmic colours.
+        vectors: arrows of ``displacement`` or ``velocity`` on blocks.
+        exaggerate: factor on displacements.
+        normal: axis across a section: ``x``, ``y`` or ``z``.
+        at: place of a section along its normal, ``"2 m"`` or a number [m].
+        surface: only peak velocities on the surface (``ppv``).
+        uplift: least uplift that counts as crater, ``"40 mm"`` or a number [m].
+        source: name of the charge (``crater``, ``heave``).
+
+    Raises:
+        PlotError: the run has not what the picture needs.
+    """
+    folder = run.path if isinstance(run, RunFolder) else Path(run)
+    name = "_".join([what, *names[:1], *([by] if what in ("blocks", "section") else [])])
+    target = Path(out) if out is not None else folder / "plots" / f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}.svg"
+    listed = [] if times is None else [times] if isinstance(times, (int, float)) else list(times)
+    options = {
+        "by": by,
+        "times": [float(t) for t in listed],
+        "names": list(names),
+        "log": log,
+        "vectors": vectors,
+        "exaggerate": exaggerate,
+        "normal": normal,
+        "at": _metres(at),
+        "surface": surface,
+        "uplift": _metres(uplift),
+        "source": source,
+    }
+    return Picture(_riprap.plot(folder, what, target, options))
+
+
+def _metres(length: "str | float | None") -> float | None:
+    return _riprap.si(length) if isinstance(length, str) else length

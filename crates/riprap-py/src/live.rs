@@ -1,0 +1,280 @@
+//! A simulation advanced bit by bit.
+
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use riprap::ledger;
+use riprap::record::{FieldInfo, Site, field};
+use riprap::run::drive::{Ending, Pause};
+use riprap::run::engine::{Reading, View};
+use riprap::run::job::{Live, Outcome};
+use riprap::run::plan::Gauge;
+
+use crate::arrays;
+use crate::errors;
+use crate::look::Look;
+use crate::runs::existing;
+use crate::scene::{Scene, json};
+
+/// A run under way.
+#[pyclass(frozen, module = "riprap._riprap")]
+pub struct Simulation(Mutex<Option<Live>>);
+
+impl Simulation {
+    /// Works on the run without the interpreter. A second caller (another thread, a callback) is turned away.
+    fn with<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut Option<Live>) -> PyResult<T> + Send,
+    ) -> PyResult<T> {
+        py.detach(|| match self.0.try_lock() {
+            Ok(mut live) => work(&mut live),
+            Err(_) => Err(PyRuntimeError::new_err(
+                "the simulation is being advanced: wait until `advance` has come back",
+            )),
+        })
+    }
+
+    fn read<T: Send>(
+        &self,
+        py: Python<'_>,
+        get: impl FnOnce(&Live) -> PyResult<T> + Send,
+    ) -> PyResult<T> {
+        self.with(py, |live| get(open(live)?))
+    }
+}
+
+fn open(live: &mut Option<Live>) -> PyResult<&mut Live> {
+    live.as_mut()
+        .ok_or_else(|| PyValueError::new_err("the simulation is closed"))
+}
+
+/// `running`, or how it ended, and one sentence more.
+fn state(live: &Live) -> (&'static str, String) {
+    match live.ending() {
+        None | Some(Ending::Stopped) => ("running", String::new()),
+        Some(Ending::Finished) => ("finished", String::new()),
+        Some(Ending::Unstable(why)) => ("unstable", why.to_string()),
+    }
+}
+
+#[pymethods]
+impl Simulation {
+    /// Builds the model; with a folder everything is recorded as by a run.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        scene: &Scene,
+        case: Option<&str>,
+        folder: Option<PathBuf>,
+        existing_folder: &str,
+        threads: usize,
+    ) -> PyResult<Self> {
+        let existing = existing(existing_folder)?;
+        let job = scene.prepare(py, case)?.job();
+        let begun = py.detach(|| {
+            let mut live = match &folder {
+                Some(folder) => Live::begin(job, folder, existing, threads)?,
+                None => Live::unrecorded(job, threads)?,
+            };
+            // Forces at the start.
+            let here = Pause {
+                step: Some(0),
+                time: None,
+            };
+            live.advance(here, &mut |_| riprap::run::drive::Control::Continue)?;
+            Ok(live)
+        });
+        match begun {
+            Ok(live) => Ok(Self(Mutex::new(Some(live)))),
+            Err(error) => Err(errors::job(py, &error)),
+        }
+    }
+
+    /// Goes on by a number of steps or a span of model time, or to the end; the state it is in then.
+    #[pyo3(signature = (steps, time, callback))]
+    fn advance(
+        &self,
+        py: Python<'_>,
+        steps: Option<u64>,
+        time: Option<f64>,
+        callback: Option<Py<PyAny>>,
+    ) -> PyResult<(&'static str, String)> {
+        let mut look = Look::new(callback);
+        let asked = &mut look;
+        let result = self.with(py, |live| {
+            let live = open(live)?;
+            let now = live.simulation();
+            let pause = Pause {
+                step: steps.map(|n| now.steps().saturating_add(n)),
+                time: time.map(|span| now.time() + span),
+            };
+            let ended = live.advance(pause, &mut |progress| asked.ask(progress));
+            ended
+                .map(|_| state(live))
+                .map_err(|error| Python::attach(|py| errors::job(py, &error)))
+        });
+        match look.raised {
+            Some(raised) => Err(raised),
+            None => result,
+        }
+    }
+
+    /// Closes the books: the manifest as JSON text. What has not ended can be resumed.
+    fn close(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        let closed = self.with(py, |live| Ok(live.take().map(Live::close)))?;
+        match closed {
+            None => Ok(None),
+            Some(Ok(Outcome { manifest, .. })) => json(&manifest).map(Some),
+            Some(Err(error)) => Err(errors::job(py, &error)),
+        }
+    }
+
+    /// `running`, `finished` or `unstable`, and one sentence more.
+    #[getter]
+    fn state(&self, py: Python<'_>) -> PyResult<(&'static str, String)> {
+        self.read(py, |live| Ok(state(live)))
+    }
+
+    /// Step, time, next time step, phase.
+    #[getter]
+    fn now(&self, py: Python<'_>) -> PyResult<(u64, f64, f64, String)> {
+        self.read(py, |live| {
+            let s = live.simulation();
+            let phase = s.phase().map_or_else(String::new, |p| p.name.clone());
+            Ok((s.steps(), s.time(), s.dt(), phase))
+        })
+    }
+
+    /// Hash of the state.
+    #[getter]
+    fn state_hash(&self, py: Python<'_>) -> PyResult<String> {
+        self.read(py, |live| Ok(live.simulation().engine().hash()))
+    }
+
+    /// Names of all blocks ever, by number.
+    #[getter]
+    fn names(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.read(py, |live| Ok(names(&live.simulation().view())))
+    }
+
+    /// A snapshot of blocks and contacts.
+    fn frame<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let frame = self.read(py, |live| {
+            let s = live.simulation();
+            let phase = s.phase().map_or("", |p| p.name.as_str());
+            Ok(s.view().frame(phase))
+        })?;
+        arrays::frame(py, frame)
+    }
+
+    /// The energy ledger: (name, value), and the unit.
+    fn energy(&self, py: Python<'_>) -> PyResult<(Vec<(&'static str, f64)>, &'static str)> {
+        self.read(py, |live| {
+            let s = live.simulation();
+            let balance = s.view().balance();
+            let all = ledger::COLUMNS
+                .iter()
+                .map(|(name, get)| (*name, get(&balance)));
+            Ok((all.collect(), s.kind().energy_unit()))
+        })
+    }
+
+    /// The histories of the scenario now: (name, value, unit).
+    fn histories(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, &'static str)>> {
+        self.read(py, |live| {
+            let s = live.simulation();
+            let view = s.view();
+            let one = |h: &riprap::run::plan::History| {
+                let reading = Reading::new(s.kind(), &h.gauge)
+                    .map_err(|e| PyValueError::new_err(e.to_string()))?;
+                Ok((h.name.clone(), reading.value(&view), reading.info().unit))
+            };
+            s.plan().histories.iter().map(one).collect()
+        })
+    }
+
+    /// A field now, of blocks given by name: the value and its unit.
+    fn value(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        of: Vec<String>,
+        along: Option<[f64; 3]>,
+    ) -> PyResult<(f64, &'static str)> {
+        self.read(py, |live| {
+            let s = live.simulation();
+            let view = s.view();
+            let (info, _) = field::find(s.kind().fields(), name)
+                .map_err(|e| PyValueError::new_err(e.to_string()))?;
+            let gauge = Gauge {
+                field: name.to_owned(),
+                of: subjects(&view, info, &of)?,
+                at: None,
+                along: along.map(unit).transpose()?,
+            };
+            let reading =
+                Reading::new(s.kind(), &gauge).map_err(|e| PyValueError::new_err(e.to_string()))?;
+            Ok((reading.value(&view), reading.info().unit))
+        })
+    }
+}
+
+fn names(view: &View<'_>) -> Vec<String> {
+    let count = match view {
+        View::Planar(v) => v.world.setup.blocks.len(),
+        View::Spatial(v) => v.world.alive.len(),
+    };
+    (0..count as u32).map(|b| view.name(b)).collect()
+}
+
+/// Numbers of the blocks or of the source that a field is read of.
+fn subjects(view: &View<'_>, info: &FieldInfo, of: &[String]) -> PyResult<Vec<u32>> {
+    let (count, what) = match info.site {
+        Site::Block => (Some(1), "one block"),
+        Site::Pair => (Some(2), "two blocks"),
+        Site::Group => (None, "blocks"),
+        Site::Cavity => (Some(1), "one source"),
+        Site::Model | Site::Energy => (Some(0), "the whole model"),
+        Site::Contact => {
+            return Err(PyValueError::new_err(format!(
+                "{} has a value for each contact: read it from frame().contacts",
+                info.name
+            )));
+        }
+    };
+    if count.is_some_and(|n| n != of.len()) || (count.is_none() && of.is_empty()) {
+        return Err(PyValueError::new_err(format!(
+            "{} is of {what}, but `of` has {} names",
+            info.name,
+            of.len()
+        )));
+    }
+    let known = match info.site {
+        Site::Cavity => view.sources().into_iter().map(|s| s.name).collect(),
+        Site::Block | Site::Pair | Site::Group => names(view),
+        Site::Model | Site::Energy | Site::Contact => Vec::new(),
+    };
+    of.iter()
+        .map(|name| {
+            let found = known.iter().position(|k| k == name);
+            let near = || field::nearest(name, known.iter().map(String::as_str));
+            found.map(|i| i as u32).ok_or_else(|| {
+                let hint = near().map_or_else(String::new, |n| format!("; did you mean {n:?}?"));
+                PyValueError::new_err(format!("there is no {name:?} in the model{hint}"))
+            })
+        })
+        .collect()
+}
+
+fn unit(v: [f64; 3]) -> PyResult<[f64; 3]> {
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if length > 0.0 && length.is_finite() {
+        Ok(v.map(|x| x / length))
+    } else {
+        Err(PyValueError::new_err("`along` has no direction"))
+    }
+}

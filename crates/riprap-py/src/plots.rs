@@ -1,0 +1,129 @@
+//! Pictures of a run folder, drawn by the library.
+
+use std::path::PathBuf;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use riprap::record::plot as drawn;
+use riprap::record::plot::{BlockOptions, CraterOptions, Normal, PlotError, Vectors, Which};
+
+use crate::errors;
+
+/// How a picture is drawn; keywords of `riprap.RunFolder.plot`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Options {
+    by: String,
+    times: Vec<f64>,
+    names: Vec<String>,
+    log: bool,
+    vectors: Option<String>,
+    exaggerate: Option<f64>,
+    normal: String,
+    at: Option<f64>,
+    surface: bool,
+    uplift: Option<f64>,
+    source: Option<String>,
+}
+
+/// Draws `what` of a run folder into `out` (`.svg`, `.png`, or both without an ending); gives the files written.
+#[pyfunction]
+pub fn plot(
+    py: Python<'_>,
+    folder: PathBuf,
+    what: &str,
+    out: PathBuf,
+    options: Options,
+) -> PyResult<Vec<PathBuf>> {
+    let blocks = options.blocks()?;
+    let known = [
+        "histories",
+        "energy",
+        "blocks",
+        "section",
+        "ppv",
+        "crater",
+        "heave",
+        "cavity",
+        "spectrum",
+    ];
+    if !known.contains(&what) {
+        return Err(PyValueError::new_err(format!(
+            "there is no picture {what:?}; pictures are {}",
+            known.join(", ")
+        )));
+    }
+    if let Some(parent) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
+        std::fs::create_dir_all(parent)?;
+    }
+    py.detach(|| options.draw(&folder, what, blocks, &out))
+        .map_err(|e| errors::plot(py, &e))
+}
+
+impl Options {
+    fn blocks(&self) -> PyResult<BlockOptions> {
+        let wrong = |key: &str, value: &str, words: &str| {
+            PyValueError::new_err(format!("{key}={value:?}; write {words}"))
+        };
+        let vectors = match self.vectors.as_deref() {
+            None => None,
+            Some("displacement") => Some(Vectors::Displacement),
+            Some("velocity") => Some(Vectors::Velocity),
+            Some(other) => {
+                return Err(wrong("vectors", other, "\"displacement\" or \"velocity\""));
+            }
+        };
+        let normal = match self.normal.as_str() {
+            "x" => Normal::X,
+            "y" => Normal::Y,
+            "z" => Normal::Z,
+            other => return Err(wrong("normal", other, "\"x\", \"y\" or \"z\"")),
+        };
+        Ok(BlockOptions {
+            contacts: false,
+            log: self.log,
+            vectors,
+            exaggeration: self.exaggerate,
+            normal,
+            at: self.at,
+        })
+    }
+
+    fn draw(
+        &self,
+        folder: &std::path::Path,
+        what: &str,
+        blocks: BlockOptions,
+        out: &std::path::Path,
+    ) -> Result<Vec<PathBuf>, PlotError> {
+        let given: Vec<Which> = self.times.iter().map(|t| Which::Time(*t)).collect();
+        let frames = if given.is_empty() {
+            vec![Which::Last]
+        } else {
+            given.clone()
+        };
+        let source = self.source.as_deref();
+        match what {
+            "energy" => drawn::energy(folder, out),
+            "blocks" => drawn::strip(folder, &frames, &self.by, blocks, out),
+            "section" => drawn::section(folder, &frames, &self.by, blocks, out),
+            "ppv" => drawn::ppv(folder, frames[0], self.surface, out),
+            "crater" => {
+                let options = CraterOptions {
+                    uplift: self.uplift,
+                    source,
+                };
+                drawn::crater(folder, frames[0], options, out)
+            }
+            "heave" => drawn::heave(folder, &given, source, blocks.normal, out),
+            "cavity" => drawn::cavity(folder, out),
+            "spectrum" => match self.names.first() {
+                Some(name) => drawn::spectrum(folder, name, out),
+                None => Err(PlotError::NothingToDraw {
+                    what: "a spectrum is of one history: names=[\"...\"]".to_owned(),
+                }),
+            },
+            _ => drawn::histories(folder, &self.names, out),
+        }
+    }
+}

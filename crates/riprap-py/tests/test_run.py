@@ -1,0 +1,200 @@
+"""Whole runs: results, progress, callbacks, interruptions, resuming, sweeps."""
+
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import riprap
+
+
+def test_a_sliding_block_follows_the_formula(slide):
+    """Scene slide.toml: g/2 (sin a - cos a tan phi) t^2 at 35 and 20 degrees."""
+    slip = slide.histories()["slip"]
+    t = np.asarray(slide.histories().time)
+    a, phi = math.radians(35), math.radians(20)
+    expected = 0.5 * 9.81 * (math.sin(a) - math.cos(a) * math.tan(phi)) * t**2
+    assert slip.unit == "m" and slip.shape == t.shape == (201,)
+    assert abs(slip[-1] / expected[-1] - 1) < 2e-3
+    assert slide.finished and slide.passed and slide.ended == "finished"
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_same_bits_as_the_command_line(binary, tmp_path, threads):
+    """A wall of more blocks than one chunk; the final state and the histories are the same bytes."""
+    from conftest import SCENES
+
+    scene = SCENES / "planar/slide.toml"
+    command = [binary, "run", scene, "--out", tmp_path / "cli.run", "--quiet", "--threads", "1"]
+    subprocess.run(command, check=True)
+    run = riprap.run(scene, tmp_path / "py.run", threads=threads, progress=False)
+    cli = riprap.RunFolder(tmp_path / "cli.run")
+    assert run.state_hash == cli.state_hash != ""
+    for name in ("histories.csv", "energy.csv", "events.jsonl", "checks.jsonl"):
+        assert (run.path / name).read_bytes() == (cli.path / name).read_bytes()
+
+
+def test_threads_do_not_matter(blast, tmp_path):
+    again = riprap.run(blast.scenario, tmp_path / "one.run", threads=1, progress=False)
+    assert again.state_hash == blast.state_hash
+
+
+def test_a_callback_sees_and_stops(slide_file, tmp_path):
+    seen = []
+
+    def look(p):
+        seen.append((p.step, p.time, p.phase))
+        assert p.energy_unit == "J/m" and p.phases == 1 and p.fastest[0] in ("block", "plane")
+        return p.step < 1
+
+    run = riprap.run(slide_file, tmp_path / "stopped.run", threads=1, progress=False, callback=look)
+    assert seen and run.ended == "interrupted" and not run.passed
+    whole = riprap.resume(run, threads=1, progress=False)
+    assert whole.finished
+    uncut = riprap.run(slide_file, tmp_path / "uncut.run", threads=1, progress=False)
+    assert whole.state_hash == uncut.state_hash
+    assert (whole.path / "histories.csv").read_bytes() == (uncut.path / "histories.csv").read_bytes()
+    with pytest.raises(riprap.RunError, match="ended already"):
+        riprap.resume(whole)
+
+
+def test_an_exception_of_a_callback_comes_out(slide_file, tmp_path):
+    def look(_):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        riprap.run(slide_file, tmp_path / "a.run", progress=False, callback=look)
+    assert riprap.RunFolder(tmp_path / "a.run").ended == "interrupted"
+
+
+def test_the_interpreter_is_free_during_a_run(slide_file, tmp_path):
+    """Another thread counts while a run goes on."""
+    counted, done = [0], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    worker = threading.Thread(target=count)
+    worker.start()
+    riprap.run(slide_file, tmp_path / "a.run", threads=1, progress=False)
+    during = counted[0]
+    done.set()
+    worker.join()
+    assert during > 5
+
+
+def test_ctrl_c_stops_a_run(slide_file, tmp_path):
+    """SIGINT during a run: KeyboardInterrupt, and a run folder to resume from."""
+    code = f"""
+        import riprap
+        scene = riprap.Scenario({str(slide_file)!r}, set={{"phases.0.until.time": "1000 s"}})
+        print("begin", flush=True)
+        try:
+            scene.run({str(tmp_path / "long.run")!r}, threads=1, progress=False)
+        except KeyboardInterrupt:
+            print("interrupted", flush=True)
+    """
+    child = subprocess.Popen([sys.executable, "-c", textwrap.dedent(code)], stdout=subprocess.PIPE, text=True)
+    assert child.stdout.readline() == "begin\n"
+    time.sleep(1.0)
+    begun = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    out, _ = child.communicate(timeout=60)
+    assert "interrupted" in out and child.returncode == 0
+    assert time.monotonic() - begun < 20
+    assert riprap.RunFolder(tmp_path / "long.run").ended == "interrupted"
+
+
+def test_folders_are_not_overwritten(slide, slide_file, tmp_path):
+    with pytest.raises(riprap.RunError, match="holds a run already"):
+        riprap.run(slide_file, slide.path, progress=False)
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "thesis.txt").write_text("precious")
+    with pytest.raises(riprap.RunError, match="not empty"):
+        riprap.run(slide_file, other, existing="replace", progress=False)
+    with pytest.raises(ValueError, match="existing"):
+        riprap.run(slide_file, other, existing="please", progress=False)
+    with pytest.raises(ValueError, match="threads"):
+        riprap.run(slide_file, tmp_path / "x.run", threads=0)
+
+
+def test_the_default_folder_is_free(sliding_block, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    first = riprap.run(sliding_block(time="1 ms"), progress=False)
+    second = riprap.run(sliding_block(time="1 ms"), progress=False)
+    assert (first.path.name, second.path.name) == ("scenario.run", "scenario-2.run")
+
+
+def test_an_unwritable_folder_is_an_output_error(slide_file, tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(riprap.RiprapError, match="file"):
+        riprap.run(slide_file, tmp_path / "file" / "a.run", progress=False)
+
+
+def test_physics_that_stops_a_run_is_raised(sliding_block, tmp_path):
+    wild = sliding_block()
+    wild["phases"][0]["time_step"] = "10 ms"
+    with pytest.raises(riprap.UnstableError) as caught:
+        riprap.run(wild, tmp_path / "wild.run", progress=False)
+    assert caught.value.folder.ended == "unstable"
+    calm = riprap.run(wild, tmp_path / "calm.run", progress=False, strict=False)
+    assert calm.ended == "unstable"
+
+
+def test_progress_in_a_log(slide_file, tmp_path, capfd):
+    riprap.run(slide_file, tmp_path / "a.run", threads=1, progress=True)
+    assert re.search(r"phase 1/1, step \d+", capfd.readouterr().err)
+    riprap.run(slide_file, tmp_path / "b.run", threads=1)
+    assert capfd.readouterr().err == ""
+
+
+def test_progress_in_a_terminal(slide_file, tmp_path):
+    pty = pytest.importorskip("pty")
+    code = f"import riprap; riprap.run({str(slide_file)!r}, {str(tmp_path / 'a.run')!r}, threads=1)"
+    host, guest = pty.openpty()
+    subprocess.run([sys.executable, "-c", code], stderr=guest, check=True)
+    os.close(guest)
+    shown = os.read(host, 100_000).decode()
+    assert "[" in shown and "steps/s" in shown
+
+
+def test_a_sweep_gives_a_table(sliding_block, tmp_path, capsys):
+    over = {"interfaces.default.friction_angle": ["10 deg", "20 deg", "40 deg"]}
+    sweep = riprap.sweep(sliding_block(time="0.1 s"), tmp_path / "s", over=over, jobs=2, progress=True)
+    assert len(sweep) == 3 and all(run.finished for run in sweep.values())
+    slips = [float(row["slip [m]"]) for row in sweep.rows]
+    assert slips[0] > slips[1] > 100 * abs(slips[2])
+    assert (tmp_path / "s/sweep.csv").read_text() == sweep.csv
+    assert "3/3" in capsys.readouterr().out
+    pandas = pytest.importorskip("pandas")
+    assert isinstance(sweep.table(), pandas.DataFrame)
+    assert list(sweep.table()["slip [m]"]) == slips
+    with pytest.raises(KeyError, match="there is"):
+        sweep["nonsense"]
+
+
+def test_a_sweep_with_a_wrong_case_runs_nothing(sliding_block, tmp_path):
+    over = {"interfaces.default.friction_angle": ["10 deg", "1000 MPa"]}
+    with pytest.raises(riprap.ScenarioError):
+        riprap.sweep(sliding_block(), tmp_path / "s", over=over)
+    assert not (tmp_path / "s").exists()
+
+
+def test_manifest_and_events(slide):
+    assert slide.manifest["format"] == "riprap-run" and slide.manifest["riprap"] == riprap.__version__
+    kinds = [e["event"] for e in slide.events()]
+    assert kinds[0] == "phase_started" and slide.events("phase_ended")[0]["phase"] == "slide"
+    assert json.loads((slide.path / "manifest.json").read_text()) == slide.manifest
+    assert [c["status"] for c in slide.checks()] == ["passed"]

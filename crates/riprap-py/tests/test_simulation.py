@@ -1,0 +1,140 @@
+"""Simulations advanced step by step."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import riprap
+
+
+def test_step_by_step_is_the_same_run(sliding_block, tmp_path):
+    """Pauses change no bit of the state nor of the files."""
+    scene = sliding_block()
+    whole = riprap.run(scene, tmp_path / "whole.run", threads=1, progress=False)
+    with riprap.Simulation(scene, tmp_path / "steps.run", threads=2) as sim:
+        assert sim.steps == 0 and sim.time == 0 and sim.running and sim.phase == "slide"
+        assert sim.advance(steps=7) and sim.steps == 7
+        assert sim.advance(steps=0) and sim.steps == 7
+        assert sim.advance(time=0.03) and 0.037 > sim.time >= 0.03
+        while sim.advance(steps=500):
+            pass
+        assert not sim.running and not sim.advance()
+        assert sim.state_hash == whole.state_hash
+    steps = riprap.RunFolder(tmp_path / "steps.run")
+    assert steps.finished and steps.state_hash == whole.state_hash
+    for name in ("histories.csv", "energy.csv", "events.jsonl"):
+        assert (steps.path / name).read_bytes() == (whole.path / name).read_bytes()
+
+
+def test_a_closed_simulation_can_be_resumed(sliding_block, tmp_path):
+    scene = sliding_block()
+    whole = riprap.run(scene, tmp_path / "whole.run", threads=1, progress=False)
+    for steps in (0, 100):
+        path = tmp_path / f"half{steps}.run"
+        sim = riprap.Simulation(scene, path)
+        sim.advance(steps=steps)
+        run = sim.close()
+        assert run.ended == "interrupted"
+        with pytest.raises(ValueError, match="closed"):
+            sim.advance(steps=1)
+        assert "closed" in repr(sim)
+        again = run.resume(threads=1, progress=False)
+        assert again.state_hash == whole.state_hash
+        for name in ("histories.csv", "energy.csv", "events.jsonl"):
+            assert (again.path / name).read_bytes() == (whole.path / name).read_bytes()
+
+
+def test_values_frames_and_energies(sliding_block):
+    with riprap.Simulation(sliding_block()) as sim:
+        assert sim.path is None and sim.names == ["plane", "block"]
+        before = sim.field("displacement")
+        sim.advance(time=0.1)
+        after = sim.field("displacement")
+        assert before.shape == after.shape == (2, 2) and after.unit == "m"
+        assert np.all(before == 0) and after[1, 0] > 0 > after[1, 1]
+        slip = sim.histories()["slip"]
+        along = sim.value("block.displacement", of="block", along=[np.cos(np.radians(-35)), np.sin(np.radians(-35))])
+        assert slip.unit == "m" and slip.value == pytest.approx(along.value, rel=1e-12)
+        assert sim.value("block.displacement.x", of=["block"]).value == after[1, 0]
+        assert float(sim.value("model.unbalanced")) >= 0
+        energy = sim.energy()
+        assert energy["kinetic"].unit == "J/m" and energy["kinetic"].value > 0
+        assert abs(energy["residual"].value) < 1e-3 * energy["kinetic"].value
+
+
+@pytest.mark.parametrize(
+    ("name", "of", "hint"),
+    [
+        ("block.displacment.x", "block", "did you mean"),
+        ("block.rotation", "blok", "did you mean \"block\""),
+        ("block.rotation", (), "one block"),
+        ("block.rotation", ["block", "plane"], "one block"),
+        ("model.unbalanced", "block", "whole model"),
+        ("block.rotation.x", "block", "single number"),
+    ],
+)
+def test_wrong_questions_are_answered(sliding_block, name, of, hint):
+    with riprap.Simulation(sliding_block()) as sim, pytest.raises(ValueError, match=hint):
+        sim.value(name, of)
+
+
+def test_every_field_can_be_asked_for(sliding_block, blast):
+    """No question about a field panics, whatever it is asked of."""
+    for scene in (sliding_block(), blast.scenario):
+        with riprap.Simulation(scene) as sim:
+            sim.advance(steps=3)
+            names = [sim.names[0], sim.names[-1], *(s["name"] for s in blast.manifest["sources"])]
+            for info in riprap.fields(sim.scenario.space):
+                for of in ([], names[:1], names[:2], names[-1:]):
+                    try:
+                        value = sim.value(info.name, of)
+                    except ValueError:
+                        continue
+                    assert value.unit == info.unit
+
+
+def test_snapshots_do_not_change(sliding_block):
+    with riprap.Simulation(sliding_block()) as sim:
+        sim.advance(steps=10)
+        frame = sim.frame()
+        kept = frame.points.copy()
+        sim.advance(steps=100)
+        assert np.array_equal(frame.points, kept)
+        assert not np.array_equal(sim.frame().points, kept)
+
+
+def test_a_callback_pauses(sliding_block):
+    with riprap.Simulation(sliding_block(time="2 s")) as sim:
+        assert sim.advance(callback=lambda p: False)
+        step = sim.steps
+        assert sim.advance(steps=5) and sim.steps == step + 5
+
+
+def test_two_at_once_are_turned_away(sliding_block):
+    """Asking during `advance`, from a callback or another thread, is an error and no deadlock."""
+    with riprap.Simulation(sliding_block(time="2 s")) as sim:
+        said = []
+
+        def look(_):
+            for ask in (lambda: sim.time, lambda: sim.advance(steps=1)):
+                try:
+                    ask()
+                except RuntimeError as error:
+                    said.append(str(error))
+            return False
+
+        sim.advance(callback=look)
+        assert len(said) == 2 and "being advanced" in said[0]
+        worker = threading.Thread(target=lambda: sim.advance(steps=10))
+        worker.start()
+        worker.join()
+        assert sim.steps > 10
+
+
+def test_the_past_is_gone(sliding_block):
+    with riprap.Simulation(sliding_block()) as sim:
+        with pytest.raises(ValueError, match="past"):
+            sim.advance(steps=-1)
+        with pytest.raises(ValueError, match="past"):
+            sim.advance(time=float("nan"))
