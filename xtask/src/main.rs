@@ -6,11 +6,13 @@
 mod bench;
 mod browser;
 mod licences;
+mod python;
 mod rooms;
 mod shell;
 mod source_tree;
 mod steps;
 mod tidy;
+mod venv;
 mod verify;
 mod vtk;
 
@@ -28,6 +30,7 @@ Tasks:
                    run every scene, the long ones too, and write docs/src/verification.md;
                    with names: run these and replace their rows
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
+  wheel            build the Python package: a release wheel in target/wheels
   docs             build the API documentation (and the book, where mdbook is installed)
 
 Examples:
@@ -49,6 +52,16 @@ fn main() -> ExitCode {
         }
         ["verify-all", scenes @ ..] => verify::all(&root, scenes),
         ["bench"] => bench::run(&root),
+        ["wheel"] => match python::wheel(&root) {
+            Ok(path) => {
+                println!("pip install {}", path.display());
+                ExitCode::SUCCESS
+            }
+            Err(why) => {
+                eprintln!("{why}");
+                ExitCode::FAILURE
+            }
+        },
         ["docs"] => steps::docs_only(&root),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

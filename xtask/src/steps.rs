@@ -5,7 +5,7 @@ use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use crate::shell::{Counts, cargo};
-use crate::{browser, licences, rooms, shell, tidy, verify, vtk};
+use crate::{browser, licences, python, rooms, shell, tidy, verify, vtk};
 
 /// How a step ended, if it could run at all.
 pub enum Outcome {
@@ -68,6 +68,11 @@ pub const STEPS: &[Step] = &[
         name: "browser",
         about: "the viewer in Chromium, over real runs",
         run: browser::step,
+    },
+    Step {
+        name: "python",
+        about: "the wheel, installed and tested with pytest",
+        run: python::step,
     },
     Step {
         name: "licences",

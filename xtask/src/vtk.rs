@@ -9,6 +9,7 @@ use std::process::Command;
 
 use crate::shell;
 use crate::steps::Outcome;
+use crate::venv;
 use crate::verify::release_binary;
 
 const VTK: &str = "vtk==9.7.2";
@@ -44,20 +45,11 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
 
 /// The Python of `target/venv`, made and filled when needed.
 fn python_with_vtk(root: &Path) -> Result<PathBuf, String> {
-    let venv = root.join("target/venv");
-    let python = venv.join("bin/python");
+    let python = venv::python(root)?;
     if imports_vtk(&python) {
         return Ok(python);
     }
-    if !makes_venv(&venv) {
-        install_python()?;
-        if !makes_venv(&venv) {
-            return Err(
-                "python3 -m venv does not work here: install python3 and python3-venv".to_owned(),
-            );
-        }
-    }
-    println!("installing {VTK} into {}", venv.display());
+    println!("installing {VTK} into target/venv");
     // --no-deps: VTK asks for matplotlib, which reading files does not need.
     let words = [
         "-m",
@@ -84,28 +76,4 @@ fn imports_vtk(python: &Path) -> bool {
         .args(words)
         .output()
         .is_ok_and(|o| o.status.success())
-}
-
-fn makes_venv(venv: &Path) -> bool {
-    let done = Command::new("python3")
-        .args(["-m", "venv"])
-        .arg(venv)
-        .output();
-    done.is_ok_and(|o| o.status.success()) && venv.join("bin/python").exists()
-}
-
-fn install_python() -> Result<(), String> {
-    let install = "apt-get install -y --no-install-recommends python3 python3-venv";
-    let hint = format!("python3 with venv is missing; `{install}` (as root) would install it");
-    println!("{hint}");
-    // -n: never wait for a password.
-    let script = format!(
-        "if [ $(id -u) = 0 ]; then S=; else S='sudo -n'; fi; $S apt-get update -qq && $S {install}"
-    );
-    let done = Command::new("sh").args(["-c", &script]).status();
-    if done.is_ok_and(|s| s.success()) {
-        Ok(())
-    } else {
-        Err(hint)
-    }
 }
