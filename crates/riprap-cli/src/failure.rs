@@ -2,7 +2,7 @@
 
 use riprap::run::given_step::TooLong;
 use riprap::run::job::JobError;
-use riprap::scenario::{Diagnostic, Diagnostics, Parsed};
+use riprap::scenario::{Diagnostics, Parsed};
 
 use crate::diagnostics::{self, Style};
 
@@ -45,12 +45,7 @@ impl Failure {
 
     /// A time step that is too long, at its place in the scene.
     pub fn step(error: &TooLong, scene: &Parsed) -> Self {
-        let mut found = Diagnostic::error("phase.time_step", error.to_string());
-        let phase = scene.scenario.phases.get(error.phase);
-        if let Some(given) = phase.and_then(|p| p.time_step.as_ref()) {
-            found = found.at(given.span.clone());
-        }
-        Failure::Scene(Diagnostics::new(scene.source.clone(), vec![found]))
+        Failure::Scene(error.at(scene))
     }
 
     /// A run that could not be carried out, at its place in the scene where it has one.

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use riprap::record::plot::PlotError;
 use riprap::run::job::JobError;
-use riprap::scenario::{Diagnostic, Diagnostics, Severity, Source};
+use riprap::scenario::{Diagnostic, Diagnostics, Parsed, Severity, Source};
 
 /// An exception of `riprap.errors`, made of a text and named extras.
 fn raise<'py>(
@@ -80,6 +80,14 @@ pub fn job(py: Python<'_>, error: &JobError) -> PyErr {
         "RunError"
     };
     raise(py, name, &error.to_string(), None)
+}
+
+/// As [`job`], at its place in the scenario where it has one.
+pub fn job_of(py: Python<'_>, error: &JobError, scene: &Parsed) -> PyErr {
+    match error {
+        JobError::Step(step) => scenario(py, &step.at(scene)),
+        _ => job(py, error),
+    }
 }
 
 /// A picture that could not be drawn.

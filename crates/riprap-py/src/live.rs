@@ -74,7 +74,9 @@ impl Simulation {
         threads: usize,
     ) -> PyResult<Self> {
         let existing = existing(existing_folder)?;
-        let job = scene.prepare(py, case)?.job();
+        let prepared = scene.prepare(py, case)?;
+        let parsed = prepared.parsed.clone();
+        let job = prepared.job();
         let begun = py.detach(|| {
             let mut live = match &folder {
                 Some(folder) => Live::begin(job, folder, existing, threads)?,
@@ -90,7 +92,7 @@ impl Simulation {
         });
         match begun {
             Ok(live) => Ok(Self(Mutex::new(Some(live)))),
-            Err(error) => Err(errors::job(py, &error)),
+            Err(error) => Err(errors::job_of(py, &error, &parsed)),
         }
     }
 

@@ -36,10 +36,17 @@ pub fn run(
     callback: Option<Py<PyAny>>,
 ) -> PyResult<String> {
     let existing = existing(existing_folder)?;
-    let job = scene.prepare(py, case)?.job();
-    with_look(py, callback, |look| {
+    let prepared = scene.prepare(py, case)?;
+    let parsed = prepared.parsed.clone();
+    let job = prepared.job();
+    let outcome = with_look(py, callback, |look| {
         job::run(job, &folder, existing, threads, look)
-    })
+    })?;
+    json(
+        &outcome
+            .map_err(|e| errors::job_of(py, &e, &parsed))?
+            .manifest,
+    )
 }
 
 /// Goes on with a run that was stopped; gives the manifest at the end as JSON text.
@@ -50,7 +57,8 @@ pub fn resume(
     threads: usize,
     callback: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    with_look(py, callback, |look| job::resume(&folder, threads, look))
+    let outcome = with_look(py, callback, |look| job::resume(&folder, threads, look))?;
+    json(&outcome.map_err(|e| errors::job(py, &e))?.manifest)
 }
 
 /// Works without the interpreter; what a callback raised comes out when the run has been stopped for it.
@@ -59,12 +67,11 @@ fn with_look(
     callback: Option<Py<PyAny>>,
     work: impl FnOnce(&mut dyn FnMut(&drive::Progress) -> drive::Control) -> Result<Outcome, JobError>
     + Send,
-) -> PyResult<String> {
+) -> PyResult<Result<Outcome, JobError>> {
     let mut look = Look::new(callback);
     let outcome = py.detach(|| work(&mut |progress| look.ask(progress)));
-    if let Some(raised) = look.raised {
-        return Err(raised);
+    match look.raised {
+        Some(raised) => Err(raised),
+        None => Ok(outcome),
     }
-    let outcome = outcome.map_err(|e| errors::job(py, &e))?;
-    json(&outcome.manifest)
 }

@@ -113,6 +113,7 @@ impl Scene {
             .detach(|| forecast(&model.setup, &model.plan))
             .map_err(|e| match e {
                 ForecastError::Build(e) => errors::run(py, &e.to_string()),
+                ForecastError::Step(e) => errors::scenario(py, &e.at(&prepared.parsed)),
                 ForecastError::Physics(e) => errors::run(py, &e.to_string()),
             })?;
         let out = PyDict::new(py);

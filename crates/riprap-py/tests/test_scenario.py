@@ -95,6 +95,19 @@ def test_check_says_what_to_expect(slide_file):
     assert report.expected["time_step"] > 0 and "2 blocks" in str(report)
 
 
+def test_a_time_step_that_is_too_long_is_told_at_its_place(tmp_path):
+    """In space it is refused before anything is written."""
+    scene = Path(__file__).resolve().parents[3] / "scenes/spatial/blast.toml"
+    text = scene.read_text().replace('name = "blast"', 'name = "blast"\ntime_step = "1 s"')
+    scenario = riprap.Scenario(text)
+    ask = [scenario.check, lambda: scenario.run(tmp_path / "a.run", progress=False), lambda: riprap.Simulation(scenario)]
+    for question in ask:
+        with pytest.raises(riprap.ScenarioError, match="longer than the stable one") as caught:
+            question()
+        assert caught.value.diagnostics[0].line == 1 + text[: text.index('"1 s"')].count("\n")
+    assert not (tmp_path / "a.run").exists()
+
+
 def test_missing_files_are_told(tmp_path):
     with pytest.raises(riprap.ScenarioError, match="cannot read the file"):
         riprap.Scenario(tmp_path / "nowhere.toml")
