@@ -80,7 +80,7 @@ fn tested(root: &Path) -> Result<Outcome, Failed> {
     Ok(Outcome::Counted(counts))
 }
 
-/// `target/venv` with what building and testing needs; pyvista is used where it can be had.
+/// `target/venv` with what building and testing needs; pyvista and ezdxf are used where they can be had.
 fn tools(root: &Path) -> Result<PathBuf, Failed> {
     let python = venv::python(root).map_err(Failed::NoPython)?;
     let list = |name: &str| {
@@ -97,9 +97,9 @@ fn tools(root: &Path) -> Result<PathBuf, Failed> {
     })?;
     if let Err(why) = pip(
         &python,
-        &["--no-deps", "-r", &list("requirements-pyvista.txt")],
+        &["--no-deps", "-r", &list("requirements-tools.txt")],
     ) {
-        println!("{why}; the tests with pyvista are left out");
+        println!("{why}; the tests with pyvista and ezdxf are left out");
     }
     Ok(python)
 }

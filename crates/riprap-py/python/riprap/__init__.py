@@ -12,6 +12,7 @@ with units::
     print(slip[-1], slip.unit)
 """
 
+from . import shapes
 from ._data import Field, Fields, Frame, Table
 from ._folder import RunFolder
 from ._plot import Picture, plot
@@ -29,6 +30,7 @@ from .errors import (
     RiprapError,
     RunError,
     ScenarioError,
+    ShapeError,
     UnstableError,
 )
 
@@ -51,6 +53,7 @@ __all__ = [
     "RunFolder",
     "Scenario",
     "ScenarioError",
+    "ShapeError",
     "Simulation",
     "Sweep",
     "Table",
@@ -63,6 +66,7 @@ __all__ = [
     "resume",
     "run",
     "schema",
+    "shapes",
     "si",
     "sweep",
 ]

@@ -165,6 +165,11 @@ class Frame:
         return f"Frame({kind}, t = {self.time:g} s, {self.n_blocks} blocks, {len(self.contact_points)} contacts)"
 
     @property
+    def spatial(self) -> bool:
+        """Whether the blocks are solids in space."""
+        return self._solids is not None
+
+    @property
     def n_blocks(self) -> int:
         """Number of blocks."""
         return max(len(self.offsets) - 1, 0)

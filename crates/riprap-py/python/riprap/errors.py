@@ -14,6 +14,7 @@ __all__ = [
     "RiprapError",
     "RunError",
     "ScenarioError",
+    "ShapeError",
     "UnstableError",
 ]
 
@@ -77,6 +78,10 @@ class OutputError(RiprapError, OSError):
 
 class FolderError(RiprapError):
     """A run folder, or a file in it, that cannot be read."""
+
+
+class ShapeError(RiprapError, ValueError):
+    """A file of shapes that cannot be read; the message has the line or the byte."""
 
 
 class PlotError(RiprapError, ValueError):
