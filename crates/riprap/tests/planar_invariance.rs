@@ -10,7 +10,7 @@ use riprap::model::{self, Model};
 use riprap::planar::readings::INFOS;
 use riprap::planar::setup::Setup;
 use riprap::record::folder::Existing;
-use riprap::run::drive::{Control, Ending, Progress, drive};
+use riprap::run::drive::{Control, Drive, Ending, Pause, Progress};
 use riprap::run::job::{self, Job};
 use riprap::run::plan::{Plan, TimeStep, Until};
 use riprap::run::simulation::Simulation;
@@ -62,10 +62,11 @@ fn build(text: &str) -> Model {
 }
 
 fn run(setup: impl Into<riprap::model::Setup>, plan: Plan, threads: usize) -> Simulation {
-    let mut simulation = Simulation::new(setup, plan, Exec::new(threads).unwrap()).unwrap();
-    let ending = drive(&mut simulation, None, &mut [], &mut |_| Control::Continue).unwrap();
-    assert_eq!(ending, Ending::Finished);
-    simulation
+    let simulation = Simulation::new(setup, plan, Exec::new(threads).unwrap()).unwrap();
+    let mut drive = Drive::new(simulation, None, Vec::new()).unwrap();
+    let ending = drive.advance(Pause::NEVER, &mut on).unwrap();
+    assert_eq!(ending, Some(Ending::Finished));
+    drive.into_simulation()
 }
 
 fn on(_: &Progress) -> Control {

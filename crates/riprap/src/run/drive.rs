@@ -176,6 +176,12 @@ impl Drive {
         &self.simulation
     }
 
+    /// The simulation alone.
+    #[must_use]
+    pub fn into_simulation(self) -> Simulation {
+        self.simulation
+    }
+
     /// The recorder.
     pub fn recorder(&mut self) -> Option<&mut Recorder> {
         self.recorder.as_mut()
