@@ -241,6 +241,12 @@ fn subjects(view: &View<'_>, info: &FieldInfo, of: &[String]) -> PyResult<Vec<u3
         Site::Group => (None, "blocks"),
         Site::Cavity => (Some(1), "one source"),
         Site::Model | Site::Energy => (Some(0), "the whole model"),
+        Site::Boundary => {
+            return Err(PyValueError::new_err(format!(
+                "{} is of a boundary: ask for a history of it in the scenario",
+                info.name
+            )));
+        }
         Site::Contact => {
             return Err(PyValueError::new_err(format!(
                 "{} has a value for each contact: read it from frame().contacts",
@@ -258,7 +264,7 @@ fn subjects(view: &View<'_>, info: &FieldInfo, of: &[String]) -> PyResult<Vec<u3
     let known = match info.site {
         Site::Cavity => view.sources().into_iter().map(|s| s.name).collect(),
         Site::Block | Site::Pair | Site::Group => names(view),
-        Site::Model | Site::Energy | Site::Contact => Vec::new(),
+        Site::Model | Site::Energy | Site::Contact | Site::Boundary => Vec::new(),
     };
     of.iter()
         .map(|name| {
