@@ -5,15 +5,18 @@ use super::explain::{Provenance, with_unit};
 use super::fields::Said as Place;
 use super::interfaces::changed;
 use super::solid::changed_joint;
+use crate::laws::fracture::{Criterion, Margins};
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{
-    Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep, Until,
+    Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep, Until,
 };
-use crate::scenario::language::{self, Output, Reset};
+use crate::scenario::language::{self, CutAnchor, CutAxis, CutCriterion, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
+use crate::spatial::deform::cut::Anchor;
 use crate::spatial::setup::JointLaw;
+use riprap_geom::Vec3;
 
 /// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
 const RELAXED: f64 = 1e-6;
@@ -168,7 +171,66 @@ impl Builder<'_> {
                 iterations,
             }
         });
-        Some(Deforming { breaking, relax })
+        let cut = said
+            .cut
+            .as_ref()
+            .map(|cut| self.cutting(&said.name.text, cut));
+        Some(Deforming {
+            breaking,
+            relax,
+            cut,
+        })
+    }
+
+    /// Rules of cutting with their defaults.
+    fn cutting(&mut self, phase: &str, said: &language::Cutting) -> Cutting {
+        let key = |word: &str| format!("phases.{phase}.cut.{word}");
+        let (planes, generations) = (said.planes.unwrap_or(3), said.generations.unwrap_or(1));
+        for (word, value, given) in [
+            ("planes", planes, said.planes.is_some()),
+            ("generations", generations, said.generations.is_some()),
+        ] {
+            let from = if given {
+                Provenance::Given
+            } else {
+                Provenance::Default
+            };
+            self.explain(key(word), value.to_string(), from, "");
+        }
+        let margins = Margins {
+            tension: self.or(
+                &key("margin_tension"),
+                said.margin_tension.as_ref(),
+                0.0,
+                "Pa",
+            ),
+            shear: self.or(&key("margin_shear"), said.margin_shear.as_ref(), 0.0, "Pa"),
+        };
+        Cutting {
+            planes: planes as u32,
+            criterion: match said.criterion {
+                Some(CutCriterion::Source) => Criterion::Source,
+                Some(CutCriterion::Griffith) => Criterion::Griffith,
+                Some(CutCriterion::MohrCoulomb) => Criterion::MohrCoulomb,
+                Some(CutCriterion::Larger) | None => Criterion::Larger,
+            },
+            margins,
+            generations: generations as u8,
+            smallest: said.smallest.as_ref().map_or(0.0, Quantity::si),
+            anchor: match said.anchor {
+                Some(CutAnchor::Tip) => Anchor::Tip {
+                    only_cut: said.only_cut,
+                },
+                Some(CutAnchor::Spacing) | None => Anchor::Spacing,
+            },
+            along: said.along.map(|axis| match axis {
+                CutAxis::X => Vec3::X,
+                CutAxis::Y => Vec3::Y,
+                CutAxis::Z => Vec3::Z,
+            }),
+            snap: self.or(&key("snap"), said.snap.as_ref(), 0.03, ""),
+            stages: said.stages.unwrap_or(u64::MAX),
+        }
     }
 
     /// Whether every block that is not held is deformable.

@@ -335,6 +335,19 @@ impl Engine {
         }
     }
 
+    /// Cuts the deformable blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and evaluates anew;
+    /// returns how many.
+    ///
+    /// # Errors
+    /// Why it failed, in words.
+    pub fn cut(&mut self, dt: f64) -> Result<usize, String> {
+        match self {
+            Self::Planar(_) => Ok(0),
+            Self::Spatial(e) => spatial::deform::cut::step(&mut e.world, &mut e.scratch, dt)
+                .map_err(|error| error.to_string()),
+        }
+    }
+
     /// Gravity now, m/s²; in the plane the third component is 0.
     #[must_use]
     pub fn gravity(&self) -> [f64; 3] {
@@ -490,6 +503,8 @@ fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
         breaking: d.breaking,
     });
     spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
+    let cut = phase.deform.and_then(|d| d.cut);
+    spatial::deform::cut::allow(world, cut.as_ref());
 }
 
 impl<'a> View<'a> {
@@ -751,6 +766,20 @@ fn spatial_event(
                 "block": v.name(event.subject as usize),
                 "children": children,
                 "patches_before": event.patches[0], "patches_after": event.patches[1],
+            })
+        }
+        EditKind::Cut => {
+            let children: Vec<String> =
+                event.children.iter().map(|&b| v.name(b as usize)).collect();
+            let note = event.cut.as_ref();
+            serde_json::json!({
+                "event": "block_cut", "step": step, "time": time,
+                "block": v.name(event.subject as usize),
+                "children": children,
+                "normal": note.map(|n| n.normal.to_array()),
+                "way": note.map(|n| n.way),
+                "excess": note.map(|n| n.excess),
+                "facets_before": event.patches[0], "facets_after": event.patches[1],
             })
         }
         EditKind::Removed => serde_json::json!({

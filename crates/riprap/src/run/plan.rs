@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::dynamics::damping::Damping;
 use crate::planar::setup::ContactLaw;
+pub use crate::spatial::deform::cut::Rules as Cutting;
 use crate::spatial::setup::JointLaw;
 
 /// Everything the loop needs besides the model itself.
@@ -66,6 +67,8 @@ pub struct Deforming {
     pub breaking: bool,
     /// How a static phase relaxes; `None` in dynamic phases, and where a rigid block is free.
     pub relax: Option<Relaxing>,
+    /// How blocks are cut; `None` where none is.
+    pub cut: Option<Cutting>,
 }
 
 /// A static phase of deformable blocks: dynamic relaxation with fictitious masses.

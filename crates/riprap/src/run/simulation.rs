@@ -272,6 +272,7 @@ impl Simulation {
         let revision = self.engine.revision();
         self.evaluate(&damping, self.dt)?;
         self.refine(&damping)?;
+        self.cut()?;
         if self.engine.revision() != revision {
             // New neighbours can shorten the step.
             let dt = self.next_step(&phase);
@@ -416,6 +417,14 @@ impl Simulation {
         let step = span / rules.load_steps.max(1) as f64;
         self.engine.load_step(step.min(span - self.elapsed()));
         true
+    }
+
+    fn cut(&mut self) -> Result<usize, RunError> {
+        self.engine.cut(self.dt).map_err(|reason| RunError::Edit {
+            reason,
+            step: self.steps(),
+            time: self.time(),
+        })
     }
 
     fn fracture(&mut self) -> Result<usize, RunError> {

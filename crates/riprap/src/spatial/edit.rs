@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use super::boundary::Face;
 use super::build::{self, BuildError};
+use super::deform::cut::Note;
 use super::fields::View;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
@@ -35,8 +36,10 @@ pub struct EditEvent {
     pub subject: u32,
     /// Children of a split block, in octant order.
     pub children: Vec<u32>,
-    /// Patches of the block before, and of its children (inner ones included) after.
+    /// Patches or facets of the block before, and of its children (inner ones included) after.
     pub patches: [u32; 2],
+    /// How a block was cut.
+    pub cut: Option<Note>,
 }
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
@@ -62,6 +65,8 @@ pub fn renew_laws(world: &mut World) {
 pub enum EditKind {
     /// A block was split 1 to 8.
     Split,
+    /// A deformable block was cut by planes.
+    Cut,
     /// A block was taken out.
     Removed,
     /// A cavity went off.
@@ -81,6 +86,7 @@ impl EditEvent {
             subject,
             children: Vec::new(),
             patches: [0; 2],
+            cut: None,
         }
     }
 }

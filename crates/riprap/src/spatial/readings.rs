@@ -7,6 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::cavity::Cavity;
 use super::crater::UPLIFT;
+use super::deform::cut::tip;
 use super::deform::fracture;
 use super::deform::read::Motion;
 use super::fields::View;
@@ -265,6 +266,7 @@ fields! {
     "cavity.roundness" "-" Cavity Scalar true "Radius along the axes over that along the diagonals of space of the contours of the peak speed around the source (blocks within 15 degrees, mean over contours); 1 is round." |v, of| of_cavity(v, of, |c| v.roundness(c));
     "block.node_displacement" "m" Block Vector3 false "Displacement, since the start, of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Displacement);
     "block.node_velocity" "m/s" Block Vector3 false "Velocity of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Velocity);
+    "block.crack_distance" "m" Block Scalar true "Distance from `at_point` to the nearest broken facet, at the start; infinite without any." |_v, _of| one(f64::NAN);
     "block.strain_normal" "-" Block Vector3 true "Mean normal strains xx, yy, zz of a deformable block as x, y, z; extension positive." |v, of| { let h = gradient(v, of); Vec3::new(h[0][0], h[1][1], h[2][2]) };
     "block.strain_shear" "-" Block Vector3 true "Mean shear strains yz, zx, xy (half the angle) of a deformable block as x, y, z." |v, of| { let h = gradient(v, of); 0.5 * Vec3::new(h[1][2] + h[2][1], h[2][0] + h[0][2], h[0][1] + h[1][0]) };
     "block.sigma2_compressive" "Pa" Block Scalar true "Middle principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[1]);
@@ -348,6 +350,9 @@ impl Reading {
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
         let get = FIELDS[self.index].get;
+        if self.info().name == "block.crack_distance" {
+            return self.at.map_or(f64::NAN, |at| tip::distance(view, at));
+        }
         let found;
         let of: &[u32] = match (self.at, self.info().site) {
             (Some(point), _) => match self.holder(view, point) {

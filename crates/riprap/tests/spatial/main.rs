@@ -3,6 +3,7 @@
 mod bits;
 mod blast;
 mod conserve;
+mod cut;
 mod deform;
 mod edit;
 mod faces;

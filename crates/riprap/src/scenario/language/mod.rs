@@ -39,7 +39,9 @@ pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Schedule};
-pub use phases::{Damping, Phase, PhaseKind, Reset, Until};
+pub use phases::{
+    CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Reset, Until,
+};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, Mechanics, Notch, Plane, Polyhedron,
     Segment, StrainMeasure, span_of,

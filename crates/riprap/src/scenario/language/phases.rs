@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
 use crate::scenario::quantity::{
-    Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositivePlain, PositiveTime,
-    Quantity, Rate, Share, ShareBelowOne, Table, TimeStep,
+    Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositiveLength, PositivePlain,
+    PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
 };
 
 /// A part of the run.
@@ -58,6 +58,78 @@ pub struct Phase {
     /// 200000.
     #[schemars(extend("x-space" = "spatial"))]
     pub iterations: Option<u64>,
+    /// Lets deformable blocks be cut where they are about to break. Default: none is cut.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub cut: Option<Cutting>,
+}
+
+/// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged. The strength is
+/// that of the bonds within the material.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cutting {
+    /// Planes per cut, 1 to 7. Default 3: four parts.
+    pub planes: Option<u64>,
+    /// What decides. Default `larger`.
+    pub criterion: Option<CutCriterion>,
+    /// How much before the tensile strength a block is cut, Pa; zero or more. Default 0 Pa.
+    pub margin_tension: Option<Quantity<Strength>>,
+    /// How much before the shear strength a block is cut, Pa; zero or more. Default 0 Pa.
+    pub margin_shear: Option<Quantity<Strength>>,
+    /// How often a block and its parts may be cut: (planes + 1)^generations parts at most, which must not be above 4096.
+    /// Default 1.
+    pub generations: Option<u64>,
+    /// Edge of a cube as large as the smallest part that may be made, m. Default none.
+    pub smallest: Option<Quantity<PositiveLength>>,
+    /// Where the planes lie. Default `spacing`.
+    pub anchor: Option<CutAnchor>,
+    /// With `anchor = "tip"`: whether only facets between parts of one block break. Default false.
+    #[serde(default)]
+    pub only_cut: bool,
+    /// Axis that lies in all planes of cuts, for plane strain across it. Default: the direction of the middle principal
+    /// stress.
+    pub along: Option<CutAxis>,
+    /// Corners nearer than this share of the spacing of the planes to a plane are on it, at least 0 and less than 1. Default
+    /// 0.03.
+    pub snap: Option<Quantity<ShareBelowOne>>,
+    /// Most times that blocks are cut in the phase. Default: no limit.
+    pub stages: Option<u64>,
+}
+
+/// When a block is cut, by its average stress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CutCriterion {
+    /// Tension where s1 + 3 s3 < 0 (compression positive), Mohr-Coulomb elsewhere: the source.
+    Source,
+    /// Griffith, in tension and compression.
+    Griffith,
+    /// Mohr-Coulomb.
+    MohrCoulomb,
+    /// Tension and Mohr-Coulomb, whichever is used more.
+    Larger,
+}
+
+/// Where the planes of a cut lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CutAnchor {
+    /// At equal distances.
+    Spacing,
+    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
+    Tip,
+}
+
+/// An axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CutAxis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
 }
 
 /// How a phase is calculated.

@@ -3,9 +3,13 @@
 use super::Rules;
 use crate::scenario::diagnostic::{Diagnostic, list};
 use crate::scenario::language::{
-    Block, BondFailure, BrittleBond, Load, Mechanics, Phase, PhaseKind, Scenario, Support, Target,
+    Block, BondFailure, BrittleBond, CutAnchor, Cutting, Load, Mechanics, Phase, PhaseKind,
+    Scenario, Support, Target,
 };
 use crate::scenario::quantity::{Quantity, Span};
+
+/// Most parts that a block may be cut into.
+const MOST_PARTS: u64 = 4096;
 
 impl Rules {
     /// A deformable block needs elastic constants, and formulas that make sense.
@@ -158,12 +162,40 @@ impl Rules {
         if let Some(most) = phase.iterations {
             self.count(&phase.name.span, &of, "iterations", most, 1, u64::MAX);
         }
+        if let Some(cut) = &phase.cut {
+            self.cutting(&phase.name.span, &of, cut);
+        }
         let relaxes = phase.kind == Some(PhaseKind::Static);
         if !relaxes && (phase.load_steps.is_some() || phase.iterations.is_some()) {
             let message = format!("{of} is dynamic: `load_steps` and `iterations` have no effect");
             let note = Diagnostic::warning("key.unused", message).at(phase.name.span.clone());
             self.found
                 .push(note.help("they belong to kind = \"static\""));
+        }
+    }
+
+    /// Limits of cutting that would explode the number of blocks.
+    fn cutting(&mut self, span: &Span, of: &str, cut: &Cutting) {
+        let of = format!("{of}.cut");
+        let (planes, generations) = (cut.planes.unwrap_or(3), cut.generations.unwrap_or(1));
+        self.count(span, &of, "planes", planes, 1, 7);
+        self.count(span, &of, "generations", generations, 1, 12);
+        let parts = (planes + 1).checked_pow(generations.min(64) as u32);
+        if (1..=7).contains(&planes) && parts.is_none_or(|parts| parts > MOST_PARTS) {
+            let message = format!(
+                "{of}: {planes} planes in {generations} generations make {}^{generations} parts of one block",
+                planes + 1
+            );
+            let help = "(planes + 1)^generations may be 4096 at most: take fewer `planes` or `generations`";
+            self.error("value.range", span, message, help);
+        }
+        if let Some(stages) = cut.stages {
+            self.count(span, &of, "stages", stages, 1, u64::MAX);
+        }
+        if cut.only_cut && cut.anchor != Some(CutAnchor::Tip) {
+            let message = format!("`only_cut` of {of} has no effect");
+            let note = Diagnostic::warning("key.unused", message).at(span.clone());
+            self.found.push(note.help("it belongs to anchor = \"tip\""));
         }
     }
 }

@@ -190,7 +190,7 @@ fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
 ///
 /// A rigid block of a lattice has its own compliance, `h/M` and `h/2G` with h from centroid to face, which a deformable one
 /// brings along: without it a P wave would be reflected.
-fn stiffness(
+pub(super) fn stiffness(
     setup: &Setup,
     law: &BondLaw,
     materials: [usize; 2],

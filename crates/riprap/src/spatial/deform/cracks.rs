@@ -86,7 +86,7 @@ fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
 }
 
 /// Corners of the part that the faces of two blocks share at the start, m (local).
-fn outline(world: &World, facet: &Facet) -> Vec<Vec3> {
+pub(super) fn outline(world: &World, facet: &Facet) -> Vec<Vec3> {
     let n = facet.frame[0];
     let faces = [0, 1].map(|side: usize| {
         let (solid, centroid) = centred(&world.setup.blocks[facet.blocks[side] as usize].shape);

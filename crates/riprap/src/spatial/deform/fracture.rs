@@ -132,6 +132,9 @@ fn due(view: &View<'_>) -> Vec<Due> {
             }
         }
     }
+    if let Some(chosen) = super::cut::tip::may_break(view.world, deform) {
+        found.retain(|d| chosen.contains(&d.facet));
+    }
     let most = found.iter().map(|d| d.utilisation).fold(0.0, f64::max);
     // While everything moves each facet fails when it fails.
     let least = if deform.relax.is_some() {

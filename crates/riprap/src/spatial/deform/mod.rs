@@ -9,12 +9,12 @@
 //! One evaluation: points (jump, law, force to its slot) -> blocks (stress, gathered slots, loads, velocity change). Every sum is
 //! in a fixed order. [`Deform`] is state, [`Workspace`] can be dropped and rebuilt.
 //!
-//! Not here: cutting. It will go through `spatial::edit`: nodes of new blocks are appended, [`build::join`] makes the facets of a
-//! list of blocks, [`store::Deform::retire`] takes blocks out.
+//! Cutting ([`cut`]) appends the nodes of the parts and makes their facets anew; [`store::Deform::retire`] takes blocks out.
 
 pub mod bonds;
 pub mod build;
 pub mod cracks;
+pub mod cut;
 pub mod elements;
 pub mod fracture;
 pub mod hold;

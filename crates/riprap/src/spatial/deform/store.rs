@@ -3,6 +3,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
+use super::cut::Cutting;
 use super::hold::Hold;
 use super::relax::Relax;
 use crate::laws::bond::{self, Traction};
@@ -40,6 +41,10 @@ pub struct Deform {
     pub breaking: bool,
     /// State of a relaxing phase; `None` in dynamic phases.
     pub relax: Option<Relax>,
+    /// Cutting in the present phase; `None` where it does not cut.
+    pub cutting: Option<Cutting>,
+    /// Number of blocks before the first cut.
+    pub given: Option<u32>,
     /// Step at which breaking was last looked at.
     pub looked: u64,
     /// Facets that have broken since the last record.

@@ -1,0 +1,307 @@
+//! Cutting deformable blocks by planes where they are about to break.
+//!
+//! One transaction, as splitting 1 to 8: plan (read only) -> apply -> audit -> lay out and evaluate anew. It happens
+//! between `step::evaluate` and `step::advance`, in static phases at a converged state only. Displacements and velocities
+//! are those of the tetrahedra of the parent; mass, momentum and angular momentum stay. The bonds of a cut block
+//! are made anew by overlay: those with neighbours keep the stretch (and with it traction, breaks, softening and slip) that they
+//! had, those between parts begin with the traction that the parent's stress has on the plane. Nothing is tested for
+//! failure before the forces have converged again. What a cut does to the energy is booked as edit defect.
+//!
+//! Source: Han, Liu & Li (2010), section 3. Deviations: the criterion, the direction and the planes are those of
+//! `laws::fracture` and `riprap_geom::polyhedron::cut`; bonds start under load and by overlay.
+
+mod apply;
+mod facets;
+mod follow;
+mod select;
+mod stretch;
+pub mod tip;
+mod transfer;
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::cut::Part;
+use serde::{Deserialize, Serialize};
+
+use super::fracture::LOOK;
+use crate::laws::fracture::{Criterion, Margins, Way};
+use crate::spatial::edit::{EditError, EditEvent, EditKind};
+use crate::spatial::fields::View;
+use crate::spatial::refine::RefineError;
+use crate::spatial::step::{self, Scratch};
+use crate::spatial::world::World;
+
+/// Most blocks that a model may have after a cut.
+const MAX_BLOCKS: usize = 4_000_000;
+/// Share by which sums may change.
+const EXACT: f64 = 1e-11;
+/// Share by which the shared area may change: crooked faces.
+const AREA: f64 = 1e-3;
+/// Largest ratio of the kinetic energies after and before.
+const KINETIC: f64 = 1.005;
+
+/// Rules of cutting in a phase.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rules {
+    /// Planes per cut, 1 to 7.
+    pub planes: u32,
+    /// What decides.
+    pub criterion: Criterion,
+    /// How much before its strength a block is cut, Pa.
+    pub margins: Margins,
+    /// How often a block and its parts may be cut.
+    pub generations: u8,
+    /// Edge of the cube that has the volume of the smallest part, m; 0 for none.
+    pub smallest: f64,
+    /// Where the planes lie.
+    pub anchor: Anchor,
+    /// Unit vector in all planes of cuts, for plane strain: principal stresses are those across it.
+    pub along: Option<Vec3>,
+    /// Vertices nearer than this share of the spacing to a plane are on it.
+    pub snap: f64,
+    /// Most times that blocks are cut in the phase.
+    pub stages: u64,
+}
+
+/// Where the planes of a cut lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Anchor {
+    /// At equal distances.
+    Spacing,
+    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
+    Tip {
+        /// Whether only facets between parts of one block break.
+        only_cut: bool,
+    },
+}
+
+/// State of cutting in a phase.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cutting {
+    /// The rules.
+    pub rules: Rules,
+    /// Step at which blocks were last looked at.
+    pub looked: u64,
+    /// Times that blocks were cut.
+    pub stages: u64,
+}
+
+/// How a block was cut.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Note {
+    /// Unit normal of the planes.
+    pub normal: Vec3,
+    /// Way of breaking.
+    pub way: Way,
+    /// Stress beyond the limit, Pa.
+    pub excess: f64,
+}
+
+/// A block to be cut.
+struct Cut {
+    block: u32,
+    note: Note,
+    /// Parts, about the centroid of the block.
+    parts: Vec<Part>,
+}
+
+/// Lets the present phase cut blocks, or not.
+pub fn allow(world: &mut World, rules: Option<&Rules>) {
+    let blocks = world.alive.len() as u32;
+    let step = world.step;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return;
+    };
+    deform.given.get_or_insert(blocks);
+    deform.cutting = rules.map(|rules| Cutting {
+        rules: *rules,
+        // The state that a phase begins with may not have been relaxed by its rules.
+        looked: step,
+        stages: 0,
+    });
+}
+
+/// Cuts the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance` with the same
+/// `dt` (s); a second call at the same step does nothing.
+///
+/// # Errors
+/// Too many blocks, no bond law, forces that are not finite, a failed audit.
+pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, EditError> {
+    let now = world.step;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return Ok(0);
+    };
+    let ready = match &deform.relax {
+        Some(relax) => relax.converged,
+        None => now.is_multiple_of(LOOK) && now > 0,
+    };
+    let Some(cutting) = deform.cutting.as_mut().filter(|_| ready) else {
+        return Ok(0);
+    };
+    if cutting.looked == now || cutting.stages >= cutting.rules.stages {
+        return Ok(0);
+    }
+    cutting.looked = now;
+    let rules = cutting.rules;
+    let cuts = select::plan(&View { world, scratch }, &rules);
+    if cuts.is_empty() {
+        return Ok(0);
+    }
+    let new: usize = cuts.iter().map(|c| c.parts.len()).sum();
+    if world.alive.len() + new > MAX_BLOCKS {
+        return Err(RefineError::TooMany.into());
+    }
+    let before = View { world, scratch }.balance().residual();
+    carry_out(world, scratch, &cuts)?;
+    if let Some(deform) = world.deform.as_deref_mut() {
+        if let Some(cutting) = &mut deform.cutting {
+            cutting.stages += 1;
+        }
+        if let Some(relax) = &mut deform.relax {
+            relax.disturb();
+        }
+    }
+    scratch.invalidate(world);
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.edit_defect += after - before;
+    Ok(cuts.len())
+}
+
+/// Cuts one block as told and evaluates anew, for tests and tools; returns its parts.
+///
+/// # Errors
+/// As [`step`].
+pub fn one(
+    world: &mut World,
+    scratch: &mut Scratch,
+    (block, normal, planes): (u32, Vec3, u32),
+    dt: f64,
+) -> Result<Vec<u32>, EditError> {
+    let blocks = world.alive.len() as u32;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return Ok(Vec::new());
+    };
+    deform.given.get_or_insert(blocks);
+    let Some(parts) = select::divide(world, block, normal, planes, 0.03, 0.0, None) else {
+        return Ok(Vec::new());
+    };
+    let note = Note {
+        normal,
+        way: Way::Tension,
+        excess: 0.0,
+    };
+    let cuts = [Cut { block, note, parts }];
+    let before = View { world, scratch }.balance().residual();
+    carry_out(world, scratch, &cuts)?;
+    scratch.invalidate(world);
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.edit_defect += after - before;
+    Ok((blocks..world.alive.len() as u32).collect())
+}
+
+/// Does it all but the evaluation.
+fn carry_out(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<(), EditError> {
+    let (Some(mut deform), Some(work)) = (world.deform.take(), scratch.deform.as_deref()) else {
+        return Ok(());
+    };
+    let first = world.alive.len() as u32;
+    let mut next = first;
+    let families: Vec<Family> = cuts
+        .iter()
+        .map(|cut| {
+            let family = Family {
+                cut,
+                first: next,
+                slot: deform.slot[cut.block as usize],
+            };
+            next += cut.parts.len() as u32;
+            family
+        })
+        .collect();
+    let before = families
+        .iter()
+        .map(|f| transfer::Sums::of_body(&deform, work, f.slot))
+        .collect::<Vec<_>>();
+    apply::append(world, &mut deform, &families);
+    follow::follow(&mut world.setup, &families);
+    transfer::motion(world, &mut deform, work, &families, &before);
+    let result = audit(world, &deform, &families, &before)
+        .and_then(|()| facets::rebuild(world, &mut deform, work, &families));
+    let counts = match result {
+        Ok(counts) => counts,
+        Err(error) => {
+            world.deform = Some(deform);
+            return Err(error);
+        }
+    };
+    for (family, counts) in families.iter().zip(counts) {
+        apply::retire(world, &mut deform, family);
+        let event = EditEvent {
+            children: family.children().collect(),
+            patches: counts,
+            cut: Some(family.cut.note),
+            ..EditEvent::at(world, EditKind::Cut, family.cut.block)
+        };
+        world.events.push(event);
+    }
+    super::build::hold_anew(world, &mut deform);
+    world.deform = Some(deform);
+    Ok(())
+}
+
+/// A cut block and its parts.
+struct Family<'a> {
+    cut: &'a Cut,
+    /// Block number of the first part.
+    first: u32,
+    /// Place of the parent in `Deform::bodies`.
+    slot: u32,
+}
+
+impl Family<'_> {
+    fn children(&self) -> std::ops::Range<u32> {
+        self.first..self.first + self.cut.parts.len() as u32
+    }
+}
+
+/// Checks that the parts of each block have its mass and momenta, and no more energy of motion.
+fn audit(
+    world: &World,
+    deform: &super::store::Deform,
+    families: &[Family],
+    before: &[transfer::Sums],
+) -> Result<(), EditError> {
+    for (family, before) in families.iter().zip(before) {
+        let after = transfer::Sums::of_parts(world, deform, family, before.centre);
+        let check = |what, before: f64, after: f64, scale: f64| {
+            if (after - before).abs() <= EXACT * scale.abs().max(f64::MIN_POSITIVE) {
+                return Ok(());
+            }
+            let block = world.name(family.cut.block as usize);
+            Err(EditError::Audit {
+                what,
+                block,
+                before,
+                after,
+            })
+        };
+        check("the mass", before.mass, after.mass, before.mass)?;
+        let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();
+        let radius = world.solid_of(family.cut.block as usize).radius;
+        for k in 0..3 {
+            check("the momentum", before.momentum[k], after.momentum[k], scale)?;
+            let (one, two) = (before.spin[k], after.spin[k]);
+            check("the angular momentum", one, two, scale * radius)?;
+        }
+        if after.kinetic > KINETIC * before.kinetic {
+            return Err(EditError::Audit {
+                what: "the energy of motion",
+                block: world.name(family.cut.block as usize),
+                before: before.kinetic,
+                after: after.kinetic,
+            });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,141 @@
+//! Which blocks are cut, and by which planes.
+
+use riprap_geom::polyhedron::cut::{self, Limits, Part, Planes};
+use riprap_geom::{Mat3, Vec3};
+
+use super::{Anchor, Cut, Note, Rules, tip};
+use crate::laws::fracture::{self, Rock};
+use crate::laws::tetrahedron::Symmetric;
+use crate::spatial::deform::store::Deform;
+use crate::spatial::deform::workspace::centred;
+use crate::spatial::fields::View;
+use crate::spatial::world::World;
+
+/// The parts together must have the volume of the block up to this share.
+const SAME_VOLUME: f64 = 1e-11;
+
+/// Blocks whose criterion is met, in the order of their numbers, with their parts.
+pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
+    let Some((deform, work)) = view.softs() else {
+        return Vec::new();
+    };
+    let world = view.world;
+    let tips = match rules.anchor {
+        Anchor::Spacing => None,
+        Anchor::Tip { .. } => Some(tip::Front::new(world, deform)),
+    };
+    let mut cuts = Vec::new();
+    for body in deform.living() {
+        let block = body.block;
+        if generation(world, deform, block) >= rules.generations {
+            continue;
+        }
+        let Some(rock) = rock(world, block) else {
+            continue;
+        };
+        let at = match &tips {
+            None => None,
+            Some(front) => match front.touching(world, block) {
+                None => continue,
+                at => at,
+            },
+        };
+        let (stress, gradient) = deform.average(work, body);
+        let principal = fracture::principal(&symmetric(&stress), rules.along);
+        let verdict = fracture::assess(&rock, rules.criterion, &rules.margins, &principal);
+        if !verdict.cut() {
+            continue;
+        }
+        let normal = fracture::cut_normal(&rock, verdict.way, &principal, &gradient, None);
+        let parts = divide(
+            world,
+            block,
+            normal,
+            rules.planes,
+            rules.snap,
+            rules.smallest,
+            at,
+        );
+        if let Some(parts) = parts {
+            let note = Note {
+                normal,
+                way: verdict.way,
+                excess: verdict.excess,
+            };
+            cuts.push(Cut { block, note, parts });
+        }
+    }
+    cuts.sort_by_key(|c| c.block);
+    cuts
+}
+
+/// Number of cuts that a block comes from.
+fn generation(world: &World, deform: &Deform, block: u32) -> u8 {
+    let given = deform.given.unwrap_or(u32::MAX);
+    let (mut b, mut count) = (block, 0);
+    while b >= given {
+        b = world.lineage[b as usize].parent;
+        count += 1;
+    }
+    count
+}
+
+/// Strength of a block: that of bonds within its material.
+fn rock(world: &World, block: u32) -> Option<Rock> {
+    let m = usize::from(world.setup.blocks[block as usize].material);
+    let row = world.setup.pair_table[m * world.setup.materials.len() + m];
+    let strength = world
+        .setup
+        .deform
+        .bonds
+        .get(usize::from(row))?
+        .as_ref()?
+        .strength?;
+    Some(Rock {
+        tension: strength.tension,
+        cohesion: strength.cohesion,
+        friction_angle: libm::atan(strength.friction),
+    })
+}
+
+fn symmetric(m: &Mat3) -> Symmetric {
+    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis];
+    [x.x, y.y, z.z, y.z, z.x, x.y]
+}
+
+/// Parts of a block about its centroid; `at` (m, local) is the tip that a plane must go through. `None` where no plane
+/// can be cut, or a part would be too small.
+pub(super) fn divide(
+    world: &World,
+    block: u32,
+    normal: Vec3,
+    planes: u32,
+    snap: f64,
+    smallest: f64,
+    at: Option<Vec3>,
+) -> Option<Vec<Part>> {
+    let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
+    let at = at.map(|at| at - world.reference[block as usize]);
+    let planes = match at {
+        None => Planes::Spaced { count: planes },
+        Some(at) => Planes::Anchored { count: planes, at },
+    };
+    let limits = Limits {
+        snap,
+        ..Limits::default()
+    };
+    let made = cut::cut(&solid, normal, planes, &limits).ok()?;
+    if made.parts.len() < 2 {
+        return None;
+    }
+    if let Some(at) = at {
+        let height = normal.normalize().dot(at);
+        let near = |d: &f64| (d - height).abs() <= 1e-9 * solid.size();
+        made.offsets.iter().any(near).then_some(())?;
+    }
+    let volumes = made.parts.iter().map(|p| p.mesh.volume());
+    let least = volumes.clone().fold(f64::INFINITY, f64::min);
+    let (total, whole) = (volumes.sum::<f64>(), solid.moments().volume);
+    let sound = (total - whole).abs() <= SAME_VOLUME * whole && least >= smallest.powi(3);
+    sound.then_some(made.parts)
+}
