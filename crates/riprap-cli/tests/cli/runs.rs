@@ -172,7 +172,7 @@ fn a_step_above_the_stable_one_is_bad_input() {
     bench.file("long.toml", LONG_STEP);
     for verb in ["check", "run"] {
         bench.run(&[verb, "long.toml"]).expect(2).warns(&[
-            "long.toml:25:13",
+            "long.toml:24:13",
             "phase `go`",
             "stable one",
         ]);

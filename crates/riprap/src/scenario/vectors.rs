@@ -1,7 +1,7 @@
 //! Values with components: how many there are depends on the space of the scene.
 //!
 //! One Rust type for all forms; the form says what each space accepts. The walk over the text in
-//! [`super::validate`] compares, so that the error stands at the value and names the space.
+//! `super::validate` compares, so that the error stands at the value and names the space.
 
 use std::borrow::Cow;
 use std::fmt;

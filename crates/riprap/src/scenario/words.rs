@@ -131,7 +131,7 @@ fn word_schema<W: Word>() -> Schema {
     json_schema!({ "type": "string", "oneOf": words })
 }
 
-/// A word alone, for enums declared with [`words`].
+/// A word alone, for enums declared with `words`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OneWord<W>(pub W, pub Span);
 

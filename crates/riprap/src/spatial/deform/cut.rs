@@ -170,7 +170,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
 /// Cuts one block as told and evaluates anew, for tests and tools; returns its parts.
 ///
 /// # Errors
-/// As [`step`].
+/// As [`step()`].
 pub fn one(
     world: &mut World,
     scratch: &mut Scratch,
