@@ -16,13 +16,13 @@ pub struct Progress {
     share: Option<f64>,
     /// Steps done.
     step: u64,
-    /// Model time [s].
+    /// Model time (s).
     time: f64,
-    /// Time step [s].
+    /// Time step (s).
     dt: f64,
     /// Steps per second of wall time.
     steps_per_second: f64,
-    /// Expected wall time to the end of the phase [s], or None.
+    /// Expected wall time to the end of the phase (s), or None.
     remaining: Option<f64>,
     /// Kinetic energy, in `energy_unit`.
     kinetic: f64,
