@@ -10,7 +10,7 @@ use std::process::Command;
 
 use crate::shell::{self, Counts};
 use crate::steps::Outcome;
-use crate::venv;
+use crate::{venv, verify};
 
 const CRATE: &str = "crates/riprap-py";
 
@@ -57,10 +57,13 @@ fn tested(root: &Path) -> Result<Outcome, Failed> {
     )
     .map_err(Failed::Broken)?;
     let tests = root.join(CRATE).join("tests");
+    // An older binary would differ: the one of the other steps, built if need be.
+    let binary = root.join(verify::release_binary(root).map_err(Failed::Broken)?);
     // pytest's last line has no count of what did not happen: junit has all of them.
     let report = folder.join("report.xml");
     let mut pytest = Command::new(&python);
     pytest
+        .env("RIPRAP_BINARY", binary)
         .args(["-m", "pytest", "-p", "no:cacheprovider", "--rootdir"])
         .arg(root.join(CRATE))
         .arg("-c")

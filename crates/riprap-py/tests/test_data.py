@@ -105,7 +105,7 @@ def test_pictures(slide, blast, tmp_path):
     assert blast.plot("cavity").file(".svg")
     with pytest.raises(riprap.PlotError, match="velocity"):
         slide.plot("blocks", by="velocty")
-    with pytest.raises(riprap.PlotError, match="source"):
+    with pytest.raises(riprap.PlotError, match="in the plane"):
         slide.plot("ppv")
     with pytest.raises(ValueError, match="pictures are"):
         slide.plot("nonsense")

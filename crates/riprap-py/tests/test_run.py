@@ -97,7 +97,9 @@ def test_the_interpreter_is_free_during_a_run(slide_file, tmp_path):
 def test_ctrl_c_stops_a_run(slide_file, tmp_path):
     """SIGINT during a run: KeyboardInterrupt, and a run folder to resume from."""
     code = f"""
-        import riprap
+        import riprap, signal
+        # A shell that runs this in the background has told it to ignore the signal.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         scene = riprap.Scenario({str(slide_file)!r}, set={{"phases.0.until.time": "1000 s"}})
         print("begin", flush=True)
         try:
@@ -110,7 +112,10 @@ def test_ctrl_c_stops_a_run(slide_file, tmp_path):
     time.sleep(1.0)
     begun = time.monotonic()
     child.send_signal(signal.SIGINT)
-    out, _ = child.communicate(timeout=60)
+    try:
+        out, _ = child.communicate(timeout=60)
+    finally:
+        child.kill()
     assert "interrupted" in out and child.returncode == 0
     assert time.monotonic() - begun < 20
     assert riprap.RunFolder(tmp_path / "long.run").ended == "interrupted"
