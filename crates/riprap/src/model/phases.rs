@@ -14,8 +14,8 @@ use crate::scenario::language::{self, CutAnchor, CutAxis, CutCriterion, Output, 
 use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
-use crate::spatial::deform::cut::Anchor;
 use crate::spatial::setup::JointLaw;
+use crate::spatial::setup::deform::Anchoring;
 use riprap_geom::Vec3;
 
 /// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
@@ -218,10 +218,10 @@ impl Builder<'_> {
             generations: generations as u8,
             smallest: said.smallest.as_ref().map_or(0.0, Quantity::si),
             anchor: match said.anchor {
-                Some(CutAnchor::Tip) => Anchor::Tip {
+                Some(CutAnchor::Tip) => Anchoring::Tip {
                     only_cut: said.only_cut,
                 },
-                Some(CutAnchor::Spacing) | None => Anchor::Spacing,
+                Some(CutAnchor::Spacing) | None => Anchoring::Spacing,
             },
             along: said.along.map(|axis| match axis {
                 CutAxis::X => Vec3::X,

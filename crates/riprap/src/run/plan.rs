@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::dynamics::damping::Damping;
 use crate::planar::setup::ContactLaw;
-pub use crate::spatial::deform::cut::Rules as Cutting;
 use crate::spatial::setup::JointLaw;
+pub use crate::spatial::setup::deform::CutRules as Cutting;
 
 /// Everything the loop needs besides the model itself.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

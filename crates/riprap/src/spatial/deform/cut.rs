@@ -23,10 +23,11 @@ use riprap_geom::polyhedron::cut::Part;
 use serde::{Deserialize, Serialize};
 
 use super::fracture::LOOK;
-use crate::laws::fracture::{Criterion, Margins, Way};
+use crate::laws::fracture::Way;
 use crate::spatial::edit::{EditError, EditEvent, EditKind};
 use crate::spatial::fields::View;
 use crate::spatial::refine::RefineError;
+pub use crate::spatial::setup::deform::{Anchoring as Anchor, CutRules as Rules};
 use crate::spatial::step::{self, Scratch};
 use crate::spatial::world::World;
 
@@ -38,41 +39,6 @@ const EXACT: f64 = 1e-11;
 const AREA: f64 = 1e-3;
 /// Largest ratio of the kinetic energies after and before.
 const KINETIC: f64 = 1.005;
-
-/// Rules of cutting in a phase.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Rules {
-    /// Planes per cut, 1 to 7.
-    pub planes: u32,
-    /// What decides.
-    pub criterion: Criterion,
-    /// How much before its strength a block is cut, Pa.
-    pub margins: Margins,
-    /// How often a block and its parts may be cut.
-    pub generations: u8,
-    /// Edge of the cube that has the volume of the smallest part, m; 0 for none.
-    pub smallest: f64,
-    /// Where the planes lie.
-    pub anchor: Anchor,
-    /// Unit vector in all planes of cuts, for plane strain: principal stresses are those across it.
-    pub along: Option<Vec3>,
-    /// Vertices nearer than this share of the spacing to a plane are on it.
-    pub snap: f64,
-    /// Most times that blocks are cut in the phase.
-    pub stages: u64,
-}
-
-/// Where the planes of a cut lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Anchor {
-    /// At equal distances.
-    Spacing,
-    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
-    Tip {
-        /// Whether only facets between parts of one block break.
-        only_cut: bool,
-    },
-}
 
 /// State of cutting in a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

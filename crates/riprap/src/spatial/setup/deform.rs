@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Formula, TimeFunction};
 pub use crate::laws::bond::{Cohesive, Softening, Strength};
+use crate::laws::fracture::{Criterion, Margins};
 pub use crate::laws::tetrahedron::Strain;
 
 /// Deformable blocks, their bonds and what holds single nodes.
@@ -69,4 +70,39 @@ pub enum BondFailure {
     Facet,
     /// A facet by the mean of the average stresses of its two blocks.
     BlockStress,
+}
+
+/// Rules of cutting in a phase.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutRules {
+    /// Planes per cut, 1 to 7.
+    pub planes: u32,
+    /// What decides.
+    pub criterion: Criterion,
+    /// How much before its strength a block is cut, Pa.
+    pub margins: Margins,
+    /// How often a block and its parts may be cut.
+    pub generations: u8,
+    /// Edge of the cube that has the volume of the smallest part, m; 0 for none.
+    pub smallest: f64,
+    /// Where the planes lie.
+    pub anchor: Anchoring,
+    /// Unit vector in all planes of cuts, for plane strain: principal stresses are those across it.
+    pub along: Option<Vec3>,
+    /// Vertices nearer than this share of the spacing to a plane are on it.
+    pub snap: f64,
+    /// Most times that blocks are cut in the phase.
+    pub stages: u64,
+}
+
+/// Where the planes of a cut lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Anchoring {
+    /// At equal distances.
+    Spacing,
+    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
+    Tip {
+        /// Whether only facets between parts of one block break.
+        only_cut: bool,
+    },
 }
