@@ -6,6 +6,7 @@ pub mod contact;
 pub mod convex;
 pub mod energy;
 pub mod fields;
+mod fragments;
 pub mod handover;
 mod heap;
 pub mod loads;

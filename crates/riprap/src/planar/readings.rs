@@ -157,6 +157,8 @@ fields! {
     "model.blocks" "-" Model Scalar true "Number of blocks left." |v, _| one(v.living().count() as f64);
     "model.broken" "-" Model Scalar true "Number of joints whose points have all failed." |v, _| one(v.world.bonds.iter().filter(|b| b.broken()).count() as f64);
     "model.joints" "-" Model Scalar true "Number of joints built." |v, _| one(v.world.bonds.len() as f64);
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by joints that have not failed." |v, _| one(v.fragments().list.len() as f64);
+    "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
     "energy.kinetic" "J/m" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J/m" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J/m" Energy Scalar true "Elastic energy in the normal direction of found contacts (exact for the distance potential, by path else)." |v, _| one(v.balance().contact_normal);

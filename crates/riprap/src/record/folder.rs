@@ -121,13 +121,14 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     LOCK,
     "scenario.resolved.toml",
     "checks.jsonl",
     "histories.csv",
     "energy.csv",
     "events.jsonl",
+    "fragments.csv",
     "run.pvd",
     "contacts.pvd",
     "cracks.pvd",

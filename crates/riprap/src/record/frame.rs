@@ -3,6 +3,8 @@
 use super::field::Part;
 use serde::{Deserialize, Serialize};
 
+pub mod fragments;
+
 /// Numbers on blocks or contacts, one to three for each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {

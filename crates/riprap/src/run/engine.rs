@@ -11,6 +11,7 @@ use crate::model::Setup;
 use crate::profile::Profile;
 use crate::record::field::{FieldError, FieldInfo};
 use crate::record::frame::Frame;
+use crate::record::frame::fragments::Fragments;
 use crate::record::manifest::Source;
 use crate::{Vec2, Vec3};
 use crate::{planar, spatial};
@@ -671,6 +672,15 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(_) => Vec::new(),
             Self::Spatial(v) => v.world.cavities.iter().map(|c| source_note(v, c)).collect(),
+        }
+    }
+
+    /// Fragments now; `None` where no joints hold blocks together.
+    #[must_use]
+    pub fn fragments(&self) -> Option<Fragments> {
+        match self {
+            Self::Planar(v) => (!v.world.bonds.is_empty()).then(|| v.fragments()),
+            Self::Spatial(v) => Some(v.fragments()),
         }
     }
 

@@ -176,12 +176,17 @@ impl Recorder {
         self.phase_event(simulation, "phase_started")
     }
 
-    /// Notes the end of the present phase.
+    /// Notes the end of the present phase, and the fragments there are.
     ///
     /// # Errors
     /// The disk.
     pub fn phase_ended(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        self.phase_event(simulation, "phase_ended")
+        self.phase_event(simulation, "phase_ended")?;
+        if let Some(fragments) = simulation.view().fragments() {
+            self.folder
+                .write_file("fragments.csv", fragments.csv().as_bytes())?;
+        }
+        Ok(())
     }
 
     fn phase_event(&mut self, simulation: &Simulation, what: &str) -> Result<(), OutputError> {

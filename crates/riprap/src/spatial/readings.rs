@@ -281,6 +281,8 @@ fields! {
     "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
     "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
     "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(super::stable::stable_step(v.world, v.scratch, 0.0).dt);
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed." |v, _| one(v.fragments().list.len() as f64);
+    "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
