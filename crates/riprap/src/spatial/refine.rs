@@ -11,7 +11,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use super::region::{Bins, Bounds};
-use super::setup::{BlockSpec, FaceSet, Load, LoadKind, Place, Refinement, Region, Setup, Shape};
+use super::setup::{BlockSpec, Load, LoadKind, Refinement, Region, Setup, Shape};
 
 /// Most levels below the blocks as given: with more, the smallest edges come near the round-off of coordinates.
 pub const MAX_LEVELS: u8 = 16;
@@ -385,24 +385,7 @@ pub fn follow(setup: &mut Setup, lineage: &[Origin], splits: &[u32]) {
         blocks.sort_unstable();
         blocks.dedup();
     };
-    for group in &mut setup.groups {
-        extend(&mut group.blocks);
-    }
-    for support in &mut setup.supports {
-        extend(&mut support.blocks);
-    }
-    for boundary in &mut setup.boundaries {
-        match &mut boundary.on {
-            FaceSet::Blocks { blocks, .. } => extend(blocks),
-            FaceSet::Plane { .. } | FaceSet::Box { .. } => {}
-        }
-    }
-    for source in &mut setup.sources {
-        match &mut source.place {
-            Place::Blocks { blocks } => extend(blocks),
-            Place::Point { .. } | Place::Line { .. } => {}
-        }
-    }
+    setup.block_lists().for_each(extend);
     let mut k = 0;
     while k < setup.loads.len() {
         match setup.loads[k].kind {

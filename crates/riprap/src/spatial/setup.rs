@@ -52,6 +52,24 @@ pub struct Setup {
     pub deform: deform::Deformables,
 }
 
+impl Setup {
+    /// The lists of whole blocks in groups, supports, boundaries and sources. Whoever names a block that is divided names
+    /// its parts from then on; loads are shared out by what they are and are not among these.
+    pub fn block_lists(&mut self) -> impl Iterator<Item = &mut Vec<u32>> {
+        let groups = self.groups.iter_mut().map(|g| &mut g.blocks);
+        let supports = self.supports.iter_mut().map(|s| &mut s.blocks);
+        let boundaries = self.boundaries.iter_mut().filter_map(|b| match &mut b.on {
+            FaceSet::Blocks { blocks, .. } => Some(blocks),
+            FaceSet::Plane { .. } | FaceSet::Box { .. } => None,
+        });
+        let sources = self.sources.iter_mut().filter_map(|s| match &mut s.place {
+            Place::Blocks { blocks } => Some(blocks),
+            Place::Point { .. } | Place::Line { .. } => None,
+        });
+        groups.chain(supports).chain(boundaries).chain(sources)
+    }
+}
+
 /// A named set of blocks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Group {

@@ -6,9 +6,9 @@ use riprap_geom::polyhedron::cut::Part;
 
 use super::Family;
 use crate::spatial::deform::workspace::centred;
-use crate::spatial::setup::{FaceSet, Load, LoadKind, Setup};
+use crate::spatial::setup::{Load, LoadKind, Setup};
 
-/// Lets groups, supports, boundaries and loads follow. A force at a point goes to the part that holds it, one without a point
+/// Lets groups, supports, boundaries, sources and loads follow. A force at a point goes to the part that holds it, one without a point
 /// to all parts by volume.
 pub(super) fn follow(setup: &mut Setup, families: &[Family]) {
     let of: BTreeMap<u32, &Family> = families.iter().map(|f| (f.cut.block, f)).collect();
@@ -22,18 +22,7 @@ pub(super) fn follow(setup: &mut Setup, families: &[Family]) {
         blocks.sort_unstable();
         blocks.dedup();
     };
-    for group in &mut setup.groups {
-        extend(&mut group.blocks);
-    }
-    for support in &mut setup.supports {
-        extend(&mut support.blocks);
-    }
-    for boundary in &mut setup.boundaries {
-        match &mut boundary.on {
-            FaceSet::Blocks { blocks, .. } => extend(blocks),
-            FaceSet::Plane { .. } | FaceSet::Box { .. } => {}
-        }
-    }
+    setup.block_lists().for_each(extend);
     let mut made = Vec::new();
     let mut loads = std::mem::take(&mut setup.loads);
     for load in &mut loads {
