@@ -1,18 +1,22 @@
 //! The engines behind one face: what the run loop, the recorder and the checks ask of whichever engine
 //! a scene needs. A closed choice: every question is a `match` over both.
 
+mod notes;
+mod reading;
+mod view;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::plan::{Damping, Gauge, Phase};
+pub use reading::Reading;
+pub use view::View;
+
+use super::plan::{Damping, Phase};
 use crate::exec::Exec;
-use crate::ledger::{Balance, Works};
+use crate::ledger::Works;
 use crate::model::Setup;
 use crate::profile::Profile;
-use crate::record::field::{FieldError, FieldInfo};
-use crate::record::frame::Frame;
-use crate::record::frame::fragments::Fragments;
-use crate::record::manifest::Source;
+use crate::record::field::FieldInfo;
 use crate::{Vec2, Vec3};
 use crate::{planar, spatial};
 
@@ -113,24 +117,6 @@ impl Spatial {
             scratch: &self.scratch,
         }
     }
-}
-
-/// An engine with its forces evaluated, ready to be read.
-#[derive(Clone, Copy)]
-pub enum View<'a> {
-    /// Of the planar engine.
-    Planar(planar::fields::View<'a>),
-    /// Of the spatial engine.
-    Spatial(spatial::fields::View<'a>),
-}
-
-/// One number that is read again and again.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Reading {
-    /// From the planar engine.
-    Planar(planar::readings::Reading),
-    /// From the spatial engine.
-    Spatial(spatial::readings::Reading),
 }
 
 /// A stable time step.
@@ -396,14 +382,19 @@ impl Engine {
     pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
         match self {
             Self::Planar(_) if again => Vec::new(),
-            Self::Planar(e) => planar_events(&e.view()),
+            Self::Planar(e) => notes::planar_events(&e.view()),
             Self::Spatial(e) => {
                 let events = std::mem::take(&mut e.world.events);
                 let deform = e.world.deform.as_mut();
                 let broken = deform.map(|d| std::mem::take(&mut d.broken));
                 let view = e.view();
-                let others = broken.iter().flatten().map(|b| break_event(&view, b));
-                let edits = events.iter().map(|event| spatial_event(&view, event));
+                let others = broken
+                    .iter()
+                    .flatten()
+                    .map(|b| notes::break_event(&view, b));
+                let edits = events
+                    .iter()
+                    .map(|event| notes::spatial_event(&view, event));
                 edits.chain(others).collect()
             }
         }
@@ -506,350 +497,4 @@ fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
     spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::deform::cut::allow(world, cut.as_ref());
-}
-
-impl<'a> View<'a> {
-    /// The planar view, for what only that engine has.
-    #[must_use]
-    pub fn planar(self) -> Option<planar::fields::View<'a>> {
-        match self {
-            Self::Planar(view) => Some(view),
-            Self::Spatial(_) => None,
-        }
-    }
-
-    /// The spatial view, for what only that engine has.
-    #[must_use]
-    pub fn spatial(self) -> Option<spatial::fields::View<'a>> {
-        match self {
-            Self::Planar(_) => None,
-            Self::Spatial(view) => Some(view),
-        }
-    }
-
-    /// Model time, s.
-    #[must_use]
-    pub fn time(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.world.time,
-            Self::Spatial(v) => v.world.time,
-        }
-    }
-
-    /// Steps done.
-    #[must_use]
-    pub fn step(&self) -> u64 {
-        match self {
-            Self::Planar(v) => v.world.step,
-            Self::Spatial(v) => v.world.step,
-        }
-    }
-
-    /// Length of the last step, s; 0 before the first.
-    #[must_use]
-    pub fn last_dt(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.world.last_dt,
-            Self::Spatial(v) => v.world.last_dt,
-        }
-    }
-
-    /// Name of a block.
-    #[must_use]
-    pub fn name(&self, block: u32) -> String {
-        match self {
-            Self::Planar(v) => v.world.setup.blocks[block as usize].name.clone(),
-            Self::Spatial(v) => v.name(block as usize),
-        }
-    }
-
-    /// Kinetic energy, J or J/m.
-    #[must_use]
-    pub fn kinetic(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.living().map(|b| v.kinetic(b)).sum(),
-            Self::Spatial(v) => v.living().map(|b| v.kinetic(b)).sum(),
-        }
-    }
-
-    /// Sum over the blocks of `m dv² + I dw²` of the coming half kick: what the books need at the start.
-    #[must_use]
-    pub fn half_kick(&self) -> f64 {
-        match self {
-            Self::Planar(v) => {
-                let shapes = &v.scratch.shapes;
-                let one = |b: usize| {
-                    let change = &v.scratch.changes[b];
-                    shapes.mass[b] * change.velocity.length_squared()
-                        + shapes.inertia[b] * change.spin * change.spin
-                };
-                v.living().map(one).sum()
-            }
-            Self::Spatial(v) => v.half_kick(),
-        }
-    }
-
-    /// Energy that has been put in so far, J or J/m: the scale of a blow-up.
-    #[must_use]
-    pub fn put_in(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v
-                .world
-                .works
-                .put_in(v.world.start_energy.unwrap_or_default()),
-            Self::Spatial(v) => v
-                .world
-                .works
-                .put_in(v.world.start_energy.unwrap_or_default()),
-        }
-    }
-
-    /// Unbalanced-force ratio.
-    #[must_use]
-    pub fn unbalanced(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.unbalanced(),
-            Self::Spatial(v) => v.unbalanced(),
-        }
-    }
-
-    /// The energy ledger.
-    #[must_use]
-    pub fn balance(&self) -> Balance {
-        match self {
-            Self::Planar(v) => v.balance(),
-            Self::Spatial(v) => v.balance(),
-        }
-    }
-
-    /// Number of blocks that are there, after splitting and removal.
-    #[must_use]
-    pub fn blocks(&self) -> usize {
-        match self {
-            Self::Planar(v) => v.living().count(),
-            Self::Spatial(v) => v.living().count(),
-        }
-    }
-
-    /// Number of touching contacts, or of patches.
-    #[must_use]
-    pub fn contacts(&self) -> usize {
-        match self {
-            Self::Planar(v) => v.contacts().count(),
-            Self::Spatial(v) => v.world.patches.len(),
-        }
-    }
-
-    /// Deepest overlap over the smaller inscribed radius of its pair, with the pair.
-    #[must_use]
-    pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
-        match self {
-            Self::Planar(v) => v.worst_overlap(),
-            Self::Spatial(v) => v.worst_overlap(),
-        }
-    }
-
-    /// Fastest block and its speed, m/s.
-    #[must_use]
-    pub fn fastest(&self) -> Option<Who> {
-        match self {
-            Self::Planar(v) => v
-                .living()
-                .map(|b| (b, v.velocity(b).length()))
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .map(|(b, speed)| (v.world.setup.blocks[b].name.clone(), speed)),
-            Self::Spatial(v) => v
-                .living()
-                .map(|b| (b, v.velocity(b).length()))
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .map(|(b, speed)| (v.name(b), speed)),
-        }
-    }
-
-    /// Charges and other cavities, for the manifest.
-    #[must_use]
-    pub fn sources(&self) -> Vec<Source> {
-        match self {
-            Self::Planar(_) => Vec::new(),
-            Self::Spatial(v) => v.world.cavities.iter().map(|c| source_note(v, c)).collect(),
-        }
-    }
-
-    /// Fragments now; `None` where no joints hold blocks together.
-    #[must_use]
-    pub fn fragments(&self) -> Option<Fragments> {
-        match self {
-            Self::Planar(v) => (!v.world.bonds.is_empty()).then(|| v.fragments()),
-            Self::Spatial(v) => Some(v.fragments()),
-        }
-    }
-
-    /// A picture.
-    #[must_use]
-    pub fn frame(&self, phase: &str) -> Frame {
-        match self {
-            Self::Planar(v) => planar::readings::frame(v, phase),
-            Self::Spatial(v) => spatial::picture::frame(v, phase),
-        }
-    }
-}
-
-/// Joints that have broken since the last look.
-fn planar_events(v: &planar::fields::View<'_>) -> Vec<serde_json::Value> {
-    let world = v.world;
-    let name = |b: u32| &world.setup.blocks[b as usize].name;
-    world
-        .bonds
-        .iter()
-        .filter(|b| b.broken_at == Some(world.step))
-        .map(|bond| {
-            serde_json::json!({
-                "event": "joint_broken",
-                "step": world.step,
-                "time": world.time,
-                "blocks": [name(bond.i), name(bond.j)],
-                "length": bond.length,
-            })
-        })
-        .collect()
-}
-
-/// A cavity as the manifest lists it, global coordinates.
-fn source_note(v: &spatial::fields::View<'_>, cavity: &spatial::cavity::Cavity) -> Source {
-    use crate::record::manifest::Place as Spot;
-    use spatial::setup::{Place, Push};
-    let setup = &v.world.setup;
-    let source = &setup.sources[cavity.source as usize];
-    let global = |p: Vec3| (p + setup.origin).to_array();
-    let profile = v.profile(cavity);
-    let place = match &source.place {
-        Place::Point { centre } => Spot::Centre(global(*centre)),
-        Place::Line { from, to } => Spot::Line([global(*from), global(*to)]),
-        Place::Blocks { .. } => Spot::Centre(global(v.charge_centre(cavity))),
-    };
-    Source {
-        name: source.name.clone(),
-        place,
-        delay: source.delay,
-        mass: match source.push {
-            Push::Gas { mass, .. } => Some(mass),
-            Push::Pressure { .. } => None,
-        },
-        charge_volume: cavity.gas.map(|_| cavity.charge_volume()),
-        cavity_volume: cavity.removed,
-        depth: Some(profile.depth).filter(|d| *d > 0.0),
-    }
-}
-
-fn break_event(
-    v: &spatial::fields::View<'_>,
-    event: &spatial::deform::store::Break,
-) -> serde_json::Value {
-    let blocks = v.softs().map(|(deform, _)| {
-        let facet = &deform.facets[event.facet as usize];
-        facet.blocks.map(|b| v.name(b as usize))
-    });
-    serde_json::json!({
-        "event": "bond_broken", "step": event.step, "time": event.time,
-        "blocks": blocks, "facet": event.facet,
-        "area_tension": event.area[0], "area_shear": event.area[1],
-        "utilisation": event.utilisation, "released": event.released,
-    })
-}
-
-fn spatial_event(
-    v: &spatial::fields::View<'_>,
-    event: &spatial::edit::EditEvent,
-) -> serde_json::Value {
-    use spatial::edit::EditKind;
-    let (step, time) = (event.step, event.time);
-    let source = || {
-        let cavity = &v.world.cavities[event.subject as usize];
-        &v.world.setup.sources[cavity.source as usize].name
-    };
-    match event.kind {
-        EditKind::Split => {
-            let children: Vec<String> =
-                event.children.iter().map(|&b| v.name(b as usize)).collect();
-            serde_json::json!({
-                "event": "block_split", "step": step, "time": time,
-                "block": v.name(event.subject as usize),
-                "children": children,
-                "patches_before": event.patches[0], "patches_after": event.patches[1],
-            })
-        }
-        EditKind::Cut => {
-            let children: Vec<String> =
-                event.children.iter().map(|&b| v.name(b as usize)).collect();
-            let note = event.cut.as_ref();
-            serde_json::json!({
-                "event": "block_cut", "step": step, "time": time,
-                "block": v.name(event.subject as usize),
-                "children": children,
-                "normal": note.map(|n| n.normal.to_array()),
-                "way": note.map(|n| n.way),
-                "excess": note.map(|n| n.excess),
-                "facets_before": event.patches[0], "facets_after": event.patches[1],
-            })
-        }
-        EditKind::Removed => serde_json::json!({
-            "event": "block_removed", "step": step, "time": time,
-            "block": v.name(event.subject as usize),
-        }),
-        EditKind::Ignited => serde_json::json!({
-            "event": "charge_fired", "step": step, "time": time, "source": source(),
-        }),
-        EditKind::Vented => serde_json::json!({
-            "event": "gas_vented", "step": step, "time": time, "source": source(),
-        }),
-    }
-}
-
-impl Reading {
-    /// A reading of one engine.
-    ///
-    /// # Errors
-    /// Unknown names and parts of scalars.
-    pub fn new(kind: Kind, gauge: &Gauge) -> Result<Self, FieldError> {
-        match kind {
-            Kind::Planar => {
-                let along = gauge.along.map(|[x, y, _z]| [x, y]);
-                let reading = planar::readings::Reading::new(&gauge.field, &gauge.of, along)?;
-                Ok(Self::Planar(reading))
-            }
-            Kind::Spatial => {
-                let (at, along) = (gauge.at.map(Vec3::from), gauge.along.map(Vec3::from));
-                let reading = spatial::readings::Reading::new(&gauge.field, &gauge.of, at, along)?;
-                Ok(Self::Spatial(reading))
-            }
-        }
-    }
-
-    /// Table entry.
-    #[must_use]
-    pub fn info(&self) -> &'static FieldInfo {
-        match self {
-            Self::Planar(r) => r.info(),
-            Self::Spatial(r) => r.info(),
-        }
-    }
-
-    /// Whether reading it costs as much as a step.
-    #[must_use]
-    pub fn costly(&self) -> bool {
-        match self {
-            Self::Planar(r) => r.costly(),
-            Self::Spatial(r) => r.costly(),
-        }
-    }
-
-    /// The number; NaN from a view of another engine.
-    #[must_use]
-    pub fn value(&self, view: &View<'_>) -> f64 {
-        match (self, view) {
-            (Self::Planar(r), View::Planar(v)) => r.value(v),
-            (Self::Spatial(r), View::Spatial(v)) => r.value(v),
-            (Self::Planar(_), View::Spatial(_)) | (Self::Spatial(_), View::Planar(_)) => f64::NAN,
-        }
-    }
 }

@@ -1,0 +1,208 @@
+//! What can be asked of an engine whose forces are evaluated.
+
+use super::{Who, notes};
+use crate::ledger::Balance;
+use crate::record::frame::Frame;
+use crate::record::frame::fragments::Fragments;
+use crate::record::manifest::Source;
+use crate::{planar, spatial};
+
+/// An engine with its forces evaluated, ready to be read.
+#[derive(Clone, Copy)]
+pub enum View<'a> {
+    /// Of the planar engine.
+    Planar(planar::fields::View<'a>),
+    /// Of the spatial engine.
+    Spatial(spatial::fields::View<'a>),
+}
+
+impl<'a> View<'a> {
+    /// The planar view, for what only that engine has.
+    #[must_use]
+    pub fn planar(self) -> Option<planar::fields::View<'a>> {
+        match self {
+            Self::Planar(view) => Some(view),
+            Self::Spatial(_) => None,
+        }
+    }
+
+    /// The spatial view, for what only that engine has.
+    #[must_use]
+    pub fn spatial(self) -> Option<spatial::fields::View<'a>> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(view) => Some(view),
+        }
+    }
+
+    /// Model time, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.world.time,
+            Self::Spatial(v) => v.world.time,
+        }
+    }
+
+    /// Steps done.
+    #[must_use]
+    pub fn step(&self) -> u64 {
+        match self {
+            Self::Planar(v) => v.world.step,
+            Self::Spatial(v) => v.world.step,
+        }
+    }
+
+    /// Length of the last step, s; 0 before the first.
+    #[must_use]
+    pub fn last_dt(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.world.last_dt,
+            Self::Spatial(v) => v.world.last_dt,
+        }
+    }
+
+    /// Name of a block.
+    #[must_use]
+    pub fn name(&self, block: u32) -> String {
+        match self {
+            Self::Planar(v) => v.world.setup.blocks[block as usize].name.clone(),
+            Self::Spatial(v) => v.name(block as usize),
+        }
+    }
+
+    /// Kinetic energy, J or J/m.
+    #[must_use]
+    pub fn kinetic(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.living().map(|b| v.kinetic(b)).sum(),
+            Self::Spatial(v) => v.living().map(|b| v.kinetic(b)).sum(),
+        }
+    }
+
+    /// Sum over the blocks of `m dv² + I dw²` of the coming half kick: what the books need at the start.
+    #[must_use]
+    pub fn half_kick(&self) -> f64 {
+        match self {
+            Self::Planar(v) => {
+                let shapes = &v.scratch.shapes;
+                let one = |b: usize| {
+                    let change = &v.scratch.changes[b];
+                    shapes.mass[b] * change.velocity.length_squared()
+                        + shapes.inertia[b] * change.spin * change.spin
+                };
+                v.living().map(one).sum()
+            }
+            Self::Spatial(v) => v.half_kick(),
+        }
+    }
+
+    /// Energy that has been put in so far, J or J/m: the scale of a blow-up.
+    #[must_use]
+    pub fn put_in(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v
+                .world
+                .works
+                .put_in(v.world.start_energy.unwrap_or_default()),
+            Self::Spatial(v) => v
+                .world
+                .works
+                .put_in(v.world.start_energy.unwrap_or_default()),
+        }
+    }
+
+    /// Unbalanced-force ratio.
+    #[must_use]
+    pub fn unbalanced(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.unbalanced(),
+            Self::Spatial(v) => v.unbalanced(),
+        }
+    }
+
+    /// The energy ledger.
+    #[must_use]
+    pub fn balance(&self) -> Balance {
+        match self {
+            Self::Planar(v) => v.balance(),
+            Self::Spatial(v) => v.balance(),
+        }
+    }
+
+    /// Number of blocks that are there, after splitting and removal.
+    #[must_use]
+    pub fn blocks(&self) -> usize {
+        match self {
+            Self::Planar(v) => v.living().count(),
+            Self::Spatial(v) => v.living().count(),
+        }
+    }
+
+    /// Number of touching contacts, or of patches.
+    #[must_use]
+    pub fn contacts(&self) -> usize {
+        match self {
+            Self::Planar(v) => v.contacts().count(),
+            Self::Spatial(v) => v.world.patches.len(),
+        }
+    }
+
+    /// Deepest overlap over the smaller inscribed radius of its pair, with the pair.
+    #[must_use]
+    pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
+        match self {
+            Self::Planar(v) => v.worst_overlap(),
+            Self::Spatial(v) => v.worst_overlap(),
+        }
+    }
+
+    /// Fastest block and its speed, m/s.
+    #[must_use]
+    pub fn fastest(&self) -> Option<Who> {
+        match self {
+            Self::Planar(v) => v
+                .living()
+                .map(|b| (b, v.velocity(b).length()))
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .map(|(b, speed)| (v.world.setup.blocks[b].name.clone(), speed)),
+            Self::Spatial(v) => v
+                .living()
+                .map(|b| (b, v.velocity(b).length()))
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .map(|(b, speed)| (v.name(b), speed)),
+        }
+    }
+
+    /// Charges and other cavities, for the manifest.
+    #[must_use]
+    pub fn sources(&self) -> Vec<Source> {
+        match self {
+            Self::Planar(_) => Vec::new(),
+            Self::Spatial(v) => v
+                .world
+                .cavities
+                .iter()
+                .map(|c| notes::source(v, c))
+                .collect(),
+        }
+    }
+
+    /// Fragments now; `None` where no joints hold blocks together.
+    #[must_use]
+    pub fn fragments(&self) -> Option<Fragments> {
+        match self {
+            Self::Planar(v) => (!v.world.bonds.is_empty()).then(|| v.fragments()),
+            Self::Spatial(v) => Some(v.fragments()),
+        }
+    }
+
+    /// A picture.
+    #[must_use]
+    pub fn frame(&self, phase: &str) -> Frame {
+        match self {
+            Self::Planar(v) => planar::readings::frame(v, phase),
+            Self::Spatial(v) => spatial::picture::frame(v, phase),
+        }
+    }
+}
