@@ -7,7 +7,11 @@ use super::fields::View;
 /// Bins across the heap.
 const BINS: usize = 60;
 
-/// Mean slope of both flanks of a heap made of the given blocks, rad; 0 without living blocks.
+/// Least share of the mass of the group that makes a heap; less are grains that rolled away.
+const HEAP: f64 = 0.05;
+
+/// Mean slope of both flanks of a heap made of the given blocks, rad; 0 without living blocks. Heaps that stand apart, by more
+/// than the width of the widest block, are measured one by one: the mean of their angles, weighted by mass.
 pub fn repose_angle(view: &View<'_>, of: &[u32]) -> f64 {
     let scratch = view.scratch;
     let mut outlines = Vec::new();
@@ -19,7 +23,44 @@ pub fn repose_angle(view: &View<'_>, of: &[u32]) -> f64 {
             edges.iter().map(|t| at + t.start).collect(),
         ));
     }
-    flank_angle(&outlines)
+    let total: f64 = outlines.iter().map(|(mass, _)| mass).sum();
+    let (mut sum, mut counted) = (0.0, 0.0);
+    for heap in heaps(outlines) {
+        let mass: f64 = heap.iter().map(|(mass, _)| mass).sum();
+        if mass >= HEAP * total {
+            sum += mass * flank_angle(&heap);
+            counted += mass;
+        }
+    }
+    if counted > 0.0 { sum / counted } else { 0.0 }
+}
+
+/// A polygon: its weight (mass) and its corners.
+type Outline = (f64, Vec<Vec2>);
+
+/// Sorts polygons into heaps with a gap in x between them that is wider than the widest polygon.
+fn heaps(outlines: Vec<Outline>) -> Vec<Vec<Outline>> {
+    let mut spans: Vec<([f64; 2], Outline)> = outlines
+        .into_iter()
+        .map(|outline| {
+            let xs = outline.1.iter().map(|p| p.x);
+            let low = xs.clone().fold(f64::INFINITY, f64::min);
+            let high = xs.fold(f64::NEG_INFINITY, f64::max);
+            ([low, high], outline)
+        })
+        .collect();
+    spans.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+    let gap = spans.iter().map(|([l, h], _)| h - l).fold(0.0, f64::max);
+    let mut found: Vec<Vec<Outline>> = Vec::new();
+    let mut reach = f64::NEG_INFINITY;
+    for ([low, high], outline) in spans {
+        match found.last_mut() {
+            Some(heap) if low <= reach + gap => heap.push(outline),
+            _ => found.push(vec![outline]),
+        }
+        reach = reach.max(high);
+    }
+    found
 }
 
 /// Mean slope of the flanks of polygons, each with its weight (mass) and corners.
@@ -28,7 +69,7 @@ pub fn repose_angle(view: &View<'_>, of: &[u32]) -> f64 {
 /// away do not count. Its outline is the highest point in each of 60 columns, above the lowest point
 /// of all. A straight line is fitted to each flank where the outline lies between 20 % and 80 % of its
 /// height (toe and crest are rounded); the angle belongs to the mean of both slopes.
-fn flank_angle(outlines: &[(f64, Vec<Vec2>)]) -> f64 {
+fn flank_angle(outlines: &[Outline]) -> f64 {
     let mut places: Vec<(f64, f64)> = outlines
         .iter()
         .map(|(mass, v)| (v.iter().map(|p| p.x).sum::<f64>() / v.len() as f64, *mass))
@@ -158,6 +199,21 @@ mod tests {
             (found - expected).abs() < 0.3f64.to_radians(),
             "{found} {expected}"
         );
+    }
+
+    /// Two heaps and a lost grain between them.
+    #[test]
+    fn heaps_that_stand_apart_are_told_apart() {
+        let square = |x: f64| {
+            let corner = |dx: f64, dy: f64| Vec2::new(x + dx, dy);
+            let corners = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0)];
+            (1.0, corners)
+        };
+        let at = [0.0, 1.5, 20.0, 3.0, 10.0, 21.9];
+        let found = heaps(at.into_iter().map(square).collect());
+        let sizes: Vec<usize> = found.iter().map(Vec::len).collect();
+        assert_eq!(sizes, [3, 1, 2]);
+        assert!(heaps(Vec::new()).is_empty());
     }
 
     #[test]
