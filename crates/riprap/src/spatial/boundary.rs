@@ -265,13 +265,15 @@ impl<'a> Context<'a> {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return out;
         };
+        let creep = [0, 1].map(|k| 0.5 * self.pending * face.stiffness[k] / face.impedance[k]);
         for p in 0..4 {
             let motion = self.motion(face, p);
-            let (before, after) = (face.anchor[p], self.anchor(boundary, face, p, &motion));
+            let before = face.anchor[p];
+            let after = self.anchor(boundary, face, before, creep, &motion);
+            let pull = face.spring(boundary, motion.u - after);
             if after != before {
                 let old = face.spring(boundary, motion.u - self.pending * motion.v - before);
-                let new = face.spring(boundary, motion.u - after);
-                let work = 0.125 * face.area * (old + new).dot(after - before);
+                let work = 0.125 * face.area * (old + pull).dot(after - before);
                 match boundary.kind {
                     BoundaryKind::Viscous { .. } => works.absorbed += work,
                     BoundaryKind::Held { .. }
@@ -280,7 +282,7 @@ impl<'a> Context<'a> {
                 }
                 face.anchor[p] = after;
             }
-            let [spring, dead] = self.forces(boundary, face, p, &motion);
+            let [spring, dead] = self.forces(boundary, face, p, pull);
             out.spring.add(spring, motion.arm);
             out.dead.add(dead, motion.arm);
             if let BoundaryKind::Viscous { half_cell: false } = boundary.kind {
@@ -292,6 +294,7 @@ impl<'a> Context<'a> {
     }
 
     /// Motion of point `p` of a face.
+    #[inline]
     fn motion(&self, face: &Face, p: usize) -> PointMotion {
         let (b, start, bodies) = (face.block as usize, face.place(p), self.poses.bodies);
         let (arm, moved) = match &self.poses.turned[b] {
@@ -308,19 +311,14 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Forces (N) of spring and given traction at point `p`.
-    fn forces(
-        &self,
-        boundary: &Boundary,
-        face: &Face,
-        p: usize,
-        motion: &PointMotion,
-    ) -> [Vec3; 2] {
+    /// Forces (N) at point `p`, of the spring whose stress is `pull` (Pa) and of given tractions.
+    #[inline]
+    fn forces(&self, boundary: &Boundary, face: &Face, p: usize, pull: Vec3) -> [Vec3; 2] {
         let b = face.block as usize;
         let (normal, share) = (face.frame[0], 0.25 * face.area);
-        let z = self.reference[b].z + face.place(p).z;
+        let height = || self.reference[b].z + face.place(p).z;
         let mut dead = match (boundary.in_situ, self.in_situ) {
-            (true, Some(in_situ)) => in_situ.at(z) * normal,
+            (true, Some(in_situ)) => in_situ.at(height()) * normal,
             _ => Vec3::ZERO,
         };
         let mut spring = Vec3::ZERO;
@@ -334,15 +332,13 @@ impl<'a> Context<'a> {
             } => {
                 let turned = self.poses.turned[b].as_ref();
                 let inward = -turned.map_or(normal, |t| t.attitude * normal);
-                let pressure = pressure + gradient * (datum - z);
+                let pressure = pressure + gradient * (datum - height());
                 dead += time.at(self.time) * (*traction + pressure * inward);
             }
             BoundaryKind::Viscous { half_cell: false } => {}
             BoundaryKind::Viscous { half_cell: true }
             | BoundaryKind::Held { .. }
-            | BoundaryKind::Moved { .. } => {
-                spring = -face.spring(boundary, motion.u - face.anchor[p]);
-            }
+            | BoundaryKind::Moved { .. } => spring = -pull,
         }
         [spring, dead].map(|t| share * t)
     }
@@ -370,26 +366,34 @@ impl<'a> Context<'a> {
         let mut sum = Mat3::ZERO;
         for p in 0..4 {
             let motion = self.motion(face, p);
-            let force: Vec3 = self.forces(boundary, face, p, &motion).into_iter().sum();
+            let pull = face.spring(boundary, motion.u - face.anchor[p]);
+            let force: Vec3 = self.forces(boundary, face, p, pull).into_iter().sum();
             let r = motion.arm;
             sum += Mat3::from_cols(force.x * r, force.y * r, force.z * r);
         }
         sum
     }
 
-    /// Present place of the far end of the spring at point `p`.
-    fn anchor(&self, boundary: &Boundary, face: &Face, p: usize, motion: &PointMotion) -> Vec3 {
-        let before = face.anchor[p];
+    /// Present place of the far end of the spring at a point, from that `before`. `creep`: half the way, along the normal
+    /// and across it, that a dashpot goes in the pending time for each metre its spring is stretched.
+    #[inline]
+    fn anchor(
+        &self,
+        boundary: &Boundary,
+        face: &Face,
+        before: Vec3,
+        creep: [f64; 2],
+        motion: &PointMotion,
+    ) -> Vec3 {
         match &boundary.kind {
             BoundaryKind::Viscous { .. } => {
                 if self.pending == 0.0 {
                     return before;
                 }
-                let ratio = |k: usize| 0.5 * self.pending * face.stiffness[k] / face.impedance[k];
                 let towards = |a: Vec3, u: Vec3, r: f64| ((1.0 - r) * a + 2.0 * r * u) / (1.0 + r);
                 let (an, at) = parts(before, face.frame[0]);
                 let (un, ut) = parts(motion.u - 0.5 * self.pending * motion.v, face.frame[0]);
-                towards(an, un, ratio(0)) + towards(at, ut, ratio(1))
+                towards(an, un, creep[0]) + towards(at, ut, creep[1])
             }
             BoundaryKind::Moved { velocity } => {
                 let middle = self.time - 0.5 * self.pending;
@@ -408,6 +412,7 @@ impl<'a> Context<'a> {
 
 impl Face {
     /// Stress (Pa) of the face spring that is stretched by `stretch` (m).
+    #[inline]
     fn spring(&self, boundary: &Boundary, stretch: Vec3) -> Vec3 {
         let [kn, ks] = self.stiffness;
         let full = |stretch: Vec3| {
@@ -438,6 +443,7 @@ impl Face {
 }
 
 /// Parts of a vector along a unit normal and across it.
+#[inline]
 fn parts(v: Vec3, normal: Vec3) -> (Vec3, Vec3) {
     let along = normal.dot(v) * normal;
     (along, v - along)
