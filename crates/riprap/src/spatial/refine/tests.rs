@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::dynamics::TimeFunction;
-use crate::spatial::setup::{BlockName, Boundary, BoundaryKind, Group, Push, Solid, Source};
+use crate::spatial::setup::{
+    BlockName, Boundary, BoundaryKind, FaceSet, Group, Place, Push, Solid, Source,
+};
 
 /// A lattice of unit cubes (times `edge`) from the origin.
 pub(crate) fn lattice(cells: [u32; 3], edge: f64) -> Setup {
