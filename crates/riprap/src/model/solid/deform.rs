@@ -6,7 +6,7 @@ use crate::model::explain::Provenance;
 use crate::scenario::language::{self, Mechanics, Support, Target};
 use crate::scenario::{Diagnostic, Name, Quantity, target_span};
 use crate::spatial::setup::deform::{
-    BondFailure, BondLaw, Cohesive, DeformableSet, NodeHold, Softening, Strain, Strength,
+    BondFailure, BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Softening, Strain, Strength,
 };
 
 impl Builder<'_> {
@@ -50,7 +50,8 @@ impl Builder<'_> {
         for notch in &self.parsed.scenario.notches {
             let corners = [&notch.region.min, &notch.region.max];
             let corners = corners.map(|corner| self.local(corner.xyz()));
-            self.spatial.deform.notches.push(corners);
+            let springs = matches!(notch.breaks, Some(language::NotchBreaks::Springs));
+            self.spatial.deform.notches.push(Notch { corners, springs });
         }
         if !self.spatial.deform.sets.is_empty() && self.parsed.scenario.in_situ.is_some() {
             let error = Diagnostic::error(

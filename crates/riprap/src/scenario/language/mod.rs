@@ -43,8 +43,8 @@ pub use phases::{
     CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Reset, Until,
 };
 pub use solids::{
-    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, Mechanics, Notch, Plane, Polyhedron,
-    Segment, StrainMeasure, span_of,
+    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, Mechanics, Notch,
+    NotchBreaks, Plane, Polyhedron, Segment, StrainMeasure, span_of,
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,

@@ -111,9 +111,22 @@ pub struct BoxRegion {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Notch {
-    /// The shared parts of faces whose centre lies in this box, its surface included.
+    /// What lies in this box, its surface included.
     #[serde(rename = "box")]
     pub region: BoxRegion,
+    /// What is broken there. Default `facets`.
+    pub breaks: Option<NotchBreaks>,
+}
+
+/// What a notch breaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NotchBreaks {
+    /// The shared parts of faces whose centre lies in the box: the crack ends with them.
+    Facets,
+    /// Single springs in the box, those at the tip of the crack included, which belong to the next facets: about a third
+    /// of a block longer.
+    Springs,
 }
 
 /// A straight piece of a line.

@@ -6,7 +6,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
 use super::hold::Hold;
-use super::store::{Body, Deform, Facet, Memory, RIGID, State, Surface};
+use super::store::{Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use super::workspace::{Kind, Workspace, centred};
 use crate::dynamics::{Formula, TimeFunction};
 use crate::spatial::boundary::Face;
@@ -157,29 +157,44 @@ pub fn join(
     Ok(())
 }
 
-/// Breaks the facets of notches.
+/// Where a point of a facet was at the start on one side, m (local).
+#[must_use]
+pub fn place(world: &World, deform: &Deform, facet: &Facet, point: &Point, side: usize) -> Vec3 {
+    let anchor = &point.anchors[side];
+    if facet.rigid[side] {
+        let centroid = world.reference[facet.blocks[side] as usize];
+        return centroid + Vec3::from_array(anchor.weights);
+    }
+    let nodes = anchor.nodes.iter().zip(anchor.weights);
+    nodes
+        .map(|(n, w)| w * deform.nodes.place[*n as usize])
+        .sum()
+}
+
+/// Breaks the bonds of notches.
 ///
 /// # Errors
 /// A notch off every face.
 fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
     let slack = Vec3::splat(1e-6 * world.finest());
-    for [min, max] in &world.setup.deform.notches {
+    for notch in &world.setup.deform.notches {
+        let [min, max] = notch.corners;
+        let inside = |at: Vec3| at.cmpge(min - slack).all() && at.cmple(max + slack).all();
         let mut found = false;
-        for (facet, worn) in deform.facets.iter().zip(&mut deform.worn) {
-            let inside =
-                facet.centre.cmpge(*min - slack).all() && facet.centre.cmple(*max + slack).all();
-            if !inside {
-                continue;
-            }
-            found = true;
-            *worn = true;
-            for memory in &mut deform.memory[facet.points()] {
-                memory.law.damage = 1.0;
-                memory.state = State::Opened;
+        for (k, facet) in deform.facets.iter().enumerate() {
+            let whole = !notch.springs && inside(facet.centre);
+            for p in facet.points() {
+                let own = || inside(place(world, deform, facet, &deform.points[p], 0));
+                if whole || (notch.springs && own()) {
+                    found = true;
+                    deform.worn[k] = true;
+                    deform.memory[p].law.damage = 1.0;
+                    deform.memory[p].state = State::Opened;
+                }
             }
         }
         if !found {
-            let at = (*min + world.setup.origin).to_array();
+            let at = (min + world.setup.origin).to_array();
             return Err(BuildError::NoFacet { at });
         }
     }

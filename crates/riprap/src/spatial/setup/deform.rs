@@ -17,8 +17,17 @@ pub struct Deformables {
     pub bonds: Vec<Option<BondLaw>>,
     /// Held and driven nodes; a later entry wins over an earlier one for the same direction.
     pub holds: Vec<NodeHold>,
-    /// Boxes (lowest and highest corner, m, local): facets whose centre lies in one are broken at the start.
-    pub notches: Vec<[Vec3; 2]>,
+    /// What is broken at the start.
+    pub notches: Vec<Notch>,
+}
+
+/// A box in which bonds are broken at the start.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Notch {
+    /// Lowest and highest corner, m (local).
+    pub corners: [Vec3; 2],
+    /// Single points in the box; otherwise facets whose centre lies in it.
+    pub springs: bool,
 }
 
 /// Deformable blocks of one kind.

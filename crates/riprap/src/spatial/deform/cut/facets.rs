@@ -13,7 +13,7 @@ use crate::laws::tetrahedron::StartStress;
 use crate::laws::tetrahedron::Strain;
 use crate::spatial::build::BuildError;
 use crate::spatial::deform::bonds::Anchors;
-use crate::spatial::deform::build::{face_with, stiffness};
+use crate::spatial::deform::build::{face_with, place, stiffness};
 use crate::spatial::deform::elements::matrix;
 use crate::spatial::deform::store::{Anchor, Body, Deform, Facet, Memory, Point, Surface};
 use crate::spatial::deform::workspace::{Workspace, centred};
@@ -124,7 +124,7 @@ impl Maker<'_> {
         let old = &self.deform.facets[k];
         let n = old.frame[0];
         let shift = self.shift(old);
-        let place = |point: &Point| self.at(old, point, 0);
+        let place = |point: &Point| place(self.world, self.deform, old, point, 0);
         let stretch = Stretch::new(self.world, self.deform, old, place);
         let sides = [0, 1].map(|side| self.pieces(old, side));
         let (mut made, mut area) = (0, 0.0);
@@ -289,25 +289,13 @@ impl Maker<'_> {
         let Some(point) = self.deform.points[facet.points()].first() else {
             return Vec3::ZERO;
         };
-        let shift = self.at(facet, point, 0) - self.at(facet, point, 1);
+        let at = |side| place(self.world, self.deform, facet, point, side);
+        let shift = at(0) - at(1);
         if self.world.setup.periodic == [None; 3] {
             Vec3::ZERO
         } else {
             shift
         }
-    }
-
-    /// Where a point was at the start on one side, m.
-    fn at(&self, facet: &Facet, point: &Point, side: usize) -> Vec3 {
-        let anchor = &point.anchors[side];
-        if facet.rigid[side] {
-            let centroid = self.world.reference[facet.blocks[side] as usize];
-            return centroid + Vec3::from_array(anchor.weights);
-        }
-        let nodes = anchor.nodes.iter().zip(anchor.weights);
-        nodes
-            .map(|(n, w)| w * self.deform.nodes.place[*n as usize])
-            .sum()
     }
 
     /// Facets between the parts of a block, under the traction of its stress; their number.
