@@ -48,6 +48,104 @@ pub fn voronoi(
     Ok(cells)
 }
 
+/// Cells of a box from `min` to `max` (m) around given sites (m); those outside the box are left out. `relax` Lloyd
+/// iterations make the cells more equal.
+///
+/// *Errors*: a box without volume, no site in it, more than 1000 iterations, too many cells.
+pub fn cells_around(
+    min: Vec3,
+    max: Vec3,
+    sites: &[Vec3],
+    relax: usize,
+) -> Result<Vec<Polyhedron>, GeomError> {
+    let extent = max - min;
+    demand(
+        "the shortest edge of the box",
+        extent.min_element(),
+        extent.min_element() > 0.0,
+        "above 0",
+    )?;
+    demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
+    capped("Voronoi cells", sites.len() as f64)?;
+    let (half, middle) = (0.5 * extent, 0.5 * (min + max));
+    let inside = sites.iter().map(|s| *s - middle);
+    let mut sites: Vec<Vec3> = inside.filter(|s| s.abs().cmplt(half).all()).collect();
+    demand(
+        "the number of sites in the box",
+        sites.len() as f64,
+        !sites.is_empty(),
+        "above 0",
+    )?;
+    for _ in 0..relax {
+        sites = cells(&sites, half)
+            .iter()
+            .map(|c| c.moments().centroid)
+            .collect();
+    }
+    let mut cells = cells(&sites, half);
+    for vertex in cells.iter_mut().flat_map(|c| &mut c.vertices) {
+        *vertex += middle;
+    }
+    Ok(cells)
+}
+
+/// Random sites in a box (m), one in each `cell`³ (m³) on average. Along an edge of the box that is shorter than 1.5 cells they lie
+/// in the middle, so that the cells of a plate are prisms.
+#[must_use]
+pub fn random_sites(min: Vec3, max: Vec3, cell: f64, seed: u64) -> Vec<Vec3> {
+    let (extent, middle) = (max - min, 0.5 * (min + max));
+    let flat = [0, 1, 2].map(|a: usize| extent[a] < 1.5 * cell);
+    let count: f64 = (0..3)
+        .filter(|a| !flat[*a])
+        .map(|a| extent[a] / cell)
+        .product();
+    let mut chance = Chance::new(seed);
+    (0..(count.round() as usize).max(1))
+        .map(|_| {
+            Vec3::from_array([0, 1, 2].map(|a| {
+                let at = chance.between(min[a], max[a]);
+                if flat[a] { middle[a] } else { at }
+            }))
+        })
+        .collect()
+}
+
+/// Sites of a square lattice in a box (m): edge `cell` (m), one site at `origin` (m), rows turned by `angle` (rad) about z;
+/// whole layers along z.
+#[must_use]
+pub fn lattice_sites(min: Vec3, max: Vec3, cell: f64, origin: Vec3, angle: f64) -> Vec<Vec3> {
+    let (extent, middle) = (max - min, 0.5 * (min + max));
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    // The site of the lattice that lies nearest to the middle.
+    let away = middle - origin;
+    let steps = [
+        cosine * away.x + sine * away.y,
+        cosine * away.y - sine * away.x,
+    ];
+    let [a, b] = steps.map(|s| (s / cell).round() * cell);
+    let origin = origin + Vec3::new(cosine * a - sine * b, sine * a + cosine * b, 0.0);
+    let reach = (0.5 * extent.x.hypot(extent.y) / cell).ceil() + 1.0;
+    let layers = (extent.z / cell).round().max(1.0);
+    let mut sites = Vec::new();
+    for k in 0..layers as usize {
+        let z = min.z + (k as f64 + 0.5) * extent.z / layers;
+        for j in -(reach as i64)..=reach as i64 {
+            for i in -(reach as i64)..=reach as i64 {
+                let (a, b) = (i as f64 * cell, j as f64 * cell);
+                let at = Vec3::new(
+                    origin.x + cosine * a - sine * b,
+                    origin.y + sine * a + cosine * b,
+                    z,
+                );
+                if at.cmpgt(min).all() && at.cmplt(max).all() {
+                    sites.push(at);
+                }
+            }
+        }
+    }
+    sites
+}
+
 /// The cell of each site.
 fn cells(sites: &[Vec3], half: Vec3) -> Vec<Polyhedron> {
     let bins = Bins::new(sites, half);
@@ -173,6 +271,33 @@ mod tests {
             }
             prop_assert!((sum / whole - 1.0).abs() < 1e-9, "{} {}", sum, whole);
         }
+    }
+
+    /// A turned square lattice gives squares of its edge wherever the box does not end them, and fills the box; a plate
+    /// gets prisms.
+    #[test]
+    fn lattices_and_plates() {
+        let (min, max) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(3.0, 1.0, 0.1));
+        for angle in [0.0, 0.3, 0.7] {
+            let sites = lattice_sites(min, max, 0.1, Vec3::new(1.93, 0.41, 0.0), angle);
+            let cells = cells_around(min, max, &sites, 0).unwrap();
+            assert_eq!(cells.len(), sites.len());
+            let volumes: Vec<f64> = cells.iter().map(|c| c.moments().volume).collect();
+            let whole = volumes
+                .iter()
+                .filter(|v| (**v - 1e-3).abs() < 1e-12)
+                .count();
+            assert!(whole > 100, "{whole}");
+            assert!((volumes.iter().sum::<f64>() - 0.2).abs() < 1e-12);
+            assert!(cells.iter().all(|c| c.validate().is_ok()));
+        }
+        let sites = random_sites(min, max, 0.1, 3);
+        assert_eq!(sites.len(), 200);
+        for cell in cells_around(min, max, &sites, 5).unwrap() {
+            let flat = |z: f64| z.abs() < 1e-9 || (z - 0.1).abs() < 1e-9;
+            assert!(cell.vertices.iter().all(|v| flat(v.z)));
+        }
+        assert!(cells_around(min, max, &[Vec3::ZERO], 0).is_err());
     }
 
     #[test]

@@ -48,6 +48,7 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
         | Geometry::Voronoi(_)
         | Geometry::Pour(_)
         | Geometry::Brick(_)
+        | Geometry::Grid(Grid::Cells(_))
         | Geometry::Polyhedron(_) => None,
     }
 }

@@ -1,18 +1,23 @@
 //! Blocks in space: bricks, grids, polyhedra.
 
 use riprap_geom::Vec3;
-use riprap_geom::polyhedron::{Polyhedron, SolidError, hull};
+use riprap_geom::polyhedron::{
+    Polyhedron, SolidError, cells_around, hull, lattice_sites, random_sites,
+};
 
 use super::global;
 use super::grid::{Grids, Lattice};
 use crate::model::builder::Builder;
+use crate::model::explain::Provenance;
 use crate::model::names::Entry;
-use crate::scenario::language::{self, Block, Brick, Geometry, span_of};
+use crate::scenario::language::{self, Block, Brick, Geometry, Grid, GridCells, span_of};
 use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::{BlockName, BlockSpec, Shape, Solid};
 
 /// Largest OBJ file accepted, bytes.
 const MAX_OBJ: u64 = 16 << 20;
+/// Most cells of a box.
+const MOST_CELLS: f64 = 1e6;
 
 /// Centre and half the edges of a brick, m.
 fn brick(brick: &Brick) -> (Vec3, Vec3) {
@@ -25,6 +30,15 @@ fn brick(brick: &Brick) -> (Vec3, Vec3) {
     (centre, half)
 }
 
+/// Lowest and highest corner of a box of cells, m.
+fn box_of(said: &GridCells) -> (Vec3, Vec3) {
+    let min = said.corner.as_ref().map_or(Vec3::ZERO, global);
+    (
+        min,
+        min + Vec3::from(said.size.each_ref().map(Quantity::si)),
+    )
+}
+
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
     let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
@@ -33,7 +47,11 @@ pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             let (centre, half) = brick(b);
             vec![centre - half + shift, centre + half + shift]
         }
-        Some(Geometry::Grid(_)) => grids
+        Some(Geometry::Grid(Grid::Cells(said))) => {
+            let (min, max) = box_of(said);
+            vec![min + shift, max + shift]
+        }
+        Some(Geometry::Grid(Grid::Box(_))) => grids
             .iter()
             .flatten()
             .flat_map(|l| [l.corner, l.corner + l.size()])
@@ -80,7 +98,8 @@ impl Builder<'_> {
                             }]
                         })
                 }
-                Some(Geometry::Grid(_)) => lattice
+                Some(Geometry::Grid(Grid::Cells(said))) => self.cells(block, said, shift),
+                Some(Geometry::Grid(Grid::Box(_))) => lattice
                     .as_ref()
                     .filter(|l| self.with_volume(block, l.cell.element_product()))
                     .map(|lattice| bricks(lattice, self.spatial.origin)),
@@ -103,6 +122,70 @@ impl Builder<'_> {
             if let Some(shapes) = shapes {
                 let shapes = copies(block, shapes);
                 self.enter_solids(block, shapes);
+            }
+        }
+    }
+
+    /// The cells of a box; `None` after an error.
+    fn cells(&mut self, block: &Block, said: &GridCells, shift: Vec3) -> Option<Vec<Shape>> {
+        let key = |word: &str| format!("blocks.{}.grid.cells.{word}", block.name);
+        let (min, max) = box_of(said);
+        let cell = said.cell.si();
+        let count = (max - min).element_product() / cell.powi(3);
+        if count.is_nan() || count > MOST_CELLS {
+            let message = format!("`{}` would have about {count:.0} cells", block.name);
+            let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
+            self.found
+                .push(error.help("at most 1 million cells; use a larger `cell`, or `grid.box`"));
+            return None;
+        }
+        let lattice = said.turned.is_some() || said.site.is_some();
+        let extent = max - min;
+        let square = extent.x.hypot(extent.y).powi(2) * extent.z.max(cell) / cell.powi(3);
+        if lattice && (square.is_nan() || square > 16.0 * MOST_CELLS) {
+            let message = format!("`{}` is too slender for a turned lattice", block.name);
+            let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
+            self.found
+                .push(error.help("use a larger `cell`, or `grid.box`"));
+            return None;
+        }
+        let (sites, relax) = if lattice {
+            let angle = said.turned.as_ref().map_or(0.0, Quantity::si);
+            let site = said.site.as_ref().map_or(0.5 * (min + max), global);
+            (lattice_sites(min, max, cell, site, angle), 0)
+        } else {
+            let (seed, relax) = (said.seed.unwrap_or(1), said.relax.unwrap_or(10));
+            for (word, value, given) in [
+                ("seed", seed, said.seed.is_some()),
+                ("relax", relax, said.relax.is_some()),
+            ] {
+                let from = if given {
+                    Provenance::Given
+                } else {
+                    Provenance::Default
+                };
+                self.explain(key(word), value.to_string(), from, "");
+            }
+            (random_sites(min, max, cell, seed), relax as usize)
+        };
+        match cells_around(min, max, &sites, relax) {
+            Ok(cells) => Some(
+                cells
+                    .into_iter()
+                    .map(|mut solid| {
+                        solid.vertices.iter_mut().for_each(|v| *v += shift);
+                        Shape::Polyhedron(Box::new(Solid {
+                            vertices: solid.vertices,
+                            faces: solid.faces,
+                        }))
+                    })
+                    .collect(),
+            ),
+            Err(error) => {
+                let message = format!("the cells of `{}`: {error}", block.name);
+                let help = "check size, cell and units; `site` must lie near the box";
+                self.error_at("geometry.cells", &block.name, message, help);
+                None
             }
         }
     }

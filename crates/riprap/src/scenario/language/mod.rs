@@ -43,7 +43,7 @@ pub use phases::{
     CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Reset, Until,
 };
 pub use solids::{
-    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, Mechanics, Notch,
+    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Notch,
     NotchBreaks, Plane, Polyhedron, Segment, StrainMeasure, span_of,
 };
 pub use sources::{

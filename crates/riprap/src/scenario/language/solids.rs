@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use super::Point3;
 use crate::scenario::quantity::{
-    Edges, Length, Name, Plain, PositiveLength, Quantity, Span, Vector,
+    Angle, Edges, Length, Name, Plain, PositiveLength, Quantity, Span, Vector,
 };
 
 /// A box with faces normal to the axes. Give `corner` or `centre`.
@@ -26,6 +26,29 @@ pub struct Brick {
 pub enum Grid {
     /// A box of bricks; x runs fastest, then y, then z.
     Box(GridBox),
+    /// A box divided into convex cells: a turned lattice, or random ones.
+    Cells(GridCells),
+}
+
+/// A box divided into the Voronoi cells of points: of a square lattice with `turned` or `site`, random ones otherwise. Along an edge
+/// of the box that is about as long as a cell there is one layer, so that the cells of a plate are prisms.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GridCells {
+    /// Lengths of the edges of the whole box along x, y, z, m.
+    pub size: [Quantity<PositiveLength>; 3],
+    /// Edge of a cell, about, m.
+    pub cell: Quantity<PositiveLength>,
+    /// Corner with the lowest coordinates [x, y, z], m. Default the origin.
+    pub corner: Option<Point3>,
+    /// Angle by which the rows of a square lattice are turned about z.
+    pub turned: Option<Quantity<Angle>>,
+    /// Centre [x, y, z] of one cell of the lattice, m. Default the middle of the box.
+    pub site: Option<Point3>,
+    /// Seed of the random points. Default 1.
+    pub seed: Option<u64>,
+    /// Lloyd iterations that make random cells more equal, at most 1000. Default 10.
+    pub relax: Option<u64>,
 }
 
 /// A box of bricks. The size must be whole cells.

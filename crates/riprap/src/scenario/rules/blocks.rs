@@ -67,6 +67,23 @@ impl Rules {
                     self.error("key.one_of", &span_of(centre), message, "keep one of them");
                 }
             }
+            Geometry::Grid(Grid::Cells(cells)) => {
+                let random = [
+                    ("seed", cells.seed.is_some()),
+                    ("relax", cells.relax.is_some()),
+                ];
+                let lattice = cells.turned.is_some() || cells.site.is_some();
+                for (word, _) in random.into_iter().filter(|(_, given)| lattice && *given) {
+                    let message =
+                        format!("the cells of {of} have `turned` or `site`, and `{word}`");
+                    let help =
+                        "`turned` and `site` make a lattice, `seed` and `relax` random cells";
+                    self.error("key.one_of", span, message, help);
+                }
+                if let Some(relax) = cells.relax {
+                    self.count(span, of, "relax", relax, 0, 1000);
+                }
+            }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
             Geometry::Rectangle(shape) => self.one_of(
                 span,
