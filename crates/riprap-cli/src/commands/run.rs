@@ -107,6 +107,9 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
             duration(manifest.wall_time)
         ));
         screen::print(&ledger(folder));
+        for note in &outcome.unconverged {
+            screen::line(&format!("warning: {note}"));
+        }
     }
     let tally = check_lines(&outcome.checks, quiet);
     match &outcome.ending {

@@ -8,9 +8,12 @@ use super::solid::changed_joint;
 use crate::laws::fracture::{Criterion, Margins};
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{
-    Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep, Until,
+    Breaks, Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing,
+    TimeStep, Until, Way,
 };
-use crate::scenario::language::{self, CutAnchor, CutAxis, CutCriterion, Output, Reset};
+use crate::scenario::language::{
+    self, CutAnchor, CutAxis, CutCriterion, Output, RelaxationBreaks, Reset,
+};
 use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
@@ -169,6 +172,7 @@ impl Builder<'_> {
                 tolerance: tolerance.unwrap_or(RELAXED),
                 load_steps: said.load_steps.unwrap_or(1),
                 iterations,
+                way: said.relaxation.as_ref().map_or(Way::default(), way),
             }
         });
         let cut = said
@@ -298,5 +302,18 @@ fn every(interval: Interval) -> Option<Every> {
         Interval::Steps(steps) => Some(Every::Steps(steps)),
         Interval::Phase => Some(Every::Phase),
         Interval::Never => None,
+    }
+}
+
+/// How a phase relaxes.
+fn way(said: &language::Relaxation) -> Way {
+    Way {
+        damping: said.damping.as_ref().map(Quantity::si),
+        energy: said.energy.as_ref().map(Quantity::si),
+        breaks: match said.breaks {
+            Some(RelaxationBreaks::Most) | None => Breaks::Most,
+            Some(RelaxationBreaks::All) => Breaks::All,
+            Some(RelaxationBreaks::Always) => Breaks::Always,
+        },
     }
 }

@@ -100,10 +100,13 @@ impl Watched {
     fn look(&mut self, simulation: &Simulation, last: bool) {
         let view = simulation.view();
         let (time, dt) = (view.time(), simulation.dt());
+        // Of a relaxing phase only equilibria count.
+        let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
         let near = match self.watch.check().window {
             Window::Start => view.step() == 0,
-            Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::End => last,
+            Window::At(_) | Window::Over { .. } if relaxes => last || settled,
+            Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::Over { .. } => last || time >= self.watch.next,
         };
         if near && self.watch.wants(time) {
@@ -282,7 +285,11 @@ impl Drive {
             return Ok(true);
         }
         let last = self.last_phase();
+        let unconverged = self.simulation.note_unconverged();
         if let Some(r) = &mut self.recorder {
+            if let Some(note) = unconverged {
+                r.unconverged(&self.simulation, &note)?;
+            }
             r.phase_ended(&self.simulation)?;
         }
         if last {

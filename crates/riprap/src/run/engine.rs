@@ -129,12 +129,16 @@ pub struct Stable {
 }
 
 /// State of a relaxing phase.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Relaxed {
     /// Whether the last look found it converged.
     pub converged: bool,
     /// Iterations since loads or bonds last changed.
     pub iterations: u64,
+    /// Ratio of net to external forces at the last look.
+    pub ratio: f64,
+    /// Whether the present state is an equilibrium that a load step is about to leave.
+    pub leaving: bool,
 }
 
 /// The fastest or the deepest: who, and how much.
@@ -297,6 +301,8 @@ impl Engine {
                 Some(Relaxed {
                     converged: relax.converged,
                     iterations: relax.iterations,
+                    ratio: relax.ratio,
+                    leaving: relax.increment > 0.0,
                 })
             }
         }
@@ -495,6 +501,9 @@ fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
         breaking: d.breaking,
     });
     spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
+    if let Some(relax) = phase.deform.and_then(|d| d.relax) {
+        spatial::deform::phase::relax_by(world, relax.way);
+    }
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::deform::cut::allow(world, cut.as_ref());
 }

@@ -14,7 +14,7 @@ use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
 use super::plan::Plan;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
-use super::simulation::{RunError, Simulation};
+use super::simulation::{RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
 use crate::model::Setup;
 use crate::record::checkpoint::{self, CheckpointError};
@@ -46,6 +46,8 @@ pub struct Outcome {
     pub manifest: Manifest,
     /// One result a check, in the order of the scene.
     pub checks: Vec<CheckResult>,
+    /// Relaxing phases that ended without equilibrium.
+    pub unconverged: Vec<Unconverged>,
 }
 
 /// Why a run could not be carried out.
@@ -326,10 +328,12 @@ impl Live {
             }
             recorder.folder.write_manifest(&manifest)?;
         }
+        let unconverged = self.drive.simulation().cursor().unconverged.clone();
         Ok(Outcome {
             ending,
             manifest,
             checks,
+            unconverged,
         })
     }
 }
@@ -345,6 +349,12 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
         ),
         Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
     };
+    for note in &simulation.cursor().unconverged {
+        let text = note.to_string();
+        if !manifest.warnings.contains(&text) {
+            manifest.warnings.push(text);
+        }
+    }
     manifest.dt = view.last_dt();
     manifest.steps = view.step();
     manifest.time = view.time();

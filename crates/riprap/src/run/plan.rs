@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 pub use crate::dynamics::damping::Damping;
 use crate::planar::setup::ContactLaw;
+pub use crate::spatial::deform::relax::{Breaks, Way};
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
 
@@ -80,6 +81,8 @@ pub struct Relaxing {
     pub load_steps: u64,
     /// Iterations after which a load step that has not converged ends the phase.
     pub iterations: u64,
+    /// How it relaxes.
+    pub way: Way,
 }
 
 impl Phase {

@@ -6,7 +6,7 @@ use serde_json::json;
 use super::checks::Watch;
 use super::engine::{Kind, Reading};
 use super::plan::{Every, Plan};
-use super::simulation::{Simulation, Snapshot};
+use super::simulation::{Simulation, Snapshot, Unconverged};
 use crate::ledger::COLUMNS;
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
 
@@ -112,16 +112,21 @@ impl Recorder {
             return Ok(());
         }
         self.counts.last_step = Some(step);
-        let (half, first) = (0.5 * simulation.dt(), step == 0);
+        let first = step == 0;
+        // In a relaxing phase time passes in load steps, and states on the way to an equilibrium are not recorded.
+        let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
+        let half = if relaxes { 0.0 } else { 0.5 * simulation.dt() };
         let due = |every: &Every, count: &mut u64| {
             let hit = match every {
-                Every::Time(span) => time + half >= *count as f64 * span,
+                Every::Time(span) => {
+                    settled && time + half.max(1e-9 * span) >= *count as f64 * span
+                }
                 Every::Steps(n) => step.is_multiple_of((*n).max(1)),
                 Every::Phase => phase_end || first,
             };
             if hit {
                 *count = match every {
-                    Every::Time(span) => ((time + half) / span).floor() as u64 + 1,
+                    Every::Time(span) => ((time + half) / span + 1e-9).floor() as u64 + 1,
                     Every::Steps(_) | Every::Phase => *count + 1,
                 };
             }
@@ -187,6 +192,22 @@ impl Recorder {
                 .write_file("fragments.csv", fragments.csv().as_bytes())?;
         }
         Ok(())
+    }
+
+    /// Notes that the present phase ends without equilibrium.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn unconverged(
+        &mut self,
+        simulation: &Simulation,
+        note: &Unconverged,
+    ) -> Result<(), OutputError> {
+        let view = simulation.view();
+        self.folder.event(&json!({
+            "event": "not_converged", "phase": note.phase, "step": view.step(), "time": view.time(),
+            "iterations": note.iterations, "unbalanced": note.ratio, "wanted": note.wanted,
+        }))
     }
 
     fn phase_event(&mut self, simulation: &Simulation, what: &str) -> Result<(), OutputError> {

@@ -99,6 +99,32 @@ pub struct Cursor {
     pub gravity_after: [f64; 3],
     /// Steps shortened by the engine: fast blocks, expanding gas.
     pub shortened: u64,
+    /// Relaxing phases that ended at their limit of iterations.
+    pub unconverged: Vec<Unconverged>,
+}
+
+/// A relaxing phase that ended at its limit of iterations.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Unconverged {
+    /// Name of the phase.
+    pub phase: String,
+    /// Iterations since loads or bonds last changed.
+    pub iterations: u64,
+    /// Ratio of net to external forces at the end.
+    pub ratio: f64,
+    /// Ratio that was asked for.
+    pub wanted: f64,
+}
+
+impl std::fmt::Display for Unconverged {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "phase `{}` ended after {} iterations without equilibrium: the unbalanced forces are {:.1e} of the external ones, \
+             {:.1e} was asked for; either the rock has failed, or `iterations` is too small",
+            self.phase, self.iterations, self.ratio, self.wanted
+        )
+    }
 }
 
 /// Everything a run needs to go on.
@@ -235,6 +261,19 @@ impl Simulation {
         self.engine.view()
     }
 
+    /// Whether the present state means something: not one on the way to an equilibrium.
+    #[must_use]
+    pub fn settled(&self) -> bool {
+        let now = self.engine.relaxing();
+        now.is_none_or(|now| now.converged || now.leaving)
+    }
+
+    /// Whether the present phase relaxes deformable blocks.
+    #[must_use]
+    pub fn relaxes(&self) -> bool {
+        self.engine.relaxing().is_some()
+    }
+
     /// The coming time step, s; known after [`Simulation::prepare`].
     #[must_use]
     pub fn dt(&self) -> f64 {
@@ -317,6 +356,24 @@ impl Simulation {
     /// Takes what has happened since the last look; `again`: the step has been looked at before.
     pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
         self.engine.take_events(again)
+    }
+
+    /// Whether the present phase, which is over, ends without equilibrium; noted once.
+    pub fn note_unconverged(&mut self) -> Option<Unconverged> {
+        let phase = self.phase()?;
+        let rules = phase.deform?.relax?;
+        let now = self.engine.relaxing()?;
+        let over = !now.converged && now.iterations >= rules.iterations;
+        let note = Unconverged {
+            phase: phase.name.clone(),
+            iterations: now.iterations,
+            ratio: now.ratio,
+            wanted: rules.tolerance,
+        };
+        over.then(|| {
+            self.cursor.unconverged.push(note.clone());
+            note
+        })
     }
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.

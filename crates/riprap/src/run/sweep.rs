@@ -110,6 +110,7 @@ fn one(
             ending,
             manifest,
             checks,
+            ..
         }) => {
             row.finished = ending == Ending::Finished;
             row.ended = match ending {

@@ -40,7 +40,8 @@ pub use loads::{
 };
 pub use outputs::{Every, History, Moment, Output, Period, Schedule};
 pub use phases::{
-    CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Reset, Until,
+    CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Relaxation,
+    RelaxationBreaks, Reset, Until,
 };
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Notch,

@@ -58,9 +58,38 @@ pub struct Phase {
     /// 200000.
     #[schemars(extend("x-space" = "spatial"))]
     pub iterations: Option<u64>,
+    /// Other rules for a `static` phase of deformable blocks than the robust ones: those of Han, Liu & Li (2010). Default:
+    /// adaptive damping, equilibrium by forces, breaking event by event.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub relaxation: Option<Relaxation>,
     /// Lets deformable blocks be cut where they are about to break. Default: none is cut.
     #[schemars(extend("x-space" = "spatial"))]
     pub cut: Option<Cutting>,
+}
+
+/// How a static phase of deformable blocks relaxes, where it is not by default.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Relaxation {
+    /// Constant damping c of `v' = ((2 - c) v + 2 r/m)/(2 + c)`, at least 0 and less than 1. Default adaptive.
+    pub damping: Option<Quantity<ShareBelowOne>>,
+    /// Equilibrium where the elastic energy changes by less than this share in 25 iterations, whatever the forces. Default:
+    /// by the forces (`until.unbalanced`).
+    pub energy: Option<Quantity<PositivePlain>>,
+    /// When bonds break. Default `most`.
+    pub breaks: Option<RelaxationBreaks>,
+}
+
+/// When bonds break in a static phase.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RelaxationBreaks {
+    /// At an equilibrium what is used most, with what is used nearly as much; then a new equilibrium.
+    Most,
+    /// At an equilibrium everything beyond its strength.
+    All,
+    /// In every iteration every spring beyond its strength; only with `failure = "spring"`.
+    Always,
 }
 
 /// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged. The strength is

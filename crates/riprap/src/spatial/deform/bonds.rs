@@ -5,6 +5,7 @@
 
 use riprap_geom::Vec3;
 
+use super::relax::Breaks;
 use super::store::{Anchor, Deform, Facet, Memory, Nodes, Point, State};
 use super::workspace::FACETS;
 use crate::exec::Divide;
@@ -170,6 +171,10 @@ pub(in crate::spatial) fn update(world: &mut World, scratch: &mut Scratch) {
         bonds: &world.setup.deform.bonds,
         live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
         relaxing: deform.relax.is_some(),
+        waits: deform
+            .relax
+            .as_ref()
+            .is_some_and(|r| r.way.breaks != Breaks::Always),
         breaking: deform.breaking,
         time: world.time,
     };
@@ -206,6 +211,8 @@ struct Context<'a> {
     live: Option<f64>,
     /// Whether softening waits for convergence.
     relaxing: bool,
+    /// Whether breaking does.
+    waits: bool,
     breaking: bool,
     time: f64,
 }
@@ -226,7 +233,7 @@ impl Context<'_> {
                 let strength = law
                     .filter(|l| l.failure == BondFailure::Spring)
                     .and_then(|l| l.strength.as_ref())
-                    .filter(|_| self.breaking && !self.relaxing && self.live.is_some());
+                    .filter(|_| self.breaking && !self.waits && self.live.is_some());
                 if strength.is_none_or(|s| !fails(s, facet, points, slots)) {
                     continue;
                 }
@@ -262,7 +269,7 @@ impl Context<'_> {
         slots: &mut [[f64; 3]],
         works: &mut BondWorks,
     ) {
-        let at_once = self.breaking && !self.relaxing && law.failure == BondFailure::Spring;
+        let at_once = self.breaking && !self.waits && law.failure == BondFailure::Spring;
         let respond = |memory: &Memory, at: &[f64; 3], breaks: bool| {
             respond(law, facet.stiffness, memory, at, breaks)
         };

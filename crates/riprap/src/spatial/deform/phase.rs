@@ -1,6 +1,6 @@
 //! Entering phases: which masses, whether it relaxes, whether bonds may break.
 
-use super::relax::Relax;
+use super::relax::{Relax, Way};
 use super::store::{Deform, Masses};
 use crate::spatial::world::World;
 
@@ -51,6 +51,14 @@ pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
         world.last_dt = 0.0;
     }
     world.deform = Some(deform);
+}
+
+/// Chooses how the present phase relaxes.
+pub fn relax_by(world: &mut World, way: Way) {
+    if let Some(relax) = world.deform.as_mut().and_then(|d| d.relax.as_mut()) {
+        relax.way = way;
+        relax.damping = way.damping.unwrap_or(relax.damping);
+    }
 }
 
 /// Lets model time pass in the coming iteration of a relaxing phase.

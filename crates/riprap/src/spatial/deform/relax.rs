@@ -21,6 +21,29 @@ const MOST: f64 = 1.5;
 /// Damping before the first look.
 const FIRST: f64 = 0.5;
 
+/// How a phase relaxes; the default is what this file describes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Way {
+    /// A constant c, 0 to 2, instead of the adaptive damping.
+    pub damping: Option<f64>,
+    /// Converged when the elastic energy changes by less than this share between two looks, instead of by the forces.
+    pub energy: Option<f64>,
+    /// When bonds break.
+    pub breaks: Breaks,
+}
+
+/// When bonds break in a relaxing phase.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Breaks {
+    /// At an equilibrium, what is used most.
+    #[default]
+    Most,
+    /// At an equilibrium, everything beyond its strength.
+    All,
+    /// In every iteration, every spring beyond its strength.
+    Always,
+}
+
 /// State of a relaxing phase.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Relax {
@@ -40,6 +63,10 @@ pub struct Relax {
     pub increment: f64,
     /// Displacements (m) and net forces (N) at the last look.
     pub last: Option<Seen>,
+    /// How it relaxes.
+    pub way: Way,
+    /// Elastic energy at the last look, J, where it decides.
+    pub energy: Option<f64>,
 }
 
 /// What the last look saw.
@@ -70,6 +97,7 @@ impl Relax {
         self.converged = false;
         self.ratio = f64::INFINITY;
         self.last = None;
+        self.energy = None;
     }
 
     /// Looks at convergence and damping where it is time; to be called once an iteration, after the forces are
@@ -85,7 +113,18 @@ impl Relax {
         }
         self.since = 0;
         self.ratio = ratio;
-        self.converged = ratio <= self.tolerance;
+        self.converged = match self.way.energy {
+            None => ratio <= self.tolerance,
+            Some(share) => {
+                let energy = elastic(nodes, work);
+                let before = self.energy.replace(energy);
+                before.is_some_and(|before| (energy - before).abs() <= share * energy.abs())
+            }
+        };
+        if let Some(damping) = self.way.damping {
+            self.damping = damping;
+            return;
+        }
         if let Some(last) = &self.last {
             let (mut stiff, mut heavy) = (0.0, 0.0);
             for k in 0..nodes.moved.len() {
@@ -105,6 +144,18 @@ impl Relax {
             net: work.net.clone(),
         });
     }
+}
+
+/// Elastic energy, J: half the work of the internal forces, exact for small strain without friction.
+fn elastic(nodes: &super::store::Nodes, work: &Workspace) -> f64 {
+    let mut sum = 0.0;
+    for (k, (u, net)) in nodes.moved.iter().zip(&work.net).enumerate() {
+        let load = work.loads.get(k).copied().unwrap_or_default();
+        for axis in 0..3 {
+            sum += u[axis] * (load[axis] - net[axis]);
+        }
+    }
+    0.5 * sum
 }
 
 /// Fictitious masses of all nodes.
