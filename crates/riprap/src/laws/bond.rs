@@ -74,12 +74,13 @@ impl Strength {
 
     /// Traction over strength, of the mode that is nearer to failure: above 1 the point fails.
     ///
-    /// `sigma <= tension` and `|tau| <= cohesion - sigma tan(phi)`.
+    /// `sigma/tension` and `(|tau| + sigma tan(phi))/cohesion`: a traction u times as large as it may be has the utilisation u,
+    /// so that 1/u is the share of a load at which a linear body would begin to fail.
     #[must_use]
     pub fn utilisation(&self, t: &Traction) -> (f64, Mode) {
         let shear = t[1].hypot(t[2]);
         let in_tension = ratio(t[0].max(0.0), self.tension);
-        let in_shear = ratio(shear, (self.cohesion - t[0] * self.friction).max(0.0));
+        let in_shear = ratio((shear + t[0] * self.friction).max(0.0), self.cohesion);
         if in_tension >= in_shear {
             (in_tension, Mode::Tension)
         } else {

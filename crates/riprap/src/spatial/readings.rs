@@ -224,6 +224,7 @@ fields! {
     "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
     "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
+    "group.shift" "m" Group Vector3 false "Means of the magnitudes of x, y and z of the displacements of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b).abs());
     "group.rotation" "rad" Group Vector3 false "Mean rotation vector of the group's blocks." |v, of| mean(v, of, |b| v.rotation(b));
     "group.velocity" "m/s" Group Vector3 false "Mean velocity of the group's blocks." |v, of| mean(v, of, |b| v.velocity(b));
     "group.kinetic" "J" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(members(v, of).map(|b| v.kinetic(b)).sum());
@@ -267,6 +268,7 @@ fields! {
     "block.node_displacement" "m" Block Vector3 false "Displacement, since the start, of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Displacement);
     "block.node_velocity" "m/s" Block Vector3 false "Velocity of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Velocity);
     "block.crack_distance" "m" Block Scalar true "Distance from `at_point` to the nearest broken facet, at the start; infinite without any." |_v, _of| one(f64::NAN);
+    "block.crack_offset" "m" Block Vector3 true "Distance from `at_point` along x, y, z (or `along`) to the nearest broken facet that the line meets, at the start; negative against the axis, infinite where it meets none." |_v, _of| Vec3::NAN;
     "block.strain_normal" "-" Block Vector3 true "Mean normal strains xx, yy, zz of a deformable block as x, y, z; extension positive." |v, of| { let h = gradient(v, of); Vec3::new(h[0][0], h[1][1], h[2][2]) };
     "block.strain_shear" "-" Block Vector3 true "Mean shear strains yz, zx, xy (half the angle) of a deformable block as x, y, z." |v, of| { let h = gradient(v, of); 0.5 * Vec3::new(h[1][2] + h[2][1], h[2][0] + h[0][2], h[0][1] + h[1][0]) };
     "block.sigma2_compressive" "Pa" Block Scalar true "Middle principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[1]);
@@ -277,6 +279,14 @@ fields! {
     "model.facets" "-" Model Scalar false "Number of facets: shared parts of faces along which a deformable block is joined." |v, _| one(v.softs().map_or(0, |s| s.0.facets.len()) as f64);
     "model.springs" "-" Model Scalar false "Number of springs of these facets." |v, _| one(v.softs().map_or(0, |s| s.0.points.len()) as f64);
     "model.broken_area" "m2" Model Scalar true "Area of broken bonds." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area.iter().sum()));
+    "model.broken_tension" "m2" Model Scalar true "Area of bonds broken by tension." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area[0]));
+    "model.broken_shear" "m2" Model Scalar true "Area of bonds broken by shear." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area[1]));
+    "model.broken_facets" "-" Model Scalar true "Number of facets more than half of whose springs are broken." |v, _| one(v.softs().map_or(0, |s| tip::broken(s.0).count()) as f64);
+    "model.crack_fabric" "-" Model Vector3 true "Mean over the area of broken facets of the squared components of their normals: (0.75, 0.25, 0) for cracks at 30 degrees to y in the plane across z." |v, _| v.softs().map_or(Vec3::NAN, |s| tip::fabric(s.0));
+    "model.break_events" "-" Model Scalar true "Number of times that bonds have broken in static phases, each followed by a new equilibrium." |v, _| one(v.softs().map_or(0, |s| s.0.breaks) as f64);
+    "model.peak_share" "-" Model Scalar true "Largest of 1/utilisation over the times that bonds have broken in static phases: the share of the load that the rock carried at most, as far as it is linear between them." |v, _| one(v.softs().map_or(0.0, |s| s.0.peak_share));
+    "model.cut_blocks" "-" Model Scalar true "Number of blocks that have been cut, parts that were cut again included." |v, _| one(v.softs().map_or(0, |s| s.0.cut_blocks) as f64);
+    "model.cut_unbalanced" "-" Model Scalar true "Largest ratio of the net to the external forces just after blocks were cut, before anything moved." |v, _| one(v.softs().map_or(0.0, |s| s.0.cut_unbalanced));
     "model.utilisation" "-" Model Scalar true "Largest traction over strength of a spring that is not broken." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
     "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
     "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
@@ -354,6 +364,16 @@ impl Reading {
         let get = FIELDS[self.index].get;
         if self.info().name == "block.crack_distance" {
             return self.at.map_or(f64::NAN, |at| tip::distance(view, at));
+        }
+        if self.info().name == "block.crack_offset" {
+            let axis = match self.part {
+                Part::Whole | Part::Magnitude => self.along,
+                part => Vec3::AXES
+                    .into_iter()
+                    .find(|e| part.of(&e.to_array()) == Some(1.0)),
+            };
+            let both = self.at.zip(axis);
+            return both.map_or(f64::NAN, |(at, axis)| tip::offset(view, at, axis));
         }
         let found;
         let of: &[u32] = match (self.at, self.info().site) {

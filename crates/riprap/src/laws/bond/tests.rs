@@ -40,6 +40,23 @@ fn tension_lowers_the_shear_strength() {
     assert!(nothing.failure(&[1.0, 0.0, 0.0]).is_some());
 }
 
+/// A traction at u times its limit has the utilisation u, in tension, in shear and in compression.
+#[test]
+fn utilisation_scales_with_the_traction() {
+    for t in [
+        [1e6, 2e6, 0.0],
+        [0.2e6, 3e6, 1e6],
+        [-2e6, 3e6, 2e6],
+        [40e6, 1e6, 0.0],
+    ] {
+        let (used, mode) = STRENGTH.utilisation(&t);
+        assert!(used.is_finite() && used > 0.0, "{t:?}");
+        let at = |factor: f64| t.map(|x: f64| factor / used * x);
+        assert_eq!(STRENGTH.failure(&at(1.0 - 1e-12)), None);
+        assert_eq!(STRENGTH.failure(&at(1.0 + 1e-12)), Some(mode));
+    }
+}
+
 #[test]
 fn springs_of_thin_layers_add() {
     let k = springs(40e9, 16e9, 3e-4);

@@ -128,8 +128,13 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     }
     scratch.invalidate(world);
     step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let after = View { world, scratch }.balance().residual();
+    let view = View { world, scratch };
+    let (after, ratio) = (view.balance().residual(), view.soft_unbalanced());
     world.works.edit_defect += after - before;
+    if let Some(deform) = world.deform.as_deref_mut() {
+        deform.cut_blocks += cuts.len() as u64;
+        deform.cut_unbalanced = deform.cut_unbalanced.max(ratio.unwrap_or(0.0));
+    }
     Ok(cuts.len())
 }
 
@@ -148,7 +153,7 @@ pub fn one(
         return Ok(Vec::new());
     };
     deform.given.get_or_insert(blocks);
-    let Some(parts) = select::divide(world, block, normal, planes, 0.03, 0.0, None) else {
+    let Some(parts) = select::divide(world, block, normal, planes, (0.03, 0.0), None) else {
         return Ok(Vec::new());
     };
     let note = Note {

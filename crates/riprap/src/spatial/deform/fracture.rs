@@ -8,6 +8,7 @@
 use riprap_geom::Mat3;
 
 use super::bonds::{self, Anchors};
+use super::relax::Breaks;
 use super::store::{Break, Deform, Facet, State};
 use super::workspace::Workspace;
 use crate::laws::bond::{self, Traction};
@@ -109,7 +110,8 @@ fn due(view: &View<'_>) -> Vec<Due> {
         let Some((law, strength)) = law.and_then(|l| Some((l, l.strength?))) else {
             continue;
         };
-        let springs_break_at_once = deform.relax.is_none();
+        let relax = deform.relax.as_ref();
+        let springs_break_at_once = relax.is_none_or(|r| r.way.breaks == Breaks::Always);
         match law.failure {
             // Softening points look after themselves, and so do those of dynamic phases.
             BondFailure::Spring if law.cohesive.is_some() || springs_break_at_once => {}
@@ -133,14 +135,22 @@ fn due(view: &View<'_>) -> Vec<Due> {
         }
     }
     if let Some(chosen) = super::cut::tip::may_break(view.world, deform) {
-        found.retain(|d| chosen.contains(&d.facet));
+        // From each tip a crack goes on in one direction.
+        let of = |d: &Due| chosen.get(&d.facet).cloned().unwrap_or_default();
+        let mut best = std::collections::BTreeMap::new();
+        for due in &found {
+            for tip in of(due) {
+                let most: &mut f64 = best.entry(tip).or_insert(0.0);
+                *most = most.max(due.utilisation);
+            }
+        }
+        found.retain(|d| of(d).iter().any(|tip| d.utilisation >= best[tip]));
     }
     let most = found.iter().map(|d| d.utilisation).fold(0.0, f64::max);
     // While everything moves each facet fails when it fails.
-    let least = if deform.relax.is_some() {
-        TOGETHER * most
-    } else {
-        0.0
+    let least = match deform.relax.as_ref().map(|r| r.way.breaks) {
+        Some(Breaks::Most) => TOGETHER * most,
+        Some(Breaks::All | Breaks::Always) | None => 0.0,
     };
     found.retain(|d| d.utilisation >= least);
     found
@@ -289,6 +299,8 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
     tell(&mut deform, world.step, world.time, most, released);
     if let Some(relax) = &mut deform.relax {
         relax.disturb();
+        deform.breaks += 1;
+        deform.peak_share = deform.peak_share.max(1.0 / most);
     }
     world.deform = Some(deform);
     facets.len()

@@ -51,6 +51,14 @@ pub struct Deform {
     pub broken: Vec<Break>,
     /// Area of bonds broken so far by mode (tension, shear), m².
     pub broken_area: [f64; 2],
+    /// Events of breaking in static phases so far.
+    pub breaks: u64,
+    /// Largest of 1/utilisation over these events.
+    pub peak_share: f64,
+    /// Blocks cut so far.
+    pub cut_blocks: u64,
+    /// Largest ratio of net to external forces just after a cut.
+    pub cut_unbalanced: f64,
 }
 
 /// One deformable block.

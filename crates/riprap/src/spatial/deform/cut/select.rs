@@ -1,9 +1,10 @@
 //! Which blocks are cut, and by which planes.
 
-use riprap_geom::polyhedron::cut::{self, Limits, Part, Planes};
+use riprap_geom::polyhedron::cut::{self, FaceOrigin, Limits, Part, Planes};
 use riprap_geom::{Mat3, Vec3};
 
-use super::{Anchor, Cut, Note, Rules, tip};
+use super::tip::{self, Tip};
+use super::{Anchor, Cut, Note, Rules};
 use crate::laws::fracture::{self, Rock};
 use crate::laws::tetrahedron::Symmetric;
 use crate::spatial::deform::store::Deform;
@@ -13,6 +14,8 @@ use crate::spatial::world::World;
 
 /// The parts together must have the volume of the block up to this share.
 const SAME_VOLUME: f64 = 1e-11;
+/// A face of a part lies on a plane up to this share of the size of the part: snapping makes faces crooked.
+const ON_PLANE: f64 = 1e-2;
 
 /// Blocks whose criterion is met, in the order of their numbers, with their parts.
 pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
@@ -33,11 +36,11 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
         let Some(rock) = rock(world, block) else {
             continue;
         };
-        let at = match &tips {
+        let tip = match &tips {
             None => None,
-            Some(front) => match front.touching(world, block) {
+            Some(front) => match front.touching(world, deform, block) {
                 None => continue,
-                at => at,
+                tip => tip,
             },
         };
         let (stress, gradient) = deform.average(work, body);
@@ -47,15 +50,16 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
             continue;
         }
         let normal = fracture::cut_normal(&rock, verdict.way, &principal, &gradient, None);
-        let parts = divide(
-            world,
-            block,
-            normal,
-            rules.planes,
-            rules.snap,
-            rules.smallest,
-            at,
-        );
+        // A part gets the plane that was missing, not a full set.
+        let planes = if tip.is_some() && generation(world, deform, block) > 0 {
+            1
+        } else {
+            rules.planes
+        };
+        let at = tip.map(|t| t.at);
+        let limits = (rules.snap, rules.smallest);
+        let parts = divide(world, block, normal, planes, limits, at)
+            .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)));
         if let Some(parts) = parts {
             let note = Note {
                 normal,
@@ -103,6 +107,22 @@ fn symmetric(m: &Mat3) -> Symmetric {
     [x.x, y.y, z.z, y.z, z.x, x.y]
 }
 
+/// Whether the plane through a tip leads on from it within the block.
+fn goes_on(world: &World, block: u32, normal: Vec3, parts: &[Part], tip: &Tip) -> bool {
+    let centre = world.reference[block as usize];
+    let n = normal.normalize();
+    let height = n.dot(tip.at - centre);
+    parts.iter().any(|part| {
+        let faces = part.origins.iter().enumerate();
+        let mut cuts = faces.filter(|(_, origin)| matches!(origin, FaceOrigin::Plane(_)));
+        cuts.any(|(f, _)| {
+            let middle = part.solid.face_centre(f);
+            let through = (n.dot(middle) - height).abs() <= ON_PLANE * part.solid.size();
+            through && tip.leads_to(middle + centre)
+        })
+    })
+}
+
 /// Parts of a block about its centroid; `at` (m, local) is the tip that a plane must go through. `None` where no plane
 /// can be cut, or a part would be too small.
 pub(super) fn divide(
@@ -110,8 +130,7 @@ pub(super) fn divide(
     block: u32,
     normal: Vec3,
     planes: u32,
-    snap: f64,
-    smallest: f64,
+    (snap, smallest): (f64, f64),
     at: Option<Vec3>,
 ) -> Option<Vec<Part>> {
     let (solid, _) = centred(&world.setup.blocks[block as usize].shape);

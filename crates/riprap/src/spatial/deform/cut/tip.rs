@@ -1,6 +1,6 @@
 //! Where a crack ends: the front of the broken facets.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
@@ -12,14 +12,33 @@ use crate::spatial::deform::workspace::centred;
 use crate::spatial::fields::View;
 use crate::spatial::world::World;
 
-/// Distance below which a point is on a face, over the edge of a cube of the mean volume.
-const NEAR: f64 = 3e-3;
+/// Distance below which a point is on a face, over the edge of a cube of the mean volume: above what snapping moves a plane by.
+const NEAR: f64 = 1e-2;
+/// Cosine of the angle to the heading of a crack below which something does not lie ahead of it.
+const AHEAD: f64 = 0.2;
 
-/// Points of the front.
+/// The front of cracks.
 pub struct Front {
-    /// Middles of the edges at which broken facets end inside the rock, m (local).
-    pub points: Vec<Vec3>,
+    /// Where broken facets end inside the rock.
+    pub tips: Vec<Tip>,
     near: f64,
+}
+
+/// A place at which a crack ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tip {
+    /// Middle of the edge of the last broken facet, m (local).
+    pub at: Vec3,
+    /// Unit vector from that facet to it.
+    pub heading: Vec3,
+}
+
+impl Tip {
+    /// Whether a place lies ahead.
+    #[must_use]
+    pub fn leads_to(&self, place: Vec3) -> bool {
+        self.heading.dot((place - self.at).normalize_or_zero()) > AHEAD
+    }
 }
 
 /// Outline of a facet.
@@ -59,6 +78,11 @@ impl Area {
 }
 
 impl Area {
+    /// Mean of the corners, m.
+    fn middle(&self) -> Vec3 {
+        self.corners.iter().copied().sum::<Vec3>() / self.corners.len() as f64
+    }
+
     /// Distance of a point, m.
     fn distance(&self, at: Vec3) -> f64 {
         let Some(&first) = self.corners.first() else {
@@ -89,14 +113,14 @@ impl Front {
             .iter()
             .map(|f| Area::new(outline(world, f), f.frame[0]))
             .collect();
-        let broken: Vec<usize> = (0..areas.len()).filter(|k| is_broken(deform, *k)).collect();
+        let broken: Vec<usize> = broken(deform).collect();
         let mut of: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
         for (k, facet) in deform.facets.iter().enumerate() {
             for b in facet.blocks {
                 of.entry(b).or_default().push(k);
             }
         }
-        let mut points: Vec<Vec3> = Vec::new();
+        let mut tips: Vec<Tip> = Vec::new();
         for &k in &broken {
             let corners = &areas[k].corners;
             for c in 0..corners.len() {
@@ -108,18 +132,19 @@ impl Front {
                     ends.iter()
                         .all(|b| covered(world, *b, at, n, near, &of, &areas))
                 };
-                if !goes_on && inside() && !points.iter().any(|p| p.distance(at) <= near) {
-                    points.push(at);
+                if !goes_on && inside() && !tips.iter().any(|t| t.at.distance(at) <= near) {
+                    let heading = (at - areas[k].middle()).normalize_or_zero();
+                    tips.push(Tip { at, heading });
                 }
             }
         }
-        Self { points, near }
+        Self { tips, near }
     }
 
-    /// The first point of the front that a block touches.
+    /// The first tip that a block touches and from which no facet between parts of the same block leads on.
     #[must_use]
-    pub fn touching(&self, world: &World, block: u32) -> Option<Vec3> {
-        if self.points.is_empty() {
+    pub fn touching(&self, world: &World, deform: &Deform, block: u32) -> Option<Tip> {
+        if self.tips.is_empty() {
             return None;
         }
         let (solid, centre) = centred(&world.setup.blocks[block as usize].shape);
@@ -129,9 +154,38 @@ impl Front {
                 .map(|(n, d)| n.dot(at - centre) - d)
                 .fold(f64::NEG_INFINITY, f64::max)
         };
-        let mut points = self.points.iter().copied();
-        points.find(|at| beyond(*at) <= self.near)
+        let touched = self.tips.iter().filter(|t| beyond(t.at) <= self.near);
+        let root = root(world, deform, block);
+        touched
+            .copied()
+            .find(|tip| !self.leads_on(world, deform, tip, root))
     }
+
+    /// Whether a facet that is not broken, between parts of the block `root`, leads on from a tip.
+    fn leads_on(&self, world: &World, deform: &Deform, tip: &Tip, root: u32) -> bool {
+        let mut facets = deform.facets.iter().enumerate();
+        facets.any(|(k, facet)| {
+            let inside = facet.blocks[0] != facet.blocks[1]
+                && facet
+                    .blocks
+                    .iter()
+                    .all(|b| self::root(world, deform, *b) == root);
+            if !inside || is_broken(deform, k) || !tip.leads_to(facet.centre) {
+                return false;
+            }
+            Area::new(outline(world, facet), facet.frame[0]).holds(tip.at, self.near)
+        })
+    }
+}
+
+/// The given block that a part comes from.
+fn root(world: &World, deform: &Deform, block: u32) -> u32 {
+    let given = deform.given.unwrap_or(u32::MAX);
+    let mut b = block;
+    while b >= given {
+        b = world.lineage[b as usize].parent;
+    }
+    b
 }
 
 /// Length below which points are the same, m.
@@ -143,7 +197,27 @@ fn near(world: &World, deform: &Deform) -> f64 {
     NEAR * f64::cbrt(sum / f64::max(count, 1.0))
 }
 
-fn is_broken(deform: &Deform, k: usize) -> bool {
+/// Numbers of the broken facets.
+pub fn broken(deform: &Deform) -> impl Iterator<Item = usize> + '_ {
+    (0..deform.facets.len()).filter(|k| is_broken(deform, *k))
+}
+
+/// Mean over the area of broken facets of the squared components of their normals.
+#[must_use]
+pub fn fabric(deform: &Deform) -> Vec3 {
+    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
+    for k in broken(deform) {
+        let facet = &deform.facets[k];
+        let n = facet.frame[0];
+        sum += facet.area * n * n;
+        area += facet.area;
+    }
+    sum / area
+}
+
+/// Whether more than half of the points of facet `k` are broken.
+#[must_use]
+pub fn is_broken(deform: &Deform, k: usize) -> bool {
     let points = &deform.memory[deform.facets[k].points()];
     2 * points.iter().filter(|m| m.state.is_broken()).count() > points.len()
 }
@@ -173,26 +247,28 @@ fn covered(
     })
 }
 
-/// Facets that may break now, where breaking is for tips only; `None` where all may.
+/// Facets that may break now and the tips that they hold, where breaking is for tips only; `None` where all may.
 #[must_use]
-pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeSet<u32>> {
+pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeMap<u32, Vec<usize>>> {
     let rules = deform.cutting?.rules;
     let Anchor::Tip { only_cut } = rules.anchor else {
         return None;
     };
     let front = Front::new(world, deform);
-    let siblings = |[a, b]: [u32; 2]| {
-        let parent = |b: u32| world.lineage[b as usize].parent;
-        parent(a) == parent(b) && Some(a) >= deform.given && Some(b) >= deform.given
-    };
-    let chosen = deform.facets.iter().enumerate().filter(|(_, facet)| {
+    let siblings = |[a, b]: [u32; 2]| root(world, deform, a) == root(world, deform, b);
+    let mut chosen = BTreeMap::new();
+    for (k, facet) in deform.facets.iter().enumerate() {
         if only_cut && !siblings(facet.blocks) {
-            return false;
+            continue;
         }
         let area = Area::new(outline(world, facet), facet.frame[0]);
-        front.points.iter().any(|at| area.holds(*at, front.near))
-    });
-    Some(chosen.map(|(k, _)| k as u32).collect())
+        let held = |n: &usize| area.holds(front.tips[*n].at, front.near);
+        let tips: Vec<usize> = (0..front.tips.len()).filter(held).collect();
+        if !tips.is_empty() {
+            chosen.insert(k as u32, tips);
+        }
+    }
+    Some(chosen)
 }
 
 /// Distance (m) of a point (local) from the nearest broken facet, at the start.
@@ -201,10 +277,31 @@ pub fn distance(view: &View<'_>, at: Vec3) -> f64 {
     let Some((deform, _)) = view.softs() else {
         return f64::NAN;
     };
-    let broken = (0..deform.facets.len()).filter(|k| is_broken(deform, *k));
-    let distances = broken.map(|k| {
+    let distances = broken(deform).map(|k| {
         let facet = &deform.facets[k];
         Area::new(outline(view.world, facet), facet.frame[0]).distance(at)
     });
     distances.fold(f64::INFINITY, f64::min)
+}
+
+/// Distance (m) from a point (local) along a unit vector to the nearest broken facet that the line meets, at the start;
+/// infinite where there is none.
+#[must_use]
+pub fn offset(view: &View<'_>, at: Vec3, along: Vec3) -> f64 {
+    let Some((deform, _)) = view.softs() else {
+        return f64::NAN;
+    };
+    let near = near(view.world, deform);
+    let hits = broken(deform).filter_map(|k| {
+        let facet = &deform.facets[k];
+        let area = Area::new(outline(view.world, facet), facet.frame[0]);
+        let slope = area.normal.dot(along);
+        let first = *area.corners.first()?;
+        let s = area.normal.dot(first - at) / slope;
+        (s.is_finite() && area.holds(at + s * along, near)).then_some(s)
+    });
+    hits.fold(
+        f64::INFINITY,
+        |best, s| if s.abs() < best.abs() { s } else { best },
+    )
 }
