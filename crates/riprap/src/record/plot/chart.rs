@@ -50,6 +50,8 @@ pub(super) struct Panel {
     pub(super) x: Option<Abscissa>,
     /// Lines of text below the legend.
     pub(super) notes: Vec<String>,
+    /// Ordinates that are in the picture besides those of the curves.
+    pub(super) room: Vec<f64>,
 }
 
 impl Panel {
@@ -122,7 +124,12 @@ fn one_panel(
     index: usize,
     x: Option<&Abscissa>,
 ) {
-    let values = panel.curves.iter().flat_map(|c| &c.y).copied();
+    let values = panel
+        .curves
+        .iter()
+        .flat_map(|c| &c.y)
+        .chain(&panel.room)
+        .copied();
     let sy = match (panel.log, sx.log) {
         (true, true) => Scale::log_covering(values),
         (true, false) => Scale::decades(values),

@@ -195,6 +195,7 @@ fn panel(
             format!("scatter: factor {:.2}", libm::exp(fit.deviation)),
             format!("K 95 % = {} mm/s", digits(fit.upper_factor, 4)),
         ],
+        ..Panel::default()
     }
 }
 

@@ -176,6 +176,7 @@ pub fn spectrum(folder: &Path, history: &str, out: &Path) -> Result<Vec<PathBuf>
                 format!("dominant {} Hz", digits(s.dominant, 3)),
                 format!("resolution {} Hz", digits(s.resolution, 2)),
             ],
+            ..Panel::default()
         },
     ];
     let title = suffix(&manifest, &format!("spectrum of {}", series.name));

@@ -256,6 +256,8 @@ fn crater_panel(
             format!("threshold {} m", short(threshold)),
             format!("rings {} m wide", short(width)),
         ],
+        // Where nothing rises to it, the threshold is not on the frame.
+        room: vec![1.1 * threshold],
         ..Panel::default()
     }
 }
