@@ -4,13 +4,14 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::spatial::deform::fracture;
 use riprap::spatial::deform::phase::{self, Rules};
+use riprap::spatial::deform::relax::Way;
 use riprap::spatial::setup::deform::{
-    BondFailure, BondLaw, DeformableSet, Deformables, Strain, Strength,
+    BondFailure, BondLaw, DeformableSet, Deformables, Notch, Strain, Strength,
 };
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 use riprap::spatial::stable::stable_step;
 
-use crate::rock::{Run, brick, elastic, rock};
+use crate::rock::{Run, brick, elastic, lattice, rock};
 
 /// Young's modulus of `rock`, Pa.
 const YOUNG: f64 = 18e9;
@@ -368,4 +369,65 @@ fn a_bond_breaks_at_its_strength_and_gives_its_energy_back() {
         // A released bond held t^2 L/2E, all else was damped away.
         assert!(balance.works.fracture > 0.0 && balance.works.fracture < 0.01 * scale);
     }
+}
+
+/// The notch of whole facets ends with them; that of springs takes those at its tip along, which carry a third of the next facet and
+/// hold the faces across it together.
+#[test]
+fn a_notch_of_springs_is_a_third_of_a_block_longer() {
+    let broken = |springs: bool| {
+        let mut setup = soft(
+            rock(lattice([2, 2, 1], 1.0), elastic()),
+            Strain::Small,
+            0.01,
+        );
+        let corners = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0)];
+        setup.deform.notches = vec![Notch { corners, springs }];
+        let run = Run::new(setup);
+        let deform = run.world.deform.as_ref().unwrap();
+        let points = deform.points.iter().zip(&deform.memory);
+        let broken = points.filter(|(_, m)| m.state.is_broken());
+        broken.map(|(p, _)| p.area).collect::<Vec<f64>>()
+    };
+    let facets = broken(false);
+    assert_eq!(facets.len(), 5);
+    assert!((facets.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    let springs = broken(true);
+    assert_eq!(springs.len(), 5 + 2 + 4);
+    assert!((springs.iter().sum::<f64>() - (1.0 + 1.0 / 3.0 + 2.0 / 3.0)).abs() < 1e-12);
+}
+
+/// Constant damping and the change of energy as a measure of rest lead to the same equilibrium, more slowly.
+#[test]
+fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
+    let end = |way: Option<Way>| {
+        let mut run = bar(4, 0.03, 3e-4, 1e6);
+        let rules = Rules {
+            relax: Some(1e-8),
+            breaking: false,
+        };
+        begin(&mut run, &rules);
+        if let Some(way) = way {
+            phase::relax_by(&mut run.world, way);
+        }
+        let converged = |run: &Run| {
+            let relax = run.world.deform.as_ref().and_then(|d| d.relax.as_ref());
+            relax.is_some_and(|r| r.converged)
+        };
+        while !converged(&run) {
+            assert!(run.world.step < 100_000);
+            run.steps(1, 1.0);
+        }
+        run.evaluate(1.0);
+        (run.view().strain_energy(), run.world.step)
+    };
+    let (energy, steps) = end(None);
+    let way = Way {
+        damping: Some(0.05),
+        energy: Some(1e-9),
+        ..Way::default()
+    };
+    let (same, more) = end(Some(way));
+    assert!((same / energy - 1.0).abs() < 1e-5, "{same} {energy}");
+    assert!(more > 0 && steps > 0);
 }

@@ -9,9 +9,14 @@ use riprap::record::{Manifest, vtu};
 use riprap::run::checks::{Check, Expected, Status, Window};
 use riprap::run::drive::{Control, Ending, Progress};
 use riprap::run::job::{self, Job};
-use riprap::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, Plan, TimeStep, Until};
-use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet};
+use riprap::run::plan::{
+    Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until,
+    Way,
+};
+use riprap::spatial::setup::deform::Strain;
+use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 
+use crate::deform::soft;
 use crate::rock::{elastic, lattice, rock};
 
 fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
@@ -25,6 +30,11 @@ fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
 
 /// A column of three cubes on a held face that settles under its weight.
 fn column() -> Job {
+    column_of(|setup| setup)
+}
+
+/// The column of a changed model.
+fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
     let mut setup = rock(lattice([1, 1, 3], 1.0), elastic());
     setup.gravity = Vec3::new(0.0, 0.0, -10.0);
     setup.boundaries = vec![Boundary {
@@ -79,7 +89,7 @@ fn column() -> Job {
         every: Every::Steps(1),
     };
     Job {
-        setup: setup.into(),
+        setup: change(setup).into(),
         plan: Plan {
             title: "column".to_owned(),
             phases: vec![phase],
@@ -151,4 +161,34 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
     assert_eq!(resumed.manifest.steps, 60_000);
     assert_eq!(whole.manifest.state_hash, resumed.manifest.state_hash);
     assert_eq!(whole.checks, resumed.checks);
+}
+
+#[test]
+fn a_static_phase_without_equilibrium_says_so() {
+    let mut job = column_of(|setup| soft(setup, Strain::Small, 0.01));
+    job.checks.clear();
+    let phase = &mut job.plan.phases[0];
+    phase.until.time = None;
+    phase.deform = Some(Deforming {
+        breaking: true,
+        relax: Some(Relaxing {
+            tolerance: 1e-9,
+            load_steps: 1,
+            iterations: 50,
+            way: Way::default(),
+        }),
+        cut: None,
+    });
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("column.run");
+    let outcome = job::run(job, &folder, Existing::Refuse, 1, &mut go).unwrap();
+    assert_eq!(outcome.ending, Ending::Finished);
+    let [note] = &outcome.unconverged[..] else {
+        panic!("{:?}", outcome.unconverged);
+    };
+    assert_eq!((note.phase.as_str(), note.iterations), ("settle", 50));
+    assert!(note.ratio > 1e-9);
+    assert_eq!(outcome.manifest.warnings, vec![note.to_string()]);
+    let events = std::fs::read_to_string(folder.join("events.jsonl")).unwrap();
+    assert!(events.contains("\"not_converged\""), "{events}");
 }
