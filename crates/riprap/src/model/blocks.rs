@@ -52,7 +52,8 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
             Geometry::Polygon(Polygon::Csv(_))
             | Geometry::Brick(_)
             | Geometry::Grid(_)
-            | Geometry::Polyhedron(_),
+            | Geometry::Polyhedron(_)
+            | Geometry::Mesh(_),
         ) => Vec::new(),
         Some(Geometry::Polygon(Polygon::Points(points))) => all(points),
         Some(Geometry::Rectangle(r)) => r.corner.iter().chain(&r.centre).map(global).collect(),
@@ -125,7 +126,10 @@ impl Builder<'_> {
             }
             Geometry::Cut(c) => self.cut(block, c)?,
             // Refused by the language: shapes of the other space.
-            Geometry::Brick(_) | Geometry::Grid(_) | Geometry::Polyhedron(_) => return None,
+            Geometry::Brick(_)
+            | Geometry::Grid(_)
+            | Geometry::Polyhedron(_)
+            | Geometry::Mesh(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
             Geometry::Pour(p) => {
                 let [few, many] = p.vertices.unwrap_or([4, 7]);

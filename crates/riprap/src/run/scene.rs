@@ -186,7 +186,12 @@ pub fn input_hash(text: &str, folder: &Path) -> String {
     let root: toml::Value = toml::from_str(text).unwrap_or(toml::Value::Boolean(false));
     let mut names = Vec::new();
     strings(&root, &mut names);
-    for name in names.iter().filter(|name| name.ends_with(".csv")) {
+    let read = |name: &&String| {
+        [".csv", ".obj", ".msh"]
+            .iter()
+            .any(|end| name.ends_with(end))
+    };
+    for name in names.iter().filter(read) {
         add(name.as_bytes());
         // A file that cannot be read stops the model before this.
         add(&std::fs::read(folder.join(name)).unwrap_or_default());

@@ -49,7 +49,8 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
         | Geometry::Pour(_)
         | Geometry::Brick(_)
         | Geometry::Grid(Grid::Cells(_))
-        | Geometry::Polyhedron(_) => None,
+        | Geometry::Polyhedron(_)
+        | Geometry::Mesh(_) => None,
     }
 }
 

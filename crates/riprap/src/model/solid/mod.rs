@@ -15,6 +15,7 @@ mod grid;
 mod in_situ;
 mod inspect;
 mod joints;
+mod mesh;
 mod pattern;
 mod places;
 mod shapes;

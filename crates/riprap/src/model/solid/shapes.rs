@@ -68,7 +68,9 @@ pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             | Geometry::Arch(_)
             | Geometry::Cut(_)
             | Geometry::Voronoi(_)
-            | Geometry::Pour(_),
+            | Geometry::Pour(_)
+            // Its nodes are in a file, which is read later: what it says is local from the start.
+            | Geometry::Mesh(_),
         )
         | None => Vec::new(),
     }
@@ -106,6 +108,18 @@ impl Builder<'_> {
                 Some(Geometry::Polyhedron(said)) => self
                     .polyhedron(block, said, shift)
                     .map(|solid| vec![Shape::Polyhedron(Box::new(solid))]),
+                Some(Geometry::Mesh(said)) => {
+                    let Some((shapes, groups)) = self.mesh(block, said, shift) else {
+                        continue;
+                    };
+                    let first = self.spatial.blocks.len() as u32;
+                    self.enter_solids(block, shapes);
+                    for (name, members) in groups {
+                        let members = members.into_iter().map(|k| first + k).collect();
+                        self.directory.extend(&name, members);
+                    }
+                    None
+                }
                 // Refused by the language: shapes of the other space.
                 Some(
                     Geometry::Polygon(_)

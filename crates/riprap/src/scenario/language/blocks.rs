@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Point;
-use super::solids::{Brick, Grid, Mechanics, Polyhedron};
+use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron};
 use crate::scenario::quantity::{
     Angle, Axial, HalfAngle, Length, Name, NotNegativeAngle, NotNegativeLength, PositiveLength,
     Quantity, Share, Spin, Vector, Velocity,
@@ -12,7 +12,7 @@ use crate::scenario::quantity::{
 
 /// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`,
 /// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
-/// `grid` or `polyhedron`.
+/// `grid`, `polyhedron` or `mesh`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
@@ -57,6 +57,9 @@ pub struct Block {
     /// A convex polyhedron.
     #[schemars(extend("x-space" = "spatial", "x-instead" = "use `polygon`"))]
     pub polyhedron: Option<Polyhedron>,
+    /// The volume elements of a mesh of Gmsh.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `voronoi` or `cut`"))]
+    pub mesh: Option<Mesh>,
     /// How the blocks deform. Default rigid.
     #[schemars(extend("x-space" = "spatial", "x-instead" = "leave it out: blocks of the plane are rigid"))]
     pub mechanics: Option<Mechanics>,
@@ -99,6 +102,8 @@ pub enum Geometry<'a> {
     Grid(&'a Grid),
     /// `polyhedron`
     Polyhedron(&'a Polyhedron),
+    /// `mesh`
+    Mesh(&'a Mesh),
 }
 
 impl Geometry<'_> {
@@ -115,7 +120,8 @@ impl Geometry<'_> {
             | Geometry::Cut(_)
             | Geometry::Voronoi(_)
             | Geometry::Pour(_)
-            | Geometry::Grid(_) => true,
+            | Geometry::Grid(_)
+            | Geometry::Mesh(_) => true,
         }
     }
 }
@@ -145,6 +151,7 @@ impl Block {
             self.polyhedron
                 .as_ref()
                 .map(|g| ("polyhedron", Geometry::Polyhedron(g))),
+            self.mesh.as_ref().map(|g| ("mesh", Geometry::Mesh(g))),
         ]
         .into_iter()
         .flatten()

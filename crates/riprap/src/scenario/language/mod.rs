@@ -38,13 +38,13 @@ pub use interfaces::{
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
 };
-pub use outputs::{Every, History, Moment, Output, Period, Schedule};
+pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{
     CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Relaxation,
     RelaxationBreaks, Reset, Until,
 };
 pub use solids::{
-    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Notch,
+    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
     NotchBreaks, Plane, Polyhedron, Segment, StrainMeasure, span_of,
 };
 pub use sources::{

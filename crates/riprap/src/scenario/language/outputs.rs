@@ -15,7 +15,7 @@ pub enum Output {
     /// A column of `histories.csv`.
     History(Box<History>),
     /// Pictures of the whole model for ParaView.
-    Frames(Schedule),
+    Frames(Pictures),
     /// States from which a run can be resumed; there is always one at the end of a phase.
     Checkpoints(Schedule),
 }
@@ -46,6 +46,18 @@ pub struct History {
 pub struct Schedule {
     /// How often, for example `"50 ms"`, `"10 steps"` or `"1 phase"`.
     pub every: Every,
+}
+
+/// Pictures.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pictures {
+    /// How often, for example `"50 ms"`, `"10 steps"` or `"1 phase"`.
+    pub every: Every,
+    /// Whether the tetrahedra of deformable blocks are written too, with their stresses and strains. Default false.
+    #[serde(default)]
+    #[schemars(extend("x-space" = "spatial"))]
+    pub tetrahedra: bool,
 }
 
 /// An interval: model time (`"1 ms"`), steps (`"10 steps"`), `"1 phase"` or `"never"`.

@@ -79,6 +79,19 @@ pub struct Polyhedron {
     pub obj: Option<Name>,
 }
 
+/// The volume elements of first order of a mesh: tetrahedra, hexahedra, prisms, pyramids. Each becomes a block. Physical
+/// volumes become groups of their blocks, physical surfaces groups of the blocks that have a face in them.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary), seen from the scenario file.
+    pub msh: Name,
+    /// What the length 1 in the file stands for, m. Default 1 m.
+    pub unit: Option<Quantity<PositiveLength>>,
+    /// Name of the physical volume whose elements are taken. Default all.
+    pub volume: Option<Name>,
+}
+
 /// How blocks deform. Exactly one form.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

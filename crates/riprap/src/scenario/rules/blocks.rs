@@ -25,7 +25,7 @@ impl Rules {
                 "voronoi",
                 "pour",
             ],
-            InSpace::Spatial => &["brick", "grid", "polyhedron"],
+            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh"],
         };
         let flags: Vec<(&str, bool)> = all
             .iter()
@@ -85,6 +85,8 @@ impl Rules {
                 }
             }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
+            // Looked at when the file is read.
+            Geometry::Mesh(_) => {}
             Geometry::Rectangle(shape) => self.one_of(
                 span,
                 &format!("the rectangle of {of}"),
