@@ -39,12 +39,17 @@ fn measure(root: &Path) -> Result<(), String> {
     std::fs::write(&path, kept.join("\n") + "\n")
         .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
     println!("kept in {}", path.display());
-    let lattices = example(root, "bench_spatial", &[])?;
-    print!("{lattices}");
-    let path = root.join("target").join("bench-spatial.csv");
-    std::fs::write(&path, lattices)
-        .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
-    println!("kept in {}", path.display());
+    for (name, file) in [
+        ("bench_spatial", "bench-spatial.csv"),
+        ("bench_deform", "bench-deform.csv"),
+    ] {
+        let table = example(root, name, &[])?;
+        print!("{table}");
+        let path = root.join("target").join(file);
+        std::fs::write(&path, table)
+            .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
+        println!("kept in {}", path.display());
+    }
     Ok(())
 }
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::*;
-use crate::face_overlay::overlay;
 use crate::polyhedron::hull;
 use crate::random::Chance;
 
@@ -334,74 +333,4 @@ fn snapping_removes_short_edges() {
     }
     assert!(shortest[1] > 5e-3 && shortest[2] > 2e-2, "{shortest:?}");
     assert!(shortest[0] < 2e-3, "{shortest:?}");
-}
-
-/// `cargo test --release -p riprap-geom --lib cut::tests::speed -- --ignored --nocapture`
-#[test]
-#[ignore = "a measurement"]
-fn speed() {
-    let cube = Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5));
-    let mut chance = Chance::new(1);
-    let normals: Vec<Vec3> = (0..20_000).map(|_| direction(&mut chance)).collect();
-    let mut best = [f64::INFINITY; 2];
-    for chunk in normals.chunks(1000) {
-        let start = std::time::Instant::now();
-        for n in chunk {
-            let planes = Planes::Spaced { count: 3 };
-            assert_eq!(
-                cut(&cube, *n, planes, &Limits::default())
-                    .unwrap()
-                    .parts
-                    .len(),
-                4
-            );
-        }
-        best[0] = best[0].min(start.elapsed().as_secs_f64() / chunk.len() as f64);
-    }
-    // With six whole neighbours: one overlay for each face of a part that lies on a face of the cube, and the cuts.
-    let neighbours: Vec<Tetrahedra> = (0..6)
-        .map(|face| {
-            let brick = Polyhedron::brick(cube.plane(face).0, Vec3::splat(0.5));
-            Tetrahedra::new(&brick).unwrap()
-        })
-        .collect();
-    let made: Vec<Parts> = normals[..2000]
-        .iter()
-        .map(|n| cut(&cube, *n, Planes::Spaced { count: 3 }, &Limits::default()).unwrap())
-        .collect();
-    let mut points = 0;
-    for chunk in made.chunks(200) {
-        let start = std::time::Instant::now();
-        for cut in chunk {
-            points += interfaces(cut, &neighbours);
-        }
-        best[1] = best[1].min(start.elapsed().as_secs_f64() / chunk.len() as f64);
-    }
-    println!(
-        "a block into 4 parts: {:.1} us; its interfaces of {} springs: {:.1} us",
-        1e6 * best[0],
-        points / made.len(),
-        1e6 * best[1]
-    );
-}
-
-/// Number of springs of the parts of a cube with its neighbours and each other.
-fn interfaces(cut: &Parts, neighbours: &[Tetrahedra]) -> usize {
-    let mut points = 0;
-    for (k, part) in cut.parts.iter().enumerate() {
-        for (face, origin) in part.origins.iter().enumerate() {
-            let other = match *origin {
-                FaceOrigin::Parent(p) => neighbours[p as usize].face_fan(p as usize ^ 1),
-                FaceOrigin::Plane(plane) if plane as usize == k => {
-                    let next = &cut.parts[k + 1];
-                    let met = next.origins.iter().position(|o| o == origin).unwrap();
-                    next.mesh.face_fan(met)
-                }
-                FaceOrigin::Plane(_) => continue,
-            };
-            let n = part.solid.plane(face).0;
-            points += overlay(&part.mesh.face_fan(face), &other, n, 1e-9).len();
-        }
-    }
-    points
 }
