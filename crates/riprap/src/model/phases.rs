@@ -18,7 +18,7 @@ use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::JointLaw;
-use crate::spatial::setup::deform::Anchoring;
+use crate::spatial::setup::deform::{Anchoring, Strain};
 use riprap_geom::Vec3;
 
 /// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
@@ -179,8 +179,13 @@ impl Builder<'_> {
             .cut
             .as_ref()
             .map(|cut| self.cutting(&said.name.text, cut));
+        let strain = said.strain.map(|strain| match strain {
+            language::StrainMeasure::Small => Strain::Small,
+            language::StrainMeasure::TotalLagrangian => Strain::Large,
+        });
         Some(Deforming {
             breaking,
+            strain,
             relax,
             cut,
         })
@@ -234,6 +239,7 @@ impl Builder<'_> {
             }),
             snap: self.or(&key("snap"), said.snap.as_ref(), 0.03, ""),
             stages: said.stages.unwrap_or(u64::MAX),
+            step_floor: self.or(&key("step_floor"), said.step_floor.as_ref(), 0.1, ""),
         }
     }
 
@@ -252,7 +258,10 @@ impl Builder<'_> {
         for output in &self.parsed.scenario.outputs {
             match output {
                 Output::History(history) => self.history(history),
-                Output::Frames(schedule) => self.plan.frames = every(schedule.every.read()),
+                Output::Frames(pictures) => {
+                    self.plan.frames = every(pictures.every.read());
+                    self.plan.tetrahedra = pictures.tetrahedra;
+                }
                 Output::Checkpoints(schedule) => {
                     self.plan.checkpoints = every(schedule.every.read());
                 }

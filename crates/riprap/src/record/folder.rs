@@ -121,7 +121,7 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     LOCK,
     "scenario.resolved.toml",
     "checks.jsonl",
@@ -132,6 +132,7 @@ const FILES: [&str; 11] = [
     "run.pvd",
     "contacts.pvd",
     "cracks.pvd",
+    "tetrahedra.pvd",
     "manifest.json",
 ];
 
@@ -385,6 +386,10 @@ impl RunFolder {
         if let Some(bytes) = vtu::cracks(frame).at(&cracks)? {
             write_whole(&cracks, &bytes)?;
         }
+        let tetrahedra = self.path.join(tetrahedron_file(index));
+        if let Some(bytes) = vtu::tetrahedra(frame).at(&tetrahedra)? {
+            write_whole(&tetrahedra, &bytes)?;
+        }
         self.frames.push(FrameEntry {
             index,
             step: frame.step,
@@ -446,19 +451,24 @@ impl RunFolder {
                 .collect();
             write_whole(&self.path.join(name), vtu::write_pvd(&entries).as_bytes())?;
         }
-        let there = |f: &&FrameEntry| self.path.join(crack_file(f.index)).exists();
-        let entries: Vec<PvdEntry> = self
-            .frames
-            .iter()
-            .filter(there)
-            .map(|f| PvdEntry {
-                time: f.time,
-                file: crack_file(f.index),
-            })
-            .collect();
-        if !entries.is_empty() {
-            let path = self.path.join("cracks.pvd");
-            write_whole(&path, vtu::write_pvd(&entries).as_bytes())?;
+        for (name, file) in [
+            ("cracks.pvd", crack_file as fn(u32) -> String),
+            ("tetrahedra.pvd", tetrahedron_file),
+        ] {
+            let there = |f: &&FrameEntry| self.path.join(file(f.index)).exists();
+            let entries: Vec<PvdEntry> = self
+                .frames
+                .iter()
+                .filter(there)
+                .map(|f| PvdEntry {
+                    time: f.time,
+                    file: file(f.index),
+                })
+                .collect();
+            if !entries.is_empty() {
+                let path = self.path.join(name);
+                write_whole(&path, vtu::write_pvd(&entries).as_bytes())?;
+            }
         }
         Ok(())
     }
@@ -472,6 +482,11 @@ pub fn block_file(index: u32) -> String {
 /// File of the cracks of frame `index`, relative to the run folder; there only with deformable blocks.
 pub fn crack_file(index: u32) -> String {
     format!("frames/cracks_{index:06}.vtu")
+}
+
+/// File of the tetrahedra of frame `index`, relative to the run folder; there only where they are asked for.
+pub fn tetrahedron_file(index: u32) -> String {
+    format!("frames/tetrahedra_{index:06}.vtu")
 }
 
 /// File of the contacts of frame `index`, relative to the run folder.
@@ -492,7 +507,8 @@ fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputError> {
         let number = name
             .strip_prefix("frame_")
             .or_else(|| name.strip_prefix("contacts_"))
-            .or_else(|| name.strip_prefix("cracks_"));
+            .or_else(|| name.strip_prefix("cracks_"))
+            .or_else(|| name.strip_prefix("tetrahedra_"));
         if let Some(Ok(index)) = number.and_then(|n| n.strip_suffix(".vtu")).map(str::parse) {
             found.push((index, file));
         }

@@ -151,14 +151,14 @@ impl Solids {
     }
 }
 
-/// Polygons in space with numbers: crack surfaces.
+/// Cells in space with numbers: polygons of cracks, tetrahedra.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Surfaces {
-    /// Shape `[polygons]`: end of each polygon's run of points.
+    /// Shape `[cells]`: end of each cell's run of points.
     pub ends: Vec<u32>,
     /// Corners, m, global axes.
     pub points: Vec<[f64; 3]>,
-    /// Numbers on polygons.
+    /// Numbers on cells.
     pub columns: Vec<Column>,
 }
 
@@ -185,6 +185,8 @@ pub struct Frame {
     pub contact_columns: Vec<Column>,
     /// Cracks between deformable blocks; `None` where there are no such blocks. Not read back.
     pub cracks: Option<Surfaces>,
+    /// Tetrahedra of deformable blocks (four points each), where they are asked for. Not read back.
+    pub tetrahedra: Option<Surfaces>,
 }
 
 impl Frame {
@@ -268,6 +270,7 @@ pub(crate) mod tests {
             contact_points: vec![[2.0, 0.5, 0.0]],
             contact_columns: vec![Column::vector("force", "N/m", &[[1e5, -2e4]])],
             cracks: None,
+            tetrahedra: None,
         }
     }
 
@@ -298,6 +301,7 @@ pub(crate) mod tests {
             contact_points: vec![[1.0, 0.25, 0.25]],
             contact_columns: vec![Column::vector3("force", "N", &[[1.0, 0.0, 5.0]])],
             cracks: None,
+            tetrahedra: None,
         }
     }
 

@@ -499,6 +499,7 @@ fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
     let rules = phase.deform.map(|d| spatial::deform::phase::Rules {
         relax: d.relax.map(|r| r.tolerance),
         breaking: d.breaking,
+        strain: d.strain,
     });
     spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
     if let Some(relax) = phase.deform.and_then(|d| d.relax) {

@@ -19,6 +19,8 @@ pub struct Plan {
     pub histories: Vec<History>,
     /// When frames are written; `None` writes the first and last of each phase only.
     pub frames: Option<Every>,
+    /// Whether frames hold the tetrahedra of deformable blocks.
+    pub tetrahedra: bool,
     /// When checkpoints are written besides the end of each phase.
     pub checkpoints: Option<Every>,
     /// When a line of `energy.csv` is written; `None` follows the frames.
@@ -66,6 +68,8 @@ pub struct Phase {
 pub struct Deforming {
     /// Whether bonds may break.
     pub breaking: bool,
+    /// Measure of strain from this phase on; `None` leaves it as it is.
+    pub strain: Option<crate::laws::tetrahedron::Strain>,
     /// How a static phase relaxes; `None` in dynamic phases, and where a rigid block is free.
     pub relax: Option<Relaxing>,
     /// How blocks are cut; `None` where none is.

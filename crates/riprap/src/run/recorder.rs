@@ -45,6 +45,7 @@ pub struct Recorder {
     pub folder: RunFolder,
     readings: Vec<(Reading, Every)>,
     frames: Option<Every>,
+    tetrahedra: bool,
     energy: Option<Every>,
     checkpoints: Option<Every>,
     counts: Counts,
@@ -84,6 +85,7 @@ impl Recorder {
             folder,
             readings,
             frames: plan.frames,
+            tetrahedra: plan.tetrahedra,
             energy: plan.energy.or(plan.frames),
             checkpoints: plan.checkpoints,
             counts,
@@ -155,7 +157,11 @@ impl Recorder {
             .is_some_and(|every| due(every, &mut self.counts.frames));
         if (frame || edge) && self.last_frame != Some(step) {
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
-            self.folder.frame(&view.frame(phase))?;
+            let mut picture = view.frame(phase);
+            if self.tetrahedra {
+                picture.tetrahedra = view.tetrahedra();
+            }
+            self.folder.frame(&picture)?;
             self.last_frame = Some(step);
         }
         Ok(())

@@ -23,7 +23,7 @@ mod write;
 pub use pvd::{PvdEntry, read_pvd, write_pvd};
 pub use read::{ReadError, Vtu, Wanted, parse, read, read_some};
 pub(crate) use write::escape;
-pub use write::{blocks, contacts, cracks};
+pub use write::{blocks, contacts, cracks, tetrahedra};
 
 use super::frame::{Frame, Solids};
 use std::path::Path;
@@ -67,6 +67,7 @@ pub fn read_blocks(blocks: &Path, wanted: Wanted<'_>) -> Result<Frame, ReadError
         contact_points: Vec::new(),
         contact_columns: Vec::new(),
         cracks: None,
+        tetrahedra: None,
     };
     if !b.offsets.is_empty() {
         frame.offsets.push(0);

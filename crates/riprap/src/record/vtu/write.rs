@@ -1,6 +1,6 @@
 //! The writer: header text with offsets, then the blocks of compressed bytes.
 
-use crate::record::frame::{Column, Frame};
+use crate::record::frame::{Column, Frame, Surfaces};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use std::fmt::Write as _;
@@ -11,6 +11,7 @@ const BLOCK: usize = 1 << 15;
 /// VTK cell types.
 pub(super) const VERTEX: u8 = 1;
 pub(super) const POLYGON: u8 = 7;
+const TETRAHEDRON: u8 = 10;
 pub(super) const HEXAHEDRON: u8 = 12;
 pub(super) const POLYHEDRON: u8 = 42;
 
@@ -68,25 +69,36 @@ pub fn contacts(frame: &Frame) -> io::Result<Vec<u8>> {
 /// # Errors
 /// Columns that do not fit the polygons are `InvalidData`: a mistake of the engine.
 pub fn cracks(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
-    let Some(cracks) = &frame.cracks else {
-        return Ok(None);
-    };
-    let count = cracks.ends.len();
-    let last = cracks.ends.last().map_or(0, |e| *e as usize);
-    if last != cracks.points.len() || cracks.columns.iter().any(|c| c.len() != count) {
-        let text = "the lists of cracks do not fit together";
+    let cracks = frame.cracks.as_ref();
+    cracks.map(|c| cells(frame, c, POLYGON)).transpose()
+}
+
+/// The tetrahedra of a frame as a `.vtu` file; `None` where they are not asked for.
+///
+/// # Errors
+/// As [`cracks`].
+pub fn tetrahedra(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
+    let list = frame.tetrahedra.as_ref();
+    list.map(|c| cells(frame, c, TETRAHEDRON)).transpose()
+}
+
+fn cells(frame: &Frame, cells: &Surfaces, kind: u8) -> io::Result<Vec<u8>> {
+    let count = cells.ends.len();
+    let last = cells.ends.last().map_or(0, |e| *e as usize);
+    if last != cells.points.len() || cells.columns.iter().any(|c| c.len() != count) {
+        let text = "the lists of cracks or tetrahedra do not fit together";
         return Err(io::Error::new(io::ErrorKind::InvalidData, text));
     }
-    let ends: Vec<i64> = cracks.ends.iter().map(|e| i64::from(*e)).collect();
+    let ends: Vec<i64> = cells.ends.iter().map(|e| i64::from(*e)).collect();
     let mesh = Mesh {
-        points: &cracks.points,
+        points: &cells.points,
         ends: &ends,
-        kinds: &vec![POLYGON; count],
+        kinds: &vec![kind; count],
         faces: None,
-        on_cells: &cracks.columns,
+        on_cells: &cells.columns,
         on_points: &[],
     };
-    file(frame, &mesh).map(Some)
+    file(frame, &mesh)
 }
 
 fn check(frame: &Frame) -> io::Result<()> {

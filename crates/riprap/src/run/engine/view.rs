@@ -2,7 +2,7 @@
 
 use super::{Who, notes};
 use crate::ledger::Balance;
-use crate::record::frame::Frame;
+use crate::record::frame::{Frame, Surfaces};
 use crate::record::frame::fragments::Fragments;
 use crate::record::manifest::Source;
 use crate::{planar, spatial};
@@ -194,6 +194,15 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => (!v.world.bonds.is_empty()).then(|| v.fragments()),
             Self::Spatial(v) => Some(v.fragments()),
+        }
+    }
+
+    /// The tetrahedra of deformable blocks; `None` where there are none.
+    #[must_use]
+    pub fn tetrahedra(&self) -> Option<Surfaces> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(v) => spatial::deform::picture::tetrahedra(v),
         }
     }
 
