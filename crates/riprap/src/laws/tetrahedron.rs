@@ -50,6 +50,12 @@ pub struct Groups {
 pub struct StartStress(Vec<[Lanes; 6]>);
 
 impl StartStress {
+    /// No stress.
+    #[must_use]
+    pub const fn none() -> Self {
+        Self(Vec::new())
+    }
+
     /// From one stress per tetrahedron, Pa. *Shape* `[n_tets]`, or empty.
     #[must_use]
     pub fn new(stresses: &[Symmetric]) -> Self {

@@ -213,9 +213,13 @@ impl World {
             for &b in blocks {
                 owner.insert(b, k);
                 self.alive[b as usize] = false;
+                if let Some(deform) = self.deform.as_deref_mut() {
+                    deform.retire(b);
+                }
             }
         }
         let mut walls: Vec<Vec<Wall>> = vec![Vec::new(); charges.len()];
+        let mut soft = Vec::new();
         let mut table = ClassTable::new(self, finest);
         let mut joined = Vec::new();
         for overlap in overlaps {
@@ -224,11 +228,22 @@ impl World {
                 [None, None] if deforms => joined.push(overlap),
                 [None, None] => self.add_patch(&mut table, &overlap)?,
                 [Some(_), Some(_)] => {}
-                [Some(&k), None] => {
-                    walls[k].push(Wall::new(&self.setup, &self.reference, &overlap, 1));
-                }
-                [None, Some(&k)] => {
-                    walls[k].push(Wall::new(&self.setup, &self.reference, &overlap, 0));
+                [Some(&k), None] | [None, Some(&k)] => {
+                    let side = usize::from(owner.contains_key(&overlap.blocks[0]));
+                    if self.deforms(overlap.blocks[side] as usize) {
+                        soft.push(deform::build::SoftWall {
+                            source: k as u16,
+                            block: overlap.blocks[side],
+                            normal: if side == 0 {
+                                overlap.frame[0]
+                            } else {
+                                -overlap.frame[0]
+                            },
+                            arm: overlap.arms[side],
+                        });
+                    } else {
+                        walls[k].push(Wall::new(&self.setup, &self.reference, &overlap, side));
+                    }
                 }
             }
         }
@@ -238,7 +253,7 @@ impl World {
         self.faces.sort_by_key(|f| f.block);
         boundary::assign(self, tolerance)?;
         let faces = std::mem::take(&mut self.faces);
-        self.faces = deform::build::finish(self, &joined, faces)?;
+        self.faces = deform::build::finish(self, &joined, faces, &soft)?;
         for (source, (blocks, walls)) in charges.iter().zip(walls).enumerate() {
             let cavity = Cavity::new(self, source, blocks.clone(), walls)?;
             self.cavities.push(cavity);

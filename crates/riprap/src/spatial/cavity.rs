@@ -6,15 +6,18 @@
 //!
 //! Volume and force are conjugate: `V = V0 + f sum A n.(u + th x r)` and a force `P f A n` at the centre of each wall,
 //! so that the work on the blocks is `P dV`. Gas work is booked as the analytic integral of its adiabat; what the
-//! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start.
+//! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start. On deformable
+//! blocks a wall is a set of nodes with their shares of the area ([`soft`]).
 //!
 //! Source: Tian & Li, eqs. (19)-(22) and assumption 1 (the charge turns to gas at once). Deviation: the coupling of
 //! volume and faces, and the limit of the time step, are ours; the source gives none.
 
 mod push;
+mod soft;
 
 pub(super) use push::act;
 pub use push::step_limit;
+pub use soft::{Soft, renew as renew_soft, state as soft_state};
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::frame;
@@ -108,6 +111,8 @@ pub struct Cavity {
     pub held: f64,
     /// Blocks at the free surface above, for venting by heave.
     pub above: Vec<u32>,
+    /// Walls on deformable blocks.
+    pub soft: Soft,
 }
 
 /// Gas of a charge.
@@ -268,7 +273,8 @@ impl Cavity {
         use super::setup::Push as Kind;
         let what = &world.setup.sources[source];
         let name = || what.name.clone();
-        if walls.is_empty() {
+        let soft = Soft::of(world, source);
+        if walls.is_empty() && soft.area == 0.0 {
             return Err(CavityError::NoWall { name: name() });
         }
         walls.sort_by_key(|w| w.block);
@@ -304,6 +310,7 @@ impl Cavity {
             work: 0.0,
             held: 0.0,
             above: Vec::new(),
+            soft,
             gas,
         };
         if matches!(venting, Some(Venting::Heave { .. })) {
@@ -356,8 +363,14 @@ impl Cavity {
         }
         self.walls.retain(|w| !dead(w));
         if self.ignited.is_none() {
-            self.held = self.walls.iter().map(|w| w.held(world)).sum();
+            self.held = self.held_now(world);
         }
+    }
+
+    /// Work of the in-situ tractions of all walls since the start, J.
+    fn held_now(&self, world: &World) -> f64 {
+        let rigid: f64 = self.walls.iter().map(|w| w.held(world)).sum();
+        rigid + soft::held(world, self.source)
     }
 
     /// Finds the surface above anew if the gas vents by heave.
@@ -432,7 +445,7 @@ impl Cavity {
             let solid = world.solid_of(b);
             sum += area.length_squared() / solid.mass + moment.dot(solid.inverse * moment);
         }
-        sum
+        sum + self.soft.mobility
     }
 
     /// Largest step that resolves the gas spring, `0.1/w` with `w² = g P f² mobility / V`, s.

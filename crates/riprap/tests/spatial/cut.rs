@@ -41,6 +41,7 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
         let dynamic = Rules {
             relax: None,
             breaking: false,
+            strain: None,
         };
         begin(&mut run, &dynamic);
         let deform = run.world.deform.as_mut().unwrap();
@@ -136,6 +137,7 @@ fn relax(run: &mut Run, tolerance: f64, rules: Option<&cut::Rules>) -> usize {
     let phase = Rules {
         relax: Some(tolerance),
         breaking: false,
+        strain: None,
     };
     begin(run, &phase);
     cut::allow(&mut run.world, rules);
@@ -165,6 +167,7 @@ fn rules(margin: f64) -> cut::Rules {
         along: Some(Vec3::Z),
         snap: 0.03,
         stages: 1,
+        step_floor: 0.1,
     }
 }
 

@@ -82,6 +82,7 @@ pub fn relax(run: &mut Run, tolerance: f64) -> u64 {
     let rules = Rules {
         relax: Some(tolerance),
         breaking: false,
+        strain: None,
     };
     begin(run, &rules);
     let start = run.world.step;
@@ -161,6 +162,7 @@ fn the_bits_do_not_depend_on_threads() {
             &Rules {
                 relax: Some(1e-6),
                 breaking: false,
+                strain: None,
             },
         );
         run.steps(60, 1.0);
@@ -189,6 +191,7 @@ fn a_free_cube_turns_without_swelling() {
     let rules = Rules {
         relax: None,
         breaking: false,
+        strain: None,
     };
     let size = |run: &Run| {
         let soft = run.view().soft(0).expect("a deformable block");
@@ -244,6 +247,7 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
     let rules = Rules {
         relax: None,
         breaking: false,
+        strain: None,
     };
     begin(&mut run, &rules);
     let dt = 0.5 * stable_step(&run.world, &run.scratch, 0.0).dt;
@@ -321,6 +325,7 @@ fn a_bond_breaks_at_its_strength_and_gives_its_energy_back() {
         let rules = Rules {
             relax: Some(1e-8),
             breaking: true,
+            strain: None,
         };
         begin(&mut run, &rules);
         let mut last = 0.0;
@@ -405,6 +410,7 @@ fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
         let rules = Rules {
             relax: Some(1e-8),
             breaking: false,
+            strain: None,
         };
         begin(&mut run, &rules);
         if let Some(way) = way {
@@ -430,4 +436,59 @@ fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
     let (same, more) = end(Some(way));
     assert!((same / energy - 1.0).abs() < 1e-5, "{same} {energy}");
     assert!(more > 0 && steps > 0);
+}
+
+#[test]
+fn a_stretched_bond_turns_with_its_blocks() {
+    let half = 0.5;
+    let blocks = [0.5, 1.5]
+        .map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half)))
+        .to_vec();
+    let mut run = Run::new(soft(rock(blocks, elastic()), Strain::Large, 0.01));
+    let rules = Rules {
+        relax: None,
+        breaking: false,
+        strain: None,
+    };
+    begin(&mut run, &rules);
+    let turn = riprap_geom::Quat::from_scaled_axis(Vec3::new(0.3, -0.8, 1.9));
+    let gap = Vec3::new(1e-6, 2e-6, 0.0);
+    let deform = run.world.deform.as_mut().expect("nodes");
+    let nodes = deform.nodes.len();
+    for (k, (u, x)) in deform
+        .nodes
+        .moved
+        .iter_mut()
+        .zip(&deform.nodes.place)
+        .enumerate()
+    {
+        let apart = if k < nodes / 2 { Vec3::ZERO } else { gap };
+        *u = (turn * (*x + apart) - *x).to_array();
+    }
+    run.evaluate(1e-9);
+    let force = run.view().facet_force((0, 1));
+    let shear = YOUNG / 2.5;
+    let wanted = turn * Vec3::new(YOUNG / 0.01 * gap.x, shear / 0.01 * gap.y, 0.0);
+    assert!(
+        (force - wanted).length() < 1e-9 * wanted.length(),
+        "{force} {wanted}"
+    );
+}
+
+#[test]
+fn the_measure_of_strain_can_change_with_the_phase() {
+    let mut run = spinning(Strain::Small);
+    let large = Rules {
+        relax: None,
+        breaking: false,
+        strain: Some(Strain::Large),
+    };
+    begin(&mut run, &large);
+    let dt = 0.25 * stable_step(&run.world, &run.scratch, 0.0).dt;
+    run.steps(2000, dt);
+    let soft = run.view().soft(0).expect("a deformable block");
+    assert_eq!(soft.body.strain, Strain::Large);
+    let first = soft.body.first as usize;
+    let size = soft.place(first).distance(soft.place(first + 7));
+    assert!((size / (0.03 * 3f64.sqrt()) - 1.0).abs() < 1e-3, "{size}");
 }

@@ -5,6 +5,7 @@ mod blast;
 mod conserve;
 mod cut;
 mod deform;
+mod dynamic;
 mod edit;
 mod faces;
 mod rock;

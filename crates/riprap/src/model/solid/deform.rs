@@ -53,14 +53,6 @@ impl Builder<'_> {
             let springs = matches!(notch.breaks, Some(language::NotchBreaks::Springs));
             self.spatial.deform.notches.push(Notch { corners, springs });
         }
-        if !self.spatial.deform.sets.is_empty() && self.parsed.scenario.in_situ.is_some() {
-            let error = Diagnostic::error(
-                "mechanics.in_situ",
-                "deformable blocks cannot start under [in_situ] stress",
-            );
-            let help = "load them in a first phase with kind = \"static\" instead";
-            self.found.push(error.help(help));
-        }
     }
 
     fn bond_law(&mut self, name: &str, said: &language::BrittleBond) -> BondLaw {

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
+use super::solids::StrainMeasure;
 use crate::scenario::quantity::{
     Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositiveLength, PositivePlain,
     PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
@@ -50,6 +51,9 @@ pub struct Phase {
     /// Whether bonds of deformable blocks may break. Default true.
     #[schemars(extend("x-space" = "spatial"))]
     pub breaking: Option<bool>,
+    /// Measure of strain of all deformable blocks from this phase on. Default: that of the blocks, or of the phase before.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub strain: Option<StrainMeasure>,
     /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and driven
     /// nodes follow it, and each step is relaxed to `until.unbalanced`. Default 1.
     #[schemars(extend("x-space" = "spatial"))]
@@ -92,7 +96,8 @@ pub enum RelaxationBreaks {
     Always,
 }
 
-/// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged. The strength is
+/// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged, in `dynamic` ones
+/// every ten steps. The strength is
 /// that of the bonds within the material.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -123,6 +128,9 @@ pub struct Cutting {
     pub snap: Option<Quantity<ShareBelowOne>>,
     /// Most times that blocks are cut in the phase. Default: no limit.
     pub stages: Option<u64>,
+    /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block, at least
+    /// 0 and less than 1. Default 0.1.
+    pub step_floor: Option<Quantity<ShareBelowOne>>,
 }
 
 /// When a block is cut, by its average stress.

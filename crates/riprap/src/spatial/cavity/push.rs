@@ -1,6 +1,6 @@
 //! The stage of the step: ignition, volumes, pressures, work, and the limit of the step.
 
-use super::{Cavity, EARLY, upward};
+use super::{Cavity, EARLY, soft, upward};
 use crate::spatial::boundary::Push;
 use crate::spatial::edit::{EditEvent, EditKind};
 use crate::spatial::setup::{Push as Kind, Venting};
@@ -41,13 +41,28 @@ pub(in crate::spatial) fn act(world: &mut World, scratch: &mut Scratch, dt: f64)
     let pushed = &mut scratch.pushed;
     pushed.resize(world.alive.len(), Push::default());
     let mut cavities = std::mem::take(&mut world.cavities);
+    if world.deform.is_some() {
+        // Bonds push blocks anywhere.
+        pushed.fill(Push::default());
+    }
     for wall in cavities.iter().flat_map(|c| &c.walls) {
         pushed[wall.block as usize] = Push::default();
+    }
+    let nodes = world.deform.as_ref().map_or(0, |d| d.nodes.len());
+    let any = cavities.iter().any(|c| c.soft.area > 0.0);
+    let mut pushes = Vec::new();
+    if let Some(work) = scratch.deform.as_deref_mut().filter(|_| any) {
+        pushes = std::mem::take(&mut work.pushes);
+        pushes.clear();
+        pushes.resize(nodes, [0.0; 3]);
     }
     for (k, cavity) in cavities.iter_mut().enumerate() {
         ignite(world, k, cavity, dt);
         match cavity.ignited {
-            None => hold(world, cavity, pushed),
+            None => {
+                soft::hold(world, cavity.source, &mut pushes);
+                hold(world, cavity, pushed);
+            }
             Some(at) => {
                 // A push that begins now acts on the part of the kick after the present time only.
                 let share = if at == world.time && dt > 0.0 {
@@ -56,8 +71,14 @@ pub(in crate::spatial) fn act(world: &mut World, scratch: &mut Scratch, dt: f64)
                     1.0
                 };
                 expand(world, k, cavity, share, pushed);
+                let factor = cavity.gas.map_or(1.0, |g| g.factor);
+                let pressure = share * cavity.pressure * factor;
+                soft::push(world, cavity.source, pressure, &mut pushes);
             }
         }
+    }
+    if let Some(work) = scratch.deform.as_deref_mut() {
+        work.pushes = pushes;
     }
     world.cavities = cavities;
 }
@@ -82,18 +103,18 @@ fn ignite(world: &mut World, k: usize, cavity: &mut Cavity, dt: f64) {
 }
 
 fn swept(world: &World, cavity: &Cavity) -> f64 {
-    cavity.walls.iter().map(|w| w.swept(world)).sum()
+    let rigid: f64 = cavity.walls.iter().map(|w| w.swept(world)).sum();
+    rigid + soft::swept(world, cavity.source)
 }
 
 /// Before the ignition: walls carry what the charge carried.
 fn hold(world: &mut World, cavity: &mut Cavity, pushed: &mut [Push]) {
-    let mut work = 0.0;
     for wall in &cavity.walls {
         let b = wall.block as usize;
         pushed[b].force += wall.hold;
         pushed[b].moment += wall.hold_moment;
-        work += wall.held(world);
     }
+    let work = cavity.held_now(world);
     world.works.gas += work - cavity.held;
     cavity.held = work;
 }
@@ -156,7 +177,7 @@ fn begins_to_vent(world: &World, cavity: &Cavity, venting: Option<Venting>, igni
                 .iter()
                 .map(|&b| b as usize)
                 .filter(|&b| world.alive[b])
-                .map(|b| world.bodies.displacement(b).dot(up))
+                .map(|b| soft::displacement(world, b).dot(up))
                 .collect();
             let mean = living.iter().sum::<f64>() / living.len() as f64;
             mean >= height

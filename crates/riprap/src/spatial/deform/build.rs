@@ -6,7 +6,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
 use super::hold::Hold;
-use super::store::{Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
+use super::store::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use super::workspace::{Kind, Workspace, centred};
 use crate::dynamics::{Formula, TimeFunction};
 use crate::spatial::boundary::Face;
@@ -84,6 +84,11 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
             deform.nodes.moved.push(u.to_array());
             deform.nodes.rate.push(v.to_array());
         }
+        if let Some(in_situ) = &setup.in_situ {
+            deform
+                .start
+                .push(super::in_situ::start(in_situ, &mesh, centre));
+        }
     }
     Ok(Some(deform))
 }
@@ -138,12 +143,17 @@ pub fn join(
         let stiffness = stiffness(&world.setup, law, materials, rigid, depths)?;
         let first = deform.points.len() as u32;
         let points = super::overlay::points(world, deform, kinds, overlap);
-        let total = deform.points.len() + points.len();
-        deform.memory.resize(total, Memory::default());
-        deform.worn.push(false);
+        let starts = super::in_situ::tractions(world, deform, kinds, overlap, &points);
+        let memory = |start| Memory {
+            start,
+            ..Memory::default()
+        };
+        deform.worn.push(world.setup.in_situ.is_some());
+        deform.memory.extend(starts.into_iter().map(memory));
         deform.facets.push(Facet {
             blocks: overlap.blocks,
             frame: overlap.frame,
+            now: overlap.frame,
             centre: world.reference[blocks[0]] + overlap.arms[0],
             area: points.iter().map(|p| p.area).sum(),
             first,
@@ -151,6 +161,7 @@ pub fn join(
             stiffness,
             row,
             rigid,
+            whole_until: 0,
         });
         deform.points.extend(points);
     }
@@ -270,43 +281,42 @@ pub fn conditions(
     deform: &mut Deform,
     kinds: &[Kind],
     faces: &[Face],
+    walls: &[SoftWall],
 ) -> Result<(), BuildError> {
     let covered = covered(deform);
+    for wall in walls {
+        let Some(&body) = deform.body(wall.block as usize) else {
+            continue;
+        };
+        let face = face_of(&kinds[body.kind as usize], wall.normal, wall.arm);
+        let surface = free(deform, kinds, &covered, body, face, wall.normal);
+        // Several removed blocks may share one face.
+        let same = |s: &Surface| s.body == surface.body && s.normal.dot(wall.normal) > PARALLEL;
+        if deform.surfaces.iter().any(same) {
+            continue;
+        }
+        let acts = Acts::Cavity(wall.source);
+        deform.surfaces.push(Surface { acts, ..surface });
+    }
     for face in faces {
         let (Some(boundary), Some(&body)) = (face.boundary, deform.body(face.block as usize))
         else {
             continue;
         };
-        let kind = &kinds[body.kind as usize];
         let normal = face.frame[0];
-        let number = face_of(kind, normal, face.arm);
-        let shares = kind.mesh.tributary(number);
-        let whole: f64 = shares.iter().map(|s| s.1).sum();
-        let nodes: Vec<(u32, f64)> = shares
-            .into_iter()
-            .filter_map(|(node, area)| {
-                let node = body.first + node;
-                let key = (node, axis_key(normal));
-                let left = area - covered.get(&key).copied().unwrap_or(0.0);
-                (left > COVERED * whole).then_some((node, left))
-            })
-            .collect();
-        let slot = deform.slot[face.block as usize];
+        let number = face_of(&kinds[body.kind as usize], normal, face.arm);
+        let surface = free(deform, kinds, &covered, body, number, normal);
+        let acts = Acts::Boundary(boundary);
+        let surface = Surface { acts, ..surface };
         // Several free parts of one face make one surface.
         if let Some(last) = deform.surfaces.last_mut()
-            && last.body == slot
+            && last.body == surface.body
             && last.normal.dot(normal) > PARALLEL
         {
-            last.boundary = boundary;
-            last.nodes = nodes;
+            *last = surface;
             continue;
         }
-        deform.surfaces.push(Surface {
-            body: slot,
-            boundary,
-            normal,
-            nodes,
-        });
+        deform.surfaces.push(surface);
     }
     for hold in &world.setup.deform.holds {
         if inside(world, deform, hold).is_empty() {
@@ -319,11 +329,48 @@ pub fn conditions(
     Ok(())
 }
 
+/// The part of a face of a body that no facet covers.
+fn free(
+    deform: &Deform,
+    kinds: &[Kind],
+    covered: &BTreeMap<(u32, [i64; 3]), f64>,
+    body: Body,
+    face: usize,
+    normal: Vec3,
+) -> Surface {
+    let kind = &kinds[body.kind as usize];
+    let shares = kind.mesh.tributary(face);
+    let whole: f64 = shares.iter().map(|s| s.1).sum();
+    let centre = deform.nodes.place[body.nodes().end - 1].z;
+    let levers = super::in_situ::levers(&kind.mesh, face);
+    let (mut nodes, mut heights) = (Vec::new(), Vec::new());
+    for (node, area) in shares {
+        let height = centre + levers[&node].z;
+        let node = body.first + node;
+        let key = (node, axis_key(normal));
+        let left = area - covered.get(&key).copied().unwrap_or(0.0);
+        if left > COVERED * whole {
+            nodes.push((node, left));
+            heights.push(height);
+        }
+    }
+    Surface {
+        body: deform.slot[body.block as usize],
+        acts: Acts::Boundary(0),
+        normal,
+        nodes,
+        heights,
+    }
+}
+
 /// Prescribed motion of nodes: of those on faces with a condition, of supported blocks, of nodes in boxes.
 fn holds(world: &World, deform: &Deform) -> Vec<Hold> {
     let mut holds = Holds::new();
     for surface in &deform.surfaces {
-        let kind = &world.setup.boundaries[usize::from(surface.boundary)].kind;
+        let Some(boundary) = surface.boundary() else {
+            continue;
+        };
+        let kind = &world.setup.boundaries[boundary].kind;
         for &(node, _) in &surface.nodes {
             on_surface(hold_of(&mut holds, node), kind, surface.normal);
         }
@@ -461,6 +508,19 @@ pub fn hold_now(deform: &mut Deform, t: f64) {
     }
 }
 
+/// A face of a deformable block at a cavity.
+#[derive(Clone, Copy, Debug)]
+pub struct SoftWall {
+    /// Index into `Setup::sources`.
+    pub source: u16,
+    /// The block.
+    pub block: u32,
+    /// Unit outward normal.
+    pub normal: Vec3,
+    /// Centre of the face from the centroid of the block, m.
+    pub arm: Vec3,
+}
+
 /// Bonds and conditions of a new world; gives back the faces of rigid blocks.
 ///
 /// # Errors
@@ -469,6 +529,7 @@ pub fn finish(
     world: &mut World,
     overlaps: &[Overlap],
     faces: Vec<Face>,
+    walls: &[SoftWall],
 ) -> Result<Vec<Face>, BuildError> {
     let Some(mut deform) = world.deform.take() else {
         return Ok(faces);
@@ -476,7 +537,7 @@ pub fn finish(
     let work = Workspace::new(&world.setup, &deform);
     join(world, &mut deform, &work.kinds, overlaps)?;
     notch(world, &mut deform)?;
-    conditions(world, &mut deform, &work.kinds, &faces)?;
+    conditions(world, &mut deform, &work.kinds, &faces, walls)?;
     let rigid = |f: &Face| deform.body(f.block as usize).is_none();
     let faces = faces.into_iter().filter(rigid).collect();
     world.deform = Some(deform);

@@ -67,9 +67,9 @@ fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
         }
         time = time.min(memory.broken_at);
         let jump = anchors.jump(facet, point);
-        let across = jump.dot(facet.frame[0]);
+        let across = jump.dot(facet.now[0]);
         opening += point.area * across;
-        slip += point.area * (jump - across * facet.frame[0]).length();
+        slip += point.area * (jump - across * facet.now[0]).length();
     }
     let area = areas[0] + areas[1];
     let mode = if areas[1] > areas[0] { 2.0 } else { 1.0 };

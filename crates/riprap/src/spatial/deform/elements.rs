@@ -6,17 +6,25 @@ use super::store::{Body, Deform};
 use super::workspace::{Kind, Workspace};
 use crate::laws::tetrahedron::{Gradient, StartStress, Strain, Symmetric};
 
-/// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m).
+/// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m). With small strain those of a start
+/// stress are constant and not among them.
 ///
 /// Small strain with a shared kind takes the dense matrix. To be called inside `Width::run`.
 #[inline(always)]
-pub fn add_forces(kind: &Kind, strain: Strain, u: &[[f64; 3]], f: &mut [[f64; 3]]) {
+pub fn add_forces(
+    kind: &Kind,
+    strain: Strain,
+    start: &StartStress,
+    u: &[[f64; 3]],
+    f: &mut [[f64; 3]],
+) {
     match (&kind.stiffness, strain) {
         (Some(stiffness), Strain::Small) => stiffness.add_forces(u, f),
-        (None, Strain::Small) | (_, Strain::Large) => {
+        (None, Strain::Small) => {
             kind.groups
-                .add_forces(&kind.law, strain, &StartStress::default(), u, f);
+                .add_forces(&kind.law, strain, &StartStress::none(), u, f);
         }
+        (_, Strain::Large) => kind.groups.add_forces(&kind.law, strain, start, u, f),
     }
 }
 
@@ -38,9 +46,8 @@ impl Deform {
     pub fn average(&self, work: &Workspace, body: &Body) -> (Mat3, Gradient) {
         let kind = work.kind(body);
         let u = self.moved(body);
-        let (stress, gradient) =
-            kind.groups
-                .average(&kind.law, body.strain, &StartStress::default(), u);
+        let start = work.start_of(self.slot[body.block as usize] as usize);
+        let (stress, gradient) = kind.groups.average(&kind.law, body.strain, start, u);
         (matrix(stress), gradient)
     }
 
@@ -48,11 +55,10 @@ impl Deform {
     #[must_use]
     pub fn strain_energy(&self, work: &Workspace, body: &Body) -> f64 {
         let kind = work.kind(body);
-        kind.groups.energy(
-            &kind.law,
-            body.strain,
-            &StartStress::default(),
-            self.moved(body),
-        )
+        let slot = self.slot[body.block as usize] as usize;
+        let u = self.moved(body);
+        let held = self.start.get(slot).map_or(0.0, |s| s.energy);
+        let start = work.start_of(slot);
+        kind.groups.energy(&kind.law, body.strain, start, u) + held
     }
 }

@@ -84,7 +84,7 @@ fn settle(world: &mut World) {
             };
             for p in facet.points() {
                 let jump = anchors.jump(facet, &deform.points[p]);
-                let at = facet.frame.map(|e| e.dot(jump));
+                let at = facet.now.map(|e| e.dot(jump));
                 let held = bond::connect(facet.stiffness, &memory[p].start, &at);
                 let (_, after) = bonds::respond(law, facet.stiffness, &memory[p], &at, false);
                 broke |= bonds::commit(&mut memory[p], law, after, &held, world.time);
@@ -110,6 +110,9 @@ fn due(view: &View<'_>) -> Vec<Due> {
         let Some((law, strength)) = law.and_then(|l| Some((l, l.strength?))) else {
             continue;
         };
+        if view.world.step < facet.whole_until {
+            continue;
+        }
         let relax = deform.relax.as_ref();
         let springs_break_at_once = relax.is_none_or(|r| r.way.breaks == Breaks::Always);
         match law.failure {
@@ -178,7 +181,7 @@ fn whole<'a>(deform: &'a Deform, facet: &Facet) -> impl Iterator<Item = usize> +
 /// Traction (n, b, c) of a point, Pa.
 fn traction(deform: &Deform, work: &Workspace, facet: &Facet, p: usize) -> Traction {
     let force = riprap_geom::Vec3::from_array(work.slots[p]);
-    facet.frame.map(|e| e.dot(force) / deform.points[p].area)
+    facet.now.map(|e| e.dot(force) / deform.points[p].area)
 }
 
 /// Mean traction (n, b, c) of the points that are not broken, Pa; `None` if all are.
@@ -188,7 +191,7 @@ fn mean_traction(deform: &Deform, work: &Workspace, facet: &Facet) -> Option<Tra
         force += riprap_geom::Vec3::from_array(work.slots[p]);
         area += deform.points[p].area;
     }
-    (area > 0.0).then(|| facet.frame.map(|e| e.dot(force) / area))
+    (area > 0.0).then(|| facet.now.map(|e| e.dot(force) / area))
 }
 
 /// Largest utilisation of the facets for which `chosen` holds (their two blocks), each by `failure`.
@@ -242,8 +245,8 @@ impl Stresses {
                 count += 1.0;
             }
         }
-        let t = sum * facet.frame[0] / count;
-        facet.frame.map(|e| e.dot(t))
+        let t = sum * facet.now[0] / count;
+        facet.now.map(|e| e.dot(t))
     }
 }
 
@@ -272,7 +275,7 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
                 continue;
             }
             let jump = anchors.jump(facet, &deform.points[p]);
-            let at = facet.frame.map(|e| e.dot(jump));
+            let at = facet.now.map(|e| e.dot(jump));
             let (springs, friction) = (facet.stiffness, strength.residual_friction);
             let (_, held) = bonds::respond(law, springs, m, &at, false);
             let (_, after) = bond::contact(springs, friction, &m.start, &at, &held);

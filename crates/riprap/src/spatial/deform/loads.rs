@@ -23,8 +23,8 @@ pub struct Dashpot {
 pub fn dashpots(setup: &Setup, deform: &Deform) -> Vec<Dashpot> {
     let mut found: Vec<Dashpot> = Vec::new();
     for surface in &deform.surfaces {
-        let kind = &setup.boundaries[usize::from(surface.boundary)].kind;
-        if !matches!(kind, BoundaryKind::Viscous { .. }) {
+        let viscous = |k: usize| matches!(setup.boundaries[k].kind, BoundaryKind::Viscous { .. });
+        if !surface.boundary().is_some_and(viscous) {
             continue;
         }
         let block = deform.bodies[surface.body as usize].block as usize;
@@ -54,11 +54,12 @@ pub fn dashpots(setup: &Setup, deform: &Deform) -> Vec<Dashpot> {
 
 /// Whether anything but gravity acts on nodes.
 fn any(world: &World, deform: &Deform) -> bool {
-    let traction = |b: u16| {
-        let boundary = &world.setup.boundaries[usize::from(b)];
-        matches!(boundary.kind, BoundaryKind::Traction { .. })
+    let traction = |k: usize| {
+        let boundary = &world.setup.boundaries[k];
+        boundary.in_situ || matches!(boundary.kind, BoundaryKind::Traction { .. })
     };
-    deform.surfaces.iter().any(|s| traction(s.boundary))
+    let mut surfaces = deform.surfaces.iter();
+    surfaces.any(|s| s.boundary().is_some_and(traction))
         || world
             .setup
             .loads
@@ -82,8 +83,9 @@ pub fn apply(world: &World, deform: &Deform, work: &mut Workspace) {
         }
     }
     for surface in &deform.surfaces {
-        for &(node, area) in &surface.nodes {
-            if let Some(t) = traction_at(world, deform, surface, node) {
+        for (k, &(node, area)) in surface.nodes.iter().enumerate() {
+            let t = traction_at(world, deform, surface, k);
+            if t != Vec3::ZERO {
                 add(&mut loads[node as usize], area * t);
             }
         }
@@ -91,34 +93,41 @@ pub fn apply(world: &World, deform: &Deform, work: &mut Workspace) {
     work.loads = loads;
 }
 
-/// Traction (Pa) that acts on a node of a surface now; `None` on faces of other kinds.
-fn traction_at(world: &World, deform: &Deform, surface: &Surface, node: u32) -> Option<Vec3> {
-    let boundary = &world.setup.boundaries[usize::from(surface.boundary)];
-    let BoundaryKind::Traction {
-        traction,
-        pressure,
-        gradient,
-        datum,
-        time,
-    } = &boundary.kind
-    else {
-        return None;
+/// Traction (Pa) that acts on node number `k` of a surface now, that of the stress at the start included.
+fn traction_at(world: &World, deform: &Deform, surface: &Surface, k: usize) -> Vec3 {
+    let Some(boundary) = surface.boundary().map(|b| &world.setup.boundaries[b]) else {
+        return Vec3::ZERO;
     };
-    let z = deform.nodes.place[node as usize].z;
-    // The pressure keeps the direction of the start: faces of deformable blocks turn little.
-    let push = *traction - (pressure + gradient * (datum - z)) * surface.normal;
-    Some(time.at(world.time) * push)
+    let start = match (boundary.in_situ, &world.setup.in_situ) {
+        (true, Some(in_situ)) => in_situ.at(surface.heights[k]) * surface.normal,
+        (true, None) | (false, _) => Vec3::ZERO,
+    };
+    match &boundary.kind {
+        BoundaryKind::Traction {
+            traction,
+            pressure,
+            gradient,
+            datum,
+            time,
+        } => {
+            let z = deform.nodes.place[surface.nodes[k].0 as usize].z;
+            // The pressure keeps the direction of the start: faces of deformable blocks turn little.
+            let push = *traction - (pressure + gradient * (datum - z)) * surface.normal;
+            start + time.at(world.time) * push
+        }
+        BoundaryKind::Held { .. } | BoundaryKind::Moved { .. } | BoundaryKind::Viscous { .. } => {
+            start
+        }
+    }
 }
 
 /// Sum of the tractions on a surface, N.
 #[must_use]
 pub fn traction(world: &World, deform: &Deform, surface: &Surface) -> Vec3 {
-    let nodes = surface.nodes.iter();
-    let forces = nodes.filter_map(|&(node, area)| {
-        let t = traction_at(world, deform, surface, node)?;
-        Some(area * t)
-    });
-    forces.sum()
+    let nodes = surface.nodes.iter().enumerate();
+    nodes
+        .map(|(k, (_, area))| *area * traction_at(world, deform, surface, k))
+        .sum()
 }
 
 /// Adds a vector to a node's.

@@ -18,14 +18,17 @@ pub mod cut;
 pub mod elements;
 pub mod fracture;
 pub mod hold;
+pub mod in_situ;
 pub mod loads;
 pub mod overlay;
 pub mod phase;
+pub mod picture;
 pub mod read;
 pub mod relax;
 pub mod stable;
 pub mod step;
 pub mod store;
+mod turn;
 pub mod workspace;
 
 pub use store::Deform;

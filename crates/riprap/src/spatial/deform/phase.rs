@@ -2,6 +2,7 @@
 
 use super::relax::{Relax, Way};
 use super::store::{Deform, Masses};
+use crate::laws::tetrahedron::Strain;
 use crate::spatial::world::World;
 
 /// Rules of a phase for deformable blocks.
@@ -11,6 +12,8 @@ pub struct Rules {
     pub relax: Option<f64>,
     /// Whether bonds may break.
     pub breaking: bool,
+    /// Measure of strain from now on; `None` leaves it as it is.
+    pub strain: Option<Strain>,
 }
 
 /// Begins a phase; everything must be laid out anew afterwards. Nodes stop where it relaxes or has relaxed (then this
@@ -38,11 +41,25 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64) -> bool {
 /// Begins a phase of a world: blocks in `removed` go, supports are looked at anew; everything must be laid out anew
 /// afterwards.
 pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
+    let walls = crate::spatial::cavity::soft_state(world);
     let Some(mut deform) = world.deform.take() else {
         return;
     };
     for &block in removed {
         deform.retire(block);
+    }
+    if !removed.is_empty() {
+        world.deform = Some(deform);
+        crate::spatial::cavity::renew_soft(world, &walls);
+        let Some(back) = world.deform.take() else {
+            return;
+        };
+        deform = back;
+    }
+    if let Some(strain) = rules.and_then(|r| r.strain) {
+        for body in &mut deform.bodies {
+            body.strain = strain;
+        }
     }
     super::build::hold_anew(world, &mut deform);
     if let Some(rules) = rules

@@ -203,11 +203,7 @@ impl<'a> View<'a> {
         };
         let (mut moved, mut area, mut force) = (Vec3::ZERO, 0.0, Vec3::ZERO);
         let mut seen = std::collections::BTreeSet::new();
-        for surface in deform
-            .surfaces
-            .iter()
-            .filter(|s| usize::from(s.boundary) == k)
-        {
+        for surface in deform.surfaces.iter().filter(|s| s.boundary() == Some(k)) {
             for &(node, share) in &surface.nodes {
                 moved += share * Vec3::from_array(deform.nodes.moved[node as usize]);
                 area += share;
@@ -321,7 +317,7 @@ impl<'a> View<'a> {
             let points = &deform.points[facet.points()];
             for (point, memory) in points.iter().zip(&deform.memory[facet.points()]) {
                 let jump = anchors.jump(facet, point);
-                let at = facet.frame.map(|e| e.dot(jump));
+                let at = facet.now.map(|e| e.dot(jump));
                 let state = match law {
                     Some(law) if !linear => {
                         bonds::respond(law, facet.stiffness, memory, &at, false).1

@@ -4,7 +4,7 @@ use super::bonds::Anchors;
 use super::elements;
 use super::store::{Deform, Masses};
 use super::workspace::Workspace;
-use crate::laws::tetrahedron::Strain;
+use crate::laws::tetrahedron::{StartStress, Strain};
 use crate::spatial::lanes::Width;
 use crate::spatial::world::{Bodies, Turned, World};
 use riprap_geom::Vec3;
@@ -125,7 +125,8 @@ fn times(
             for body in deform.living() {
                 let here = body.nodes();
                 let f = &mut y[here.clone()];
-                elements::add_forces(work.kind(body), Strain::Small, &nodes.moved[here], f);
+                let (kind, none) = (work.kind(body), StartStress::none());
+                elements::add_forces(kind, Strain::Small, &none, &nodes.moved[here], f);
             }
         },
     );

@@ -165,14 +165,18 @@ impl Context<'_> {
         width.run(
             #[inline(always)]
             || {
-                for body in piece.bodies {
+                for (k, body) in piece.bodies.iter().enumerate() {
                     let nodes = body.nodes();
                     let here = nodes.start - base..nodes.end - base;
                     let f = &mut piece.net[here];
-                    f.fill([0.0; 3]);
+                    match self.work.start_forces.get(nodes.clone()) {
+                        Some(start) => f.copy_from_slice(start),
+                        None => f.fill([0.0; 3]),
+                    }
                     if body.alive {
                         let u = &self.deform.nodes.moved[nodes];
-                        elements::add_forces(self.work.kind(body), body.strain, u, f);
+                        let start = self.work.start_of(piece.first + k);
+                        elements::add_forces(self.work.kind(body), body.strain, start, u, f);
                     }
                 }
             },
@@ -197,12 +201,10 @@ impl Context<'_> {
                 let drag = dashpots.get(dashpot).filter(|d| d.node as usize == node);
                 dashpot += usize::from(drag.is_some());
                 let weight = masses[at] * self.world.gravity;
-                let load = self
-                    .work
-                    .loads
-                    .get(node)
-                    .map_or(Vec3::ZERO, |l| Vec3::from_array(*l));
-                let net = Vec3::from_array(f[at]) + weight + load;
+                let of =
+                    |list: &[[f64; 3]]| list.get(node).map_or(Vec3::ZERO, |l| Vec3::from_array(*l));
+                let (load, push) = (of(&self.work.loads), of(&self.work.pushes));
+                let net = Vec3::from_array(f[at]) + weight + load + push;
                 f[at] = net.to_array();
                 if !net.is_finite() && partial.bad.is_none() {
                     partial.bad = Some(body.block);
@@ -216,6 +218,7 @@ impl Context<'_> {
                     mass,
                     weight,
                     load,
+                    push,
                     net,
                 };
                 piece.change[here.start + at] =
@@ -276,7 +279,7 @@ impl Context<'_> {
         let mut change = free;
         let mut support = Vec3::ZERO;
         let [of_free, of_held, of_loads] = &mut partial.squares;
-        *of_loads += (node.weight + node.load).length_squared();
+        *of_loads += (node.weight + node.load + node.push).length_squared();
         match hold {
             None => *of_free += node.net.length_squared(),
             Some(hold) => {
@@ -316,6 +319,7 @@ struct Acting {
     mass: f64,
     weight: Vec3,
     load: Vec3,
+    push: Vec3,
     net: Vec3,
 }
 

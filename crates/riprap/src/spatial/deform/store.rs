@@ -7,6 +7,7 @@ use super::cut::Cutting;
 use super::hold::Hold;
 use super::relax::Relax;
 use crate::laws::bond::{self, Traction};
+use crate::laws::tetrahedron::Symmetric;
 use crate::spatial::setup::deform::Strain;
 
 /// Not a deformable block.
@@ -25,8 +26,10 @@ pub struct Deform {
     pub nodes: Nodes,
     /// Prescribed motion of nodes, by node.
     pub holds: Vec<Hold>,
-    /// Free parts of faces with a condition.
+    /// Free parts of faces with a condition, and walls of cavities.
     pub surfaces: Vec<Surface>,
+    /// Stress that the bodies have before they deform; shorter or empty where they have none.
+    pub start: Vec<Start>,
     /// Shared parts of faces.
     pub facets: Vec<Facet>,
     /// Points of all facets, in the order of the facets.
@@ -121,17 +124,48 @@ pub enum Masses {
     Inertia,
 }
 
-/// A free part of a face with a condition.
+/// Stress of a body before it deforms: in-situ stress, or what it had when it was cut from another.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Start {
+    /// Second Piola-Kirchhoff stress of each tetrahedron, Pa; empty for none.
+    pub stresses: Vec<Symmetric>,
+    /// Energy stored without displacements, J.
+    pub energy: f64,
+}
+
+/// What acts on a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Acts {
+    /// Index into `Setup::boundaries`.
+    Boundary(u16),
+    /// Index into `Setup::sources`.
+    Cavity(u16),
+}
+
+/// A free part of a face with a condition, or a wall of a cavity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Surface {
     /// Place of the block in `bodies`.
     pub body: u32,
-    /// Index into `Setup::boundaries`.
-    pub boundary: u16,
+    /// What acts on it.
+    pub acts: Acts,
     /// Unit outward normal at the start.
     pub normal: Vec3,
     /// Nodes and the area of each that is free, m².
     pub nodes: Vec<(u32, f64)>,
+    /// Heights at which a traction that is linear in z has its mean over the area of each node, m (local).
+    pub heights: Vec<f64>,
+}
+
+impl Surface {
+    /// The condition on it; `None` for walls of cavities.
+    #[must_use]
+    pub fn boundary(&self) -> Option<usize> {
+        match self.acts {
+            Acts::Boundary(k) => Some(usize::from(k)),
+            Acts::Cavity(_) => None,
+        }
+    }
 }
 
 /// The shared part of two faces.
@@ -141,6 +175,8 @@ pub struct Facet {
     pub blocks: [u32; 2],
     /// Unit normal n from A to B, then b and c: right-handed, at the start.
     pub frame: [Vec3; 3],
+    /// The same now: turned with its blocks where they use large strain or finite rotations.
+    pub now: [Vec3; 3],
     /// Centre, m (local, on the side of A).
     pub centre: Vec3,
     /// Area, m².
@@ -155,6 +191,8 @@ pub struct Facet {
     pub row: u16,
     /// Which sides are rigid blocks.
     pub rigid: [bool; 2],
+    /// Step before which it does not break: a facet made by a cut in a dynamic phase waits for the next look.
+    pub whole_until: u64,
 }
 
 impl Facet {

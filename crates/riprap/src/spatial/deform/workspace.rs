@@ -1,10 +1,10 @@
 //! Everything of the deformable blocks that can be dropped and rebuilt without changing a result.
 
-use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
+use riprap_geom::{Mat3, Vec3};
 
 use super::store::{Deform, Masses};
-use crate::laws::tetrahedron::{Elastic, Groups, Stiffness, row_sums};
+use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
 use crate::ledger::Works;
 use crate::spatial::setup::{Setup, Shape};
 
@@ -32,6 +32,8 @@ pub struct Kind {
     pub inertial: Vec<f64>,
     /// Row sums of the stiffness matrix, N/m.
     pub row_sums: Vec<f64>,
+    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m.
+    pub slopes: Vec<Vec3>,
 }
 
 impl Kind {
@@ -67,6 +69,14 @@ pub struct Workspace {
     pub slots: Vec<[f64; 3]>,
     /// External loads on nodes without gravity, N; empty without any.
     pub loads: Vec<[f64; 3]>,
+    /// What cavities push nodes with, N, whose work the cavities book; empty without any.
+    pub pushes: Vec<[f64; 3]>,
+    /// Rotations of the bodies with large strain; empty without any.
+    pub turns: Vec<Mat3>,
+    /// Start stresses of the bodies; empty without any.
+    pub starts: Vec<StartStress>,
+    /// Forces of the start stresses of small-strain bodies on nodes, N; empty without any.
+    pub start_forces: Vec<[f64; 3]>,
     /// Net forces on nodes without damping and supports, N.
     pub net: Vec<[f64; 3]>,
     /// Velocity change of the coming kick, m/s.
@@ -117,6 +127,7 @@ impl Workspace {
             ..Self::default()
         };
         work.hook(deform);
+        work.start(deform);
         work.dashpots = super::loads::dashpots(setup, deform);
         if deform.relax.is_some() {
             work.fictitious = super::relax::masses(deform, &work.kinds);
@@ -126,6 +137,39 @@ impl Workspace {
         let pieces = deform.facets.len().div_ceil(FACETS);
         work.bond_works = vec![super::bonds::BondWorks::default(); pieces];
         work
+    }
+
+    /// Lays out the start stresses.
+    fn start(&mut self, deform: &Deform) {
+        if deform.start.iter().all(|s| s.stresses.is_empty()) {
+            return;
+        }
+        self.starts
+            .resize(deform.bodies.len(), StartStress::default());
+        self.start_forces.resize(deform.nodes.len(), [0.0; 3]);
+        for (k, (body, start)) in deform.bodies.iter().zip(&deform.start).enumerate() {
+            if !body.alive || start.stresses.is_empty() {
+                continue;
+            }
+            self.starts[k] = StartStress::new(&start.stresses);
+            if body.strain == Strain::Small {
+                let groups = &self.kinds[body.kind as usize].groups;
+                let law = Elastic {
+                    lambda: 0.0,
+                    mu: 0.0,
+                };
+                let still = vec![[0.0; 3]; body.count as usize];
+                let on = &mut self.start_forces[body.nodes()];
+                groups.add_forces(&law, Strain::Small, &self.starts[k], &still, on);
+            }
+        }
+    }
+
+    /// Start stress of body number `k`.
+    #[must_use]
+    pub fn start_of(&self, k: usize) -> &StartStress {
+        static NONE: StartStress = StartStress::none();
+        self.starts.get(k).unwrap_or(&NONE)
     }
 
     /// Lists the points of each body, in the order of the points.
@@ -172,6 +216,22 @@ impl Workspace {
     }
 }
 
+/// Sums over the triangles at each node of a third of the area vector, over the volume: by Gauss's theorem.
+fn slopes(mesh: &Tetrahedra) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; mesh.nodes.len()];
+    let volume = mesh.volume();
+    for face in 0..mesh.first.len() - 1 {
+        for triangle in mesh.fan(face) {
+            let [m, a, b] = triangle.map(|k| mesh.nodes[k as usize]);
+            let share = (a - m).cross(b - m) / (6.0 * volume);
+            for node in triangle {
+                sums[node as usize] += share;
+            }
+        }
+    }
+    sums
+}
+
 fn kinds(setup: &Setup, deform: &Deform) -> Vec<Kind> {
     let mut shared = vec![0u32; deform.kinds.len()];
     for body in &deform.bodies {
@@ -198,6 +258,7 @@ fn kinds(setup: &Setup, deform: &Deform) -> Vec<Kind> {
             lumped: scale(mesh.lumped()),
             inertial: scale(mesh.inertial()),
             row_sums: row_sums(&mesh, &law),
+            slopes: slopes(&mesh),
             mesh,
         });
     }

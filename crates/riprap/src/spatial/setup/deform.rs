@@ -102,6 +102,8 @@ pub struct CutRules {
     pub snap: f64,
     /// Most times that blocks are cut in the phase.
     pub stages: u64,
+    /// In dynamic phases: blocks whose parts would need a time step below this share of that of the block are not cut.
+    pub step_floor: f64,
 }
 
 /// Where the planes of a cut lie.

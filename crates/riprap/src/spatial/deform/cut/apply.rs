@@ -4,17 +4,26 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::cut::Part;
 
 use super::Family;
-use crate::spatial::deform::store::{Body, Deform};
+use crate::spatial::deform::store::{Body, Deform, Start};
 use crate::spatial::refine::Origin;
 use crate::spatial::setup::{BlockSpec, Shape, Solid};
 use crate::spatial::world::{SolidClass, World};
 
-/// Appends the parts of all families to the lists of the world, their nodes to those of `deform` (without motion).
+/// Appends the parts of all families to the lists of the world, their nodes to those of `deform`.
 pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family]) {
     for family in families {
+        let handed = &family.cut.handed;
+        let mut first = 0;
+        deform.start.resize(deform.bodies.len(), Start::default());
         for (k, part) in family.cut.parts.iter().enumerate() {
             block(world, family.cut.block as usize, k, part);
             body(world, deform, family, part);
+            let nodes = first..first + part.mesh.nodes.len();
+            let (moved, rates) = (&handed.moved[nodes.clone()], &handed.rates[nodes.clone()]);
+            deform.nodes.moved.extend_from_slice(moved);
+            deform.nodes.rate.extend_from_slice(rates);
+            deform.start.push(handed.starts[k].clone());
+            first = nodes.end;
         }
         for set in &mut world.setup.deform.sets {
             if set.blocks.binary_search(&family.cut.block).is_ok() {
@@ -97,8 +106,6 @@ fn body(world: &World, deform: &mut Deform, family: &Family, part: &Part) {
     let centre = world.reference[family.cut.block as usize];
     for node in &part.mesh.nodes {
         deform.nodes.place.push(*node + centre);
-        deform.nodes.moved.push([0.0; 3]);
-        deform.nodes.rate.push([0.0; 3]);
     }
 }
 

@@ -2,19 +2,19 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use riprap_geom::Vec3;
 use riprap_geom::face_overlay::{self, Fan, JointPoint};
 use riprap_geom::polyhedron::cut::FaceOrigin;
 use riprap_geom::polyhedron::{Tetrahedra, frame};
-use riprap_geom::{Mat3, Vec3};
 
+use super::pressed::Pressed;
 use super::stretch::Stretch;
-use super::{AREA, Family, transfer};
-use crate::laws::tetrahedron::StartStress;
-use crate::laws::tetrahedron::Strain;
+use super::{AREA, Family};
 use crate::spatial::build::BuildError;
 use crate::spatial::deform::bonds::Anchors;
 use crate::spatial::deform::build::{face_with, place, stiffness};
-use crate::spatial::deform::elements::matrix;
+use crate::spatial::deform::fracture::LOOK;
+use crate::spatial::deform::in_situ::levers;
 use crate::spatial::deform::store::{Anchor, Body, Deform, Facet, Memory, Point, Surface};
 use crate::spatial::deform::workspace::{Workspace, centred};
 use crate::spatial::edit::EditError;
@@ -145,7 +145,7 @@ impl Maker<'_> {
                 let anchors = Anchors::new(self.world, self.deform);
                 for (joint, point) in joints.iter().zip(&points) {
                     let jump = anchors.jump(&facet, point);
-                    let at = facet.frame.map(|e| e.dot(jump));
+                    let at = facet.now.map(|e| e.dot(jump));
                     lists.memory.push(stretch.memory(&facet, joint.at, &at));
                 }
                 lists.cover([a, b], &points);
@@ -197,7 +197,12 @@ impl Maker<'_> {
             .collect();
         let area: f64 = joints.iter().map(|j| j.area).sum();
         let first: Vec3 = joints.iter().map(|j| j.area * j.at).sum();
+        let whole_until = match self.deform.relax {
+            Some(_) => 0,
+            None => self.world.step + LOOK,
+        };
         let facet = Facet {
+            whole_until,
             centre: first / area,
             area,
             first: lists.points.len() as u32,
@@ -313,7 +318,8 @@ impl Maker<'_> {
         };
         let springs = stiffness(&self.world.setup, law, materials, [false; 2], [0.0; 2])?;
         let centre = self.world.reference[parent.block as usize];
-        let stress = Pressed::new(self, parent);
+        let stress = Pressed::new(self.deform, self.work, parent);
+        let turn = super::super::turn::rotation(self.deform, self.work, parent);
         let mut made = 0;
         for plane in 0..family.cut.parts.len() as u32 - 1 {
             let sides = self.made_by(family, FaceOrigin::Plane(plane));
@@ -327,6 +333,7 @@ impl Maker<'_> {
             let facet = Facet {
                 blocks: [a.block, b.block],
                 frame: frame(n),
+                now: super::super::turn::turned(frame(n), &[turn]),
                 centre: Vec3::ZERO,
                 area: 0.0,
                 first: 0,
@@ -334,6 +341,7 @@ impl Maker<'_> {
                 stiffness: springs,
                 row,
                 rigid: [false; 2],
+                whole_until: 0,
             };
             let (facet, points) = self.place(lists, facet, &joints, Vec3::ZERO);
             let anchors = Anchors::new(self.world, self.deform);
@@ -343,7 +351,7 @@ impl Maker<'_> {
                 let [kn, ks] = springs;
                 let start = std::array::from_fn(|k| {
                     let stiff = if k == 0 { kn } else { ks };
-                    facet.frame[k].dot(t) - stiff * facet.frame[k].dot(jump)
+                    facet.now[k].dot(t) - stiff * facet.now[k].dot(jump)
                 });
                 lists.memory.push(Memory {
                     start,
@@ -375,18 +383,22 @@ impl Maker<'_> {
                     &self.families[k].cut.parts[(piece.block - self.families[k].first) as usize];
                 let shares = part.mesh.tributary(piece.face);
                 let whole: f64 = shares.iter().map(|s| s.1).sum();
-                let nodes: Vec<(u32, f64)> = shares
-                    .into_iter()
-                    .filter_map(|(node, area)| {
-                        let key = (piece.block, piece.face, first + node);
-                        let left = area - lists.covered.get(&key).copied().unwrap_or(0.0);
-                        (left > SLIVER * whole).then_some((first + node, left))
-                    })
-                    .collect();
+                let levers = levers(&part.mesh, piece.face);
+                let centre = self.world.reference[body.block as usize].z;
+                let (mut nodes, mut heights) = (Vec::new(), Vec::new());
+                for (node, area) in shares {
+                    let key = (piece.block, piece.face, first + node);
+                    let left = area - lists.covered.get(&key).copied().unwrap_or(0.0);
+                    if left > SLIVER * whole {
+                        nodes.push((first + node, left));
+                        heights.push(centre + levers[&node].z);
+                    }
+                }
                 if !nodes.is_empty() {
                     made.push(Surface {
                         body: slot,
                         nodes,
+                        heights,
                         ..surface.clone()
                     });
                 }
@@ -414,45 +426,4 @@ fn moved(mut fan: Fan, by: Vec3, first: u32) -> Fan {
     fan.at.iter_mut().for_each(|at| *at += by);
     fan.nodes.iter_mut().for_each(|n| *n += first);
     fan
-}
-
-/// Nominal stress of a body, tetrahedron by tetrahedron.
-struct Pressed<'a> {
-    mesh: &'a Tetrahedra,
-    stress: Vec<Mat3>,
-}
-
-impl<'a> Pressed<'a> {
-    fn new(maker: &'a Maker, body: &Body) -> Self {
-        let kind = maker.work.kind(body);
-        let u = maker.deform.moved(body);
-        let start = StartStress::default();
-        let all = kind.groups.stresses(&kind.law, body.strain, &start, u);
-        let stress = all.into_iter().enumerate().map(|(tet, s)| {
-            let s = matrix(s);
-            match body.strain {
-                Strain::Small => s,
-                Strain::Large => {
-                    // First Piola-Kirchhoff: J sigma F^-T.
-                    let rows = kind.groups.gradient(tet, u).map(Vec3::from_array);
-                    let f = Mat3::from_cols(rows[0], rows[1], rows[2]).transpose() + Mat3::IDENTITY;
-                    f.determinant() * s * f.inverse().transpose()
-                }
-            }
-        });
-        Self {
-            mesh: &kind.mesh,
-            stress: stress.collect(),
-        }
-    }
-
-    /// At a point about the centroid; the mean of several where it lies between tetrahedra.
-    fn at(&self, place: Vec3) -> Mat3 {
-        let holders = transfer::holders(self.mesh, place);
-        let mut sum = Mat3::ZERO;
-        for (tet, _) in &holders {
-            sum += self.stress[*tet];
-        }
-        sum * (1.0 / holders.len() as f64)
-    }
 }

@@ -1,14 +1,16 @@
 //! Which blocks are cut, and by which planes.
 
+use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::polyhedron::cut::{self, FaceOrigin, Limits, Part, Planes};
 use riprap_geom::{Mat3, Vec3};
 
 use super::tip::{self, Tip};
-use super::{Anchor, Cut, Note, Rules};
+use super::{Anchor, Cut, KINETIC, Note, Rules, transfer};
 use crate::laws::fracture::{self, Rock};
-use crate::laws::tetrahedron::Symmetric;
+use crate::laws::tetrahedron::{Symmetric, row_sums};
+use crate::spatial::deform::build::stiffness;
 use crate::spatial::deform::store::Deform;
-use crate::spatial::deform::workspace::centred;
+use crate::spatial::deform::workspace::{Kind, centred};
 use crate::spatial::fields::View;
 use crate::spatial::world::World;
 
@@ -60,17 +62,60 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
         let limits = (rules.snap, rules.smallest);
         let parts = divide(world, block, normal, planes, limits, at)
             .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)));
-        if let Some(parts) = parts {
-            let note = Note {
-                normal,
-                way: verdict.way,
-                excess: verdict.excess,
-            };
-            cuts.push(Cut { block, note, parts });
+        let Some(parts) = parts else {
+            continue;
+        };
+        if deform.relax.is_none() && too_slow(world, work.kind(body), block, &parts, rules) {
+            continue;
         }
+        let handed = transfer::hand_on(world, deform, work, body, &parts);
+        // Velocities mean nothing while everything relaxes.
+        let moving = deform.relax.is_none();
+        if moving && handed.after.kinetic > KINETIC * handed.before.kinetic {
+            continue;
+        }
+        let note = Note {
+            normal,
+            way: verdict.way,
+            excess: verdict.excess,
+        };
+        cuts.push(Cut {
+            block,
+            note,
+            parts,
+            handed,
+        });
     }
     cuts.sort_by_key(|c| c.block);
     cuts
+}
+
+/// Whether a part would need a time step below the floor.
+fn too_slow(world: &World, kind: &Kind, block: u32, parts: &[Part], rules: &Rules) -> bool {
+    let spec = &world.setup.blocks[block as usize];
+    let m = usize::from(spec.material);
+    let row = world.setup.pair_table[m * world.setup.materials.len() + m];
+    let Some(Some(bond)) = world.setup.deform.bonds.get(usize::from(row)) else {
+        return false;
+    };
+    let Ok([across, along]) = stiffness(&world.setup, bond, [m; 2], [false; 2], [0.0; 2]) else {
+        return false;
+    };
+    let density = world.setup.materials[m].density;
+    // Gershgorin's bound of the squared frequency, with a bond on every face.
+    let bound = |mesh: &Tetrahedra| {
+        let mut rows = row_sums(mesh, &kind.law);
+        for face in 0..mesh.first.len() - 1 {
+            for (node, area) in mesh.tributary(face) {
+                rows[node as usize] += 2.0 * area * across.max(along);
+            }
+        }
+        let masses = mesh.inertial();
+        let terms = rows.iter().zip(masses).map(|(k, v)| k / (density * v));
+        terms.fold(0.0, f64::max)
+    };
+    let most = parts.iter().map(|p| bound(&p.mesh)).fold(0.0, f64::max);
+    rules.step_floor * rules.step_floor * most > bound(&kind.mesh)
 }
 
 /// Number of cuts that a block comes from.

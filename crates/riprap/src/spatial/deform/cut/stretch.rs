@@ -31,7 +31,7 @@ impl Stretch {
         for p in facet.points() {
             let (point, memory) = (&deform.points[p], deform.memory[p]);
             let jump = anchors.jump(facet, point);
-            let at = facet.frame.map(|e| e.dot(jump));
+            let at = facet.now.map(|e| e.dot(jump));
             let s = memory.start;
             let stretch = [at[0] + s[0] / kn, at[1] + s[1] / ks, at[2] + s[2] / ks];
             points.push((place(point), memory, stretch));
