@@ -144,8 +144,13 @@ impl<'a> References<'a> {
         }
     }
 
+    /// Whether it is a group, or may be one: the groups of meshes are in their files, and the model looks there.
+    fn is_group(&self, name: &str) -> bool {
+        self.groups.contains(name) || self.scenario.blocks.iter().any(|b| b.mesh.is_some())
+    }
+
     fn block_or_group(&mut self, name: &Name) {
-        if !self.is_block(name.as_str()) && !self.groups.contains(name.as_str()) {
+        if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
             let known: Vec<&str> = self.groups.iter().copied().collect();
             self.unknown("block or group", name, known);
         }
@@ -160,7 +165,7 @@ impl<'a> References<'a> {
                 }
             }
             Target::Group(name) => {
-                if !self.is_block(name.as_str()) && !self.groups.contains(name.as_str()) {
+                if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
                     let known: Vec<&str> = self.groups.iter().copied().collect();
                     self.unknown("group", name, known);
                 }

@@ -2,8 +2,8 @@
 
 use super::{Who, notes};
 use crate::ledger::Balance;
-use crate::record::frame::{Frame, Surfaces};
 use crate::record::frame::fragments::Fragments;
+use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::Source;
 use crate::{planar, spatial};
 

@@ -127,7 +127,7 @@ impl Workspace {
             ..Self::default()
         };
         work.hook(deform);
-        work.start(deform);
+        work.start(setup, deform);
         work.dashpots = super::loads::dashpots(setup, deform);
         if deform.relax.is_some() {
             work.fictitious = super::relax::masses(deform, &work.kinds);
@@ -140,7 +140,7 @@ impl Workspace {
     }
 
     /// Lays out the start stresses.
-    fn start(&mut self, deform: &Deform) {
+    fn start(&mut self, setup: &Setup, deform: &Deform) {
         if deform.start.iter().all(|s| s.stresses.is_empty()) {
             return;
         }
@@ -161,6 +161,19 @@ impl Workspace {
                 let still = vec![[0.0; 3]; body.count as usize];
                 let on = &mut self.start_forces[body.nodes()];
                 groups.add_forces(&law, Strain::Small, &self.starts[k], &still, on);
+            }
+            // The weights of dynamic phases are not those that balance the stress: a part of them sits on the centroid.
+            let given = deform.given.is_none_or(|first| body.block < first);
+            let Some(in_situ) = setup.in_situ.filter(|_| given) else {
+                continue;
+            };
+            let spec = &setup.blocks[body.block as usize];
+            let density = setup.materials[usize::from(spec.material)].density;
+            let force = in_situ.upward() * Vec3::Z / density;
+            let kind = &self.kinds[body.kind as usize];
+            let masses = kind.masses(deform.masses).iter().zip(&kind.lumped);
+            for (f, (now, lumped)) in self.start_forces[body.nodes()].iter_mut().zip(masses) {
+                super::loads::add(f, (now - lumped) * force);
             }
         }
     }
