@@ -76,6 +76,9 @@ fn main() {
     cut_all([20, 20, 25]);
 }
 
+/// What is timed: number of a block, displacements and forces of its nodes.
+type Work<'a> = &'a dyn Fn(usize, &[[f64; 3]], &mut [[f64; 3]]);
+
 /// Tetrahedra per second of the kernels, and blocks cut by the geometry alone.
 fn kernels() {
     let cube = Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5 * EDGE));
@@ -92,7 +95,7 @@ fn kernels() {
     let mut f = vec![[0.0; 3]; u.len()];
     let none = StartStress::none();
     let width = Width::detect();
-    let mut time = |what: &str, asked: &str, work: &dyn Fn(usize, &[[f64; 3]], &mut [[f64; 3]])| {
+    let mut time = |what: &str, asked: &str, work: Work<'_>| {
         let mut best = f64::INFINITY;
         for _ in 0..REPEATS {
             let start = Instant::now();
@@ -115,7 +118,7 @@ fn kernels() {
         },
     );
     time("kernel, shared matrix", ">= 1.2e8", &|_, u, f| {
-        matrix.forces(width, u, f)
+        matrix.forces(width, u, f);
     });
     let mut best = f64::INFINITY;
     for _ in 0..20 {
