@@ -171,6 +171,7 @@ fn a_static_phase_without_equilibrium_says_so() {
     phase.until.time = None;
     phase.deform = Some(Deforming {
         breaking: true,
+        strain: None,
         relax: Some(Relaxing {
             tolerance: 1e-9,
             load_steps: 1,
