@@ -3,10 +3,11 @@
 //! Doc comments here are the `--help` texts. They are read aloud before they are committed.
 
 mod plot;
+mod shell;
 mod view;
 
 pub use plot::{Arrows, Axis, Plot};
-
+pub use shell::{Completions, Man};
 pub use view::{Report, View};
 
 use std::path::PathBuf;
@@ -72,6 +73,8 @@ pub enum Verb {
     Schema(Schema),
     Hash(Hash),
     Doctor(Doctor),
+    Completions(Completions),
+    Man(Man),
 }
 
 /// A scene file, and what is changed in it before it is read.

@@ -57,5 +57,10 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Schema(args) => commands::language::schema(&args),
         Verb::Hash(args) => commands::language::hash(&args, style),
         Verb::Doctor(_) => commands::doctor::run(),
+        Verb::Completions(args) => {
+            commands::shell::completions(&args);
+            Ok(())
+        }
+        Verb::Man(args) => commands::shell::man(&args),
     }
 }

@@ -8,6 +8,7 @@ pub mod plot;
 pub mod probe;
 pub mod report;
 pub mod run;
+pub mod shell;
 pub mod trials;
 pub mod verify;
 pub mod view;

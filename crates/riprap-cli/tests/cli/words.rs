@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 
-const VERBS: [&str; 17] = [
+const VERBS: [&str; 19] = [
     "new",
     "check",
     "run",
@@ -20,6 +20,8 @@ const VERBS: [&str; 17] = [
     "schema",
     "hash",
     "doctor",
+    "completions",
+    "man",
 ];
 
 #[test]
@@ -70,4 +72,31 @@ fn wrong_words_are_bad_input() {
 fn the_version_is_that_of_the_package() {
     let said = Bench::new().run(&["--version"]).expect(0);
     assert_eq!(said.out, format!("riprap {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn shells_complete_the_verbs() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let said = Bench::new().run(&["completions", shell]).expect(0);
+        for verb in VERBS {
+            assert!(said.out.contains(verb), "{shell}: {verb}");
+        }
+    }
+    let said = Bench::new().run(&["completions", "cmd"]).expect(2);
+    assert!(said.err.contains("powershell"), "{}", said.err);
+}
+
+#[test]
+fn every_verb_has_a_manual_page() {
+    let bench = Bench::new();
+    let said = bench.run(&["man"]).expect(0);
+    assert!(said.out.contains(".TH riprap 1"), "{}", said.out);
+    bench.run(&["man", "--out", "pages"]).expect(0);
+    for verb in VERBS {
+        let page = bench.read(&format!("pages/riprap-{verb}.1"));
+        assert!(
+            page.contains(&format!("riprap\\-{verb}")) || page.contains(&format!("riprap {verb}")),
+            "{page}"
+        );
+    }
 }
