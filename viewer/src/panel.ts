@@ -254,17 +254,22 @@ export class Panel {
         const detail = parts.length > 1 ? `(${parts.map((p) => short(p, 3)).join(", ")})` : "";
         return el("tr", {}, el("td", {}, c.name), el("td", {}, text, detail ? el("small", {}, detail) : null));
       });
+    const groups = numbers.groups.length ? [named(numbers.groups.length > 1 ? "groups" : "group", numbers.groups.join(", "))] : [];
     this.blockBox.replaceChildren(
       el(
         "div.buttons.pickhead",
         {},
-        el("b", {}, `block ${numbers.block}`),
+        el("b", {}, numbers.name || `block ${numbers.block}`),
         el("button", { type: "button", onclick: this.actions.history }, "history"),
         el("button", { type: "button", onclick: this.actions.unpick, title: "Let it go (Esc)" }, "clear"),
       ),
-      el("table", {}, ...rows),
+      el("table", {}, ...(numbers.name ? [named("number", String(numbers.block))] : []), ...groups, ...rows),
     );
   }
+}
+
+function named(name: string, text: string): HTMLElement {
+  return el("tr", {}, el("td", {}, name), el("td", {}, text));
 }
 
 function section(title: string, open: boolean, ...children: HTMLElement[]): HTMLElement {

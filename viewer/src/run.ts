@@ -90,6 +90,9 @@ export interface Table {
 
 export interface BlockNumbers {
   block: number;
+  /** Its name in the scene; empty in runs of earlier versions. */
+  name: string;
+  groups: string[];
   frame: number;
   columns: { name: string; unit: string; values: (number | string)[] }[];
 }

@@ -6,9 +6,9 @@ mod plot;
 mod shell;
 mod view;
 
-pub use plot::{Arrows, Axis, Plot};
+pub use plot::{Arrows, Axis, Net, Plot};
 pub use shell::{Completions, Man};
-pub use view::{Report, View};
+pub use view::{Paraview, Report, View};
 
 use std::path::PathBuf;
 
@@ -68,6 +68,7 @@ pub enum Verb {
     Plot(Plot),
     View(View),
     Report(Report),
+    Paraview(Paraview),
     Fields(Fields),
     Explain(Explain),
     Schema(Schema),

@@ -52,6 +52,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Plot(args) => commands::plot::run(&args),
         Verb::View(args) => commands::view::run(&args),
         Verb::Report(args) => commands::report::run(&args),
+        Verb::Paraview(args) => commands::paraview::run(&args),
         Verb::Fields(args) => commands::language::fields(&args),
         Verb::Explain(args) => commands::language::explain(&args, style),
         Verb::Schema(args) => commands::language::schema(&args),

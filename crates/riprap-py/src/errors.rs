@@ -94,7 +94,10 @@ pub fn job_of(py: Python<'_>, error: &JobError, scene: &Parsed) -> PyErr {
 pub fn plot(py: Python<'_>, error: &PlotError) -> PyErr {
     let name = match error {
         PlotError::Output(_) => "OutputError",
-        PlotError::Table(_) | PlotError::Frame(_) | PlotError::Manifest(_) => "FolderError",
+        PlotError::Table(_)
+        | PlotError::Frame(_)
+        | PlotError::Names(_)
+        | PlotError::Manifest(_) => "FolderError",
         PlotError::Field(_)
         | PlotError::NoFrames { .. }
         | PlotError::NoSuchFrame { .. }

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::record::plot as drawn;
-use riprap::record::plot::{BlockOptions, CraterOptions, Normal, PlotError, Vectors, Which};
+use riprap::record::plot::{
+    BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
+};
 
 use crate::errors;
 
@@ -24,6 +26,7 @@ pub struct Options {
     surface: bool,
     uplift: Option<f64>,
     source: Option<String>,
+    projection: String,
 }
 
 /// Draws `what` of a run folder into `out` (`.svg`, `.png`, or both without an ending); gives the files written.
@@ -36,6 +39,7 @@ pub fn plot(
     options: Options,
 ) -> PyResult<Vec<PathBuf>> {
     let blocks = options.blocks()?;
+    let projection = options.projection()?;
     let known = [
         "histories",
         "energy",
@@ -46,6 +50,9 @@ pub fn plot(
         "heave",
         "cavity",
         "spectrum",
+        "stereonet",
+        "rose",
+        "fragments",
     ];
     if !known.contains(&what) {
         return Err(PyValueError::new_err(format!(
@@ -56,11 +63,21 @@ pub fn plot(
     if let Some(parent) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent)?;
     }
-    py.detach(|| options.draw(&folder, what, blocks, &out))
+    py.detach(|| options.draw(&folder, what, (blocks, projection), &out))
         .map_err(|e| errors::plot(py, &e))
 }
 
 impl Options {
+    fn projection(&self) -> PyResult<Projection> {
+        match self.projection.as_str() {
+            "equal_area" => Ok(Projection::EqualArea),
+            "equal_angle" => Ok(Projection::EqualAngle),
+            other => Err(PyValueError::new_err(format!(
+                "projection={other:?}; write \"equal_area\" or \"equal_angle\""
+            ))),
+        }
+    }
+
     fn blocks(&self) -> PyResult<BlockOptions> {
         let wrong = |key: &str, value: &str, words: &str| {
             PyValueError::new_err(format!("{key}={value:?}; write {words}"))
@@ -93,7 +110,7 @@ impl Options {
         &self,
         folder: &std::path::Path,
         what: &str,
-        blocks: BlockOptions,
+        (blocks, projection): (BlockOptions, Projection),
         out: &std::path::Path,
     ) -> Result<Vec<PathBuf>, PlotError> {
         let given: Vec<Which> = self.times.iter().map(|t| Which::Time(*t)).collect();
@@ -117,6 +134,9 @@ impl Options {
             }
             "heave" => drawn::heave(folder, &given, source, blocks.normal, out),
             "cavity" => drawn::cavity(folder, out),
+            "stereonet" => drawn::stereonet(folder, frames[0], projection, out),
+            "rose" => drawn::rose(folder, frames[0], out),
+            "fragments" => drawn::fragments(folder, out),
             "spectrum" => match self.names.first() {
                 Some(name) => drawn::spectrum(folder, name, out),
                 None => Err(PlotError::NothingToDraw {

@@ -260,9 +260,12 @@ fn block(run: &Run, k: usize, id: usize) -> Result<Answer, Problem> {
             json!({ "name": c.name, "unit": c.unit, "values": values })
         })
         .collect();
-    Ok(json_answer(
-        &json!({ "block": id, "frame": k, "columns": rows }),
-    ))
+    let names = run.names();
+    let number = u32::try_from(id).unwrap_or(u32::MAX);
+    Ok(json_answer(&json!({
+        "block": id, "name": names.block(number).unwrap_or_default(), "groups": names.groups_of(number),
+        "frame": k, "columns": rows,
+    })))
 }
 
 /// A number as JSON; what is not finite as text.

@@ -7,6 +7,7 @@ use base64::Engine as _;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use riprap::record::manifest::Manifest;
+use riprap::record::names::Names;
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -71,6 +72,7 @@ pub fn report(run: &Run, plots: &[PathBuf], limits: Limits) -> Result<String, Pr
          <style>{STYLE}</style>\n<style>{LAYOUT}</style>\n</head>\n<body>\n<article>\n<h1>{title}</h1>\n"
     );
     facts(&mut out, &manifest);
+    groups(&mut out, &run.names());
     for warning in &manifest.warnings {
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(warning));
     }
@@ -107,6 +109,34 @@ fn table<'a>(out: &mut String, class: &str, rows: impl IntoIterator<Item = (&'a 
                 escape(&value)
             );
         }
+    }
+    out.push_str("</table>\n");
+}
+
+/// Groups of blocks, with what is in them.
+fn groups(out: &mut String, names: &Names) {
+    if names.groups.is_empty() {
+        return;
+    }
+    out.push_str("<h2>Groups</h2>\n<table class=\"grid\"><tr><th>group</th><th>blocks</th><th>from</th><th>to</th></tr>\n");
+    for group in &names.groups {
+        let count: u64 = group
+            .blocks
+            .iter()
+            .map(|[a, b]| 1 + u64::from(b.saturating_sub(*a)))
+            .sum();
+        let name = |number: Option<u32>| number.and_then(|n| names.block(n)).unwrap_or_default();
+        let ends = [
+            group.blocks.first().map(|b| b[0]),
+            group.blocks.last().map(|b| b[1]),
+        ];
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{count}</td><td>{}</td><td>{}</td></tr>",
+            escape(&group.name),
+            escape(&name(ends[0])),
+            escape(&name(ends[1]))
+        );
     }
     out.push_str("</table>\n");
 }

@@ -5,6 +5,7 @@
 
 use riprap::Vec3;
 use riprap::record::folder::{block_file, contact_file, in_use};
+use riprap::record::names::Names;
 use riprap::record::table::Table;
 use riprap::record::vtu::{self, PvdEntry, ReadError, Wanted};
 use riprap::record::{Column, Ended, Frame, Manifest, Part};
@@ -134,6 +135,11 @@ impl Run {
                 inside.len()
             ),
         }
+    }
+
+    /// Names of its blocks and groups; none if the file is missing or damaged, since numbers do as well.
+    pub fn names(&self) -> Names {
+        Names::read(&self.path).unwrap_or_default()
     }
 
     /// Times of the frames there are.

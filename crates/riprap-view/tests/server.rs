@@ -1,6 +1,7 @@
 //! The server as a browser, a stranger and a person with a broken folder meet it.
 
 use riprap::record::frame::{BRICK, Solids};
+use riprap::record::names::Names;
 use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
 use riprap_view::Server;
 use serde_json::Value;
@@ -55,6 +56,9 @@ fn write_run(path: &Path, frames: usize) {
         ..Manifest::default()
     };
     let mut run = RunFolder::create(path, Existing::Refuse, &manifest).unwrap();
+    let names = (1..=4).map(|k| format!("row.{k}"));
+    run.write_names(&Names::pack(names, [("row", &[0, 1, 2, 3][..])]))
+        .unwrap();
     run.begin_histories(&[("slip", "m")]).unwrap();
     for k in 0..frames {
         run.frame(&row(4, k)).unwrap();
@@ -154,6 +158,8 @@ fn a_run_is_told_frame_by_frame() {
     }
     let block = get(address, "/api/0/block/2/3").json();
     assert_eq!(block["columns"][1]["values"][0], 0.06);
+    assert_eq!(block["name"], "row.4");
+    assert_eq!(block["groups"], serde_json::json!(["row"]));
     let history = get(address, "/api/0/history/3?name=displacement.x&from=1").json();
     assert_eq!(history["values"], serde_json::json!([0.03, 0.06]));
     let range = get(address, "/api/0/range?name=displacement").json();

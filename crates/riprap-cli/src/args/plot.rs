@@ -18,6 +18,9 @@ Pictures:
   crater             uplift of the surface around a charge, radius of the crater
   heave              profiles of the surface over a charge
   cavity             pressure and volume of cavities, with a fit of the pressure
+  stereonet          poles of joints and cracks of a run in space, lower hemisphere
+  rose               strikes of joints and cracks; in the plane the angles of their traces
+  fragments          sizes of fragments, x50 and x80, with Rosin-Rammler and Swebrec fits
   spectrum HISTORY   amplitude spectrum of a history
   HISTORY            one history
 
@@ -33,6 +36,9 @@ Examples:
   riprap plot blast.run crater --time '20 ms' --uplift '40 mm'
   riprap plot blast.run heave --time '5 ms' --time '10 ms' --time '20 ms'
   riprap plot blast.run cavity
+  riprap plot beam.run stereonet --projection equal-angle
+  riprap plot hill.run rose --png
+  riprap plot beam.run fragments
   riprap plot blast.run spectrum house.velocity")]
 pub struct Plot {
     /// Run folder
@@ -71,6 +77,9 @@ pub struct Plot {
     /// Where the section lies along its normal [default: through the first source, or the middle]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub at: Option<String>,
+    /// Projection of the stereonet
+    #[arg(long, value_enum, value_name = "PROJECTION", default_value_t = Net::EqualArea)]
+    pub projection: Net,
     /// Peak velocities of blocks with a free face looking up only
     #[arg(long)]
     pub surface: bool,
@@ -87,6 +96,15 @@ pub struct Plot {
 pub enum Arrows {
     Displacement,
     Velocity,
+}
+
+/// How a hemisphere is laid flat.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Net {
+    /// Schmidt net: densities of poles can be compared
+    EqualArea,
+    /// Wulff net: angles are true
+    EqualAngle,
 }
 
 /// A direction.

@@ -1,4 +1,4 @@
-//! `riprap view` and `riprap report`.
+//! `riprap view`, `riprap report` and `riprap paraview`.
 
 use std::path::PathBuf;
 
@@ -51,4 +51,36 @@ pub struct Report {
     /// Frames of the replay at most
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=1000))]
     pub frames: u16,
+}
+
+/// Write a script that opens a run in ParaView.
+///
+/// The script lies in the run folder as paraview.py. It loads blocks, cracks and contacts, colours them with the
+/// ranges of the last frame, sets time and camera, and has arrows of the contact forces and a cut through the middle
+/// ready, hidden at first.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap paraview hill.run                               writes hill.run/paraview.py
+  paraview --script=hill.run/paraview.py                 opens it
+  pvpython hill.run/paraview.py last.png                 draws one picture, without a window
+  riprap paraview blast.run --by velocity --exaggerate 20")]
+pub struct Paraview {
+    /// Run folder
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Field of the frames that colours the blocks
+    #[arg(long, value_name = "FIELD", default_value = "displacement")]
+    pub by: String,
+    /// Multiply the displacements that are drawn; 1 or more
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = exaggeration)]
+    pub exaggerate: f64,
+}
+
+/// Reads a number of at least 1.
+fn exaggeration(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(v) if v.is_finite() && v >= 1.0 => Ok(v),
+        Ok(_) | Err(_) => Err("write a number from 1 on, for example 20".to_owned()),
+    }
 }

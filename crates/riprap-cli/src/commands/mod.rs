@@ -4,6 +4,7 @@ pub mod check;
 pub mod doctor;
 pub mod language;
 pub mod new;
+pub mod paraview;
 pub mod plot;
 pub mod probe;
 pub mod report;

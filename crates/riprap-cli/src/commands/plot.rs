@@ -3,16 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use riprap::record::plot::{self, BlockOptions, CraterOptions, Normal, PlotError, Vectors, Which};
+use riprap::record::plot::{
+    self, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
+};
 use riprap::scenario::units::{self, Dim};
 
-use crate::args::{Arrows, Axis, Cli, Plot, Verb};
+use crate::args::{Arrows, Axis, Cli, Net, Plot, Verb};
 use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
 
-/// Pictures of runs in space that are part of everything, as far as the run has what they need.
+/// Pictures of blasts that are part of everything, as far as the run has what they need.
 const OF_BLASTS: [&str; 4] = ["ppv", "crater", "heave", "cavity"];
+/// Pictures of any run that are part of everything where they show something.
+const OF_ANY: [&str; 3] = ["stereonet", "rose", "fragments"];
 
 pub fn run(args: &Plot) -> Result<(), Failure> {
     for path in draw(args)? {
@@ -74,9 +78,12 @@ fn everything(folder: &Path, asked: &Asked) -> Result<Vec<PathBuf>, Failure> {
         all.extend(asked.picture("histories")?);
     }
     let blast = riprap::record::Manifest::read(folder).is_ok_and(|m| !m.sources.is_empty());
-    for what in OF_BLASTS.into_iter().filter(|_| blast) {
+    let of_blasts = OF_BLASTS.into_iter().filter(|_| blast);
+    for what in of_blasts.chain(OF_ANY) {
         match asked.drawn(what) {
             Ok(files) => all.extend(files),
+            Err(PlotError::Unsuitable { .. } | PlotError::NothingToDraw { .. })
+                if OF_ANY.contains(&what) => {}
             // Nobody asked for this one by name.
             Err(
                 error @ (PlotError::Unsuitable { .. }
@@ -162,7 +169,7 @@ impl<'a> Asked<'a> {
     }
 
     fn picture(&self, what: &str) -> Result<Vec<PathBuf>, Failure> {
-        if ["ppv", "crater"].contains(&what) {
+        if ["ppv", "crater", "stereonet", "rose"].contains(&what) {
             self.frame(what)?;
         }
         Ok(self.drawn(what)?)
@@ -201,6 +208,15 @@ impl<'a> Asked<'a> {
                 plot::heave(folder, &self.frames, source, normal, &self.out(what))
             }
             "cavity" => plot::cavity(folder, &self.out(what)),
+            "stereonet" => {
+                let projection = match self.args.projection {
+                    Net::EqualArea => Projection::EqualArea,
+                    Net::EqualAngle => Projection::EqualAngle,
+                };
+                plot::stereonet(folder, frames[0], projection, &self.out(what))
+            }
+            "fragments" => plot::fragments(folder, &self.out(what)),
+            "rose" => plot::rose(folder, frames[0], &self.out(what)),
             name => plot::histories(folder, &[name.to_owned()], &self.out(&file_name(name))),
         }
     }
@@ -234,6 +250,7 @@ impl From<PlotError> for Failure {
             PlotError::Output(_) => Failure::Output(error.to_string()),
             PlotError::Table(_)
             | PlotError::Frame(_)
+            | PlotError::Names(_)
             | PlotError::Manifest(_)
             | PlotError::Field(_)
             | PlotError::NoFrames { .. }

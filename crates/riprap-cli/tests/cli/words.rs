@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 
-const VERBS: [&str; 19] = [
+const VERBS: [&str; 20] = [
     "new",
     "check",
     "run",
@@ -15,6 +15,7 @@ const VERBS: [&str; 19] = [
     "plot",
     "view",
     "report",
+    "paraview",
     "fields",
     "explain",
     "schema",

@@ -48,13 +48,14 @@ def plot(
     surface: bool = False,
     uplift: "str | float | None" = None,
     source: str | None = None,
+    projection: str = "equal_area",
 ) -> Picture:
     """Draws a picture of a run folder, with the numbers behind it as CSV.
 
     Args:
         run: the run folder.
         what: ``histories``, ``energy``, ``blocks``, ``section``, ``ppv``, ``crater``, ``heave``, ``cavity``,
-            ``spectrum``.
+            ``spectrum``, ``stereonet``, ``rose``, ``fragments``.
         names: histories to draw (all by default); the one history of a spectrum.
         out: ``.svg``, ``.png``, or both without an ending; by default an SVG in ``plots/`` of the run.
         by: field that colours blocks, such as ``velocity.x``.
@@ -67,6 +68,7 @@ def plot(
         surface: only peak velocities on the surface (``ppv``).
         uplift: least uplift that counts as crater, ``"40 mm"`` or a number [m].
         source: name of the charge (``crater``, ``heave``).
+        projection: of the stereonet, ``equal_area`` or ``equal_angle``.
 
     Raises:
         PlotError: the run has not what the picture needs.
@@ -87,6 +89,7 @@ def plot(
         "surface": surface,
         "uplift": _metres(uplift),
         "source": source,
+        "projection": projection,
     }
     return Picture(_riprap.plot(folder, what, target, options))
 

@@ -1,14 +1,16 @@
-//! Laws fitted to recorded numbers: attenuation with distance, rise and decay of a pressure, spectrum of a history.
+//! Laws fitted to recorded numbers: attenuation with distance, rise and decay of a pressure, fragment sizes, spectrum of a history.
 //!
 //! Pure functions: numbers in, numbers out. Logarithms and exponentials come from `libm`, sums run in the order of
 //! the samples, so that a fit is the same on every machine.
 
 mod exponentials;
 mod power;
+mod sieve;
 mod spectrum;
 
 pub use exponentials::{TwoExponential, two_exponential};
 pub use power::{PowerLaw, power_law};
+pub use sieve::{RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
 pub use spectrum::{Spectrum, amplitude_spectrum};
 
 /// Why there is no fit.

@@ -9,6 +9,7 @@ use super::disk::{AppendFile, AtPath, OutputError, write_whole};
 use super::field::with_unit;
 use super::frame::Frame;
 use super::manifest::{Manifest, ManifestError};
+use super::names::{self, Names};
 use super::vtu::{self, PvdEntry};
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File, TryLockError};
@@ -121,8 +122,10 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 12] = [
+const FILES: [&str; 14] = [
     LOCK,
+    names::FILE,
+    "paraview.py",
     "scenario.resolved.toml",
     "checks.jsonl",
     "histories.csv",
@@ -368,6 +371,14 @@ impl RunFolder {
             .map_err(io::Error::from)
             .at(&path)?;
         self.events.line(&text)
+    }
+
+    /// Writes the names of blocks and groups.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_names(&self, names: &Names) -> Result<(), OutputError> {
+        names.write(&self.path)
     }
 
     /// Writes a frame (two `.vtu` files) and then names it in the two `.pvd` files.

@@ -7,8 +7,10 @@
 //! - [`frame`]: one picture of the blocks with columns of numbers;
 //! - [`folder`]: the run folder, the contract of `docs/src/run-folder.md`;
 //! - [`manifest`]: what was run, with what, and how it ended;
+//! - [`names`]: what blocks and groups are called;
 //! - [`checkpoint`]: the state to resume from, guarded against every kind of damage;
 //! - [`vtu`]: VTK files for ParaView, written and read back;
+//! - [`paraview`]: a script that opens a run in ParaView;
 //! - [`table`]: reader of the CSV files;
 //! - [`fits`]: laws and spectra fitted to recorded numbers;
 //! - [`plot`]: SVG and PNG figures with the numbers behind them.
@@ -22,6 +24,8 @@ pub mod fits;
 pub mod folder;
 pub mod frame;
 pub mod manifest;
+pub mod names;
+pub mod paraview;
 pub mod plot;
 pub mod table;
 pub mod vtu;

@@ -50,6 +50,8 @@ pub struct Recorder {
     checkpoints: Option<Every>,
     counts: Counts,
     last_frame: Option<u64>,
+    /// Number of blocks whose names are written.
+    named: usize,
 }
 
 impl Recorder {
@@ -90,6 +92,7 @@ impl Recorder {
             checkpoints: plan.checkpoints,
             counts,
             last_frame,
+            named: 0,
         })
     }
 
@@ -118,6 +121,10 @@ impl Recorder {
         // In a relaxing phase time passes in load steps, and states on the way to an equilibrium are not recorded.
         let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
         let half = if relaxes { 0.0 } else { 0.5 * simulation.dt() };
+        if view.all_blocks() != self.named {
+            self.folder.write_names(&view.names())?;
+            self.named = view.all_blocks();
+        }
         let due = |every: &Every, count: &mut u64| {
             let hit = match every {
                 Every::Time(span) => {

@@ -174,6 +174,10 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
         let points = facet.points();
         let force: Vec3 = points.clone().map(|p| Vec3::from(work.slots[p])).sum();
         let [n, b, c] = facet.frame.map(|e| e.dot(force) / facet.area);
+        let lost = points
+            .clone()
+            .filter(|p| deform.memory[*p].state.is_broken());
+        let failed: f64 = lost.map(|p| deform.points[p].area).sum();
         let open = points.filter(|p| {
             deform.memory[*p].state.is_broken() && Vec3::from(work.slots[*p]) == Vec3::ZERO
         });
@@ -189,6 +193,10 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             f64::from(broken),
             open.count() as f64,
             0.0,
+            facet.frame[0].x,
+            facet.frame[0].y,
+            facet.frame[0].z,
+            failed,
         ];
         let mut numbers = numbers.into_iter();
         for column in &mut frame.contact_columns {
@@ -206,13 +214,18 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
         .collect();
     let mut forces = Vec::with_capacity(chosen.len());
     let mut means = Vec::with_capacity(chosen.len());
+    let mut normals = Vec::with_capacity(chosen.len());
     for &p in &chosen {
         let class = view.patch_class(p);
         let i = list.ends[p][0] as usize;
-        let arm = match &view.world.turned[i] {
-            Some(turned) => turned.attitude * class.arms[0],
-            None => class.arms[0],
+        let (arm, normal) = match &view.world.turned[i] {
+            Some(turned) => (
+                turned.attitude * class.arms[0],
+                turned.attitude * class.frame[0],
+            ),
+            None => (class.arms[0], class.frame[0]),
         };
+        normals.push(normal.to_array());
         let place = view.position(i) + arm + view.world.setup.origin;
         frame.contact_points.push(place.to_array());
         forces.push(view.patch_resultant(p).force.to_array());
@@ -234,5 +247,9 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
         column("broken_points", "-", &|k| bits(k, flag::BROKEN)),
         column("open_points", "-", &|k| bits(k, flag::OPEN)),
         column("sliding_points", "-", &|k| bits(k, flag::SLIDING)),
+        Column::vector3("normal", "-", &normals),
+        column("failed_area", "m2", &|k| {
+            0.25 * bits(k, flag::BROKEN) * view.patch_class(chosen[k]).area
+        }),
     ];
 }

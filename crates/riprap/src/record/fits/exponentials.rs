@@ -152,7 +152,7 @@ fn on_grid(t: &[f64], y: &[f64], low: f64, spacing: f64) -> [f64; 2] {
 }
 
 /// Nelder and Mead's simplex in two dimensions.
-fn simplex(start: [f64; 2], width: f64, cost: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
+pub(super) fn simplex(start: [f64; 2], width: f64, cost: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
     let mut corners: Vec<([f64; 2], f64)> =
         [[0.0, 0.0], [width, 0.3 * width], [-0.3 * width, -width]]
             .iter()

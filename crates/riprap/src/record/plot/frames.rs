@@ -47,11 +47,7 @@ pub fn strip(
     options: BlockOptions,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    let loaded: Vec<Frame> = frames
-        .iter()
-        .map(|w| load_frame(folder, *w))
-        .collect::<Result<_, _>>()?;
-    drawn(folder, loaded, field, options, out)
+    drawn(folder, load_frames(folder, frames)?, field, options, out)
 }
 
 /// Draws loaded frames.
@@ -125,13 +121,36 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<PvdEntry>, PlotError> {
     Ok(list)
 }
 
+/// Reads frames of a run folder.
+pub(super) fn load_frames(folder: &Path, frames: &[Which]) -> Result<Vec<Frame>, PlotError> {
+    frames.iter().map(|w| load_frame(folder, *w)).collect()
+}
+
 /// Reads a frame of a run folder.
 ///
 /// # Errors
 /// No frames, no such frame, files that cannot be read.
 pub fn load_frame(folder: &Path, which: Which) -> Result<Frame, PlotError> {
     let list = listed(folder)?;
-    let at = match which {
+    let at = found(&list, which)?;
+    let contacts = vtu::read_pvd(&folder.join("contacts.pvd"))?;
+    let contacts = contacts.get(at).map(|c| folder.join(&c.file));
+    Ok(vtu::read_frame(
+        &folder.join(&list[at].file),
+        contacts.as_deref(),
+    )?)
+}
+
+/// The crack surfaces that belong to a frame; there only with deformable blocks.
+pub(in crate::record) fn crack_surfaces(folder: &Path, which: Which) -> Result<PathBuf, PlotError> {
+    let list = listed(folder)?;
+    let file = &list[found(&list, which)?].file;
+    Ok(folder.join(file.replacen("frame_", "cracks_", 1)))
+}
+
+/// Place of a frame in the list.
+fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
+    Ok(match which {
         Which::Last => list.len() - 1,
         Which::Index(index) => match index.checked_sub(1) {
             Some(i) if i < list.len() => i,
@@ -148,11 +167,5 @@ pub fn load_frame(folder: &Path, which: Which) -> Result<Frame, PlotError> {
                 .min_by(|a, b| gap(a).total_cmp(&gap(b)))
                 .unwrap_or(0)
         }
-    };
-    let contacts = vtu::read_pvd(&folder.join("contacts.pvd"))?;
-    let contacts = contacts.get(at).map(|c| folder.join(&c.file));
-    Ok(vtu::read_frame(
-        &folder.join(&list[at].file),
-        contacts.as_deref(),
-    )?)
+    })
 }

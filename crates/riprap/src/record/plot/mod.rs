@@ -10,8 +10,12 @@ mod colour;
 mod compare;
 mod frames;
 mod lines;
+mod net;
+mod planes;
 mod ppv;
+mod rose;
 mod section;
+mod sieve;
 mod signals;
 mod solid;
 mod surface;
@@ -21,10 +25,14 @@ mod ticks;
 pub use blocks::BlockOptions;
 pub use colour::ColourMap;
 pub use compare::{Labels, Line, compare};
+pub(super) use frames::crack_surfaces;
 pub use frames::{Which, blocks, load_frame, strip};
 pub use lines::{energy, histories};
+pub use net::{Projection, stereonet};
 pub use ppv::ppv;
+pub use rose::rose;
 pub use section::{Normal, Vectors, section};
+pub use sieve::fragments;
 pub use signals::{cavity, spectrum};
 pub use surface::{CraterOptions, crater, heave};
 
@@ -34,6 +42,7 @@ use super::field::{FieldError, with_unit};
 use super::fits::FitError;
 use super::folder::number;
 use super::manifest::{Manifest, ManifestError, Source};
+use super::names::NamesError;
 use super::table::{Series, TableError};
 use super::vtu::ReadError;
 use std::path::{Path, PathBuf};
@@ -47,6 +56,9 @@ pub enum PlotError {
     /// Frames.
     #[error(transparent)]
     Frame(#[from] ReadError),
+    /// Names of blocks.
+    #[error(transparent)]
+    Names(#[from] NamesError),
     /// Not a run folder.
     #[error(transparent)]
     Manifest(#[from] ManifestError),

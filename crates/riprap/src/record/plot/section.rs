@@ -5,7 +5,7 @@
 //! displacements can be multiplied.
 
 use super::blocks::{BlockOptions, Chosen};
-use super::frames::{Which, drawn, load_frame};
+use super::frames::{Which, drawn, load_frames};
 use super::solid::{self, Body};
 use super::{PlotError, blocks::short};
 use crate::Vec3;
@@ -89,10 +89,7 @@ pub fn section(
     options: BlockOptions,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    let loaded: Vec<Frame> = frames
-        .iter()
-        .map(|w| load_frame(folder, *w))
-        .collect::<Result<_, _>>()?;
+    let loaded = load_frames(folder, frames)?;
     for frame in &loaded {
         need_space(frame, "a section")?;
     }

@@ -1,6 +1,7 @@
 //! Plots of a small made-up run: what is written, and what is said when it cannot be.
 
 mod blast;
+mod shapes;
 
 use super::*;
 use crate::record::folder::{Existing, RunFolder};

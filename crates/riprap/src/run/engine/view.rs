@@ -5,6 +5,7 @@ use crate::ledger::Balance;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::Source;
+use crate::record::names::Names;
 use crate::{planar, spatial};
 
 /// An engine with its forces evaluated, ready to be read.
@@ -203,6 +204,38 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(_) => None,
             Self::Spatial(v) => spatial::deform::picture::tetrahedra(v),
+        }
+    }
+
+    /// Number of blocks there are and have been.
+    #[must_use]
+    pub fn all_blocks(&self) -> usize {
+        match self {
+            Self::Planar(v) => v.world.setup.blocks.len(),
+            Self::Spatial(v) => v.world.setup.blocks.len(),
+        }
+    }
+
+    /// Names of blocks and groups.
+    #[must_use]
+    pub fn names(&self) -> Names {
+        match self {
+            Self::Planar(v) => {
+                let setup = &v.world.setup;
+                let groups = setup
+                    .groups
+                    .iter()
+                    .map(|g| (g.name.as_str(), &g.blocks[..]));
+                Names::pack(setup.blocks.iter().map(|b| b.name.clone()), groups)
+            }
+            Self::Spatial(v) => {
+                let setup = &v.world.setup;
+                let groups = setup
+                    .groups
+                    .iter()
+                    .map(|g| (g.name.as_str(), &g.blocks[..]));
+                Names::pack((0..setup.blocks.len()).map(|b| v.name(b)), groups)
+            }
         }
     }
 
