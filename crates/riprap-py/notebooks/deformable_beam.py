@@ -68,7 +68,7 @@ scenario = riprap.Scenario(
             {
                 "name": "break",
                 "kind": "static",
-                "cut": {"planes": 3, "along": "z", "anchor": "tip", "generations": 2},
+                "cut": {"planes": 1, "along": "z", "anchor": "tip", "generations": 2},
                 "iterations": 60000,
                 "until": {"unbalanced": 1e-4},
             },

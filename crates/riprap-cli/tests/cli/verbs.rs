@@ -436,6 +436,10 @@ fn a_closed_pipe_is_no_error() {
 fn every_template_is_written_and_can_be_used() {
     let bench = Bench::new();
     let list = bench.run(&["new", "--list"]).expect(0).out;
+    // Of both spaces, rigid, deformable and hybrid.
+    for name in ["slide", "slope", "bricks", "blast", "beam", "hybrid"] {
+        assert!(list.lines().any(|l| l.starts_with(name)), "{name}");
+    }
     for line in list.lines() {
         let name = line.split_whitespace().next().expect("a name");
         let file = format!("{name}.toml");
