@@ -13,6 +13,7 @@ export const RUNS = process.env.RIPRAP_RUNS ?? join(ROOT, "target/xtask/browser"
 const SCENES: [string, string, string[]][] = [
   ["topple", "scenes/planar/topple.toml", ["phases.1.until.time=0.8 s", "outputs.0.frames.every=40 ms"]],
   ["steep", "scenes/planar/topple.toml", ["phases.1.until.time=0.6 s", "outputs.0.frames.every=50 ms", "interfaces.default.friction_angle=45 deg"]],
+  ["beam", "scenes/spatial/beam.toml", []],
   ["blast", "scenes/spatial/blast.toml", ["outputs.0.frames.every=0.4 ms"]],
 ];
 

@@ -74,6 +74,30 @@ test("arrows, contacts, exaggeration and cutting in the plane", async ({ view })
   await expect.poll(() => pixels(page)).not.toBe(cut);
 });
 
+test("a deformable beam: cut blocks, cracks, names", async ({ view }) => {
+  const page = await view("beam");
+  const before = Number(await stage(page).getAttribute("data-blocks"));
+  await page.keyboard.press("End");
+  await expect.poll(() => frame(page)).toBeGreaterThan(2);
+  // Blocks were cut on the way.
+  await expect.poll(async () => Number(await stage(page).getAttribute("data-blocks"))).toBeGreaterThan(before);
+  await page.getByLabel("field", { exact: true }).selectOption("sigma3_compressive");
+  await expect(page.locator(".legend .title")).toHaveText(/sigma3_compressive \[.*Pa\]/);
+  await page.getByRole("button", { name: "visible", exact: true }).click();
+  await expect(page.locator(".legend")).toContainText("displacements ×");
+  await shoot(page, "beam");
+  const solid = await pixels(page);
+  await page.keyboard.press("k");
+  await expect(page.locator(".legend")).toContainText("broken");
+  await expect.poll(() => pixels(page)).not.toBe(solid);
+  await shoot(page, "beam-cracks");
+  await page.keyboard.press("k");
+  await pickSome(page);
+  await expect(page.locator(".pickhead b")).toHaveText(/^beam\.\d+/);
+  await expect(page.locator(".numbers")).toContainText("broken_share");
+  await shoot(page, "beam-picked");
+});
+
 test("a blast: faces, cracks, cut, glass, views", async ({ view }) => {
   const page = await view("blast");
   await page.keyboard.press("End");
