@@ -140,7 +140,8 @@ fn neighbours(faces: &[Face]) -> Vec<(usize, usize)> {
     for (i, f) in faces.iter().enumerate() {
         let (low, high) = (cell(f.low - slack(f)), cell(f.high + slack(f)));
         let across = high - low + Vec3::ONE;
-        if !(across.x * across.y * across.z <= MANY_CELLS) {
+        let count = across.x * across.y * across.z;
+        if count > MANY_CELLS || count.is_nan() {
             large.push(i);
             continue;
         }
