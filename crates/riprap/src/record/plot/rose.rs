@@ -246,7 +246,7 @@ fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
             digits(share, 2)
         );
     }
-    page.text([middle[0], 64.0], SIZE, Anchor::Middle, &text);
+    page.text([middle[0], 52.0], SIZE, Anchor::Middle, &text);
 }
 
 #[cfg(test)]
