@@ -94,10 +94,10 @@ fn every_verb_has_a_manual_page() {
     assert!(said.out.contains(".TH riprap 1"), "{}", said.out);
     bench.run(&["man", "--out", "pages"]).expect(0);
     for verb in VERBS {
-        let page = bench.read(&format!("pages/riprap-{verb}.1"));
-        assert!(
-            page.contains(&format!("riprap\\-{verb}")) || page.contains(&format!("riprap {verb}")),
-            "{page}"
-        );
+        // Hyphens of names are written as minus signs.
+        let page = bench
+            .read(&format!("pages/riprap-{verb}.1"))
+            .replace("\\-", "-");
+        assert!(page.contains(&format!("riprap-{verb}")), "{page}");
     }
 }

@@ -2,7 +2,7 @@
 #     paraview --script=paraview.py
 #     pvpython paraview.py picture.png       (one picture of the last frame, without a window)
 #
-# Written by riprap (`riprap paraview RUN`); change it as you like. Tried with ParaView 5.11.
+# Written by riprap (`riprap paraview RUN`); change it as you like. It uses the names of paraview.simple of ParaView 5.11.
 
 import os
 import sys
