@@ -18,6 +18,8 @@ pub const LOOK: u32 = 25;
 const MARGIN: f64 = 1.05;
 /// Largest damping.
 const MOST: f64 = 1.5;
+/// Forces below this share of the largest so far are none: a body in two parts would never be at rest by round-off.
+const REST: f64 = 1e-6;
 /// Damping before the first look.
 const FIRST: f64 = 0.5;
 
@@ -63,6 +65,8 @@ pub struct Relax {
     pub increment: f64,
     /// Displacements (m) and net forces (N) at the last look.
     pub last: Option<Seen>,
+    /// Largest norm of the external forces or reactions so far in the phase, N.
+    pub largest: f64,
     /// How it relaxes.
     pub way: Way,
     /// Elastic energy at the last look, J, where it decides.
@@ -104,7 +108,8 @@ impl Relax {
     /// known.
     pub fn look(&mut self, nodes: &super::store::Nodes, work: &Workspace) {
         let [net, reactions, external] = work.norms;
-        let scale = reactions.max(external);
+        self.largest = self.largest.max(reactions).max(external);
+        let scale = reactions.max(external).max(REST * self.largest);
         let ratio = if net == 0.0 { 0.0 } else { net / scale };
         self.iterations += 1;
         self.since += 1;

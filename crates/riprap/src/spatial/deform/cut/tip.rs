@@ -256,17 +256,29 @@ pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeMap<u32, Vec<usi
     };
     let front = Front::new(world, deform);
     let siblings = |[a, b]: [u32; 2]| root(world, deform, a) == root(world, deform, b);
-    let mut chosen = BTreeMap::new();
+    let mut chosen: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+    // Tips from which a facet made by cutting leads on: a crack along an old face, which cannot be cut, has none.
+    let mut led = vec![false; front.tips.len()];
     for (k, facet) in deform.facets.iter().enumerate() {
-        if only_cut && !siblings(facet.blocks) {
-            continue;
-        }
         let area = Area::new(outline(world, facet), facet.frame[0]);
         let held = |n: &usize| area.holds(front.tips[*n].at, front.near);
         let tips: Vec<usize> = (0..front.tips.len()).filter(held).collect();
-        if !tips.is_empty() {
-            chosen.insert(k as u32, tips);
+        if tips.is_empty() || is_broken(deform, k) {
+            continue;
         }
+        if siblings(facet.blocks) {
+            for n in &tips {
+                led[*n] |= front.tips[*n].leads_to(facet.centre);
+            }
+        }
+        chosen.insert(k as u32, tips);
+    }
+    if only_cut {
+        for (k, tips) in &mut chosen {
+            let cut = siblings(deform.facets[*k as usize].blocks);
+            tips.retain(|n| cut || !led[*n]);
+        }
+        chosen.retain(|_, tips| !tips.is_empty());
     }
     Some(chosen)
 }
