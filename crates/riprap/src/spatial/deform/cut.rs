@@ -269,10 +269,6 @@ fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
             })
         };
         check("the mass", before.mass, after.mass, before.mass)?;
-        if deform.relax.is_some() {
-            // Motion on the way to an equilibrium means nothing.
-            continue;
-        }
         let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();
         let radius = world.solid_of(family.cut.block as usize).radius + before.centre.length();
         for k in 0..3 {
