@@ -34,13 +34,14 @@ pub struct JointSet {
     pub offset: f64,
 }
 
-/// Cut a simple anticlockwise region by joint sets, and merge blocks with edges below
-/// `smallest_edge` (0: none) into neighbours.
+/// Cut a simple anticlockwise region by single traces (their two ends, m) and by joint sets, and merge blocks with edges
+/// below `smallest_edge` (0: none) into neighbours.
 ///
 /// *Errors*: a region that is not simple, parameters out of range, more than `tol::MAX_BLOCKS` blocks
 /// or traces (estimated before any work), cuts too close together to tell apart.
 pub fn cut(
     region: &[Vec2],
+    single: &[[Vec2; 2]],
     sets: &[JointSet],
     seed: u64,
     smallest_edge: f64,
@@ -55,7 +56,14 @@ pub fn cut(
     sets.iter().try_for_each(check)?;
     capped("blocks", estimate(region, sets))?;
     let mut chance = Chance::new(seed);
-    let mut cuts = Vec::new();
+    let mut cuts: Vec<Cut> = single
+        .iter()
+        .map(|&[from, to]| Cut {
+            from,
+            to,
+            family: None,
+        })
+        .collect();
     for (family, set) in sets.iter().enumerate() {
         traces(region, set, family as u32, &mut chance, &mut cuts)?;
     }
@@ -237,7 +245,7 @@ mod tests {
     fn two_sets_make_a_grid_of_equal_blocks() {
         let region = rectangle(Vec2::ZERO, Vec2::new(10.0, 5.0));
         let sets = [plain(0.0, 1.0), plain(std::f64::consts::FRAC_PI_2, 1.0)];
-        let blocks = cut(&region, &sets, 1, 0.0).unwrap();
+        let blocks = cut(&region, &[], &sets, 1, 0.0).unwrap();
         assert_eq!(blocks.polygons.len(), 50);
         assert!(blocks.polygons.iter().all(|b| b.len() == 4));
         assert!((area(&blocks) / 50.0 - 1.0).abs() < 1e-14);
@@ -246,6 +254,25 @@ mod tests {
             polygon::centroid(&blocks.polygons[1]).round(),
             Vec2::new(2.0, 1.0)
         );
+    }
+
+    /// A trace across, one that meets it and runs on for a while, and one that ends in the rock on both sides.
+    #[test]
+    fn single_traces_divide_as_far_as_they_meet() {
+        let region = rectangle(Vec2::ZERO, Vec2::new(4.0, 4.0));
+        let trace = |a: [f64; 2], b: [f64; 2]| [Vec2::from(a), Vec2::from(b)];
+        let traces = [
+            trace([-1.0, 2.0], [5.0, 2.0]),
+            trace([2.0, -1.0], [2.0, 2.5]),
+            trace([1.0, 3.0], [3.0, 3.5]),
+        ];
+        let blocks = cut(&region, &traces, &[], 1, 0.0).unwrap();
+        let areas: Vec<f64> = blocks
+            .polygons
+            .iter()
+            .map(|p| polygon::signed_area(p))
+            .collect();
+        assert_eq!(areas, [4.0, 4.0, 8.0]);
     }
 
     #[test]
@@ -259,8 +286,8 @@ mod tests {
                 ..plain(a, 1.3)
             })
         };
-        let a = cut(&near, &sets(Vec2::ZERO), 1, 0.01).unwrap();
-        let b = cut(&far, &sets(shift), 1, 0.01).unwrap();
+        let a = cut(&near, &[], &sets(Vec2::ZERO), 1, 0.01).unwrap();
+        let b = cut(&far, &[], &sets(shift), 1, 0.01).unwrap();
         assert_eq!(a.polygons.len(), b.polygons.len());
         for (p, q) in a.polygons.iter().zip(&b.polygons) {
             assert_eq!(p.len(), q.len());
@@ -278,7 +305,7 @@ mod tests {
                 trace_length: Some(4.0),
                 ..plain(angle, 1.0)
             };
-            let blocks = cut(&region, &[set(0.2), set(1.6)], 5, 0.0).unwrap();
+            let blocks = cut(&region, &[], &[set(0.2), set(1.6)], 5, 0.0).unwrap();
             assert!((area(&blocks) / 400.0 - 1.0).abs() < 1e-12);
             (blocks.polygons.len(), blocks.removed.dead_ends)
         };
@@ -295,7 +322,7 @@ mod tests {
     #[test]
     fn silly_numbers_are_errors_at_once() {
         let region = rectangle(Vec2::ZERO, Vec2::splat(1000.0));
-        let bad = |set: JointSet| cut(&region, &[set], 1, 0.0).unwrap_err();
+        let bad = |set: JointSet| cut(&region, &[], &[set], 1, 0.0).unwrap_err();
         let error = bad(plain(0.0, 1e-12));
         assert!(
             matches!(error, GeomError::TooMany { count, .. } if count > 9e14),
@@ -328,7 +355,7 @@ mod tests {
         assert!(matches!(bad(dust), GeomError::TooMany { .. }));
         let pair = [plain(0.0, 0.1), plain(1.0, 0.1)];
         assert!(matches!(
-            cut(&region, &pair, 1, 0.0),
+            cut(&region, &[], &pair, 1, 0.0),
             Err(GeomError::TooMany { .. })
         ));
         let wild = JointSet {
@@ -336,7 +363,7 @@ mod tests {
             spacing_scatter: 1e300,
             ..plain(0.0, 100.0)
         };
-        assert!(cut(&region, &[wild], 1, 0.0).is_ok());
+        assert!(cut(&region, &[], &[wild], 1, 0.0).is_ok());
     }
 
     proptest! {
@@ -359,8 +386,8 @@ mod tests {
                 trace_length: Some(3.0),
                 ..plain(angle, spacing)
             }).collect();
-            let blocks = cut(&region, &sets, seed, smallest).unwrap();
-            prop_assert_eq!(&blocks, &cut(&region, &sets, seed, smallest).unwrap());
+            let blocks = cut(&region, &[], &sets, seed, smallest).unwrap();
+            prop_assert_eq!(&blocks, &cut(&region, &[], &sets, seed, smallest).unwrap());
             prop_assert!((area(&blocks) / polygon::signed_area(&region) - 1.0).abs() < 1e-12);
             let boxes: Vec<Aabb> = blocks.polygons.iter().map(|b| Aabb::of(b)).collect();
             for b in &blocks.polygons {

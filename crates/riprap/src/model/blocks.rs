@@ -15,7 +15,7 @@ use super::summary::Region;
 use crate::scenario::language::{
     Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
 };
-use crate::scenario::{Diagnostic, Quantity, Span, csv_columns};
+use crate::scenario::{Diagnostic, Name, Quantity, Span, csv_columns};
 
 /// What one table makes.
 pub(super) struct Generated {
@@ -77,21 +77,11 @@ impl Builder<'_> {
                     .map(Generated::single)?
             }
             Geometry::Polygon(Polygon::Csv(file)) => {
-                let path = self.parsed.folder.join(file.as_str());
-                match csv_columns(&path, &["x_m", "y_m"]) {
-                    Ok(columns) => {
-                        let place = |(&x, &y)| Vec2::new(x, y) - self.origin;
-                        let outline = columns[0].iter().zip(&columns[1]).map(place).collect();
-                        let span = |_| Some(file.span.clone());
-                        self.outline(block, outline, &span).map(Generated::single)?
-                    }
-                    Err(error) => {
-                        let mut found = Diagnostic::error("file.csv", error.message);
-                        found.help = error.help;
-                        self.found.push(found.at(file.span.clone()));
-                        return None;
-                    }
-                }
+                let [x, y] = self.columns(file, ["x_m", "y_m"])?;
+                let place = |(x, y)| Vec2::new(x, y) - self.origin;
+                let outline = x.into_iter().zip(y).map(place).collect();
+                let span = |_| Some(file.span.clone());
+                self.outline(block, outline, &span).map(Generated::single)?
             }
             Geometry::Rectangle(shape) => Generated::single(self.rectangle(shape)),
             Geometry::Regular(r) => {
@@ -271,8 +261,38 @@ impl Builder<'_> {
         )
     }
 
+    /// Columns of a CSV file; `None` after an error.
+    fn columns<const N: usize>(&mut self, file: &Name, names: [&str; N]) -> Option<[Vec<f64>; N]> {
+        let path = self.parsed.folder.join(file.as_str());
+        match csv_columns(&path, &names) {
+            Ok(columns) => columns.try_into().ok(),
+            Err(error) => {
+                let mut found = Diagnostic::error("file.csv", error.message);
+                found.help = error.help;
+                self.found.push(found.at(file.span.clone()));
+                None
+            }
+        }
+    }
+
     fn cut(&mut self, block: &Block, cut: &Cut) -> Option<Generated> {
         let region = self.region(block, &cut.region)?;
+        let mut traces = Vec::new();
+        if let Some(mapped) = &cut.traces {
+            let [x1, y1, x2, y2] = self.columns(&mapped.csv, ["x1_m", "y1_m", "x2_m", "y2_m"])?;
+            for k in 0..x1.len() {
+                let ends = [Vec2::new(x1[k], y1[k]), Vec2::new(x2[k], y2[k])];
+                if ends[0] == ends[1] {
+                    let message = format!("trace {} has no length", k + 1);
+                    let mut found = Diagnostic::error("geometry.joints", message);
+                    found.help =
+                        Some("give each trace two different ends, or leave it out".to_owned());
+                    self.found.push(found.at(mapped.csv.span.clone()));
+                    return None;
+                }
+                traces.push(ends.map(|p| p - self.origin));
+            }
+        }
         let si = |q: Option<f64>| q.unwrap_or(0.0);
         let sets: Vec<JointSet> = cut
             .joint_sets
@@ -300,7 +320,7 @@ impl Builder<'_> {
             0.0,
             "m",
         );
-        let blocks = self.made(block, cut::cut(&region, &sets, seed, smallest))?;
+        let blocks = self.made(block, cut::cut(&region, &traces, &sets, seed, smallest))?;
         Some(self.divided(block, blocks, smallest))
     }
 

@@ -39,7 +39,7 @@ pub struct Block {
     /// A circular arch of wedge-shaped blocks.
     #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub arch: Option<Arch>,
-    /// A region cut into blocks by sets of joints.
+    /// A region cut into blocks by sets of joints, mapped traces or both.
     #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub cut: Option<Cut>,
     /// A region divided into random cells.
@@ -252,19 +252,31 @@ pub struct Arch {
     pub voussoirs: u32,
 }
 
-/// A region cut into blocks by sets of joints.
+/// A region cut into blocks by sets of joints, mapped traces or both.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cut {
     /// Corners of the region [x, y], m.
     pub region: Vec<Point>,
     /// The sets of joints.
+    #[serde(default)]
     pub joint_sets: Vec<JointSet>,
+    /// Joints one by one, as they were mapped.
+    pub traces: Option<Traces>,
     /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
     pub seed: Option<u64>,
     /// Blocks with a shorter edge are reported as slivers and healed where possible, m.
     /// Default: only reported, at 1/50 of the median edge.
     pub smallest_edge: Option<Quantity<NotNegativeLength>>,
+}
+
+/// Mapped joints. The part of a trace that ends within a block divides nothing and is left out.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Traces {
+    /// Path of a CSV file, seen from the scenario file, with the ends of a trace in each row: columns `x1_m`, `y1_m`, `x2_m`
+    /// and `y2_m`.
+    pub csv: Name,
 }
 
 /// A set of parallel joints.

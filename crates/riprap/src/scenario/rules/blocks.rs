@@ -218,8 +218,8 @@ impl Rules {
 
     pub(super) fn cut(&mut self, span: &Span, of: &str, cut: &Cut) {
         self.corners(span, of, cut.region.len());
-        if cut.joint_sets.is_empty() {
-            let message = format!("{of} is cut by no joint sets");
+        if cut.joint_sets.is_empty() && cut.traces.is_none() {
+            let message = format!("{of} is cut by no joints");
             let help = "add joint_sets = [{ dip = \"60 deg\", spacing = \"1 m\" }]";
             self.error("key.missing", span, message, help);
         }
