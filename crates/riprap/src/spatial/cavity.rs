@@ -7,7 +7,7 @@
 //! Volume and force are conjugate: `V = V0 + f sum A n.(u + th x r)` and a force `P f A n` at the centre of each wall,
 //! so that the work on the blocks is `P dV`. Gas work is booked as the analytic integral of its adiabat; what the
 //! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start. On deformable
-//! blocks a wall is a set of nodes with their shares of the area ([`soft`]).
+//! blocks a wall is a set of nodes with their shares of the area (`soft`).
 //!
 //! Source: Tian & Li, eqs. (19)-(22) and assumption 1 (the charge turns to gas at once). Deviation: the coupling of
 //! volume and faces, and the limit of the time step, are ours; the source gives none.
