@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(Names::read(dir.path()).unwrap(), sample());
         for text in [
             "{",
-            "[]",
+            "[1]",
             r#"{"blocks":[{"first":4,"name":"a"},{"first":0,"name":"b"}]}"#,
         ] {
             std::fs::write(dir.path().join(FILE), text).unwrap();

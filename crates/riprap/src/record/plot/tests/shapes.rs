@@ -136,13 +136,14 @@ fn fragment_sizes_of_a_known_law() {
         }
         std::fs::write(folder.join("fragments.csv"), table).unwrap();
     };
-    // As many fragments of each size as a Rosin-Rammler law of x50 = 0.4 m, n = 1.5 has mass there.
+    // As many fragments of each size as a Rosin-Rammler law of x50 = 0.4 m, n = 1.5 has mass there; all below 0.1 m in the first.
     let passing = |x: f64| 1.0 - 0.5f64.powf((x / 0.4).powf(1.5));
-    let mut volumes = Vec::new();
-    for k in 0..60 {
-        let (a, b) = (0.05 * 1.06f64.powi(k), 0.05 * 1.06f64.powi(k + 1));
-        let count = ((passing(b) - passing(a)) / b.powi(3) * 50.0).round() as usize;
-        volumes.extend(std::iter::repeat_n(b.powi(3), count));
+    let (mut volumes, mut below) = (Vec::new(), 0.0);
+    for k in 0..48 {
+        let size = 0.1 * 1.06f64.powi(k);
+        let count = ((passing(size) - below) / size.powi(3) * 200.0).round() as usize;
+        volumes.extend(std::iter::repeat_n(size.powi(3), count));
+        below = passing(size);
     }
     write(&volumes);
     let files = fragments(&folder, &out).unwrap();
