@@ -6,7 +6,7 @@ import { listen, sheet, type Shortcut } from "./keys";
 import { legendElement, legendOf } from "./legend";
 import { Panel } from "./panel";
 import { Plots, namesOf } from "./plots";
-import { Run, told } from "./run";
+import { Run, told, type Moment } from "./run";
 import { Choices, type Settings } from "./settings";
 import { defaultMap } from "./colour";
 import { short, quantity } from "./format";
@@ -49,20 +49,20 @@ export class App {
     this.chooseField(good);
     this.timeline = new Timeline(
       this.choices,
-      (time) => this.showTime(time),
-      (time) => {
-        for (const { view } of this.panes) void view.prefetch(view.run.frameAt(time), this.choices.now);
+      (moment) => this.showMoment(moment),
+      (moment) => {
+        for (const { view } of this.panes) void view.prefetch(view.run.frameAt(moment), this.choices.now);
       },
     );
     this.layout(good);
     for (const { view } of this.panes) view.others = good.filter((run) => run !== view.run);
-    this.timeline.setTimes(this.times(good));
+    this.timeline.setMoments(this.moments(good));
     this.refreshHead();
     if (good.some((r) => r.summary.live)) {
       this.timeline.following = true;
       this.news();
     }
-    await this.timeline.go(this.timeline.following ? this.timeline.times.length - 1 : 0);
+    await this.timeline.go(this.timeline.following ? this.timeline.moments.length - 1 : 0);
     for (const pane of this.panes) this.refreshPane(pane);
     const [leader, ...others] = this.panes;
     if (leader) for (const other of others) other.view.stage.follow(leader.view.stage.standpoint());
@@ -77,9 +77,10 @@ export class App {
     this.choices.now.map = defaultMap(this.choices.now.field);
   }
 
-  private times(runs: Run[]): number[] {
-    const all = runs.flatMap((r) => r.summary.times).sort((a, b) => a - b);
-    return all.filter((t, i) => i === 0 || t > all[i - 1]!);
+  private moments(runs: Run[]): Moment[] {
+    const later = (a: Moment, b: Moment) => a.time - b.time || a.nth - b.nth;
+    const all = runs.flatMap((r) => r.moments()).sort(later);
+    return all.filter((m, i) => i === 0 || later(m, all[i - 1]!) > 0);
   }
 
   private layout(good: Run[]): void {
@@ -155,10 +156,10 @@ export class App {
     if (run.frames === 0) this.banner(pane, noFrames(run));
   }
 
-  private async showTime(time: number): Promise<void> {
-    await Promise.all(this.panes.map(({ view }) => view.show(view.run.frameAt(time), this.choices.now)));
+  private async showMoment(moment: Moment): Promise<void> {
+    await Promise.all(this.panes.map(({ view }) => view.show(view.run.frameAt(moment), this.choices.now)));
     for (const pane of this.panes) this.refreshPane(pane);
-    this.plots?.mark(time);
+    this.plots?.mark(moment.time);
     const picked = this.panes.find((p) => p.view.picked !== null);
     if (picked && !this.timeline.playing) await this.showNumbers(picked);
   }
@@ -280,7 +281,7 @@ export class App {
       { keys: ["ArrowLeft"], label: "←", what: "one frame back (shift: ten)", act: (shift: boolean) => timeline.step(shift ? -10 : -1) },
       { keys: ["ArrowRight"], label: "→", what: "one frame on (shift: ten)", act: (shift: boolean) => timeline.step(shift ? 10 : 1) },
       { keys: ["Home"], label: "Home", what: "first frame", act: () => void timeline.go(0) },
-      { keys: ["End"], label: "End", what: "last frame", act: () => void timeline.go(timeline.times.length - 1) },
+      { keys: ["End"], label: "End", what: "last frame", act: () => void timeline.go(timeline.moments.length - 1) },
       { keys: ["g"], label: "g", what: "follow a run that goes on", act: () => this.follow() },
       { keys: ["f"], label: "f", what: "all in view", act: () => actions.fit() },
       ...(["x", "y", "z"] as const).map((side, i) => ({
@@ -313,7 +314,7 @@ export class App {
   private follow(): void {
     this.timeline.following = !this.timeline.following;
     this.refreshHead();
-    if (this.timeline.following) void this.timeline.go(this.timeline.times.length - 1);
+    if (this.timeline.following) void this.timeline.go(this.timeline.moments.length - 1);
   }
 
   /** Asks a running run for news until it ends. */
@@ -330,12 +331,12 @@ export class App {
         for (const pane of this.panes) this.banner(pane, told(error));
         return;
       }
-      const times = this.times(good);
-      const more = times.length !== this.timeline.times.length;
-      this.timeline.setTimes(times);
+      const moments = this.moments(good);
+      const more = moments.length !== this.timeline.moments.length;
+      this.timeline.setMoments(moments);
       this.refreshHead();
       if (more) {
-        if (this.timeline.following) await this.timeline.go(times.length - 1);
+        if (this.timeline.following) await this.timeline.go(moments.length - 1);
         else for (const pane of this.panes) this.refreshPane(pane);
         for (const pane of this.panes) if (pane.view.run.frames === 0) this.banner(pane, noFrames(pane.view.run));
       }

@@ -68,7 +68,7 @@ export async function sequence(views: View[], settings: Settings, timeline: Time
   const back = timeline.at;
   const files: Record<string, [Uint8Array, { level: 0 }]> = {};
   const canvas = document.createElement("canvas");
-  const count = Math.min(FRAMES, timeline.times.length);
+  const count = Math.min(FRAMES, timeline.moments.length);
   for (let k = 0; k < count; k++) {
     if (!progress(k / count)) return;
     await timeline.go(k);
@@ -95,7 +95,7 @@ export async function film(views: View[], settings: Settings, timeline: Timeline
   const stopped = new Promise((done) => (recorder.onstop = done));
   recorder.start();
   recorder.pause();
-  const count = timeline.times.length;
+  const count = timeline.moments.length;
   let whole = true;
   for (let k = 0; k < count && whole; k++) {
     await timeline.go(k);

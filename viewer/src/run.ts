@@ -97,6 +97,12 @@ export interface BlockNumbers {
   columns: { name: string; unit: string; values: (number | string)[] }[];
 }
 
+/** When a frame is: in static phases model time stands still, and frames with one time are counted. */
+export interface Moment {
+  time: number;
+  nth: number;
+}
+
 export class Run {
   private readonly memory = new Map<string, { answer: Promise<Packet<unknown>>; bytes: number }>();
   private held = 0;
@@ -203,15 +209,26 @@ export class Run {
     };
   }
 
-  /** The last frame not later than `time`. */
-  frameAt(time: number): number {
-    const times = this.summary.times ?? [];
+  /** The moments of the frames. */
+  moments(): Moment[] {
+    let nth = 0;
+    return (this.summary.times ?? []).map((time, i, all) => {
+      nth = i > 0 && all[i - 1] === time ? nth + 1 : 0;
+      return { time, nth };
+    });
+  }
+
+  /** The last frame not later than a moment. */
+  frameAt(moment: Moment): number {
+    const all = this.moments();
+    const slack = 1e-9 * Math.abs(moment.time);
     let low = 0;
-    let high = times.length;
-    const slack = 1e-9 * Math.abs(time);
+    let high = all.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (times[middle]! <= time + slack) low = middle + 1;
+      const { time, nth } = all[middle]!;
+      const same = Math.abs(time - moment.time) <= slack;
+      if (same ? nth <= moment.nth : time < moment.time) low = middle + 1;
       else high = middle;
     }
     return Math.max(0, low - 1);

@@ -2,12 +2,13 @@
 
 import { choice, el, icon, iconButton } from "./dom";
 import { quantity } from "./format";
+import type { Moment } from "./run";
 import type { Choices } from "./settings";
 
 export class Timeline {
   readonly object: HTMLElement;
-  /** Times that can be shown, ascending. */
-  times: number[] = [];
+  /** What can be shown, ascending. */
+  moments: Moment[] = [];
   at = 0;
   playing = false;
   /** Stay at the newest frame of a run that goes on. */
@@ -20,10 +21,10 @@ export class Timeline {
 
   constructor(
     private readonly choices: Choices,
-    /** Shows the frame at a time and resolves when it stands. */
-    private readonly show: (time: number) => Promise<void>,
+    /** Shows the frame at a moment and resolves when it stands. */
+    private readonly show: (moment: Moment) => Promise<void>,
     /** Called before the next frame is due, to have it ready. */
-    private readonly ahead: (time: number) => void,
+    private readonly ahead: (moment: Moment) => void,
   ) {
     this.slider = el("input.scrub", { type: "range", min: "0", max: "0", step: "1", value: "0", "aria-label": "time" });
     this.slider.addEventListener("input", () => {
@@ -44,33 +45,33 @@ export class Timeline {
       iconButton("back", "One frame back (←)", () => this.step(-1)),
       this.playButton,
       iconButton("next", "One frame on (→)", () => this.step(1)),
-      iconButton("last", "Last frame (End)", () => void this.go(this.times.length - 1)),
+      iconButton("last", "Last frame (End)", () => void this.go(this.moments.length - 1)),
       this.slider,
       this.label,
       speed,
     );
   }
 
-  setTimes(times: number[]): void {
-    this.times = times;
-    this.slider.max = String(Math.max(0, times.length - 1));
-    this.object.classList.toggle("empty", times.length === 0);
+  setMoments(moments: Moment[]): void {
+    this.moments = moments;
+    this.slider.max = String(Math.max(0, moments.length - 1));
+    this.object.classList.toggle("empty", moments.length === 0);
     this.say();
   }
 
   private say(): void {
-    const time = this.times[this.at];
+    const time = this.moments[this.at]?.time;
     this.slider.value = String(this.at);
     this.label.replaceChildren(
       el("b", {}, time === undefined ? "no frames" : quantity(time, "s")),
-      el("small", {}, this.times.length ? `${this.at + 1} of ${this.times.length}` : ""),
+      el("small", {}, this.moments.length ? `${this.at + 1} of ${this.moments.length}` : ""),
     );
     this.slider.setAttribute("aria-valuetext", time === undefined ? "" : quantity(time, "s"));
   }
 
   /** Goes to a place. Calls that come while one is under way are joined: only the last counts. */
   async go(at: number): Promise<void> {
-    const last = this.times.length - 1;
+    const last = this.moments.length - 1;
     this.at = Math.min(Math.max(0, at), Math.max(0, last));
     this.say();
     if (last < 0) return;
@@ -80,7 +81,7 @@ export class Timeline {
     }
     this.busy = true;
     try {
-      await this.show(this.times[this.at]!);
+      await this.show(this.moments[this.at]!);
     } finally {
       this.busy = false;
     }
@@ -94,8 +95,8 @@ export class Timeline {
   /** The place of the time nearest to `time`. */
   async seek(time: number): Promise<void> {
     let best = 0;
-    this.times.forEach((t, i) => {
-      if (Math.abs(t - time) < Math.abs(this.times[best]! - time)) best = i;
+    this.moments.forEach((m, i) => {
+      if (Math.abs(m.time - time) < Math.abs(this.moments[best]!.time - time)) best = i;
     });
     this.following = false;
     await this.go(best);
@@ -125,18 +126,18 @@ export class Timeline {
   }
 
   async play(): Promise<void> {
-    if (this.playing || this.times.length < 2) return;
+    if (this.playing || this.moments.length < 2) return;
     this.playing = true;
     this.following = false;
     this.face();
-    if (this.at >= this.times.length - 1) await this.go(0);
+    if (this.at >= this.moments.length - 1) await this.go(0);
     while (this.playing) {
       const begun = performance.now();
-      if (this.at >= this.times.length - 1 && !this.choices.now.loop) break;
-      const next = (this.at + 1) % this.times.length;
+      if (this.at >= this.moments.length - 1 && !this.choices.now.loop) break;
+      const next = (this.at + 1) % this.moments.length;
       for (const k of [1, 2]) {
-        const time = this.times[(next + k) % this.times.length];
-        if (time !== undefined) this.ahead(time);
+        const moment = this.moments[(next + k) % this.moments.length];
+        if (moment !== undefined) this.ahead(moment);
       }
       await this.go(next);
       // The browser draws in between; what is left of the frame's share is slept.
