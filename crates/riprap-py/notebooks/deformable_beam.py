@@ -24,8 +24,8 @@ def text(*metres):
     return [f"{m:g} m" for m in metres]
 
 
-def pin(x, **fixed):
-    return {"on": {"nodes": {"min": text(x, 0, 0), "max": text(x, 0, CELL)}}, "fixed": fixed}
+def pin(place, **fixed):
+    return {"on": {"nodes": {"min": text(place, 0, 0), "max": text(place, 0, CELL)}}, "fixed": fixed}
 
 
 scenario = riprap.Scenario(
