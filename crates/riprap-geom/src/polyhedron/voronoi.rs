@@ -19,33 +19,15 @@ pub fn voronoi(
     seed: u64,
     relax: usize,
 ) -> Result<Vec<Polyhedron>, GeomError> {
-    let extent = max - min;
-    demand(
-        "the shortest edge of the box",
-        extent.min_element(),
-        extent.min_element() > 0.0,
-        "above 0",
-    )?;
+    let half = half_extent(min, max)?;
     demand("cell_size", cell_size, cell_size > 0.0, "above 0")?;
-    demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
-    let count = extent.element_product() / cell_size.powi(3);
+    let count = 8.0 * half.element_product() / cell_size.powi(3);
     capped("Voronoi cells", count)?;
-    // Relative to the middle of the box, where coordinates are small.
-    let half = 0.5 * extent;
     let mut chance = Chance::new(seed);
-    let mut sites: Vec<Vec3> = (0..(count.round() as usize).max(1))
+    let sites = (0..(count.round() as usize).max(1))
         .map(|_| Vec3::from_array([0, 1, 2].map(|a| chance.between(-half[a], half[a]))))
         .collect();
-    for _ in 0..relax {
-        let cells = cells(&sites, half);
-        sites = cells.iter().map(|c| c.moments().centroid).collect();
-    }
-    let mut cells = cells(&sites, half);
-    let middle = 0.5 * (min + max);
-    for vertex in cells.iter_mut().flat_map(|c| &mut c.vertices) {
-        *vertex += middle;
-    }
-    Ok(cells)
+    relaxed(min, max, sites, relax)
 }
 
 /// Cells of a box from `min` to `max` (m) around given sites (m); those outside the box are left out. `relax` Lloyd
@@ -58,29 +40,44 @@ pub fn cells_around(
     sites: &[Vec3],
     relax: usize,
 ) -> Result<Vec<Polyhedron>, GeomError> {
-    let extent = max - min;
-    demand(
-        "the shortest edge of the box",
-        extent.min_element(),
-        extent.min_element() > 0.0,
-        "above 0",
-    )?;
-    demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
+    let half = half_extent(min, max)?;
     capped("Voronoi cells", sites.len() as f64)?;
-    let (half, middle) = (0.5 * extent, 0.5 * (min + max));
+    let middle = 0.5 * (min + max);
     let inside = sites.iter().map(|s| *s - middle);
-    let mut sites: Vec<Vec3> = inside.filter(|s| s.abs().cmplt(half).all()).collect();
+    let sites: Vec<Vec3> = inside.filter(|s| s.abs().cmplt(half).all()).collect();
     demand(
         "the number of sites in the box",
         sites.len() as f64,
         !sites.is_empty(),
         "above 0",
     )?;
+    relaxed(min, max, sites, relax)
+}
+
+/// Half the edges of a box, m.
+fn half_extent(min: Vec3, max: Vec3) -> Result<Vec3, GeomError> {
+    let shortest = (max - min).min_element();
+    demand(
+        "the shortest edge of the box",
+        shortest,
+        shortest > 0.0,
+        "above 0",
+    )?;
+    Ok(0.5 * (max - min))
+}
+
+/// Cells around sites given from the middle of the box, where coordinates are small.
+fn relaxed(
+    min: Vec3,
+    max: Vec3,
+    mut sites: Vec<Vec3>,
+    relax: usize,
+) -> Result<Vec<Polyhedron>, GeomError> {
+    demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
+    let (half, middle) = (0.5 * (max - min), 0.5 * (min + max));
     for _ in 0..relax {
-        sites = cells(&sites, half)
-            .iter()
-            .map(|c| c.moments().centroid)
-            .collect();
+        let cells = cells(&sites, half);
+        sites = cells.iter().map(|c| c.moments().centroid).collect();
     }
     let mut cells = cells(&sites, half);
     for vertex in cells.iter_mut().flat_map(|c| &mut c.vertices) {

@@ -252,7 +252,7 @@ impl Family<'_> {
     }
 }
 
-/// Checks that the parts of each block have its mass and momenta, and no more energy of motion.
+/// Checks that the parts of each block have its mass and momenta; that they have no more energy of motion is seen to before.
 fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
     for family in families {
         let Handed { before, after, .. } = &family.cut.handed;

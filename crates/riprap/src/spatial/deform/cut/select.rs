@@ -65,12 +65,12 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
         let Some(parts) = parts else {
             continue;
         };
-        if deform.relax.is_none() && too_slow(world, work.kind(body), block, &parts, rules) {
+        // Velocities and time steps mean nothing while everything relaxes.
+        let moving = deform.relax.is_none();
+        if moving && too_slow(world, work.kind(body), block, &parts, rules) {
             continue;
         }
         let handed = transfer::hand_on(world, deform, work, body, &parts);
-        // Velocities mean nothing while everything relaxes.
-        let moving = deform.relax.is_none();
         if moving && handed.after.kinetic > KINETIC * handed.before.kinetic {
             continue;
         }
