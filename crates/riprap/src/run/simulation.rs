@@ -4,10 +4,13 @@
 //! due), so that the state can be read and recorded; [`Simulation::step`] moves on. A checkpoint
 //! can be taken at any moment: a simulation made from it goes on with the same bits.
 
-use serde::{Deserialize, Serialize};
-use thiserror::Error;
+mod cursor;
+mod error;
 
-use super::engine::{BuildError, Engine, Kind, Stable, State, View};
+pub use cursor::{Cursor, Snapshot, Stage, Unconverged};
+pub use error::RunError;
+
+use super::engine::{BuildError, Engine, Kind, Stable, View};
 use super::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::exec::Exec;
 use crate::model::Setup;
@@ -18,136 +21,6 @@ pub const STATIC_DAMPING: f64 = 0.7;
 const WORST_OVERLAP: f64 = 0.5;
 /// Steps between two looks at guards and at costly stop criteria.
 const LOOK: u64 = 50;
-
-/// Why the physics stopped a run.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum RunError {
-    /// A block's state is not a number any more.
-    #[error(
-        "block `{block}` has forces that are not finite at step {step} (t = {time:.6e} s); \
-         the time step is probably too long for the stiffness"
-    )]
-    NonFinite {
-        /// Name of the block.
-        block: String,
-        /// Step.
-        step: u64,
-        /// Model time, s.
-        time: f64,
-    },
-    /// Two blocks have gone too far into each other.
-    #[error(
-        "blocks `{first}` and `{second}` overlap by {percent:.0} % of the smaller one's inscribed \
-         radius at step {step} (t = {time:.6e} s); use a stiffer contact, or larger smallest blocks \
-         (`smallest_edge` of the generator)"
-    )]
-    Overlap {
-        /// One block.
-        first: String,
-        /// The other.
-        second: String,
-        /// Depth over inscribed radius, per cent.
-        percent: f64,
-        /// Step.
-        step: u64,
-        /// Model time, s.
-        time: f64,
-    },
-    /// Splitting blocks failed.
-    #[error("blocks could not be split at step {step} (t = {time:.6e} s): {reason}")]
-    Edit {
-        /// What is wrong.
-        reason: String,
-        /// Step.
-        step: u64,
-        /// Model time, s.
-        time: f64,
-    },
-    /// Energy came from nowhere.
-    #[error(
-        "kinetic energy {kinetic:.3e} J at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
-         energy put in, fastest block `{block}`; the time step is probably too long"
-    )]
-    BlowUp {
-        /// Fastest block.
-        block: String,
-        /// Kinetic energy, J (J per metre of thickness in the plane).
-        kinetic: f64,
-        /// Over the energy put in.
-        ratio: f64,
-        /// Step.
-        step: u64,
-        /// Model time, s.
-        time: f64,
-    },
-}
-
-/// Where in the plan a run is.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Cursor {
-    /// Index of the phase.
-    pub phase: usize,
-    /// Whether the phase has been entered.
-    pub entered: bool,
-    /// Model time at the start of the phase, s.
-    pub start_time: f64,
-    /// Step count at the start of the phase.
-    pub start_step: u64,
-    /// Gravity before the phase, m/s².
-    pub gravity_before: [f64; 3],
-    /// Gravity the phase ends with, m/s².
-    pub gravity_after: [f64; 3],
-    /// Steps shortened by the engine: fast blocks, expanding gas.
-    pub shortened: u64,
-    /// Relaxing phases that ended at their limit of iterations.
-    pub unconverged: Vec<Unconverged>,
-}
-
-/// A relaxing phase that ended at its limit of iterations.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Unconverged {
-    /// Name of the phase.
-    pub phase: String,
-    /// Iterations since loads or bonds last changed.
-    pub iterations: u64,
-    /// Ratio of net to external forces at the end.
-    pub ratio: f64,
-    /// Ratio that was asked for.
-    pub wanted: f64,
-}
-
-impl std::fmt::Display for Unconverged {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "phase `{}` ended after {} iterations without equilibrium: the unbalanced forces are {:.1e} of the external ones, \
-             {:.1e} was asked for; either the rock has failed, or `iterations` is too small",
-            self.phase, self.iterations, self.ratio, self.wanted
-        )
-    }
-}
-
-/// Everything a run needs to go on.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Snapshot {
-    /// Plan of the run.
-    pub plan: Plan,
-    /// Place in the plan.
-    pub cursor: Cursor,
-    /// State of the model.
-    pub state: State,
-}
-
-/// What has just come to an end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// Within a phase: [`Simulation::step`] may be called.
-    Within,
-    /// A phase has reached its end: [`Simulation::next_phase`] goes on.
-    PhaseEnd,
-    /// All phases are done.
-    Done,
-}
 
 /// A model being advanced through its plan.
 #[derive(Debug)]
