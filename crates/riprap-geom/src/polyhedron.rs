@@ -14,7 +14,9 @@ pub use hull::hull;
 pub use mass::{Moments, principal};
 pub use slice::{Sliced, from_half_spaces, slice};
 pub use tetrahedra::{FlatTetrahedron, Tetrahedra, element};
-pub use voronoi::{cells_around, lattice_sites, random_sites, voronoi};
+pub use voronoi::{
+    cells_around, cells_within, lattice_sites, random_sites, regular_prism, voronoi,
+};
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
-//! A box divided into Voronoi cells of random points.
+//! A box, or another convex solid, divided into Voronoi cells of random points.
 //!
-//! Each cell starts as the box and is cut by the planes halfway to other sites, nearest first, until no site farther
+//! Each cell starts as the whole and is cut by the planes halfway to other sites, nearest first, until no site farther
 //! away can reach it. Faces of neighbours lie in one plane to round-off and have the same corners to round-off.
 
 use super::{Polyhedron, Sliced, slice};
@@ -27,7 +27,12 @@ pub fn voronoi(
     let sites = (0..(count.round() as usize).max(1))
         .map(|_| Vec3::from_array([0, 1, 2].map(|a| chance.between(-half[a], half[a]))))
         .collect();
-    relaxed(min, max, sites, relax)
+    relaxed(
+        &Polyhedron::brick(Vec3::ZERO, half),
+        0.5 * (min + max),
+        sites,
+        relax,
+    )
 }
 
 /// Cells of a box from `min` to `max` (m) around given sites (m); those outside the box are left out. `relax` Lloyd
@@ -41,17 +46,65 @@ pub fn cells_around(
     relax: usize,
 ) -> Result<Vec<Polyhedron>, GeomError> {
     let half = half_extent(min, max)?;
+    cells_within(&Polyhedron::brick(0.5 * (min + max), half), sites, relax)
+}
+
+/// Cells of a convex solid around given sites (m); those outside are left out. `relax` Lloyd iterations make the cells
+/// more equal.
+///
+/// *Errors*: a solid without extent, no site in it, more than 1000 iterations, too many cells.
+pub fn cells_within(
+    solid: &Polyhedron,
+    sites: &[Vec3],
+    relax: usize,
+) -> Result<Vec<Polyhedron>, GeomError> {
+    let (min, max) = solid.bounds();
+    half_extent(min, max)?;
     capped("Voronoi cells", sites.len() as f64)?;
     let middle = 0.5 * (min + max);
+    let mut whole = solid.clone();
+    whole.vertices.iter_mut().for_each(|v| *v -= middle);
+    let planes: Vec<(Vec3, f64)> = (0..whole.faces.len()).map(|f| whole.plane(f)).collect();
+    let holds = |s: &Vec3| planes.iter().all(|(n, d)| n.dot(*s) < *d);
     let inside = sites.iter().map(|s| *s - middle);
-    let sites: Vec<Vec3> = inside.filter(|s| s.abs().cmplt(half).all()).collect();
+    let sites: Vec<Vec3> = inside.filter(holds).collect();
     demand(
-        "the number of sites in the box",
+        "the number of sites inside",
         sites.len() as f64,
         !sites.is_empty(),
         "above 0",
     )?;
-    relaxed(min, max, sites, relax)
+    relaxed(&whole, middle, sites, relax)
+}
+
+/// A right prism about z that is as high as the box from `min` to `max` (m) and has `sides` equal sides, which touch the circle
+/// within the shorter horizontal edge; one side is the face with the largest y. Many sides make a disk.
+///
+/// *Errors*: a box without volume, less than 3 sides or more than 1000.
+pub fn regular_prism(min: Vec3, max: Vec3, sides: u32) -> Result<Polyhedron, GeomError> {
+    let half = half_extent(min, max)?;
+    let allowed = (3..=1000).contains(&sides);
+    demand("sides", f64::from(sides), allowed, "3 to 1000")?;
+    let (middle, step) = (
+        0.5 * (min + max),
+        2.0 * std::f64::consts::PI / f64::from(sides),
+    );
+    let corner = half.x.min(half.y) / libm::cos(0.5 * step);
+    let vertices = [-half.z, half.z].into_iter().flat_map(|z| {
+        (0..sides).map(move |k| {
+            let angle = 0.5 * std::f64::consts::PI + (f64::from(k) - 0.5) * step;
+            middle + Vec3::new(corner * libm::cos(angle), corner * libm::sin(angle), z)
+        })
+    });
+    let mut faces = vec![(0..sides).rev().collect(), (sides..2 * sides).collect()];
+    faces.extend((0..sides).map(|k| {
+        let next = (k + 1) % sides;
+        vec![k, next, sides + next, sides + k]
+    }));
+    Ok(Polyhedron {
+        vertices: vertices.collect(),
+        faces,
+    })
 }
 
 /// Half the edges of a box, m.
@@ -66,20 +119,19 @@ fn half_extent(min: Vec3, max: Vec3) -> Result<Vec3, GeomError> {
     Ok(0.5 * (max - min))
 }
 
-/// Cells around sites given from the middle of the box, where coordinates are small.
+/// Cells of a solid around sites, both given from `middle`, where coordinates are small.
 fn relaxed(
-    min: Vec3,
-    max: Vec3,
+    whole: &Polyhedron,
+    middle: Vec3,
     mut sites: Vec<Vec3>,
     relax: usize,
 ) -> Result<Vec<Polyhedron>, GeomError> {
     demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
-    let (half, middle) = (0.5 * (max - min), 0.5 * (min + max));
     for _ in 0..relax {
-        let cells = cells(&sites, half);
+        let cells = cells(&sites, whole);
         sites = cells.iter().map(|c| c.moments().centroid).collect();
     }
-    let mut cells = cells(&sites, half);
+    let mut cells = cells(&sites, whole);
     for vertex in cells.iter_mut().flat_map(|c| &mut c.vertices) {
         *vertex += middle;
     }
@@ -144,25 +196,28 @@ pub fn lattice_sites(min: Vec3, max: Vec3, cell: f64, origin: Vec3, angle: f64) 
 }
 
 /// The cell of each site.
-fn cells(sites: &[Vec3], half: Vec3) -> Vec<Polyhedron> {
-    let bins = Bins::new(sites, half);
+fn cells(sites: &[Vec3], whole: &Polyhedron) -> Vec<Polyhedron> {
+    let bins = Bins::new(sites, whole);
     (0..sites.len()).map(|k| bins.cell(sites, k)).collect()
 }
 
 /// Sites in a grid of boxes, about one in each.
-struct Bins {
+struct Bins<'a> {
+    whole: &'a Polyhedron,
     half: Vec3,
     count: [i64; 3],
     size: Vec3,
     lists: Vec<Vec<u32>>,
 }
 
-impl Bins {
-    fn new(sites: &[Vec3], half: Vec3) -> Self {
+impl<'a> Bins<'a> {
+    fn new(sites: &[Vec3], whole: &'a Polyhedron) -> Self {
+        let half = whole.bounds().1;
         let edge = libm::cbrt(8.0 * half.element_product() / sites.len() as f64);
         let count = [0, 1, 2].map(|a| ((2.0 * half[a] / edge).floor() as i64).clamp(1, 1024));
         let size = Vec3::from_array([0, 1, 2].map(|a| 2.0 * half[a] / count[a] as f64));
         let mut bins = Self {
+            whole,
             half,
             count,
             size,
@@ -204,7 +259,7 @@ impl Bins {
 
     fn cell(&self, sites: &[Vec3], k: usize) -> Polyhedron {
         let site = sites[k];
-        let mut cell = Polyhedron::brick(Vec3::ZERO, self.half);
+        let mut cell = self.whole.clone();
         let (home, mut near) = (self.place(site), Vec::new());
         let last = self.count.into_iter().max().unwrap_or(1);
         for ring in 0..=last {
@@ -295,6 +350,25 @@ mod tests {
             assert!(cell.vertices.iter().all(|v| flat(v.z)));
         }
         assert!(cells_around(min, max, &[Vec3::ZERO], 0).is_err());
+    }
+
+    /// Cells of a disk fill it and end at its sides.
+    #[test]
+    fn cells_of_a_disk() {
+        let (min, max) = (Vec3::new(2.0, -1.0, 0.0), Vec3::new(4.0, 1.0, 0.6));
+        let disk = regular_prism(min, max, 36).unwrap();
+        assert_eq!(disk.validate(), Ok(()));
+        let area = 36.0 * libm::tan(std::f64::consts::PI / 36.0);
+        assert!((disk.moments().volume - 0.6 * area).abs() < 1e-12);
+        let sites = random_sites(min, max, 0.25, 3);
+        let cells = cells_within(&disk, &sites, 5).unwrap();
+        assert!(cells.iter().all(|c| c.validate().is_ok()));
+        let sum: f64 = cells.iter().map(|c| c.moments().volume).sum();
+        assert!((sum - 0.6 * area).abs() < 1e-9, "{sum}");
+        let top = cells.iter().map(|c| c.bounds().1.y).fold(0.0, f64::max);
+        assert!((top - 1.0).abs() < 1e-9);
+        assert!(regular_prism(min, max, 2).is_err());
+        assert!(regular_prism(min, Vec3::splat(f64::NAN), 36).is_err());
     }
 
     #[test]

@@ -93,6 +93,17 @@ fn mean(v: &View<'_>, of: &[u32], get: impl Fn(usize) -> Vec3) -> Vec3 {
     sum / f64::max(count, 1.0)
 }
 
+/// Mean by volume over the living blocks of a group of components of their stress, Pa.
+fn mean_stress(v: &View<'_>, of: &[u32], get: impl Fn(&Mat3) -> Vec3) -> Vec3 {
+    let (mut sum, mut volume) = (Vec3::ZERO, 0.0);
+    for b in members(v, of) {
+        let own = v.world.solid_of(b).volume;
+        sum += own * get(&v.stress(b));
+        volume += own;
+    }
+    sum / f64::max(volume, f64::MIN_POSITIVE)
+}
+
 fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> Vec3 {
     one(blocks.map(get).fold(0.0, f64::max))
 }
@@ -229,6 +240,8 @@ fields! {
     "group.velocity" "m/s" Group Vector3 false "Mean velocity of the group's blocks." |v, of| mean(v, of, |b| v.velocity(b));
     "group.kinetic" "J" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(members(v, of).map(|b| v.kinetic(b)).sum());
     "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.scratch.net.force(b)).sum();
+    "group.stress_normal" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, normal components xx, yy, zz as x, y, z; tension positive." |v, of| mean_stress(v, of, |s| Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z));
+    "group.stress_shear" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, shear components yz, zx, xy as x, y, z." |v, of| mean_stress(v, of, |s| Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x));
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(members(v, of), |b| v.displacement(b).length());
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(members(v, of), |b| v.rotation(b).length());
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(members(v, of), |b| v.velocity(b).length());
@@ -283,6 +296,7 @@ fields! {
     "model.broken_shear" "m2" Model Scalar true "Area of bonds broken by shear." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area[1]));
     "model.broken_facets" "-" Model Scalar true "Number of facets more than half of whose springs are broken." |v, _| one(v.softs().map_or(0, |s| tip::broken(s.0).count()) as f64);
     "model.crack_fabric" "-" Model Vector3 true "Mean over the area of broken facets of the squared components of their normals: (0.75, 0.25, 0) for cracks at 30 degrees to y in the plane across z." |v, _| v.softs().map_or(Vec3::NAN, |s| tip::fabric(s.0));
+    "model.crack_away" "m" Model Vector3 true "Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0, as x, y, z." |v, _| v.softs().map_or(Vec3::NAN, |s| tip::away(s.0, v.world.setup.origin));
     "model.break_events" "-" Model Scalar true "Number of times that bonds have broken in static phases, each followed by a new equilibrium." |v, _| one(v.softs().map_or(0, |s| s.0.breaks) as f64);
     "model.peak_share" "-" Model Scalar true "Largest of 1/utilisation over the times that bonds have broken in static phases: the share of the load that the rock carried at most, as far as it is linear between them." |v, _| one(v.softs().map_or(0.0, |s| s.0.peak_share));
     "model.cut_blocks" "-" Model Scalar true "Number of blocks that have been cut, parts that were cut again included." |v, _| one(v.softs().map_or(0, |s| s.0.cut_blocks) as f64);

@@ -2,7 +2,7 @@
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{
-    Polyhedron, SolidError, cells_around, hull, lattice_sites, random_sites,
+    Polyhedron, SolidError, cells_within, hull, lattice_sites, random_sites, regular_prism,
 };
 
 use super::global;
@@ -182,7 +182,11 @@ impl Builder<'_> {
             }
             (random_sites(min, max, cell, seed), relax as usize)
         };
-        match cells_around(min, max, &sites, relax) {
+        let whole = match said.sides {
+            None => Ok(Polyhedron::brick(0.5 * (min + max), 0.5 * extent)),
+            Some(sides) => regular_prism(min, max, sides as u32),
+        };
+        match whole.and_then(|whole| cells_within(&whole, &sites, relax)) {
             Ok(cells) => Some(
                 cells
                     .into_iter()

@@ -144,6 +144,35 @@ shift = ["0 m", "0 m", "1 m"]
     assert!((model.summary.mass / mass - 1.0).abs() < 1e-12);
 }
 
+/// Cells of a disk: a prism with many sides inside the box; a box that is not square or a silly number is refused.
+#[test]
+fn cells_of_a_disk() {
+    let cells = |keys: &str| {
+        format!(
+            "[[blocks]]\nname = \"disk\"\nmaterial = \"rock\"\ngrid.cells = {{ cell = \"0.5 m\", {keys} }}\n"
+        )
+    };
+    let square = r#"size = ["2 m", "2 m", "1 m"]"#;
+    let (setup, _) = solid(&cells(&format!("{square}, sides = 36")));
+    let volume: f64 = setup
+        .blocks
+        .iter()
+        .map(|b| match &b.shape {
+            Shape::Brick { .. } => f64::NAN,
+            Shape::Polyhedron(s) => {
+                let solid =
+                    riprap_geom::polyhedron::Polyhedron::new(s.vertices.clone(), s.faces.clone());
+                solid.map_or(f64::NAN, |solid| solid.moments().volume)
+            }
+        })
+        .sum();
+    let area = 36.0 * libm::tan(std::f64::consts::PI / 36.0);
+    assert!((volume - area).abs() < 1e-9, "{volume}");
+    assert!(refused(&cells(&format!("{square}, sides = 2"))).contains("sides"));
+    let oblong = cells(r#"size = ["2 m", "1 m", "1 m"], sides = 36"#);
+    assert!(refused(&oblong).contains("not square"));
+}
+
 #[test]
 fn groups_and_targets_by_place() {
     let (setup, _) = solid(&format!(

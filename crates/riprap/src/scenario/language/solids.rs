@@ -26,7 +26,7 @@ pub struct Brick {
 pub enum Grid {
     /// A box of bricks; x runs fastest, then y, then z.
     Box(GridBox),
-    /// A box divided into convex cells: a turned lattice, or random ones.
+    /// A box or a disk divided into convex cells: a turned lattice, or random ones.
     Cells(GridCells),
 }
 
@@ -49,6 +49,9 @@ pub struct GridCells {
     pub seed: Option<u64>,
     /// Lloyd iterations that make random cells more equal, at most 1000. Default 10.
     pub relax: Option<u64>,
+    /// Takes a prism of this many equal sides about z (3 to 1000) that touches the sides of the box instead of the whole box: with many
+    /// sides a disk. One side is the face `y-max`; x and y edges of the box must be equal. Default the box.
+    pub sides: Option<u64>,
 }
 
 /// A box of bricks. The size must be whole cells.

@@ -83,6 +83,16 @@ impl Rules {
                 if let Some(relax) = cells.relax {
                     self.count(span, of, "relax", relax, 0, 1000);
                 }
+                if let Some(sides) = cells.sides {
+                    self.count(span, of, "sides", sides, 3, 1000);
+                    let [x, y, _] = &cells.size;
+                    if self.values_sound && x.si() != y.si() {
+                        let message =
+                            format!("the cells of {of} have `sides` and a box that is not square");
+                        let help = "give `size` equal lengths along x and y";
+                        self.error("value.order", &y.span, message, help);
+                    }
+                }
             }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
             // Looked at when the file is read.

@@ -215,6 +215,19 @@ pub fn fabric(deform: &Deform) -> Vec3 {
     sum / area
 }
 
+/// Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0 of the
+/// file, m; `origin` is that of the local frame.
+#[must_use]
+pub fn away(deform: &Deform, origin: Vec3) -> Vec3 {
+    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
+    for k in broken(deform) {
+        let facet = &deform.facets[k];
+        sum += facet.area * (facet.centre + origin).abs();
+        area += facet.area;
+    }
+    sum / area
+}
+
 /// Whether more than half of the points of facet `k` are broken.
 #[must_use]
 pub fn is_broken(deform: &Deform, k: usize) -> bool {
