@@ -64,6 +64,9 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
         assert!(parts.len() >= 2, "{parts:?}");
         let (p1, h1, t1, mass1) = sums(&run);
         assert!((mass1 / mass - 1.0).abs() < 1e-14);
+        // Crooked faces: the blocks are as heavy as their nodes.
+        let listed = parts.iter().map(|b| run.world.solid_of(*b as usize).mass);
+        assert!((listed.sum::<f64>() / mass - 1.0).abs() < 1e-13);
         let scale = mass * (2.0 * t / mass).sqrt();
         assert!((p1 - p).length() < 1e-13 * scale);
         assert!(

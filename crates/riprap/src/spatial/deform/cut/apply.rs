@@ -52,10 +52,12 @@ fn block(world: &mut World, parent: usize, number: usize, part: &Part) {
         half = half.max(arm.abs());
         radius = radius.max(arm.length());
     }
-    let inertia = density * moments.inertia;
+    // Of crooked faces the tetrahedra decide: they carry the mass, and together have the volume of the block.
+    let volume = part.mesh.volume();
+    let inertia = density * volume / moments.volume * moments.inertia;
     world.solids.push(SolidClass {
-        mass: density * moments.volume,
-        volume: moments.volume,
+        mass: density * volume,
+        volume,
         inertia,
         inverse: inertia.inverse(),
         half,
