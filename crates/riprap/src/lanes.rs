@@ -3,7 +3,7 @@
 //! Lanes are plain arrays: the compiler turns loops over them into vector instructions of the width that the
 //! calling function is compiled for. No fused multiply-add is allowed, so the width does not change a bit.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Lanes in a packet.
 pub const LANES: usize = 8;
@@ -48,6 +48,13 @@ impl Lanes {
         self.each(f64::abs)
     }
 
+    /// Square roots.
+    #[inline(always)]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.each(f64::sqrt)
+    }
+
     /// Larger of two, lane by lane.
     #[inline(always)]
     #[must_use]
@@ -72,8 +79,10 @@ impl Lanes {
         out
     }
 
+    /// A function of two, lane by lane.
     #[inline(always)]
-    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+    #[must_use]
+    pub fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = self;
         for (a, b) in out.0.iter_mut().zip(other.0) {
             *a = f(*a, b);
@@ -106,6 +115,14 @@ impl Mul for Lanes {
     }
 }
 
+impl Div for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.with(other, |a, b| a / b)
+    }
+}
+
 impl Neg for Lanes {
     type Output = Self;
     #[inline(always)]
@@ -122,6 +139,34 @@ pub type Vectors = [Lanes; 3];
 #[must_use]
 pub fn same(v: &[f64; 3]) -> Vectors {
     [Lanes::all(v[0]), Lanes::all(v[1]), Lanes::all(v[2])]
+}
+
+/// Eight neighbours of a list of vectors.
+#[inline(always)]
+#[must_use]
+pub fn vectors(list: &[[f64; 3]; LANES]) -> Vectors {
+    let mut v = Vectors::default();
+    for (lane, x) in list.iter().enumerate() {
+        for axis in 0..3 {
+            v[axis].0[lane] = x[axis];
+        }
+    }
+    v
+}
+
+/// Writes the vectors of the lanes to eight neighbours of a list.
+#[inline(always)]
+pub fn write(v: &Vectors, list: &mut [[f64; 3]; LANES]) {
+    for (lane, x) in list.iter_mut().enumerate() {
+        *x = [v[0].0[lane], v[1].0[lane], v[2].0[lane]];
+    }
+}
+
+/// Scalar product, lane by lane.
+#[inline(always)]
+#[must_use]
+pub fn dot(a: &Vectors, b: &Vectors) -> Lanes {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// A vector of every lane, times a factor.

@@ -17,7 +17,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::lanes::{LANES, Lanes, Vectors, plus, scaled};
+use crate::lanes::{LANES, Lanes, Vectors, dot, minus, plus, scaled};
 
 mod cohesive;
 #[cfg(test)]
@@ -220,28 +220,32 @@ pub fn loss(
     work - (stored(springs, start, after.0, after.2) - stored(springs, start, before.0, before.2))
 }
 
-/// Tractions (x, y, z) of eight whole points with unit normals `n` at displacements `at`, all in space, (8):
-/// `t = start + ks at + (kn - ks)(n . at) n`.
+/// Share of the strength up to which [`near_eight`] vouches for a point, without regard to round-off.
+const NEAR: f64 = 1.0 - 1e-6;
+
+/// Tractions (x, y, z) of eight whole points with unit normals `n` at displacements `at`, all in space and without
+/// start tractions, (8): `t = ks at + (kn - ks)(n . at) n`.
 #[inline(always)]
 #[must_use]
-pub fn connect_eight([kn, ks]: [Lanes; 2], n: &Vectors, start: &Vectors, at: &Vectors) -> Vectors {
-    let opening = n[0] * at[0] + n[1] * at[1] + n[2] * at[2];
-    let along = scaled((kn - ks) * opening, n);
-    plus(&plus(start, &along), &scaled(ks, at))
+pub fn connect_eight([kn, ks]: [Lanes; 2], n: &Vectors, at: &Vectors) -> Vectors {
+    let along = scaled((kn - ks) * dot(at, n), n);
+    plus(&scaled(ks, at), &along)
 }
 
-/// Bits of the lanes whose traction is beyond the strength; exact but for round-off: ask [`Strength::failure`] about these.
+/// Whether one of eight tractions is beyond the strength or so near that [`Strength::failure`] must be asked; where
+/// this is false, none fails.
 #[inline(always)]
 #[must_use]
-pub fn over_eight(strength: &Strength, n: &Vectors, t: &Vectors) -> u8 {
-    let sigma = n[0] * t[0] + n[1] * t[1] + n[2] * t[2];
-    let square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2] - sigma * sigma;
-    let limit = Lanes::all(strength.cohesion) - Lanes::all(strength.friction) * sigma;
-    let mut bits = 0;
+pub fn near_eight(strength: &Strength, n: &Vectors, t: &Vectors) -> bool {
+    let sigma = dot(t, n);
+    let shear = minus(t, &scaled(sigma, n));
+    let square = dot(&shear, &shear);
+    let tension = NEAR * strength.tension;
+    let limit = Lanes::all(NEAR * strength.cohesion) - Lanes::all(strength.friction) * sigma;
+    let mut fine = true;
     for k in 0..LANES {
-        let (sigma, limit) = (sigma.0[k], limit.0[k]);
-        let fine = sigma <= strength.tension && limit >= 0.0 && square.0[k] <= limit * limit;
-        bits |= u8::from(!fine) << k;
+        let limit = NEAR * limit.0[k];
+        fine &= (sigma.0[k] <= tension) & (limit >= 0.0) & (square.0[k] <= limit * limit);
     }
-    bits
+    !fine
 }

@@ -12,6 +12,8 @@
 //! Source: Han, Liu & Li (2010), section 2 (small strain).
 //! Deviation: the large-strain element is not in the source.
 
+use std::sync::Arc;
+
 use crate::geom::polyhedron::Tetrahedra;
 use crate::lanes::{LANES, Lanes, Width};
 
@@ -39,7 +41,10 @@ struct Group {
 /// The tetrahedra of a block shape, eight at a time.
 #[derive(Clone, Debug)]
 pub struct Groups {
-    groups: Vec<Group>,
+    /// Those of this shape are `store[first..first + count]`; see [`Groups::pack`].
+    store: Arc<Vec<Group>>,
+    first: usize,
+    count: usize,
     nodes: usize,
     tets: usize,
     volume: f64,
@@ -115,11 +120,35 @@ impl Groups {
             groups.push(group);
         }
         Self {
-            groups,
+            first: 0,
+            count: groups.len(),
+            store: Arc::new(groups),
             nodes: mesh.nodes.len(),
             tets: mesh.tets.len(),
             volume: mesh.volume(),
         }
+    }
+
+    /// Puts the tetrahedra of many shapes next to each other in memory, in the order of the shapes: a pass over all of
+    /// them then reads one long run.
+    pub fn pack<'a>(shapes: impl Iterator<Item = &'a mut Self>) {
+        let shapes: Vec<&mut Self> = shapes.collect();
+        let mut store = Vec::with_capacity(shapes.iter().map(|s| s.count).sum());
+        let mut firsts = Vec::with_capacity(shapes.len());
+        for shape in &shapes {
+            firsts.push(store.len());
+            store.extend_from_slice(shape.list());
+        }
+        let store = Arc::new(store);
+        for (shape, first) in shapes.into_iter().zip(firsts) {
+            shape.store = Arc::clone(&store);
+            shape.first = first;
+        }
+    }
+
+    #[inline(always)]
+    fn list(&self) -> &[Group] {
+        &self.store[self.first..self.first + self.count]
     }
 
     /// Number of tetrahedra.
@@ -164,7 +193,7 @@ impl Groups {
         let (u, f) = (&u[..self.nodes], &mut f[..self.nodes]);
         let centre = self.nodes - 1;
         let mut on_centre = [Lanes::default(); 3];
-        for (k, group) in self.groups.iter().enumerate() {
+        for (k, group) in self.list().iter().enumerate() {
             let h = group.gradient(u);
             let s = hooke(law, &measure::<Lanes, LARGE>(&h), &start.of(k));
             let p = first_piola::<Lanes, LARGE>(&h, &s);
@@ -178,7 +207,7 @@ impl Groups {
     /// Displacement gradient of a tetrahedron.
     #[must_use]
     pub fn gradient(&self, tet: usize, u: &[[f64; 3]]) -> Gradient {
-        let (group, lane) = (&self.groups[tet / LANES], tet % LANES);
+        let (group, lane) = (&self.list()[tet / LANES], tet % LANES);
         let centre = u[self.nodes - 1];
         let mut h = [[0.0; 3]; 3];
         for (i, row) in h.iter_mut().enumerate() {
@@ -194,7 +223,7 @@ impl Groups {
     /// Volume of a tetrahedron, m³.
     #[must_use]
     pub fn volume_of(&self, tet: usize) -> f64 {
-        self.groups[tet / LANES].volume.0[tet % LANES]
+        self.list()[tet / LANES].volume.0[tet % LANES]
     }
 
     /// Cauchy stress of each tetrahedron, Pa; zero for one that is turned inside out. *Shape* `[n_tets]`.
@@ -248,7 +277,7 @@ impl Groups {
     ) -> f64 {
         let u = &u[..self.nodes];
         let mut sum = Lanes::default();
-        for (k, group) in self.groups.iter().enumerate() {
+        for (k, group) in self.list().iter().enumerate() {
             let h = group.gradient(u);
             let e = match strain {
                 Strain::Small => measure::<Lanes, false>(&h),

@@ -290,26 +290,64 @@ fn eight_points_are_eight_single_ones() {
     };
     let mut lanes =
         || std::array::from_fn::<Lanes, 3, _>(|_| Lanes(std::array::from_fn(|_| noise())));
-    let (mut n, mut start, mut at) = (lanes(), lanes(), lanes());
+    let (mut n, mut at) = (lanes(), lanes());
     for k in 0..LANES {
         let size = (n[0].0[k].powi(2) + n[1].0[k].powi(2) + n[2].0[k].powi(2)).sqrt();
         for i in 0..3 {
             n[i].0[k] /= size;
-            start[i].0[k] *= 5e6;
             at[i].0[k] *= 3e-7;
         }
     }
-    let t = connect_eight([Lanes::all(K[0]), Lanes::all(K[1])], &n, &start, &at);
-    let over = over_eight(&STRENGTH, &n, &t);
-    assert!(over != 0 && over != 255, "{over:b}");
+    let t = connect_eight([Lanes::all(K[0]), Lanes::all(K[1])], &n, &at);
+    let mut failed = 0;
     for k in 0..LANES {
         let one = |v: &Vectors| crate::Vec3::new(v[0].0[k], v[1].0[k], v[2].0[k]);
         let axes = crate::geom::polyhedron::frame(one(&n));
         let local = |v: &Vectors| axes.map(|a| a.dot(one(v)));
-        let single = connect(K, &local(&start), &local(&at));
+        let single = connect(K, &[0.0; 3], &local(&at));
         for (i, x) in local(&t).iter().enumerate() {
             assert!((x - single[i]).abs() < 1e-6, "{x} {}", single[i]);
         }
-        assert_eq!(STRENGTH.failure(&single).is_some(), over & (1 << k) != 0);
+        // The others have no traction.
+        let alone = |v: &Vectors| {
+            let mut lone = Vectors::default();
+            for i in 0..3 {
+                lone[i].0[k] = v[i].0[k];
+            }
+            lone
+        };
+        let fails = STRENGTH.failure(&single).is_some();
+        assert_eq!(fails, near_eight(&STRENGTH, &alone(&n), &alone(&t)));
+        failed += usize::from(fails);
+    }
+    assert!(failed > 0 && failed < LANES, "{failed}");
+    assert!(near_eight(&STRENGTH, &n, &t));
+}
+
+#[test]
+fn a_point_at_its_strength_is_never_passed_over() {
+    let n = [Lanes::all(0.6), Lanes::all(0.0), Lanes::all(0.8)];
+    let strength = Strength {
+        tension: 5e6,
+        cohesion: 8e6,
+        friction: 0.5,
+        residual_friction: 0.5,
+    };
+    for (sigma, tau) in [(5e6, 0.0), (-1e9, 5.08e8), (0.0, 8e6), (4e6, 6e6)] {
+        for share in [1.0 - 1e-12, 1.0, 1.0 + 1e-12] {
+            let t = [
+                Lanes::all(share * (0.6 * sigma - 0.8 * tau)),
+                Lanes::all(0.0),
+                Lanes::all(share * (0.8 * sigma + 0.6 * tau)),
+            ];
+            assert!(near_eight(&strength, &n, &t), "{sigma} {tau} {share}");
+        }
+        let less = |x: f64| Lanes::all(0.999 * x);
+        let t = [
+            less(0.6 * sigma - 0.8 * tau),
+            Lanes::all(0.0),
+            less(0.8 * sigma + 0.6 * tau),
+        ];
+        assert!(!near_eight(&strength, &n, &t), "{sigma} {tau}");
     }
 }

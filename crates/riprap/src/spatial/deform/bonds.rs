@@ -5,16 +5,19 @@
 
 use riprap_geom::Vec3;
 
+pub use super::anchors::{Anchors, rigid};
+use super::links::{Link, Sheet};
 use super::relax::Breaks;
-use super::store::{Anchor, Deform, Facet, Memory, Nodes, Point, State};
-use super::workspace::FACETS;
+use super::store::{Deform, Facet, Memory, Point, State};
+use super::workspace::{FACETS, Workspace};
 use crate::exec::Divide;
+use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
 use crate::ledger::Works;
 use crate::spatial::boundary::Push;
 use crate::spatial::setup::deform::{BondFailure, BondLaw, Strength};
 use crate::spatial::step::Scratch;
-use crate::spatial::world::{Bodies, Turned, World};
+use crate::spatial::world::World;
 
 /// Dissipation of one piece of facets, J.
 #[derive(Clone, Copy, Debug, Default)]
@@ -25,104 +28,10 @@ pub struct BondWorks {
     pub broke: bool,
 }
 
-/// What points hang on.
-#[derive(Clone, Copy)]
-pub struct Anchors<'a> {
-    /// Nodes.
-    pub nodes: &'a Nodes,
-    /// Rigid blocks.
-    pub bodies: &'a Bodies,
-    /// Those with finite rotations.
-    pub turned: &'a [Option<Box<Turned>>],
-}
-
-impl<'a> Anchors<'a> {
-    /// Those of a world whose deformable part has been taken out.
-    #[must_use]
-    pub fn new(world: &'a World, deform: &'a Deform) -> Self {
-        Self {
-            nodes: &deform.nodes,
-            bodies: &world.bodies,
-            turned: &world.turned,
-        }
-    }
-
-    /// Displacement of an anchor, m.
-    #[inline]
-    #[must_use]
-    pub fn moved(&self, anchor: &Anchor, rigid: Option<u32>) -> [f64; 3] {
-        match rigid {
-            None => weighted(&self.nodes.moved, anchor),
-            Some(b) => self.rigid(b as usize, Vec3::from_array(anchor.weights)),
-        }
-    }
-
-    /// Velocity of an anchor half a step ago, m/s.
-    #[must_use]
-    pub fn rate(&self, anchor: &Anchor, rigid: Option<u32>) -> [f64; 3] {
-        match rigid {
-            None => weighted(&self.nodes.rate, anchor),
-            Some(b) => {
-                let b = b as usize;
-                let arm = self.arm(b, Vec3::from_array(anchor.weights));
-                (self.bodies.velocity(b) + self.bodies.spin(b).cross(arm)).to_array()
-            }
-        }
-    }
-
-    fn rigid(&self, b: usize, arm: Vec3) -> [f64; 3] {
-        let moved = match &self.turned[b] {
-            Some(turned) => turned.attitude * arm - arm,
-            None => self.bodies.rotation(b).cross(arm),
-        };
-        (self.bodies.displacement(b) + moved).to_array()
-    }
-
-    /// Present arm of a point of a rigid block, m.
-    #[must_use]
-    pub fn arm(&self, b: usize, arm: Vec3) -> Vec3 {
-        match &self.turned[b] {
-            Some(turned) => turned.attitude * arm,
-            None => arm,
-        }
-    }
-
-    /// Jump across a point, m, global axes.
-    #[inline]
-    #[must_use]
-    pub fn jump(&self, facet: &Facet, point: &Point) -> Vec3 {
-        let [a, b] = [0, 1].map(|s| self.moved(&point.anchors[s], rigid(facet, s)));
-        Vec3::new(b[0] - a[0], b[1] - a[1], b[2] - a[2])
-    }
-
-    /// Rate of the jump, m/s, global axes.
-    #[must_use]
-    pub fn jump_rate(&self, facet: &Facet, point: &Point) -> Vec3 {
-        let [a, b] = [0, 1].map(|s| self.rate(&point.anchors[s], rigid(facet, s)));
-        Vec3::new(b[0] - a[0], b[1] - a[1], b[2] - a[2])
-    }
-}
-
-/// The rigid block on a side, if it is one.
-#[inline]
-#[must_use]
-pub fn rigid(facet: &Facet, side: usize) -> Option<u32> {
-    facet.rigid[side].then_some(facet.blocks[side])
-}
-
-#[inline]
-fn weighted(lists: &[[f64; 3]], anchor: &Anchor) -> [f64; 3] {
-    if anchor.weights == [1.0, 0.0, 0.0] {
-        return lists[anchor.nodes[0] as usize];
-    }
-    let [a, b, c] = anchor.nodes.map(|n| lists[n as usize]);
-    let [p, q, r] = anchor.weights;
-    [0, 1, 2].map(|k| p * a[k] + q * b[k] + r * c[k])
-}
-
 /// Facets of a piece of work.
 struct Piece<'a> {
     facets: &'a mut [Facet],
+    sheets: &'a mut [Sheet],
     first: usize,
     worn: &'a mut [bool],
     memory: &'a mut [Memory],
@@ -134,6 +43,7 @@ impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
         let (a, b) = self.facets.split_at_mut(middle * FACETS);
         let points = (b[0].first - a[0].first) as usize;
+        let sheets = self.sheets.split_at_mut(middle * FACETS);
         let worn = self.worn.split_at_mut(middle * FACETS);
         let (memory, slots) = (
             self.memory.split_at_mut(points),
@@ -143,6 +53,7 @@ impl Divide for Piece<'_> {
         (
             Self {
                 facets: a,
+                sheets: sheets.0,
                 first: self.first,
                 worn: worn.0,
                 memory: memory.0,
@@ -151,6 +62,7 @@ impl Divide for Piece<'_> {
             },
             Self {
                 facets: b,
+                sheets: sheets.1,
                 first: self.first + points,
                 worn: worn.1,
                 memory: memory.1,
@@ -166,15 +78,17 @@ pub(in crate::spatial) fn update(world: &mut World, scratch: &mut Scratch) {
     let (Some(mut deform), Some(mut work)) = (world.deform.take(), scratch.deform.take()) else {
         return;
     };
-    super::turn::look(&deform, &mut work, &scratch.exec);
+    super::turn::look(&deform, &mut work, &scratch.exec, scratch.width);
     let turns = std::mem::take(&mut work.turns);
     let mut facets = std::mem::take(&mut deform.facets);
     let mut memory = std::mem::take(&mut deform.memory);
     let mut worn = std::mem::take(&mut deform.worn);
+    let mut sheets = std::mem::take(&mut work.links.sheets);
     let context = Context {
         anchors: Anchors::new(world, &deform),
         turning: super::turn::Turning::new(world, &deform, &turns),
         points: &deform.points,
+        links: &work.links.links,
         bonds: &world.setup.deform.bonds,
         live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
         relaxing: deform.relax.is_some(),
@@ -185,10 +99,12 @@ pub(in crate::spatial) fn update(world: &mut World, scratch: &mut Scratch) {
         breaking: deform.breaking,
         time: world.time,
         step: world.step,
+        width: scratch.width,
     };
     let total = facets.len();
     let piece = Piece {
         facets: &mut facets,
+        sheets: &mut sheets,
         first: 0,
         worn: &mut worn,
         memory: &mut memory,
@@ -200,6 +116,7 @@ pub(in crate::spatial) fn update(world: &mut World, scratch: &mut Scratch) {
         .exec
         .divided(piece, count, |_, piece| context.piece(piece));
     work.turns = turns;
+    work.links.sheets = sheets;
     work.broke = false;
     for part in &work.bond_works {
         world.works.add(&part.works);
@@ -208,7 +125,7 @@ pub(in crate::spatial) fn update(world: &mut World, scratch: &mut Scratch) {
     deform.facets = facets;
     deform.memory = memory;
     deform.worn = worn;
-    push_rigid(world, &deform, &work.slots, &mut scratch.pushed);
+    push_rigid(world, &deform, &work, &mut scratch.pushed);
     world.deform = Some(deform);
     scratch.deform = Some(work);
 }
@@ -219,6 +136,7 @@ struct Context<'a> {
     /// How facets turn with their blocks; `None` where none does.
     turning: Option<super::turn::Turning<'a>>,
     points: &'a [Point],
+    links: &'a [Link],
     bonds: &'a [Option<BondLaw>],
     /// Time moved since the last evaluation, s, if the laws must be applied.
     live: Option<f64>,
@@ -229,57 +147,126 @@ struct Context<'a> {
     breaking: bool,
     time: f64,
     step: u64,
+    width: Width,
 }
 
 impl Context<'_> {
-    fn piece(&self, piece: Piece) {
-        let mut works = BondWorks::default();
-        for (k, facet) in piece.facets.iter_mut().enumerate() {
-            if let Some(turning) = &self.turning {
-                turning.turn(facet);
+    fn piece(&self, mut piece: Piece) {
+        if let Some(turning) = &self.turning {
+            turning.turn(piece.facets, self.width);
+            for (facet, sheet) in piece.facets.iter().zip(&mut *piece.sheets) {
+                sheet.normal = facet.now[0].to_array();
             }
-            let facet = &*facet;
+        }
+        self.width.run(
+            #[inline(always)]
+            || self.whole(&mut piece),
+        );
+        let mut works = BondWorks::default();
+        for (k, facet) in piece.facets.iter().enumerate() {
+            let Some(law) = self.bonds[usize::from(facet.row)].as_ref() else {
+                continue;
+            };
+            if !piece.worn[k] && law.cohesive.is_none() {
+                continue;
+            }
             let here = facet.first as usize - piece.first
                 ..(facet.first + facet.count) as usize - piece.first;
             let points = &self.points[facet.points()];
-            let slots = &mut piece.slots[here.clone()];
-            let law = self.bonds[usize::from(facet.row)].as_ref();
-            let linear = !piece.worn[k] && law.is_none_or(|l| l.cohesive.is_none());
-            if linear {
-                self.elastic(facet, points, slots);
-                // Points break one by one while they move; a relaxing phase breaks only what has converged.
-                let strength = law
-                    .filter(|l| l.failure == BondFailure::Spring)
-                    .and_then(|l| l.strength.as_ref())
-                    .filter(|_| self.breaks_at_once(facet) && self.live.is_some());
-                if strength.is_none_or(|s| !fails(s, facet, points, slots)) {
-                    continue;
-                }
-                piece.worn[k] = true;
-            }
-            if let Some(law) = law {
-                let memory = &mut piece.memory[here];
-                self.worn(facet, law, points, memory, slots, &mut works);
-            }
+            let (memory, slots) = (&mut piece.memory[here.clone()], &mut piece.slots[here]);
+            self.worn(facet, law, points, memory, slots, &mut works);
         }
         piece.works[0] = works;
     }
 
-    /// Whether points of a facet may break in the step in which they fail.
-    fn breaks_at_once(&self, facet: &Facet) -> bool {
-        self.breaking && !self.waits && self.step >= facet.whole_until
+    /// Forces of the points of facets without memory; facets with a point that breaks now are worn from now on.
+    #[inline(always)]
+    fn whole(&self, piece: &mut Piece) {
+        for (k, sheet) in piece.sheets.iter().enumerate() {
+            let law = self.bonds[usize::from(sheet.row)].as_ref();
+            if piece.worn[k] || law.is_some_and(|l| l.cohesive.is_some()) {
+                continue;
+            }
+            // Points break one by one while they move; a relaxing phase breaks only what has converged.
+            let strength = law
+                .filter(|l| l.failure == BondFailure::Spring)
+                .and_then(|l| l.strength.as_ref())
+                .filter(|_| self.live.is_some() && self.breaks_at_once(sheet.whole_until));
+            let from = sheet.first as usize - piece.first;
+            let slots = &mut piece.slots[from..from + sheet.count as usize];
+            let facet = &piece.facets[k];
+            let near = self.elastic(sheet, facet, strength, slots);
+            if let Some(strength) = strength
+                && near
+            {
+                piece.worn[k] = fails(strength, facet, &self.points[sheet.points()], slots);
+            }
+        }
     }
 
-    /// Points that have no memory: `t = ks d + (kn - ks) (d.n) n`.
-    #[inline]
-    fn elastic(&self, facet: &Facet, points: &[Point], slots: &mut [[f64; 3]]) {
-        let n = facet.now[0];
-        let [kn, ks] = facet.stiffness;
-        for (point, slot) in points.iter().zip(slots) {
-            let d = self.anchors.jump(facet, point);
-            let t = ks * d + ((kn - ks) * d.dot(n)) * n;
-            *slot = (point.area * t).to_array();
+    /// Whether points of a facet that is whole until a step may break in the step in which they fail.
+    fn breaks_at_once(&self, whole_until: u64) -> bool {
+        self.breaking && !self.waits && self.step >= whole_until
+    }
+
+    /// Forces of the points of a facet that have no memory; whether one may be beyond the strength.
+    #[inline(always)]
+    fn elastic(
+        &self,
+        sheet: &Sheet,
+        facet: &Facet,
+        strength: Option<&Strength>,
+        slots: &mut [[f64; 3]],
+    ) -> bool {
+        let (n, springs) = (same(&sheet.normal), sheet.stiffness.map(Lanes::all));
+        let mut near = false;
+        for (eight, slots) in slots.chunks_mut(LANES).enumerate() {
+            let first = sheet.first as usize + eight * LANES;
+            let points = first..first + slots.len().min(LANES);
+            let (jump, area) = if sheet.plain {
+                self.jumps(&self.links[points])
+            } else {
+                self.far_jumps(facet, &self.points[points])
+            };
+            let t = bond::connect_eight(springs, &n, &jump);
+            if let Some(strength) = strength {
+                near |= bond::near_eight(strength, &n, &t);
+            }
+            let force = scaled(area, &t);
+            for (k, slot) in slots.iter_mut().enumerate().take(LANES) {
+                *slot = [force[0].0[k], force[1].0[k], force[2].0[k]];
+            }
         }
+        near
+    }
+
+    /// Jumps (m) across up to eight points between nodes, and their areas; zero in the other lanes.
+    #[inline(always)]
+    fn jumps(&self, links: &[Link]) -> (Vectors, Lanes) {
+        let (mut jump, mut area) = (Vectors::default(), Lanes::default());
+        let moved = &self.anchors.nodes.moved;
+        for (k, link) in links.iter().enumerate().take(LANES) {
+            let (a, b) = (moved[link.nodes[0] as usize], moved[link.nodes[1] as usize]);
+            for axis in 0..3 {
+                jump[axis].0[k] = b[axis] - a[axis];
+            }
+            area.0[k] = link.area;
+        }
+        (jump, area)
+    }
+
+    /// As [`Context::jumps`], for any anchors.
+    #[inline(never)]
+    fn far_jumps(&self, facet: &Facet, points: &[Point]) -> (Vectors, Lanes) {
+        let (mut jump, mut area) = (Vectors::default(), Lanes::default());
+        for (k, point) in points.iter().enumerate().take(LANES) {
+            let across = self.anchors.jump(facet, point);
+            for axis in 0..3 {
+                jump[axis].0[k] = across[axis];
+            }
+            area.0[k] = point.area;
+        }
+        (jump, area)
     }
 
     /// Points with a memory.
@@ -292,7 +279,7 @@ impl Context<'_> {
         slots: &mut [[f64; 3]],
         works: &mut BondWorks,
     ) {
-        let at_once = self.breaks_at_once(facet) && law.failure == BondFailure::Spring;
+        let at_once = self.breaks_at_once(facet.whole_until) && law.failure == BondFailure::Spring;
         let respond = |memory: &Memory, at: &[f64; 3], breaks: bool| {
             respond(law, facet.stiffness, memory, at, breaks)
         };
@@ -411,8 +398,8 @@ fn fails(strength: &Strength, facet: &Facet, points: &[Point], slots: &[[f64; 3]
 }
 
 /// Sums the forces of points on rigid blocks, in the order of the facets.
-fn push_rigid(world: &World, deform: &Deform, slots: &[[f64; 3]], pushed: &mut Vec<Push>) {
-    if !deform.facets.iter().any(|f| f.rigid[0] || f.rigid[1]) {
+fn push_rigid(world: &World, deform: &Deform, work: &Workspace, pushed: &mut Vec<Push>) {
+    if work.links.on_rigid.is_empty() {
         return;
     }
     pushed.resize(world.alive.len(), Push::default());
@@ -420,14 +407,15 @@ fn push_rigid(world: &World, deform: &Deform, slots: &[[f64; 3]], pushed: &mut V
         pushed.fill(Push::default());
     }
     let anchors = Anchors::new(world, deform);
-    for facet in &deform.facets {
+    for &k in &work.links.on_rigid {
+        let facet = &deform.facets[k as usize];
         for (side, sign) in [(0, 1.0), (1, -1.0)] {
             let Some(b) = rigid(facet, side) else {
                 continue;
             };
             let push = &mut pushed[b as usize];
             for p in facet.points() {
-                let force = sign * Vec3::from_array(slots[p]);
+                let force = sign * Vec3::from_array(work.slots[p]);
                 let arm = Vec3::from_array(deform.points[p].anchors[side].weights);
                 push.force += force;
                 push.moment += anchors.arm(b as usize, arm).cross(force);

@@ -11,6 +11,7 @@
 //!
 //! Cutting ([`cut`]) appends the nodes of the parts and makes their facets anew; [`store::Deform::retire`] takes blocks out.
 
+pub mod anchors;
 pub mod bonds;
 pub mod build;
 pub mod cracks;
@@ -19,6 +20,8 @@ pub mod elements;
 pub mod fracture;
 pub mod hold;
 pub mod in_situ;
+mod kick;
+pub mod links;
 pub mod loads;
 pub mod overlay;
 pub mod phase;

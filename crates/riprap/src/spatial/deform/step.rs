@@ -4,43 +4,23 @@
 //! sum is exactly the change of `m v(n-1/2).v(n+1/2)/2`. While relaxing the masses are fictitious, the step is 1 s of no
 //! meaning, and model time stands still.
 
-use riprap_geom::{Mat3, Vec3};
+use riprap_geom::Vec3;
 
 use super::elements;
-use super::hold::Hold;
-use super::loads::Dashpot;
+use super::kick::{Kick, Sums};
 use super::store::{Body, Deform};
 use super::workspace::{BODIES, Workspace};
-use crate::dynamics::damping::Damping;
 use crate::exec::Divide;
 use crate::ledger::Works;
 use crate::spatial::lanes::Width;
 use crate::spatial::step::{NonFinite, Scratch};
 use crate::spatial::world::World;
 
-/// Sums of one piece of work.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Partial {
-    arrival: Works,
-    departure: Works,
-    bad: Option<u32>,
-    /// Sums of squares of the free part of net forces, of reactions and of external forces, N².
-    squares: [f64; 3],
-}
-
-/// What is the same for all nodes.
+/// What is the same for all bodies.
 struct Context<'a> {
-    world: &'a World,
     deform: &'a Deform,
     work: &'a Workspace,
-    damping: Damping,
-    /// Halves of the step before and after the present time, s.
-    half: [f64; 2],
-    /// Time between the two half-step velocities, s.
-    span: f64,
-    /// Middle of the coming step, s, and what prescribed velocities are multiplied by there.
-    drive: (f64, f64),
-    width: Width,
+    kick: Kick<'a>,
 }
 
 /// Nodes of a run of bodies.
@@ -49,7 +29,7 @@ struct Piece<'a> {
     first: usize,
     net: &'a mut [[f64; 3]],
     change: &'a mut [[f64; 3]],
-    partial: &'a mut [Partial],
+    partial: &'a mut [Sums],
 }
 
 impl Divide for Piece<'_> {
@@ -118,16 +98,25 @@ fn forces(
         damping.local = 0.0;
         drive = (world.time + 0.5 * relax.increment, relax.increment);
     }
-    let context = Context {
-        world,
-        deform,
-        work,
+    let kick = Kick {
+        gravity: world.gravity,
         damping,
         half: [0.5 * world.pending, 0.5 * dt],
         span: 0.5 * (world.last_dt + dt),
         drive,
+        rate: &deform.nodes.rate,
+        masses: &work.masses,
+        inertias: match work.fictitious.is_empty() {
+            true => &work.masses,
+            false => &work.fictitious,
+        },
+        loads: &work.loads,
+        pushes: &work.pushes,
+        holds: &deform.holds,
+        dashpots: &work.dashpots,
         width: scratch.width,
     };
+    let context = Context { deform, work, kick };
     let piece = Piece {
         bodies: &deform.bodies,
         first: 0,
@@ -154,86 +143,76 @@ fn forces(
     work.partial = partial;
     work.departure = departure;
     work.norms = squares.map(f64::sqrt);
-    (arrival, bad)
+    let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
+    (arrival, bad.map(|node| deform.bodies[holder(node)].block))
 }
 
 impl Context<'_> {
     fn piece(&self, piece: Piece) {
-        let mut partial = Partial::default();
-        let base = piece.bodies[0].first as usize;
-        let width = self.width;
-        width.run(
+        let Piece {
+            bodies,
+            first,
+            net,
+            change,
+            partial,
+        } = piece;
+        let base = bodies[0].first as usize;
+        self.kick.width.run(
             #[inline(always)]
-            || {
-                for (k, body) in piece.bodies.iter().enumerate() {
-                    let nodes = body.nodes();
-                    let here = nodes.start - base..nodes.end - base;
-                    let f = &mut piece.net[here];
-                    match self.work.start_forces.get(nodes.clone()) {
-                        Some(start) => f.copy_from_slice(start),
-                        None => f.fill([0.0; 3]),
-                    }
-                    if body.alive {
-                        let u = &self.deform.nodes.moved[nodes];
-                        let start = self.work.start_of(piece.first + k);
-                        elements::add_forces(self.work.kind(body), body.strain, start, u, f);
-                    }
-                }
-            },
+            || self.elements(bodies, first, net),
         );
-        let holds = &self.deform.holds;
-        let mut hold = holds.partition_point(|h| (h.node as usize) < base);
-        let dashpots = &self.work.dashpots;
-        let mut dashpot = dashpots.partition_point(|d| (d.node as usize) < base);
-        for (k, body) in piece.bodies.iter().enumerate() {
-            let nodes = body.nodes();
+        let mut sums = Sums::default();
+        let mut number = first;
+        for run in bodies.chunk_by(|a, b| a.alive == b.alive) {
+            let nodes = run[0].first as usize..run[run.len() - 1].nodes().end;
             let here = nodes.start - base..nodes.end - base;
-            if !body.alive {
-                piece.change[here].fill([0.0; 3]);
-                continue;
-            }
-            let f = &mut piece.net[here.clone()];
-            self.gather(piece.first + k, body, f);
-            let masses = self.work.kind(body).masses(self.deform.masses);
-            for (at, node) in nodes.enumerate() {
-                let own = holds.get(hold).filter(|h| h.node as usize == node);
-                hold += usize::from(own.is_some());
-                let drag = dashpots.get(dashpot).filter(|d| d.node as usize == node);
-                dashpot += usize::from(drag.is_some());
-                let weight = masses[at] * self.world.gravity;
-                let of =
-                    |list: &[[f64; 3]]| list.get(node).map_or(Vec3::ZERO, |l| Vec3::from_array(*l));
-                let (load, push) = (of(&self.work.loads), of(&self.work.pushes));
-                let net = Vec3::from_array(f[at]) + weight + load + push;
-                f[at] = net.to_array();
-                if !net.is_finite() && partial.bad.is_none() {
-                    partial.bad = Some(body.block);
+            if run[0].alive {
+                for (k, body) in run.iter().enumerate() {
+                    let own = body.first as usize - base;
+                    let f = &mut net[own..own + body.count as usize];
+                    self.gather(number + k, body, f);
                 }
-                let mass = match self.work.fictitious.get(node) {
-                    Some(mass) => *mass,
-                    None => masses[at],
-                };
-                let acting = Acting {
-                    node,
-                    mass,
-                    weight,
-                    load,
-                    push,
-                    net,
-                };
-                piece.change[here.start + at] =
-                    self.kick(&acting, own, drag, &mut partial).to_array();
+                let (net, change) = (&mut net[here.clone()], &mut change[here]);
+                self.kick.run(nodes.start, net, change, &mut sums);
+            } else {
+                change[here].fill([0.0; 3]);
+            }
+            number += run.len();
+        }
+        partial[0] = sums;
+    }
+
+    /// Sets the forces of the tetrahedra of the bodies number `first` and following.
+    #[inline(always)]
+    fn elements(&self, bodies: &[Body], first: usize, net: &mut [[f64; 3]]) {
+        let base = bodies[0].first as usize;
+        for (k, body) in bodies.iter().enumerate() {
+            let nodes = body.nodes();
+            let f = &mut net[nodes.start - base..nodes.end - base];
+            match self.work.start_forces.get(nodes.clone()) {
+                Some(start) => f.copy_from_slice(start),
+                None => f.fill([0.0; 3]),
+            }
+            if body.alive {
+                let u = &self.deform.nodes.moved[nodes];
+                let start = self.work.start_of(first + k);
+                elements::add_forces(self.work.kind(body), body.strain, start, u, f);
             }
         }
-        piece.partial[0] = partial;
     }
 
     /// Adds the forces of bonds to the nodes of body number `k`.
     fn gather(&self, k: usize, body: &Body, f: &mut [[f64; 3]]) {
-        for hook in self.work.hooks_of(k) {
+        for hook in self.work.links.hooks_of(k) {
             let force = self.work.slots[hook.point as usize];
-            let anchor = &self.deform.points[hook.point as usize].anchors[hook.side as usize];
-            let sign = if hook.side == 0 { 1.0 } else { -1.0 };
+            let sign = [1.0, -1.0][hook.side()];
+            if let Some(to) = f.get_mut(hook.node() as usize) {
+                for axis in 0..3 {
+                    to[axis] += sign * force[axis];
+                }
+                continue;
+            }
+            let anchor = &self.deform.points[hook.point as usize].anchors[hook.side()];
             for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
                 if weight == 0.0 {
                     continue;
@@ -245,82 +224,6 @@ impl Context<'_> {
             }
         }
     }
-
-    /// Velocity change of a node, with its works.
-    fn kick(
-        &self,
-        node: &Acting,
-        hold: Option<&Hold>,
-        dashpot: Option<&Dashpot>,
-        partial: &mut Partial,
-    ) -> Vec3 {
-        let v = Vec3::from_array(self.deform.nodes.rate[node.node]);
-        let local = self.damping.local;
-        let against = |k: usize| {
-            if v[k] == 0.0 || local == 0.0 {
-                0.0
-            } else {
-                -local * node.net[k].abs() * v[k].signum()
-            }
-        };
-        let drag = Vec3::new(against(0), against(1), against(2));
-        let alpha = self.damping.mass;
-        let fade = 0.5 * alpha * self.span;
-        let push = node.net + drag;
-        let free = match dashpot {
-            None => (self.span / node.mass * push - 2.0 * fade * v) / (1.0 + fade),
-            Some(d) => {
-                let inertia =
-                    node.mass * (1.0 + fade) * Mat3::IDENTITY + 0.5 * self.span * d.matrix;
-                let impulse = self.span * (push - d.matrix * v) - 2.0 * fade * node.mass * v;
-                inertia.inverse() * impulse
-            }
-        };
-        let mut change = free;
-        let mut support = Vec3::ZERO;
-        let [of_free, of_held, of_loads] = &mut partial.squares;
-        *of_loads += (node.weight + node.load + node.push).length_squared();
-        match hold {
-            None => *of_free += node.net.length_squared(),
-            Some(hold) => {
-                let target = self.drive.1 * hold.velocity(self.drive.0);
-                change = hold.free * free + (target - (v - hold.free * v));
-                if self.span > 0.0 {
-                    let gap = change - free;
-                    support = node.mass * (1.0 + fade) / self.span * gap;
-                    if let Some(d) = dashpot {
-                        support += 0.5 * (d.matrix * gap);
-                    }
-                }
-                let part = hold.free * node.net;
-                *of_free += part.length_squared();
-                *of_held += (node.net - part).length_squared();
-            }
-        }
-        let damping = drag - alpha * node.mass * (v + 0.5 * change);
-        let absorbed = dashpot.map_or(Vec3::ZERO, |d| d.matrix * (v + 0.5 * change));
-        for (half, v, works) in [
-            (self.half[0], v, &mut partial.arrival),
-            (self.half[1], v + change, &mut partial.departure),
-        ] {
-            works.gravity += half * node.weight.dot(v);
-            works.loads += half * node.load.dot(v);
-            works.damping -= half * damping.dot(v);
-            works.supports += half * support.dot(v);
-            works.absorbed += half * absorbed.dot(v);
-        }
-        change
-    }
-}
-
-/// What acts on a node.
-struct Acting {
-    node: usize,
-    mass: f64,
-    weight: Vec3,
-    load: Vec3,
-    push: Vec3,
-    net: Vec3,
 }
 
 /// Pieces of the motion.
@@ -329,6 +232,8 @@ struct Moving<'a> {
     moved: &'a mut [[f64; 3]],
     rate: &'a mut [[f64; 3]],
     change: &'a [[f64; 3]],
+    masses: &'a [f64],
+    speeds: &'a mut [f64],
 }
 
 impl Divide for Moving<'_> {
@@ -340,18 +245,24 @@ impl Divide for Moving<'_> {
             self.rate.split_at_mut(nodes),
         );
         let change = self.change.split_at(nodes);
+        let masses = self.masses.split_at(nodes);
+        let speeds = self.speeds.split_at_mut(middle * BODIES);
         (
             Self {
                 bodies: a,
                 moved: moved.0,
                 rate: rate.0,
                 change: change.0,
+                masses: masses.0,
+                speeds: speeds.0,
             },
             Self {
                 bodies: b,
                 moved: moved.1,
                 rate: rate.1,
                 change: change.1,
+                masses: masses.1,
+                speeds: speeds.1,
             },
         )
     }
@@ -371,36 +282,54 @@ pub(in crate::spatial) fn advance(world: &mut World, scratch: &mut Scratch, dt: 
         moved: &mut deform.nodes.moved,
         rate: &mut deform.nodes.rate,
         change: &work.change,
+        masses: &work.masses,
+        speeds: &mut work.speeds,
     };
     let count = deform.bodies.len().div_ceil(BODIES);
-    scratch.exec.divided(moving, count, |_, piece| {
-        for ((u, v), dv) in piece.moved.iter_mut().zip(piece.rate).zip(piece.change) {
-            for k in 0..3 {
-                v[k] += dv[k];
-                u[k] += dt * v[k];
-            }
-        }
-    });
+    scratch
+        .exec
+        .divided(moving, count, |_, piece| piece.go(dt, scratch.width));
     scratch.departure.add(&std::mem::take(&mut work.departure));
     match &mut deform.relax {
         Some(relax) => std::mem::take(&mut relax.increment),
         None => {
-            note_peaks(deform, work, &mut world.peak_speed_squared);
+            let peaks = &mut world.peak_speed_squared;
+            for (body, speed) in deform.bodies.iter().zip(&work.speeds) {
+                if body.alive {
+                    let peak = &mut peaks[body.block as usize];
+                    *peak = peak.max(*speed);
+                }
+            }
             dt
         }
     }
 }
 
-/// Largest speed of each body's centroid so far.
-fn note_peaks(deform: &Deform, work: &Workspace, peaks: &mut [f64]) {
-    for body in deform.living() {
-        let masses = work.kind(body).masses(deform.masses);
-        let (mut sum, mut mass) = (Vec3::ZERO, 0.0);
-        for (v, m) in deform.nodes.rate[body.nodes()].iter().zip(masses) {
-            sum += *m * Vec3::from_array(*v);
-            mass += m;
+impl Moving<'_> {
+    /// Moves the nodes and finds the speeds of the centroids of the bodies.
+    fn go(self, dt: f64, width: Width) {
+        let moved = self.moved.as_flattened_mut().iter_mut();
+        let rate = self.rate.as_flattened_mut().iter_mut();
+        let change = self.change.as_flattened();
+        width.run(
+            #[inline(always)]
+            || {
+                for ((u, v), dv) in moved.zip(rate).zip(change) {
+                    *v += dv;
+                    *u += dt * *v;
+                }
+            },
+        );
+        let base = self.bodies[0].first as usize;
+        for (body, speed) in self.bodies.iter().zip(self.speeds) {
+            let nodes = body.nodes();
+            let here = nodes.start - base..nodes.end - base;
+            let (mut sum, mut mass) = (Vec3::ZERO, 0.0);
+            for (v, m) in self.rate[here.clone()].iter().zip(&self.masses[here]) {
+                sum += *m * Vec3::from_array(*v);
+                mass += m;
+            }
+            *speed = (sum / mass).length_squared();
         }
-        let peak = &mut peaks[body.block as usize];
-        *peak = peak.max((sum / mass).length_squared());
     }
 }

@@ -3,6 +3,7 @@
 use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
 use riprap_geom::{Mat3, Vec3};
 
+use super::links::Links;
 use super::store::{Deform, Masses};
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
 use crate::ledger::Works;
@@ -32,8 +33,8 @@ pub struct Kind {
     pub inertial: Vec<f64>,
     /// Row sums of the stiffness matrix, N/m.
     pub row_sums: Vec<f64>,
-    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m.
-    pub slopes: Vec<Vec3>,
+    /// Place in `Workspace::slopes`.
+    first_slope: usize,
 }
 
 impl Kind {
@@ -47,24 +48,17 @@ impl Kind {
     }
 }
 
-/// A point of a facet as a body sees it.
-#[derive(Clone, Copy, Debug)]
-pub struct Hook {
-    /// The point.
-    pub point: u32,
-    /// 0 on the side of A, 1 on that of B.
-    pub side: u32,
-}
-
 /// Scratch data of the deformable blocks.
 #[derive(Debug, Default)]
 pub struct Workspace {
     /// Shapes and elements, as `Deform::kinds`.
     pub kinds: Vec<Kind>,
-    /// Points of each body: body `k` has `hooks[hooked[k]..hooked[k + 1]]`.
-    pub hooks: Vec<Hook>,
-    /// See `hooks`.
-    pub hooked: Vec<u32>,
+    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m, one kind after another.
+    slopes: Vec<Vec3>,
+    /// What a step reads of bonds.
+    pub links: Links,
+    /// Masses of the nodes, kg. *Shape* `[n_nodes]`.
+    pub masses: Vec<f64>,
     /// Force of each point on A, N.
     pub slots: Vec<[f64; 3]>,
     /// External loads on nodes without gravity, N; empty without any.
@@ -91,7 +85,9 @@ pub struct Workspace {
     pub norms: [f64; 3],
     /// Whether a point broke in the last evaluation.
     pub broke: bool,
-    pub(super) partial: Vec<super::step::Partial>,
+    pub(super) partial: Vec<super::kick::Sums>,
+    /// Squares of the speeds of the centroids of bodies after the last step, m²/s².
+    pub(super) speeds: Vec<f64>,
     pub(super) bond_works: Vec<super::bonds::BondWorks>,
 }
 
@@ -126,14 +122,20 @@ impl Workspace {
             change: vec![[0.0; 3]; nodes],
             ..Self::default()
         };
-        work.hook(deform);
+        work.slopes = work.kinds.iter().flat_map(|k| slopes(&k.mesh)).collect();
+        work.links = Links::new(deform);
+        for body in &deform.bodies {
+            let own = work.kinds[body.kind as usize].masses(deform.masses);
+            work.masses.extend_from_slice(own);
+        }
         work.start(setup, deform);
+        work.speeds = vec![0.0; deform.bodies.len()];
         work.dashpots = super::loads::dashpots(setup, deform);
         if deform.relax.is_some() {
             work.fictitious = super::relax::masses(deform, &work.kinds);
         }
         let pieces = deform.bodies.len().div_ceil(BODIES);
-        work.partial = vec![super::step::Partial::default(); pieces];
+        work.partial = vec![super::kick::Sums::default(); pieces];
         let pieces = deform.facets.len().div_ceil(FACETS);
         work.bond_works = vec![super::bonds::BondWorks::default(); pieces];
         work
@@ -185,47 +187,17 @@ impl Workspace {
         self.starts.get(k).unwrap_or(&NONE)
     }
 
-    /// Lists the points of each body, in the order of the points.
-    fn hook(&mut self, deform: &Deform) {
-        let mut counts = vec![0u32; deform.bodies.len() + 1];
-        let sides = |visit: &mut dyn FnMut(usize, Hook)| {
-            for facet in &deform.facets {
-                for side in 0..2 {
-                    if facet.rigid[side] {
-                        continue;
-                    }
-                    let slot = deform.slot[facet.blocks[side] as usize] as usize;
-                    for point in facet.points() {
-                        let (point, side) = (point as u32, side as u32);
-                        visit(slot, Hook { point, side });
-                    }
-                }
-            }
-        };
-        sides(&mut |slot, _| counts[slot + 1] += 1);
-        for k in 1..counts.len() {
-            counts[k] += counts[k - 1];
-        }
-        let mut next = counts.clone();
-        let total = counts.last().copied().unwrap_or(0) as usize;
-        self.hooks = vec![Hook { point: 0, side: 0 }; total];
-        sides(&mut |slot, hook| {
-            self.hooks[next[slot] as usize] = hook;
-            next[slot] += 1;
-        });
-        self.hooked = counts;
+    /// What displacements of the nodes of a body are multiplied with in its mean displacement gradient, 1/m.
+    #[must_use]
+    pub fn slopes(&self, body: &super::store::Body) -> &[Vec3] {
+        let first = self.kind(body).first_slope;
+        &self.slopes[first..first + body.count as usize]
     }
 
     /// Kind of a body.
     #[must_use]
     pub fn kind(&self, body: &super::store::Body) -> &Kind {
         &self.kinds[body.kind as usize]
-    }
-
-    /// Points of body `k`.
-    #[must_use]
-    pub fn hooks_of(&self, k: usize) -> &[Hook] {
-        &self.hooks[self.hooked[k] as usize..self.hooked[k + 1] as usize]
     }
 }
 
@@ -250,7 +222,8 @@ fn kinds(setup: &Setup, deform: &Deform) -> Vec<Kind> {
     for body in &deform.bodies {
         shared[body.kind as usize] += 1;
     }
-    let mut kinds = Vec::with_capacity(deform.kinds.len());
+    let mut kinds: Vec<Kind> = Vec::with_capacity(deform.kinds.len());
+    let mut sum = 0;
     for (&block, &shared) in deform.kinds.iter().zip(&shared) {
         let spec = &setup.blocks[block as usize];
         let material = &setup.materials[usize::from(spec.material)];
@@ -271,9 +244,11 @@ fn kinds(setup: &Setup, deform: &Deform) -> Vec<Kind> {
             lumped: scale(mesh.lumped()),
             inertial: scale(mesh.inertial()),
             row_sums: row_sums(&mesh, &law),
-            slopes: slopes(&mesh),
+            first_slope: sum,
             mesh,
         });
+        sum += kinds[kinds.len() - 1].mesh.nodes.len();
     }
+    Groups::pack(kinds.iter_mut().map(|k| &mut k.groups));
     kinds
 }

@@ -1,0 +1,363 @@
+//! Velocity changes of nodes and the works that go with them.
+//!
+//! Nodes on which nothing is prescribed and no dashpot acts go eight at a time, with the same arithmetic and the same
+//! order of all sums as one by one.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::hold::Hold;
+use super::loads::Dashpot;
+use crate::dynamics::damping::Damping;
+use crate::lanes::{LANES, Lanes, Vectors, Width, dot, minus, plus, scaled, vectors, write};
+use crate::ledger::Works;
+
+/// Sums over nodes.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sums {
+    /// Works of the half step before the present time.
+    pub arrival: Works,
+    /// Works of the half step after it.
+    pub departure: Works,
+    /// Sums of squares of the free part of net forces, of reactions and of external forces, N².
+    pub squares: [f64; 3],
+    /// First node whose net force is not finite.
+    pub bad: Option<u32>,
+}
+
+/// What is the same for all nodes, and lists by node.
+#[derive(Clone, Copy)]
+pub struct Kick<'a> {
+    /// m/s².
+    pub gravity: Vec3,
+    /// Damping.
+    pub damping: Damping,
+    /// Halves of the step before and after the present time, s.
+    pub half: [f64; 2],
+    /// Time between the two half-step velocities, s.
+    pub span: f64,
+    /// Middle of the coming step, s, and what prescribed velocities are multiplied by there.
+    pub drive: (f64, f64),
+    /// Velocities half a step ago, m/s.
+    pub rate: &'a [[f64; 3]],
+    /// Masses, kg.
+    pub masses: &'a [f64],
+    /// What the span is divided by: masses, or fictitious ones, kg.
+    pub inertias: &'a [f64],
+    /// External loads without gravity, N; empty without any.
+    pub loads: &'a [[f64; 3]],
+    /// What cavities push with, N; empty without any.
+    pub pushes: &'a [[f64; 3]],
+    /// Prescribed motion, by node.
+    pub holds: &'a [Hold],
+    /// Dashpots, by node.
+    pub dashpots: &'a [Dashpot],
+    /// Instruction set.
+    pub width: Width,
+}
+
+/// What acts on a node.
+struct Acting {
+    node: usize,
+    mass: f64,
+    weight: Vec3,
+    load: Vec3,
+    push: Vec3,
+    net: Vec3,
+}
+
+impl Kick<'_> {
+    /// Turns the forces (N) of bodies and bonds on the nodes `first` and following into net forces, finds their velocity
+    /// changes (m/s), and adds to the sums.
+    pub fn run(
+        &self,
+        first: usize,
+        net: &mut [[f64; 3]],
+        change: &mut [[f64; 3]],
+        sums: &mut Sums,
+    ) {
+        self.width.run(
+            #[inline(always)]
+            || self.nodes(first, net, change, sums),
+        );
+    }
+
+    #[inline(always)]
+    fn nodes(&self, first: usize, net: &mut [[f64; 3]], change: &mut [[f64; 3]], sums: &mut Sums) {
+        let mut hold = self.holds.partition_point(|h| (h.node as usize) < first);
+        let mut dashpot = self.dashpots.partition_point(|d| (d.node as usize) < first);
+        let runs = net.chunks_mut(LANES).zip(change.chunks_mut(LANES));
+        for (k, (net, change)) in runs.enumerate() {
+            let node = first + k * LANES;
+            let end = node + net.len();
+            let held = self
+                .holds
+                .get(hold)
+                .is_some_and(|h| (h.node as usize) < end);
+            let drawn = self
+                .dashpots
+                .get(dashpot)
+                .is_some_and(|d| (d.node as usize) < end);
+            if let (false, Ok(net), Ok(change)) = (
+                held || drawn,
+                <&mut [[f64; 3]; LANES]>::try_from(&mut *net),
+                <&mut [[f64; 3]; LANES]>::try_from(&mut *change),
+            ) && self.eight(node, net, change, sums)
+            {
+                continue;
+            }
+            self.singly(node, net, change, (&mut hold, &mut dashpot), sums);
+        }
+    }
+
+    /// Eight free nodes; false, and nothing done, where a force is not finite.
+    #[inline(always)]
+    fn eight(
+        &self,
+        node: usize,
+        net: &mut [[f64; 3]; LANES],
+        change: &mut [[f64; 3]; LANES],
+        sums: &mut Sums,
+    ) -> bool {
+        let all = |v: Vec3| v.to_array().map(Lanes::all);
+        let mass = Lanes::at(self.masses, node);
+        let weight = scaled(mass, &all(self.gravity));
+        let (load, push, v) = (
+            eight_of(self.loads, node),
+            eight_of(self.pushes, node),
+            eight_of(self.rate, node),
+        );
+        let force = plus(&plus(&plus(&vectors(net), &weight), &load), &push);
+        let square = dot(&force, &force);
+        if !square.0.iter().all(|x| x.is_finite()) {
+            return false;
+        }
+        let (local, alpha) = (self.damping.local, self.damping.mass);
+        let mut drag = Vectors::default();
+        if local != 0.0 {
+            for axis in 0..3 {
+                drag[axis] = force[axis].with(v[axis], |f, v| against(local, f, v));
+            }
+        }
+        let fade = 0.5 * alpha * self.span;
+        let impulse = scaled(
+            Lanes::all(self.span) / Lanes::at(self.inertias, node),
+            &plus(&force, &drag),
+        );
+        let kept = minus(&impulse, &scaled(Lanes::all(2.0 * fade), &v));
+        let dv = kept.map(|x| x / Lanes::all(1.0 + fade));
+        write(&force, net);
+        write(&dv, change);
+        add(&mut sums.squares[0], square);
+        let after = plus(&v, &dv);
+        let [before, behind] = self.half.map(Lanes::all);
+        let (arrival, departure) = (&mut sums.arrival, &mut sums.departure);
+        let loaded = !self.loads.is_empty();
+        if loaded || !self.pushes.is_empty() || self.gravity != Vec3::ZERO {
+            let external = plus(&plus(&weight, &load), &push);
+            add(&mut sums.squares[2], dot(&external, &external));
+            add(&mut arrival.gravity, before * dot(&weight, &v));
+            add(&mut departure.gravity, behind * dot(&weight, &after));
+        }
+        if loaded {
+            add(&mut arrival.loads, before * dot(&load, &v));
+            add(&mut departure.loads, behind * dot(&load, &after));
+        }
+        if local != 0.0 || alpha != 0.0 {
+            let mean = plus(&v, &scaled(Lanes::all(0.5), &dv));
+            let inertia = Lanes::at(self.inertias, node);
+            let damping = minus(&drag, &scaled(Lanes::all(alpha) * inertia, &mean));
+            add(&mut arrival.damping, -(before * dot(&damping, &v)));
+            add(&mut departure.damping, -(behind * dot(&damping, &after)));
+        }
+        true
+    }
+
+    /// Some nodes, one by one; counts on in the holds and dashpots.
+    #[inline(never)]
+    fn singly(
+        &self,
+        first: usize,
+        net: &mut [[f64; 3]],
+        change: &mut [[f64; 3]],
+        (hold, dashpot): (&mut usize, &mut usize),
+        sums: &mut Sums,
+    ) {
+        for (k, (f, change)) in net.iter_mut().zip(change).enumerate() {
+            let node = first + k;
+            let own = self.holds.get(*hold).filter(|h| h.node as usize == node);
+            *hold += usize::from(own.is_some());
+            let drag = self
+                .dashpots
+                .get(*dashpot)
+                .filter(|d| d.node as usize == node);
+            *dashpot += usize::from(drag.is_some());
+            let weight = self.masses[node] * self.gravity;
+            let of =
+                |list: &[[f64; 3]]| list.get(node).map_or(Vec3::ZERO, |l| Vec3::from_array(*l));
+            let (load, push) = (of(self.loads), of(self.pushes));
+            let net = Vec3::from_array(*f) + weight + load + push;
+            *f = net.to_array();
+            if !net.is_finite() && sums.bad.is_none() {
+                sums.bad = Some(node as u32);
+            }
+            let acting = Acting {
+                node,
+                mass: self.inertias[node],
+                weight,
+                load,
+                push,
+                net,
+            };
+            *change = self.one(&acting, own, drag, sums).to_array();
+        }
+    }
+
+    /// Velocity change of a node, with its works.
+    fn one(
+        &self,
+        node: &Acting,
+        hold: Option<&Hold>,
+        dashpot: Option<&Dashpot>,
+        sums: &mut Sums,
+    ) -> Vec3 {
+        let v = Vec3::from_array(self.rate[node.node]);
+        let local = self.damping.local;
+        let drag = Vec3::from_array([0, 1, 2].map(|k| against(local, node.net[k], v[k])));
+        let alpha = self.damping.mass;
+        let fade = 0.5 * alpha * self.span;
+        let push = node.net + drag;
+        let free = match dashpot {
+            None => (self.span / node.mass * push - 2.0 * fade * v) / (1.0 + fade),
+            Some(d) => {
+                let inertia =
+                    node.mass * (1.0 + fade) * Mat3::IDENTITY + 0.5 * self.span * d.matrix;
+                let impulse = self.span * (push - d.matrix * v) - 2.0 * fade * node.mass * v;
+                inertia.inverse() * impulse
+            }
+        };
+        let mut change = free;
+        let mut support = Vec3::ZERO;
+        let [of_free, of_held, of_loads] = &mut sums.squares;
+        *of_loads += (node.weight + node.load + node.push).length_squared();
+        match hold {
+            None => *of_free += node.net.length_squared(),
+            Some(hold) => {
+                let target = self.drive.1 * hold.velocity(self.drive.0);
+                change = hold.free * free + (target - (v - hold.free * v));
+                if self.span > 0.0 {
+                    let gap = change - free;
+                    support = node.mass * (1.0 + fade) / self.span * gap;
+                    if let Some(d) = dashpot {
+                        support += 0.5 * (d.matrix * gap);
+                    }
+                }
+                let part = hold.free * node.net;
+                *of_free += part.length_squared();
+                *of_held += (node.net - part).length_squared();
+            }
+        }
+        let damping = drag - alpha * node.mass * (v + 0.5 * change);
+        let absorbed = dashpot.map_or(Vec3::ZERO, |d| d.matrix * (v + 0.5 * change));
+        for (half, v, works) in [
+            (self.half[0], v, &mut sums.arrival),
+            (self.half[1], v + change, &mut sums.departure),
+        ] {
+            works.gravity += half * node.weight.dot(v);
+            works.loads += half * node.load.dot(v);
+            works.damping -= half * damping.dot(v);
+            works.supports += half * support.dot(v);
+            works.absorbed += half * absorbed.dot(v);
+        }
+        change
+    }
+}
+
+/// Local damping of a net force component (N) at a velocity (m/s), N.
+#[inline(always)]
+fn against(local: f64, net: f64, v: f64) -> f64 {
+    if v == 0.0 || local == 0.0 {
+        0.0
+    } else {
+        -local * net.abs() * v.signum()
+    }
+}
+
+/// Eight vectors of a list by node; zero where the list is empty.
+#[inline(always)]
+fn eight_of(list: &[[f64; 3]], node: usize) -> Vectors {
+    match list.get(node..).and_then(|l| l.first_chunk()) {
+        Some(eight) => vectors(eight),
+        None => Vectors::default(),
+    }
+}
+
+/// Adds the lanes to a sum, in their order.
+#[inline(always)]
+fn add(sum: &mut f64, lanes: Lanes) {
+    for x in lanes.0 {
+        *sum += x;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Velocity changes and sums of some nodes with a hold on node 12 and a dashpot on node 30.
+    fn kicked(width: Option<Width>, damping: Damping, loaded: bool) -> (Vec<[f64; 3]>, Sums) {
+        let mut seed = 3_u64;
+        let mut draw = || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        let count = 45;
+        let mut list =
+            || -> Vec<[f64; 3]> { (0..count).map(|_| [draw(), draw(), draw()]).collect() };
+        let (mut net, rate, loads, pushes) = (list(), list(), list(), list());
+        let masses: Vec<f64> = rate.iter().map(|r| 1.5 + r[0]).collect();
+        let mut hold = Hold::new(12);
+        hold.add(Vec3::X, None);
+        let dashpot = Dashpot {
+            node: 30,
+            matrix: Mat3::from_diagonal(Vec3::new(0.1, 0.2, 0.3)),
+        };
+        let kick = Kick {
+            gravity: Vec3::new(0.0, 0.5, -9.81),
+            damping,
+            half: [0.05, 0.06],
+            span: 0.11,
+            drive: (0.0, 1.0),
+            rate: &rate,
+            masses: &masses,
+            inertias: &masses,
+            loads: if loaded { &loads } else { &[] },
+            pushes: if loaded { &pushes } else { &[] },
+            holds: &[hold],
+            dashpots: &[dashpot],
+            width: width.unwrap_or(Width::Plain),
+        };
+        let (mut change, mut sums) = (vec![[0.0; 3]; count], Sums::default());
+        match width {
+            Some(_) => kick.run(0, &mut net, &mut change, &mut sums),
+            None => kick.singly(0, &mut net, &mut change, (&mut 0, &mut 0), &mut sums),
+        }
+        change.extend(net);
+        (change, sums)
+    }
+
+    #[test]
+    fn eight_at_a_time_gives_the_bits_of_one_by_one() {
+        let none = Damping::default();
+        let mass = Damping { mass: 0.7, ..none };
+        let local = Damping { local: 0.8, ..none };
+        for (damping, loaded) in [(none, false), (mass, true), (local, true), (mass, false)] {
+            let single = kicked(None, damping, loaded);
+            for width in [Width::Plain, Width::detect()] {
+                let eight = kicked(Some(width), damping, loaded);
+                assert_eq!(format!("{single:?}"), format!("{eight:?}"));
+            }
+        }
+    }
+}
