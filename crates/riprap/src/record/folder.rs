@@ -6,15 +6,24 @@
 
 use super::checkpoint;
 use super::disk::{AppendFile, AtPath, OutputError, write_whole};
-use super::field::with_unit;
 use super::frame::Frame;
 use super::manifest::{Manifest, ManifestError};
-use super::names::{self, Names};
-use super::vtu::{self, PvdEntry};
+use super::names::Names;
+use super::vtu;
 use serde::{Deserialize, Serialize};
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
+
+mod files;
+mod series;
+#[cfg(test)]
+mod tests;
+
+pub use files::{block_file, contact_file, crack_file, in_use, tetrahedron_file};
+use files::{clear, frame_files, lock, remove_if_there};
+pub(crate) use series::number;
+use series::{Series, append, begin};
 
 /// What to do with a folder that is already there. An empty one is always fine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,13 +107,6 @@ pub struct Marks {
     pub frames: Vec<FrameEntry>,
 }
 
-/// A CSV file whose first columns are `step` and `time [s]`.
-#[derive(Debug)]
-struct Series {
-    file: AppendFile,
-    columns: usize,
-}
-
 /// A run folder being written.
 #[derive(Debug)]
 pub struct RunFolder {
@@ -116,28 +118,6 @@ pub struct RunFolder {
     events: AppendFile,
     frames: Vec<FrameEntry>,
 }
-
-/// File whose lock says that a process writes the folder.
-const LOCK: &str = ".lock";
-
-/// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
-/// folder as ours, goes last.
-const FILES: [&str; 14] = [
-    LOCK,
-    names::FILE,
-    "paraview.py",
-    "scenario.resolved.toml",
-    "checks.jsonl",
-    "histories.csv",
-    "energy.csv",
-    "events.jsonl",
-    "fragments.csv",
-    "run.pvd",
-    "contacts.pvd",
-    "cracks.pvd",
-    "tetrahedra.pvd",
-    "manifest.json",
-];
 
 impl RunFolder {
     /// The first of `name`, `name-2`, `name-3`, ... that is not taken: `slope.run`, `slope-2.run`.
@@ -448,209 +428,6 @@ impl RunFolder {
     }
 
     fn write_pvd(&self) -> Result<(), OutputError> {
-        for (name, file) in [
-            ("run.pvd", block_file as fn(u32) -> String),
-            ("contacts.pvd", contact_file),
-        ] {
-            let entries: Vec<PvdEntry> = self
-                .frames
-                .iter()
-                .map(|f| PvdEntry {
-                    time: f.time,
-                    file: file(f.index),
-                })
-                .collect();
-            write_whole(&self.path.join(name), vtu::write_pvd(&entries).as_bytes())?;
-        }
-        for (name, file) in [
-            ("cracks.pvd", crack_file as fn(u32) -> String),
-            ("tetrahedra.pvd", tetrahedron_file),
-        ] {
-            let there = |f: &&FrameEntry| self.path.join(file(f.index)).exists();
-            let entries: Vec<PvdEntry> = self
-                .frames
-                .iter()
-                .filter(there)
-                .map(|f| PvdEntry {
-                    time: f.time,
-                    file: file(f.index),
-                })
-                .collect();
-            if !entries.is_empty() {
-                let path = self.path.join(name);
-                write_whole(&path, vtu::write_pvd(&entries).as_bytes())?;
-            }
-        }
-        Ok(())
+        files::write_lists(&self.path, &self.frames)
     }
 }
-
-/// File of the blocks of frame `index`, relative to the run folder.
-pub fn block_file(index: u32) -> String {
-    format!("frames/frame_{index:06}.vtu")
-}
-
-/// File of the cracks of frame `index`, relative to the run folder; there only with deformable blocks.
-pub fn crack_file(index: u32) -> String {
-    format!("frames/cracks_{index:06}.vtu")
-}
-
-/// File of the tetrahedra of frame `index`, relative to the run folder; there only where they are asked for.
-pub fn tetrahedron_file(index: u32) -> String {
-    format!("frames/tetrahedra_{index:06}.vtu")
-}
-
-/// File of the contacts of frame `index`, relative to the run folder.
-pub fn contact_file(index: u32) -> String {
-    format!("frames/contacts_{index:06}.vtu")
-}
-
-/// All frame files there are, with their numbers, in order of name.
-fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputError> {
-    let folder = path.join("frames");
-    let mut found = Vec::new();
-    for entry in fs::read_dir(&folder).at(&folder)? {
-        let file = entry.at(&folder)?.path();
-        let name = file
-            .file_name()
-            .and_then(|n| n.to_str())
-            .unwrap_or_default();
-        let number = name
-            .strip_prefix("frame_")
-            .or_else(|| name.strip_prefix("contacts_"))
-            .or_else(|| name.strip_prefix("cracks_"))
-            .or_else(|| name.strip_prefix("tetrahedra_"));
-        if let Some(Ok(index)) = number.and_then(|n| n.strip_suffix(".vtu")).map(str::parse) {
-            found.push((index, file));
-        }
-    }
-    found.sort();
-    Ok(found)
-}
-
-fn remove_if_there(path: &Path) -> Result<(), OutputError> {
-    match fs::remove_file(path) {
-        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(OutputError {
-            path: path.to_owned(),
-            source: e,
-        }),
-        Ok(()) | Err(_) => Ok(()),
-    }
-}
-
-/// Takes the folder for this process.
-fn lock(path: &Path) -> Result<File, FolderError> {
-    let file = path.join(LOCK);
-    let handle = File::create(&file).at(&file)?;
-    match handle.try_lock() {
-        Ok(()) => Ok(handle),
-        Err(TryLockError::WouldBlock) => Err(FolderError::InUse {
-            path: path.to_owned(),
-        }),
-        // File systems without locks: better unguarded than not at all.
-        Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => Ok(handle),
-        Err(TryLockError::Error(error)) => Err(error).at(&file).map_err(FolderError::from),
-    }
-}
-
-/// Whether a process is writing into the run folder now. File systems without locks cannot tell: `None`.
-pub fn in_use(path: &Path) -> Option<bool> {
-    match File::open(path.join(LOCK)).ok()?.try_lock_shared() {
-        Ok(()) => Some(false),
-        Err(TryLockError::WouldBlock) => Some(true),
-        Err(TryLockError::Error(_)) => None,
-    }
-}
-
-/// Removes the files of an earlier run and nothing else.
-fn clear(path: &Path) -> Result<(), OutputError> {
-    if path.join("frames").is_dir() {
-        for (_, file) in frame_files(path)? {
-            fs::remove_file(&file).at(&file)?;
-        }
-    }
-    for (_, file) in checkpoint::all(path).at(path)? {
-        fs::remove_file(&file).at(&file)?;
-    }
-    FILES
-        .iter()
-        .try_for_each(|name| remove_if_there(&path.join(name)))
-}
-
-fn begin<S: AsRef<str>>(
-    slot: &mut Option<Series>,
-    path: &Path,
-    columns: &[(S, S)],
-) -> Result<(), OutputError> {
-    if slot.is_some() {
-        return Ok(());
-    }
-    let mut head = String::from("step,time [s]");
-    for (name, unit) in columns {
-        head.push(',');
-        head.push_str(&cell(&with_unit(name.as_ref(), unit.as_ref())));
-    }
-    let mut file = AppendFile::create(path)?;
-    file.line(&head)?;
-    *slot = Some(Series {
-        file,
-        columns: columns.len(),
-    });
-    Ok(())
-}
-
-fn append(
-    slot: &mut Option<Series>,
-    path: &Path,
-    step: u64,
-    time: f64,
-    row: &[Option<f64>],
-) -> Result<(), OutputError> {
-    let invalid = |text: String| OutputError {
-        path: path.to_owned(),
-        source: io::Error::new(io::ErrorKind::InvalidInput, text),
-    };
-    let Some(series) = slot else {
-        return Err(invalid("a row before the head".to_owned()));
-    };
-    if row.len() != series.columns {
-        return Err(invalid(format!(
-            "a row of {} for {} columns",
-            row.len(),
-            series.columns
-        )));
-    }
-    let mut line = format!("{step},{}", number(time));
-    for value in row {
-        line.push(',');
-        if let Some(v) = value {
-            line.push_str(&number(*v));
-        }
-    }
-    series.file.line(&line)
-}
-
-/// A text cell of a CSV file: quoted if it must be.
-fn cell(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!(
-            "\"{}\"",
-            text.replace('"', "\"\"").replace(['\n', '\r'], " ")
-        )
-    } else {
-        text.to_owned()
-    }
-}
-
-/// The shortest text that reads back as the same number.
-pub(crate) fn number(v: f64) -> String {
-    let size = v.abs();
-    if v == 0.0 || !v.is_finite() || (1e-4..1e15).contains(&size) {
-        format!("{v}")
-    } else {
-        format!("{v:e}")
-    }
-}
-
-#[cfg(test)]
-mod tests;

@@ -1,0 +1,154 @@
+//! Names of the files of a run folder, the lists of frames, the lock, and what is removed when a run is replaced.
+
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::super::disk::{AtPath, OutputError, write_whole};
+use super::super::vtu::{self, PvdEntry};
+use super::super::{checkpoint, names};
+use super::{FolderError, FrameEntry};
+
+/// File whose lock says that a process writes the folder.
+const LOCK: &str = ".lock";
+
+/// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
+/// folder as ours, goes last.
+const FILES: [&str; 15] = [
+    LOCK,
+    names::FILE,
+    // Of versions before its name was changed.
+    "paraview.py",
+    "paraview_state.py",
+    "scenario.resolved.toml",
+    "checks.jsonl",
+    "histories.csv",
+    "energy.csv",
+    "events.jsonl",
+    "fragments.csv",
+    "run.pvd",
+    "contacts.pvd",
+    "cracks.pvd",
+    "tetrahedra.pvd",
+    "manifest.json",
+];
+
+/// File of the blocks of frame `index`, relative to the run folder.
+pub fn block_file(index: u32) -> String {
+    format!("frames/frame_{index:06}.vtu")
+}
+
+/// File of the cracks of frame `index`, relative to the run folder; there only with deformable blocks.
+pub fn crack_file(index: u32) -> String {
+    format!("frames/cracks_{index:06}.vtu")
+}
+
+/// File of the tetrahedra of frame `index`, relative to the run folder; there only where they are asked for.
+pub fn tetrahedron_file(index: u32) -> String {
+    format!("frames/tetrahedra_{index:06}.vtu")
+}
+
+/// File of the contacts of frame `index`, relative to the run folder.
+pub fn contact_file(index: u32) -> String {
+    format!("frames/contacts_{index:06}.vtu")
+}
+
+/// All frame files there are, with their numbers, in order of name.
+pub(super) fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputError> {
+    let folder = path.join("frames");
+    let mut found = Vec::new();
+    for entry in fs::read_dir(&folder).at(&folder)? {
+        let file = entry.at(&folder)?.path();
+        let name = file
+            .file_name()
+            .and_then(|n| n.to_str())
+            .unwrap_or_default();
+        let number = name
+            .strip_prefix("frame_")
+            .or_else(|| name.strip_prefix("contacts_"))
+            .or_else(|| name.strip_prefix("cracks_"))
+            .or_else(|| name.strip_prefix("tetrahedra_"));
+        if let Some(Ok(index)) = number.and_then(|n| n.strip_suffix(".vtu")).map(str::parse) {
+            found.push((index, file));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+pub(super) fn remove_if_there(path: &Path) -> Result<(), OutputError> {
+    match fs::remove_file(path) {
+        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(OutputError {
+            path: path.to_owned(),
+            source: e,
+        }),
+        Ok(()) | Err(_) => Ok(()),
+    }
+}
+
+/// Takes the folder for this process.
+pub(super) fn lock(path: &Path) -> Result<File, FolderError> {
+    let file = path.join(LOCK);
+    let handle = File::create(&file).at(&file)?;
+    match handle.try_lock() {
+        Ok(()) => Ok(handle),
+        Err(TryLockError::WouldBlock) => Err(FolderError::InUse {
+            path: path.to_owned(),
+        }),
+        // File systems without locks: better unguarded than not at all.
+        Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => Ok(handle),
+        Err(TryLockError::Error(error)) => Err(error).at(&file).map_err(FolderError::from),
+    }
+}
+
+/// Whether a process is writing into the run folder now. File systems without locks cannot tell: `None`.
+pub fn in_use(path: &Path) -> Option<bool> {
+    match File::open(path.join(LOCK)).ok()?.try_lock_shared() {
+        Ok(()) => Some(false),
+        Err(TryLockError::WouldBlock) => Some(true),
+        Err(TryLockError::Error(_)) => None,
+    }
+}
+
+/// Removes the files of an earlier run and nothing else.
+pub(super) fn clear(path: &Path) -> Result<(), OutputError> {
+    if path.join("frames").is_dir() {
+        for (_, file) in frame_files(path)? {
+            fs::remove_file(&file).at(&file)?;
+        }
+    }
+    for (_, file) in checkpoint::all(path).at(path)? {
+        fs::remove_file(&file).at(&file)?;
+    }
+    FILES
+        .iter()
+        .try_for_each(|name| remove_if_there(&path.join(name)))
+}
+
+/// File of a frame by its number.
+type FileOf = fn(u32) -> String;
+
+/// Writes the `.pvd` lists: files of cracks and tetrahedra as far as there are any.
+pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), OutputError> {
+    let lists: [(&str, FileOf, bool); 4] = [
+        ("run.pvd", block_file, true),
+        ("contacts.pvd", contact_file, true),
+        ("cracks.pvd", crack_file, false),
+        ("tetrahedra.pvd", tetrahedron_file, false),
+    ];
+    for (name, file, always) in lists {
+        let there = |f: &&FrameEntry| always || path.join(file(f.index)).exists();
+        let entries: Vec<PvdEntry> = frames
+            .iter()
+            .filter(there)
+            .map(|f| PvdEntry {
+                time: f.time,
+                file: file(f.index),
+            })
+            .collect();
+        if always || !entries.is_empty() {
+            write_whole(&path.join(name), vtu::write_pvd(&entries).as_bytes())?;
+        }
+    }
+    Ok(())
+}
