@@ -6,7 +6,6 @@ use riprap_geom::Vec2;
 use super::fields::View;
 use super::heap;
 use crate::record::field::{FieldError, FieldInfo, Part, Shape, Site, find};
-use crate::record::frame::{Column, Frame};
 
 /// A getter: the view, the blocks asked for, and room for one or two numbers.
 type Getter = fn(&View<'_>, &[u32]) -> [f64; 2];
@@ -225,86 +224,4 @@ impl Reading {
             (Shape::Vector, Part::Whole, Some([cx, cy])) => x * cx + y * cy,
         }
     }
-}
-
-fn flat(v: Vec2) -> [f64; 3] {
-    [v.x, v.y, 0.0]
-}
-
-/// A picture of the living blocks and their contacts.
-#[must_use]
-pub fn frame(view: &View<'_>, phase: &str) -> Frame {
-    let (world, scratch) = (view.world, view.scratch);
-    let origin = Vec2::from(world.setup.origin);
-    let mut frame = Frame {
-        step: world.step,
-        time: world.time,
-        phase: phase.to_owned(),
-        offsets: vec![0],
-        ..Frame::default()
-    };
-    let living: Vec<usize> = view.living().collect();
-    for &b in &living {
-        let at = world.bodies[b].position + origin;
-        frame.points.extend(
-            scratch.turned[scratch.shapes.range(b)]
-                .iter()
-                .map(|t| flat(at + t.start)),
-        );
-        frame.offsets.push(frame.points.len() as u32);
-    }
-    let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
-        Column::scalar(name, unit, living.iter().map(|&b| get(b)).collect())
-    };
-    let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec2| {
-        let data: Vec<[f64; 2]> = living.iter().map(|&b| get(b).into()).collect();
-        Column::vector(name, unit, &data)
-    };
-    frame.block_columns = vec![
-        scalar("block", "-", &|b| b as f64),
-        scalar("material", "-", &|b| {
-            f64::from(world.setup.blocks[b].material)
-        }),
-        vector("displacement", "m", &|b| view.displacement(b)),
-        scalar("rotation", "rad", &|b| view.rotation(b)),
-        vector("velocity", "m/s", &|b| view.velocity(b)),
-        scalar("spin", "rad/s", &|b| view.spin(b)),
-        vector("force", "N/m", &|b| scratch.net[b].force),
-        scalar("held", "-", &|b| {
-            f64::from(u8::from(world.motion[b].is_some()))
-        }),
-    ];
-    let contacts: Vec<_> = view.contacts().collect();
-    frame.contact_points = contacts
-        .iter()
-        .map(|(i, _, c)| flat(world.bodies[*i as usize].position + c.centre + origin))
-        .collect();
-    let column = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
-        Column::scalar(name, unit, (0..contacts.len()).map(get).collect())
-    };
-    let forces: Vec<[f64; 2]> = contacts
-        .iter()
-        .map(|(_, _, c)| (c.normal.force + c.damping.force + c.tangential.force).into())
-        .collect();
-    frame.contact_columns = vec![
-        column("block_a", "-", &|k| f64::from(contacts[k].0)),
-        column("block_b", "-", &|k| f64::from(contacts[k].1)),
-        Column::vector("force_on_a", "N/m", &forces),
-        column("normal_force", "N/m", &|k| {
-            let c = contacts[k].2;
-            (c.normal.force + c.damping.force).dot(c.normal.force.normalize_or_zero())
-        }),
-        column("shear_force", "N/m", &|k| {
-            let c = contacts[k].2;
-            c.tangential
-                .force
-                .dot(c.normal.force.normalize_or_zero().perp())
-        }),
-        column("length", "m", &|k| contacts[k].2.length),
-        column("overlap", "m", &|k| contacts[k].2.depth),
-        column("slipping", "-", &|k| {
-            f64::from(u8::from(contacts[k].2.slipping))
-        }),
-    ];
-    frame
 }

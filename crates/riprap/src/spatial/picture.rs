@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 
+use super::deform::store::{Memory, State};
 use super::fields::View;
 use super::patch;
 use super::readings::principal;
@@ -164,7 +165,8 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
     let many = deform.facets.len() > MANY_PATCHES;
     for facet in &deform.facets {
         let broken = view.broken_points(facet);
-        if many && broken == 0 {
+        let whole = |m: &Memory| !m.state.is_broken() && m.law.damage == 0.0;
+        if many && deform.memory[facet.points()].iter().all(whole) {
             continue;
         }
         let moved = view.position(facet.blocks[0] as usize)
@@ -178,9 +180,25 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             .clone()
             .filter(|p| deform.memory[*p].state.is_broken());
         let failed: f64 = lost.map(|p| deform.points[p].area).sum();
-        let open = points.filter(|p| {
+        let open = points.clone().filter(|p| {
             deform.memory[*p].state.is_broken() && Vec3::from(work.slots[*p]) == Vec3::ZERO
         });
+        let in_shear = points
+            .clone()
+            .filter(|p| deform.memory[*p].state == State::Sheared);
+        let sheared: f64 = in_shear.map(|p| deform.points[p].area).sum();
+        let mode = match broken {
+            0 => 0.0,
+            _ if sheared > failed - sheared => 2.0,
+            _ => 1.0,
+        };
+        let soft: Vec<f64> = points
+            .filter(|p| {
+                let memory = &deform.memory[*p];
+                !memory.state.is_broken() && memory.law.damage > 0.0
+            })
+            .map(|p| deform.points[p].area)
+            .collect();
         let numbers = [
             f64::from(facet.blocks[0]),
             f64::from(facet.blocks[1]),
@@ -197,6 +215,9 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             facet.frame[0].y,
             facet.frame[0].z,
             failed,
+            mode,
+            soft.len() as f64,
+            soft.iter().sum(),
         ];
         let mut numbers = numbers.into_iter();
         for column in &mut frame.contact_columns {
@@ -251,5 +272,9 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
         column("failed_area", "m2", &|k| {
             0.25 * bits(k, flag::BROKEN) * view.patch_class(chosen[k]).area
         }),
+        // Of facets only.
+        column("failure_mode", "-", &|_| 0.0),
+        column("softened_points", "-", &|_| 0.0),
+        column("softened_area", "m2", &|_| 0.0),
     ];
 }

@@ -243,7 +243,7 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn frame(&self, phase: &str) -> Frame {
         match self {
-            Self::Planar(v) => planar::readings::frame(v, phase),
+            Self::Planar(v) => planar::picture::frame(v, phase),
             Self::Spatial(v) => spatial::picture::frame(v, phase),
         }
     }
