@@ -37,6 +37,8 @@ pub(super) struct Words<'a> {
     pub(super) title: &'a str,
     /// Its end, which stays.
     pub(super) suffix: &'a str,
+    /// When each frame is, in words.
+    pub(super) moments: &'a [String],
     /// Names of the axes.
     pub(super) axes: [&'static str; 2],
     /// Places of sources in the picture, m.
@@ -237,7 +239,8 @@ pub(super) fn draw(
             head + step[1] * (i / columns) as f64,
         ];
         if frames.len() > 1 {
-            let text = format!("t = {} s", short(frame.time));
+            let text = words.moments.get(i).map_or("", String::as_str);
+            let text = fitted(text, SIZE, w + 20.0);
             page.text(
                 [corner[0] + w / 2.0, corner[1] - 8.0],
                 SIZE,
@@ -471,7 +474,9 @@ fn bar(
         );
         page.text([at[0] + BAR + 7.0, y + 4.2], SIZE, Anchor::Start, &text);
     }
-    let text = fitted(&label(&field.name, &field.unit, scale), SIZE, height + 60.0);
+    let middle = at[1] + height / 2.0;
+    let room = 2.0 * middle.min(page.height - middle) - 10.0;
+    let text = fitted(&label(&field.name, &field.unit, scale), SIZE, room);
     page.upright(
         [at[0] + BAR + widest + 28.0, at[1] + height / 2.0],
         SIZE,

@@ -73,13 +73,19 @@ pub(super) fn drawn(
     if let Some(factor) = options.exaggeration.filter(|f| *f != 1.0) {
         said.push(format!("displacements \u{d7} {}", blocks::short(factor)));
     }
-    if let [frame] = &picture.frames[..] {
-        said.push(format!("t = {} s", blocks::short(frame.time)));
+    let moments = picture
+        .frames
+        .iter()
+        .map(|f| moment(folder, f))
+        .collect::<Result<Vec<_>, _>>()?;
+    if let [only] = &moments[..] {
+        said.push(only.clone());
     }
     let suffix = suffix(&manifest, &said.join(", "));
     let words = Words {
         title: &manifest.title,
         suffix: &suffix,
+        moments: &moments,
         axes: picture.axes,
         sources: picture.sources,
     };
@@ -93,7 +99,7 @@ fn numbers(frames: &[Frame], fields: &[Chosen], axes: [&str; 2]) -> String {
         .first()
         .map_or_else(String::new, |f| with_unit(&f.name, &f.unit));
     let mut csv = format!(
-        "time [s],block,{} [m],{} [m],\"{name}\"\n",
+        "time [s],block,{} [m],{} [m],\"{name}\",step\n",
         axes[0], axes[1]
     );
     for (frame, field) in frames.iter().zip(fields) {
@@ -102,7 +108,8 @@ fn numbers(frames: &[Frame], fields: &[Chosen], axes: [&str; 2]) -> String {
         for (i, value) in field.values.iter().enumerate() {
             let id = ids.map_or(i as f64, |c| c.data[i]);
             let [x, y] = middle(frame.outline(i));
-            let cells = [frame.time, id, x, y, *value].map(number).join(",");
+            let cells = [frame.time, id, x, y, *value, frame.step as f64];
+            let cells = cells.map(number).join(",");
             csv.push_str(&cells);
             csv.push('\n');
         }
@@ -119,6 +126,25 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<PvdEntry>, PlotError> {
         });
     }
     Ok(list)
+}
+
+/// When a frame is, in words. Model time stands still in static phases: where several frames have one time, phase and
+/// step tell them apart.
+pub(super) fn moment(folder: &Path, frame: &Frame) -> Result<String, PlotError> {
+    let list = vtu::read_pvd(&folder.join("run.pvd"))?;
+    let time = format!("t = {} s", blocks::short(frame.time));
+    if list.iter().filter(|e| e.time == frame.time).count() < 2 {
+        return Ok(time);
+    }
+    let mut parts = Vec::new();
+    if frame.time != 0.0 {
+        parts.push(time);
+    }
+    if !frame.phase.is_empty() {
+        parts.push(format!("phase {}", frame.phase));
+    }
+    parts.push(format!("step {}", frame.step));
+    Ok(parts.join(", "))
 }
 
 /// Reads frames of a run folder.

@@ -27,7 +27,7 @@ pub fn histories(folder: &Path, columns: &[String], out: &Path) -> Result<Vec<Pa
             .map(|c| table.column(c))
             .collect::<Result<_, _>>()?
     };
-    let time = table.column("time")?;
+    let (time, axis) = abscissa(&table)?;
     need_rows(&table, &chosen)?;
     let mut panels: Vec<Panel> = Vec::new();
     for series in &chosen {
@@ -56,7 +56,7 @@ pub fn histories(folder: &Path, columns: &[String], out: &Path) -> Result<Vec<Pa
             panel.name = quantity(&panel.curves);
         }
     }
-    let page = chart::draw((&manifest.title, ""), ("time", "s"), &panels);
+    let page = chart::draw((&manifest.title, ""), axis, &panels);
     let mut columns = vec![time];
     columns.extend(chosen);
     write(&page, &table_csv(&columns), out)
@@ -69,7 +69,7 @@ pub fn histories(folder: &Path, columns: &[String], out: &Path) -> Result<Vec<Pa
 pub fn energy(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let table = Table::read(&folder.join("energy.csv"))?;
-    let time = table.column("time")?;
+    let (time, axis) = abscissa(&table)?;
     let terms: Vec<&Series> = table
         .columns
         .iter()
@@ -110,8 +110,18 @@ pub fn energy(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
         });
         columns.push(series);
     }
-    let page = chart::draw((&manifest.title, ""), ("time", "s"), &panels);
+    let page = chart::draw((&manifest.title, ""), axis, &panels);
     write(&page, &table_csv(&columns), out)
+}
+
+/// Time; where it stands still because all phases are static, the step. With name and unit of the axis.
+fn abscissa(table: &Table) -> Result<(&Series, (&'static str, &'static str)), PlotError> {
+    let time = table.column("time")?;
+    let still = time.values.len() > 1 && time.values.iter().all(|t| *t == time.values[0]);
+    Ok(match table.column("step") {
+        Ok(step) if still => (step, ("step", "-")),
+        Ok(_) | Err(_) => (time, ("time", "s")),
+    })
 }
 
 pub(super) fn curve(series: &Series, time: &[f64]) -> Curve {

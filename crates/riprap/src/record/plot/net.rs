@@ -1,7 +1,6 @@
 //! Stereonets: poles of joints and cracks on the lower hemisphere.
 
-use super::blocks::short;
-use super::frames::{Which, crack_surfaces, load_frame};
+use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes::{self, Crack};
 use super::section::need_space;
 use super::svg::{Anchor, Page, fitted, text_width};
@@ -103,7 +102,7 @@ pub fn stereonet(
             merged(of_mode(&cracks, &|s| s == Some(true))),
         ),
     ];
-    let title = suffix(&manifest, &format!("t = {} s", short(last.time)));
+    let title = suffix(&manifest, &moment(folder, &last)?);
     let page = drawn((&manifest.title, &title), projection, &groups);
     let kinds = groups.iter().enumerate();
     let all: Vec<(f64, &Dot)> = kinds

@@ -1,7 +1,7 @@
 //! Rose diagrams: strikes of joints and cracks; in the plane the angles of their traces.
 
 use super::blocks::short;
-use super::frames::{Which, crack_surfaces, load_frame};
+use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes;
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::{PlotError, column, digits, suffix, table_csv, write};
@@ -107,7 +107,7 @@ pub fn rose(folder: &Path, frame: Which, out: &Path) -> Result<Vec<PathBuf>, Plo
         let what = what.to_owned();
         return Err(PlotError::NothingToDraw { what });
     }
-    let title = suffix(&manifest, &format!("t = {} s", short(last.time)));
+    let title = suffix(&manifest, &moment(folder, &last)?);
     let page = drawn((&manifest.title, &title), &roses, flat);
     let unit = if flat { "m" } else { "m2" };
     let middle = |k: usize| (k * PETAL) as f64;
@@ -234,7 +234,7 @@ fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
     for ring in 1..=rings as usize {
         let r = scale * step * ring as f64;
         let [x, y] = polar(middle, r, if flat { 15.0 } else { 75.0 }, flat);
-        let text = format!("{} %", digits(100.0 * step * ring as f64, 2));
+        let text = format!("{} %", short(100.0 * step * ring as f64));
         page.text([x, y], 10.0, Anchor::Middle, &text);
     }
     let unit = if flat { "m" } else { "m\u{b2}" };

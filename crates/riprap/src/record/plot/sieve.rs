@@ -179,14 +179,10 @@ fn numbers(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Series>
 
 fn panel(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
     let percent = |p: &f64| 100.0 * p;
-    // Stairs: a share jumps where a fragment passes.
-    let (mut x, mut y) = (Vec::new(), Vec::new());
-    let mut before = 0.0;
-    for (size, passing) in sizes.size.iter().zip(&sizes.passing) {
-        x.extend([*size; 2]);
-        y.extend([100.0 * before, 100.0 * passing]);
-        before = *passing;
-    }
+    // From size to size as [`Sizes::quantile`] goes: x50 and x80 lie on the curve. The smallest pass all at once.
+    let (mut x, mut y) = (vec![sizes.size[0]], vec![0.0]);
+    x.extend(&sizes.size);
+    y.extend(sizes.passing.iter().map(percent));
     let mut curves = vec![Curve {
         name: "volume passing".to_owned(),
         x,

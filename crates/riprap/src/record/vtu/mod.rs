@@ -16,10 +16,12 @@
 //! The reader is for our own files only (plots, tests, comparison of runs). Every length is checked against the
 //! size of the file before memory is taken.
 
+mod moment;
 mod pvd;
 mod read;
 mod write;
 
+pub use moment::{Moment, read_moment};
 pub use pvd::{PvdEntry, read_pvd, write_pvd};
 pub use read::{ReadError, Vtu, Wanted, parse, read, read_some};
 pub(crate) use write::escape;

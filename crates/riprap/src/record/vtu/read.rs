@@ -197,7 +197,7 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
     Ok(out)
 }
 
-fn array(
+pub(super) fn array(
     out: &mut Vtu,
     t: &Tag,
     section: &str,
