@@ -6,7 +6,8 @@ For each time of run.pvd and contacts.pvd: the file is listed once, VTK reads it
 time of the list, cells are polygons with positive area (VTK's own area against the shoelace formula), contacts are
 vertices, every array is finite, has a value for each item and carries its unit, and ParaView's usual steps
 (threshold, warp by a vector) work on it. If the folder holds expected.json (written by
-`cargo run -p riprap --example record_sample`), numbers of cells, areas and ranges must agree with it.
+`cargo run -p riprap --example record_sample`), numbers of cells, areas and ranges must agree with it. If it holds
+paraview_state.py, that script must run and name arrays that are there (check_paraview.py).
 Closes with `N passed, N failed, 0 skipped` (one check a file); exit code 1 if anything is wrong.
 """
 
@@ -16,6 +17,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from check_paraview import check as check_paraview
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkIdList, vtkVersion
 from vtkmodules.vtkCommonDataModel import VTK_POLYGON, VTK_VERTEX, vtkDataObject
 from vtkmodules.vtkFiltersCore import vtkThreshold
@@ -185,6 +187,13 @@ def check(folder):
                 check_expected(expected[i], (time, areas, on_blocks, count, on_contacts), b)
             passed += 2
         except Wrong as wrong:
+            print(f"WRONG: {wrong}")
+            failed += 1
+    if (folder / "paraview_state.py").is_file():
+        try:
+            check_paraview(folder, on_blocks, on_contacts)
+            passed += 1
+        except AssertionError as wrong:
             print(f"WRONG: {wrong}")
             failed += 1
     what = "as expected" if expected else "read"

@@ -1,4 +1,5 @@
-//! The frames of a short run must open in the real VTK, the library under ParaView.
+//! The frames of a short run must open in the real VTK, the library under ParaView, and the script for ParaView must
+//! name what they have.
 //!
 //! VTK comes from PyPI into `target/venv`, pinned; Python from the system, through apt-get where it
 //! is missing and this user may install it. Where neither works (no network, no rights) the step is
@@ -33,6 +34,11 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
     // Checks of the scene that fail are the business of the step `scenes`.
     if !shell::run(root, &mut run)?.success && !out.join("checks.jsonl").exists() {
         return Err(format!("{SCENE} did not run"));
+    }
+    let mut script = Command::new(release_binary(root)?);
+    script.arg("paraview").arg(&out);
+    if !shell::run(root, &mut script)?.success {
+        return Err("riprap paraview wrote no script".to_owned());
     }
     let mut check = Command::new(python);
     check.arg(root.join("tests/python/check_vtk.py")).arg(&out);

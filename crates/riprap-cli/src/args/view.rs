@@ -55,15 +55,15 @@ pub struct Report {
 
 /// Write a script that opens a run in ParaView.
 ///
-/// The script lies in the run folder as paraview.py. It loads blocks, cracks and contacts, colours them with the
+/// The script lies in the run folder as paraview_state.py. It loads blocks, cracks and contacts, colours them with the
 /// ranges of the last frame, sets time and camera, and has arrows of the contact forces and a cut through the middle
 /// ready, hidden at first.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  riprap paraview hill.run                               writes hill.run/paraview.py
-  paraview --script=hill.run/paraview.py                 opens it
-  pvpython hill.run/paraview.py last.png                 draws one picture, without a window
+  riprap paraview hill.run                               writes hill.run/paraview_state.py
+  paraview --script=hill.run/paraview_state.py           opens it
+  pvpython hill.run/paraview_state.py last.png           draws one picture, without a window
   riprap paraview blast.run --by velocity --exaggerate 20")]
 pub struct Paraview {
     /// Run folder

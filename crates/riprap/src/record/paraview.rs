@@ -1,4 +1,4 @@
-//! `paraview.py`: a script that opens a run in ParaView with sensible colours, camera, arrows and cuts.
+//! `paraview_state.py`: a script that opens a run in ParaView with sensible colours, camera, arrows and cuts.
 
 use super::disk::write_whole;
 use super::field::Part;
@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// The script without its numbers.
 const STATE: &str = include_str!("paraview/state.py");
-/// Name of the file in the run folder.
-const FILE: &str = "paraview.py";
+/// Name of the file in the run folder. Not `paraview.py`: Python would take it for ParaView itself.
+const FILE: &str = "paraview_state.py";
 
 /// What the script is to show.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +23,7 @@ pub struct View<'a> {
     pub exaggeration: f64,
 }
 
-/// Writes `paraview.py` into a run folder; the file written.
+/// Writes `paraview_state.py` into a run folder; the file written.
 ///
 /// Ranges of colours and lengths are those of the last frame, so that one legend holds for all times.
 ///
@@ -83,9 +83,14 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
         }
     }
     let cracks = super::plot::crack_surfaces(folder, Which::Last)?;
+    let mut cracked = false;
     if cracks.exists() {
         for column in vtu::read(&cracks)?.cell_columns {
-            put(&column.name, &column.unit, &column.data);
+            // Blocks have columns of the same names.
+            if frame.column(&column.name).is_none() {
+                put(&column.name, &column.unit, &column.data);
+            }
+            cracked |= column.name == "opening" && !column.data.is_empty();
         }
     }
     let force = frame
@@ -96,13 +101,29 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
         let sizes = c.numbers(Part::Whole).into_iter();
         sizes.filter(|v| v.is_finite()).fold(0.0, f64::max)
     });
-    let planar = if frame.solids.is_none() {
-        "True"
-    } else {
-        "False"
-    };
+    let list = vtu::read_pvd(&folder.join("run.pvd"))?;
+    let still = list.windows(2).any(|w| w[0].time == w[1].time);
+    let (mut numbers, mut moments) = (String::new(), String::new());
+    // Only where they are used: a long run has thousands.
+    for entry in list.iter().filter(|_| still) {
+        let digits = entry.file.chars().filter(char::is_ascii_digit);
+        let digits: String = digits.collect();
+        let _ = write!(numbers, "{}, ", digits.parse::<u32>().unwrap_or(0));
+        let moment = vtu::read_moment(&folder.join(&entry.file))?;
+        let said = match moment.time {
+            0.0 => format!("{}, step {}", moment.phase, moment.step),
+            t => format!("t = {t:?} s, {}, step {}", moment.phase, moment.step),
+        };
+        let _ = write!(moments, "{}, ", quoted(&said));
+    }
+    let python = |yes: bool| if yes { "True" } else { "False" };
+    let (planar, by_step, cracked) = (
+        python(frame.solids.is_none()),
+        python(still),
+        python(cracked),
+    );
     Ok(format!(
-        "COLOUR = {}\nEXAGGERATION = {:?}\nPLANAR = {planar}\nSIZE = {size:?}\nCENTRE = {centre:?}\n\
+        "BY_STEP = {by_step}\nFRAMES = [{numbers}]\nMOMENTS = [{moments}]\nCRACKED = {cracked}\nCOLOUR = {}\nEXAGGERATION = {:?}\nPLANAR = {planar}\nSIZE = {size:?}\nCENTRE = {centre:?}\n\
          RANGES = {{{ranges}}}\nUNITS = {{{units}}}\nVECTORS = [{vectors}]\nLONGEST_FORCE = {longest:?}\n",
         quoted(view.by),
         view.exaggeration
@@ -152,6 +173,17 @@ mod tests {
             let path = write(&folder, View { by: &by, ..view }).unwrap();
             let text = std::fs::read_to_string(path).unwrap();
             assert!(text.contains(planar) && text.contains("EXAGGERATION = 10.0"));
+            assert!(text.contains("BY_STEP = False") && text.contains("CRACKED = False"));
+            // A second frame at the same time: frames are counted.
+            run.frame(&frame).unwrap();
+            let path = write(&folder, View { by: &by, ..view }).unwrap();
+            let text = std::fs::read_to_string(path).unwrap();
+            let said = format!(
+                "\"t = {:?} s, {}, step {}\", ",
+                frame.time, frame.phase, frame.step
+            );
+            assert!(text.contains("BY_STEP = True") && text.contains("FRAMES = [1, 2, ]"));
+            assert!(text.contains(&said.repeat(2)), "{text}");
             assert!(text.contains(&format!("COLOUR = \"{by}\"")) && !text.contains("#SETTINGS#"));
             let missing = write(
                 &folder,
