@@ -4,6 +4,7 @@ import { el, iconButton } from "./dom";
 import * as film from "./film";
 import { listen, sheet, type Shortcut } from "./keys";
 import { legendElement, legendOf } from "./legend";
+import { STATES } from "./marks";
 import { Panel } from "./panel";
 import { Plots, namesOf } from "./plots";
 import { Run, told, type Moment } from "./run";
@@ -12,6 +13,7 @@ import { defaultMap } from "./colour";
 import { short, quantity } from "./format";
 import type { Source } from "./source";
 import { Timeline } from "./timeline";
+import * as theme from "./theme";
 import { View } from "./view";
 
 /** A running run is asked for news this often, in ms. */
@@ -44,7 +46,6 @@ export class App {
 
   async start(sources: Source[]): Promise<void> {
     this.runs = await Promise.all(sources.map((s) => Run.open(s)));
-    this.theme(localStorage.getItem("riprap-theme") as "light" | "dark" | null);
     const good = this.runs.filter((r) => !r.summary.problem);
     this.chooseField(good);
     this.timeline = new Timeline(
@@ -91,7 +92,7 @@ export class App {
     const first = good[0];
     const dimension = first?.summary.fields.some((f) => f.components === 3) ? 3 : 2;
     this.panel = new Panel(this.runs, this.choices, this.actions(), dimension);
-    this.plots = new Plots(good, (time) => void this.timeline.seek(time));
+    this.plots = new Plots(good, (x, bySteps) => void this.timeline.seek(x, bySteps));
     const shortcuts = this.shortcuts();
     const keys = sheet(shortcuts);
     listen(shortcuts, this.host);
@@ -114,7 +115,7 @@ export class App {
     this.host.replaceChildren(header, el("main", {}, el("div.middle", {}, this.stages, this.plots.object), this.panel.object), this.timeline.object, keys);
     if (window.innerWidth < 760) this.host.classList.add("no-panel");
     this.choices.listen((changed) => void this.changed(changed));
-    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.themed());
+    theme.follow(() => this.themed());
     this.themed();
     if (good.length > 0 && first!.summary.tables[0] && window.innerHeight > 820 && window.innerWidth > 1100) {
       this.host.classList.add("with-plots");
@@ -159,7 +160,7 @@ export class App {
   private async showMoment(moment: Moment): Promise<void> {
     await Promise.all(this.panes.map(({ view }) => view.show(view.run.frameAt(moment), this.choices.now)));
     for (const pane of this.panes) this.refreshPane(pane);
-    this.plots?.mark(moment.time);
+    this.plots?.mark(moment);
     const picked = this.panes.find((p) => p.view.picked !== null);
     if (picked && !this.timeline.playing) await this.showNumbers(picked);
   }
@@ -171,15 +172,16 @@ export class App {
     pane.host.classList.toggle("stale", view.trouble !== null);
     const { summary } = view.run;
     if (this.runs.length > 1) {
-      const time = summary.times[view.frame];
+      const said = view.run.saidAt(view.frame);
       pane.head.replaceChildren(
         el("b", {}, summary.manifest.title || summary.name),
-        el("span", {}, ` ${summary.name}${time === undefined ? "" : ` · ${quantity(time, "s")}`}`),
+        el("span", {}, ` ${summary.name}${said ? ` · ${said}` : ""}`),
       );
     }
     view.stage.canvas.dataset.frame = String(view.frame);
     view.stage.canvas.dataset.faces = String(view.blocks?.visibleFaces ?? 0);
     view.stage.canvas.dataset.blocks = String(view.blocks?.count ?? 0);
+    view.stage.canvas.dataset.cut = String(view.blocks?.cutBlocks ?? 0);
   }
 
   private banner(pane: Pane, problem: { what: string; hint: string } | null): void {
@@ -190,7 +192,10 @@ export class App {
   private async changed(changed: (keyof Settings)[]): Promise<void> {
     const now = this.choices.now;
     if (changed.some((c) => REFETCH.includes(c))) {
-      await Promise.all(this.panes.map(({ view }) => view.show(Math.max(0, view.frame), now)));
+      // Of the frame that is wanted: another may be on its way.
+      const wanted = this.timeline.moments[this.timeline.at];
+      await Promise.all(this.panes.map(({ view }) => view.show(wanted ? view.run.frameAt(wanted) : Math.max(0, view.frame), now)));
+      if (changed.includes("contacts")) this.panel?.refill();
     } else {
       for (const { view } of this.panes) view.apply(now, changed.includes("exaggeration"));
     }
@@ -242,6 +247,7 @@ export class App {
         const scale = first()?.scale;
         return scale ? [scale.low, scale.high] : [0, 1];
       },
+      states: () => STATES.map((_, i) => this.panes.some(({ view }) => (view.between?.counts[i] ?? 0) > 0)),
     };
   }
 
@@ -275,7 +281,13 @@ export class App {
     const actions = this.actions();
     const times = (factor: number) => () =>
       choices.set({ exaggeration: Math.min(1e4, Math.max(1, Number((choices.now.exaggeration * factor).toPrecision(2)))) });
-    const clip = ["", "x", "y", "z"] as const;
+    const nextCut = () => {
+      const all = ["", "x", "y", "z", "free"] as const;
+      const clip = all.filter((axis) => axis !== "z" || this.panes.some(({ view }) => !view.flat));
+      choices.set({ clipAxis: clip[(clip.indexOf(choices.now.clipAxis) + 1) % clip.length]! });
+    };
+    const moveCut = (by: number) => (shift: boolean) =>
+      choices.set({ clipAt: Math.min(1, Math.max(0, Number((choices.now.clipAt + (shift ? 10 : 1) * by).toFixed(4)))) });
     return [
       { keys: [" "], label: "space", what: "play, pause", act: () => timeline.toggle() },
       { keys: ["ArrowLeft"], label: "←", what: "one frame back (shift: ten)", act: (shift: boolean) => timeline.step(shift ? -10 : -1) },
@@ -294,7 +306,11 @@ export class App {
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
-      { keys: ["x"], label: "x", what: "cut away: along x, y, z, nothing", act: () => choices.set({ clipAxis: clip[(clip.indexOf(choices.now.clipAxis) + 1) % 4]! }) },
+      { keys: ["x"], label: "x", what: "cut away: along x, y, z, any plane, nothing", act: nextCut },
+      { keys: ["b"], label: "b", what: "cut flat, or whole blocks", act: () => choices.set({ clipFlat: !choices.now.clipFlat }) },
+      { keys: ["o"], label: "o", what: "cut away the other side", act: () => choices.set({ clipFlip: !choices.now.clipFlip }) },
+      { keys: [",", ";", "<"], label: ",", what: "cut back (shift: ten times as far)", act: moveCut(-0.01) },
+      { keys: [".", ":", ">"], label: ".", what: "cut on (shift: ten times as far)", act: moveCut(0.01) },
       { keys: ["["], label: "[", what: "less exaggeration", act: times(0.5) },
       { keys: ["]"], label: "]", what: "more exaggeration", act: times(2) },
       { keys: ["p"], label: "p", what: "histories", act: () => this.toggle("with-plots") },
@@ -368,19 +384,8 @@ export class App {
   }
 
   private flipTheme(): void {
-    const dark = this.isDark();
-    localStorage.setItem("riprap-theme", dark ? "light" : "dark");
-    this.theme(dark ? "light" : "dark");
+    theme.flip();
     this.themed();
-  }
-
-  private isDark(): boolean {
-    const chosen = document.documentElement.dataset.theme;
-    return chosen ? chosen === "dark" : window.matchMedia("(prefers-color-scheme: dark)").matches;
-  }
-
-  private theme(name: "light" | "dark" | null): void {
-    if (name) document.documentElement.dataset.theme = name;
   }
 
   /** Colours that the style sheet cannot reach. */

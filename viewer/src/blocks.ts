@@ -1,8 +1,11 @@
 // The blocks as one mesh: corners move on the processor, faces are shown when somebody can see them.
 
 import * as THREE from "three";
+import { boxOf } from "./box";
 import type { Scale } from "./colour";
+import { moveInPlane, moveInSpace } from "./moving";
 import type { MotionInfo, ShapeInfo } from "./run";
+import { Section, caps, sides, type Cut } from "./section";
 import type { Packet } from "./wire";
 
 /** Faces farther apart than this share of a block, as drawn, are open. */
@@ -12,12 +15,16 @@ const MANY = 120_000;
 const OPEN_IF_MANY = 0.03;
 /** Above this many visible faces edges cost more than they show. */
 const EDGES = 40_000;
+/** Blocks smaller than the first number of pixels have no edges, or these would be all that is seen; larger than the second, whole ones. */
+const FADE = [3, 9] as const;
+/** Corners nearer to a cut than this share of a block lie in it. */
+const NEAR = 1e-5;
 
 export interface Look {
   exaggeration: number;
   edges: boolean;
-  /** Blocks beyond are taken away: axis, place, and which side stays. */
-  clip: { axis: 0 | 1 | 2; at: number; keep: 1 | -1 } | null;
+  /** What lies beyond is taken away. */
+  clip: Cut | null;
   /** Values outside are taken away. */
   only: [number, number] | null;
 }
@@ -34,14 +41,14 @@ export class Blocks {
   /** Faces shown now. */
   visibleFaces = 0;
 
-  private readonly rest: Float32Array;
-  private readonly offsets: Uint32Array;
-  private readonly facesOf: Uint32Array;
-  private readonly faceEnds: Uint32Array;
-  private readonly corners: Uint32Array;
-  private readonly twins: Uint32Array;
+  readonly rest: Float32Array;
+  readonly offsets: Uint32Array;
+  readonly facesOf: Uint32Array;
+  readonly faceEnds: Uint32Array;
+  readonly corners: Uint32Array;
+  readonly twins: Uint32Array;
   private readonly hollow = new Map<number, Uint32Array>();
-  private readonly blockOf: Uint32Array;
+  readonly blockOf: Uint32Array;
   /** Place of the twin pair of each face, or -1. */
   private readonly twinOf: Int32Array;
   /** Means of the corners of each block at rest. */
@@ -56,12 +63,20 @@ export class Blocks {
   private readonly drawnAs: Uint32Array;
   private readonly mesh: THREE.Mesh;
   private readonly lines: THREE.LineSegments;
+  private readonly section: Section;
+  /** Which side of the flat cut each block is on, as `sides` tells. */
+  private readonly side: Uint8Array;
+  private cut: Cut | null = null;
+  private readonly plane = new THREE.Plane();
   private readonly shown: Uint8Array;
   private readonly faceShown: Uint8Array;
   private triangleFace = new Uint32Array();
   private seen = "";
   private gaps: Uint8Array | null = null;
   private gapLimit = 0;
+  private withEdges = false;
+  private clear = false;
+  private ink = "#000000";
 
   constructor(
     readonly shape: Packet<ShapeInfo>,
@@ -115,7 +130,9 @@ export class Blocks {
     );
     this.mesh.frustumCulled = false;
     this.lines.frustumCulled = false;
-    this.object.add(this.mesh, this.lines);
+    this.section = new Section(scale.texture);
+    this.side = new Uint8Array(this.count);
+    this.object.add(this.mesh, this.lines, this.section.object);
   }
 
   dispose(): void {
@@ -123,6 +140,7 @@ export class Blocks {
     this.edgeGeometry.dispose();
     (this.mesh.material as THREE.Material).dispose();
     (this.lines.material as THREE.Material).dispose();
+    this.section.dispose();
   }
 
   /** Makes the blocks glass, so that what lies between them can be seen. */
@@ -132,10 +150,34 @@ export class Blocks {
     material.opacity = on ? 0.14 : 1;
     material.depthWrite = !on;
     material.needsUpdate = true;
+    this.section.glass = on;
+    this.clear = on;
+    this.tint(this.ink);
   }
 
-  set edgeColour(colour: THREE.ColorRepresentation) {
-    (this.lines.material as THREE.LineBasicMaterial).color.set(colour);
+  /** Colour of what is written: the edges of glass have it, since the ground shows through. */
+  tint(ink: string): void {
+    this.ink = ink;
+    (this.lines.material as THREE.LineBasicMaterial).color.set(this.clear ? ink : "#000000");
+  }
+
+  /** Fits the edges to the scale of the picture. */
+  fade(metresPerPixel: number): void {
+    const pixels = this.size / metresPerPixel;
+    const share = Math.min(1, (pixels - FADE[0]) / (FADE[1] - FADE[0]));
+    this.lines.visible = this.withEdges && share > 0;
+    (this.lines.material as THREE.Material).opacity = share * (this.dimension === 2 ? 0.55 : 0.35);
+    this.section.fade(share);
+  }
+
+  /** Blocks that the flat cut goes through. */
+  get cutBlocks(): number {
+    return this.section.count;
+  }
+
+  /** The planes at which the graphics end what is drawn with these blocks. */
+  get planes(): THREE.Plane[] {
+    return this.cut ? [this.plane] : [];
   }
 
   private means(): Float32Array {
@@ -161,8 +203,8 @@ export class Blocks {
   move(motion: Packet<MotionInfo>, look: Look): void {
     const shifts = motion.f32("shifts");
     const s = look.exaggeration;
-    if (this.dimension === 2) this.movePlane(shifts, motion.f32("turns"), s);
-    else this.moveSpace(shifts, motion.i16("turns"), motion.info.turnScale / 32767, s);
+    if (this.dimension === 2) moveInPlane(this, shifts, motion.f32("turns"), s);
+    else moveInSpace(this, shifts, motion.i16("turns"), motion.info.turnScale / 32767, s);
     const bent = motion.u32("bent");
     const own = motion.f32("bentShifts");
     let at = 0;
@@ -188,62 +230,6 @@ export class Blocks {
     return open;
   }
 
-  private movePlane(shifts: Float32Array, turns: Float32Array, s: number): void {
-    const { rest, positions, offsets, middles } = this;
-    for (let b = 0; b < this.count; b++) {
-      const c = Math.cos(turns[b]!) - 1;
-      const n = Math.sin(turns[b]!);
-      const dx = shifts[2 * b]!;
-      const dy = shifts[2 * b + 1]!;
-      const mx = middles[3 * b]!;
-      const my = middles[3 * b + 1]!;
-      for (let p = 3 * offsets[b]!; p < 3 * offsets[b + 1]!; p += 3) {
-        const x = rest[p]! - mx;
-        const y = rest[p + 1]! - my;
-        positions[p] = rest[p]! + s * (dx + c * x - n * y);
-        positions[p + 1] = rest[p + 1]! + s * (dy + n * x + c * y);
-      }
-    }
-  }
-
-  private moveSpace(shifts: Float32Array, turns: Int16Array, scale: number, s: number): void {
-    const { rest, positions, offsets, middles } = this;
-    for (let b = 0; b < this.count; b++) {
-      const i = 3 * b;
-      const dx = shifts[i]!;
-      const dy = shifts[i + 1]!;
-      const dz = shifts[i + 2]!;
-      const qx = turns[i]! * scale;
-      const qy = turns[i + 1]! * scale;
-      const qz = turns[i + 2]! * scale;
-      const still = qx === 0 && qy === 0 && qz === 0;
-      const qw = Math.sqrt(Math.max(0, 1 - qx * qx - qy * qy - qz * qz));
-      const mx = middles[i]!;
-      const my = middles[i + 1]!;
-      const mz = middles[i + 2]!;
-      for (let p = 3 * offsets[b]!; p < 3 * offsets[b + 1]!; p += 3) {
-        let ux = dx;
-        let uy = dy;
-        let uz = dz;
-        if (!still) {
-          const x = rest[p]! - mx;
-          const y = rest[p + 1]! - my;
-          const z = rest[p + 2]! - mz;
-          // What a unit quaternion adds to a vector: 2 w (q x v) + 2 q x (q x v).
-          const tx = 2 * (qy * z - qz * y);
-          const ty = 2 * (qz * x - qx * z);
-          const tz = 2 * (qx * y - qy * x);
-          ux += qw * tx + qy * tz - qz * ty;
-          uy += qw * ty + qz * tx - qx * tz;
-          uz += qw * tz + qx * ty - qy * tx;
-        }
-        positions[p] = rest[p]! + s * ux;
-        positions[p + 1] = rest[p + 1]! + s * uy;
-        positions[p + 2] = rest[p + 2]! + s * uz;
-      }
-    }
-  }
-
   private bound(): void {
     const box = new THREE.Box3();
     const low = [Infinity, Infinity, Infinity];
@@ -261,29 +247,9 @@ export class Blocks {
     if (!box.isEmpty()) box.getBoundingSphere(this.geometry.boundingSphere!);
   }
 
-  /** Box around the blocks as drawn, by the middle 99.5 % of them: a stray stone must not make the rest a dot. */
+  /** Box around the blocks as drawn, without strays. */
   box(): THREE.Box3 {
-    const box = new THREE.Box3();
-    if (this.count === 0) return box;
-    const limits = [0, 1, 2].map((k) => {
-      const all = Float32Array.from({ length: this.count }, (_, b) => this.positions[3 * this.offsets[b]! + k]!)
-        .filter(Number.isFinite)
-        .sort();
-      const at = (share: number) => all[Math.round(share * (all.length - 1))] ?? 0;
-      const spare = Math.max(0.15 * (at(0.9975) - at(0.0025)), this.size);
-      return [at(0.0025) - spare, at(0.9975) + spare];
-    });
-    const point = new THREE.Vector3();
-    for (let b = 0; b < this.count; b++) {
-      const first = 3 * this.offsets[b]!;
-      const inside = [0, 1, 2].every((k) => {
-        const v = this.positions[first + k]!;
-        return v >= limits[k]![0]! && v <= limits[k]![1]!;
-      });
-      if (!inside) continue;
-      for (let p = this.offsets[b]!; p < this.offsets[b + 1]!; p++) box.expandByPoint(point.fromArray(this.positions, 3 * p));
-    }
-    return box;
+    return boxOf(this);
   }
 
   /** Colours the blocks by their values; none: all in the first colour. */
@@ -295,12 +261,8 @@ export class Blocks {
   reveal(look: Look, values: Float32Array | null): void {
     const { shown, faceShown, twins, blockOf } = this;
     shown.fill(1);
-    if (look.clip) {
-      const { axis, at, keep } = look.clip;
-      for (let b = 0; b < this.count; b++) {
-        if (keep * (this.middles[3 * b + axis]! - at) < 0) shown[b] = 0;
-      }
-    }
+    if (look.clip) this.takeAway(look.clip);
+    this.cut = look.clip?.flat ? look.clip : null;
     if (look.only && values) {
       const [low, high] = look.only;
       for (let b = 0; b < this.count; b++) {
@@ -312,6 +274,8 @@ export class Blocks {
       const f = twins[k]!;
       const g = twins[k + 1]!;
       if (!faceShown[f] || !faceShown[g]) continue;
+      // Near the cut one of two blocks may be through and the other not: their faces are both needed.
+      if (this.cut && (this.side[blockOf[f]!] === 2 || this.side[blockOf[g]!] === 2)) continue;
       const pair = k >> 1;
       const code = this.gaps ? (this.gaps[pair >> 1]! >> (4 * (pair & 1))) & 15 : 15;
       if (code < this.gapLimit) {
@@ -321,6 +285,38 @@ export class Blocks {
     }
     this.index(look.edges);
     this.send();
+    this.close(look.edges);
+  }
+
+  /** Blocks beyond the cut. */
+  private takeAway(cut: Cut): void {
+    const { shown, side, middles } = this;
+    if (cut.flat) {
+      sides(this, cut, NEAR * this.size, side);
+      for (let b = 0; b < this.count; b++) if (side[b] === 0) shown[b] = 0;
+      return;
+    }
+    const [x, y, z] = cut.normal;
+    for (let b = 0; b < this.count; b++) {
+      const d = x * middles[3 * b]! + y * middles[3 * b + 1]! + z * middles[3 * b + 2]! - cut.at;
+      if (cut.keep * d < 0) shown[b] = 0;
+    }
+  }
+
+  /** Ends everything at the flat cut and fills what it opens. */
+  private close(edges: boolean): void {
+    const { cut, side, shown } = this;
+    for (const one of [this.mesh, this.lines]) (one.material as THREE.Material).clippingPlanes = this.planes;
+    if (!cut) {
+      this.section.clear();
+      return;
+    }
+    // A little beyond the cut: faces that lie in it stay.
+    this.plane.normal.set(...cut.normal).multiplyScalar(cut.keep);
+    this.plane.constant = NEAR * this.size - cut.keep * cut.at;
+    const through: number[] = [];
+    for (let b = 0; b < this.count; b++) if (side[b] === 2 && shown[b]) through.push(b);
+    this.section.draw(caps(this, cut, through), this.shades, edges);
   }
 
   /** Puts corners and colours of what is drawn where the graphics take them from. */
@@ -383,7 +379,7 @@ export class Blocks {
     this.visibleFaces = faces;
     const withEdges = edges && (faces <= EDGES || this.dimension === 2);
     const state = `${hash} ${faces} ${withEdges}`;
-    this.lines.visible = withEdges;
+    this.withEdges = withEdges;
     if (state === this.seen) return;
     this.seen = state;
     this.room(sides, 3 * triangles, withEdges ? 2 * sides : 0);
@@ -447,7 +443,9 @@ export class Blocks {
 
   /** The block under a ray, as its place in the frame. */
   pick(ray: THREE.Raycaster): number | null {
-    const hit = ray.intersectObject(this.mesh, false)[0];
+    const cap = this.section.pick(ray);
+    const hit = ray.intersectObject(this.mesh, false).find((h) => !this.isAway(h.point));
+    if (cap && (!hit || cap.distance < hit.distance)) return cap.block;
     if (!hit || hit.faceIndex === undefined || hit.faceIndex === null) return null;
     return this.blockOf[this.triangleFace[hit.faceIndex]!] ?? null;
   }
@@ -456,21 +454,14 @@ export class Blocks {
     return this.ids.indexOf(id);
   }
 
-  /** Middle of a block as drawn. */
-  middle(b: number, target: THREE.Vector3): THREE.Vector3 {
-    target.set(0, 0, 0);
-    const from = this.offsets[b]!;
-    const to = this.offsets[b + 1]!;
-    for (let p = from; p < to; p++) {
-      target.x += this.positions[3 * p]!;
-      target.y += this.positions[3 * p + 1]!;
-      target.z += this.positions[3 * p + 2]!;
-    }
-    return target.divideScalar(Math.max(1, to - from));
-  }
-
+  /** Whether a block, or a part of it, is drawn. */
   isShown(b: number): boolean {
     return this.shown[b] === 1;
+  }
+
+  /** Whether the flat cut takes away a place as drawn. */
+  isAway(point: THREE.Vector3): boolean {
+    return this.cut !== null && this.plane.distanceToPoint(point) < 0;
   }
 
   /** Edges of one block, two points each. */
@@ -486,41 +477,6 @@ export class Blocks {
       }
     }
     return Float32Array.from(out);
-  }
-
-  /** Faces between two blocks, by the places of the blocks. Made once, when first asked for. */
-  private between: Map<number, number> | null = null;
-
-  private twinBetween(a: number, b: number): number | undefined {
-    if (!this.between) {
-      this.between = new Map();
-      for (let k = 0; k < this.twins.length; k += 2) {
-        const i = this.blockOf[this.twins[k]!]!;
-        const j = this.blockOf[this.twins[k + 1]!]!;
-        this.between.set(Math.min(i, j) * this.count + Math.max(i, j), k);
-      }
-    }
-    return this.between.get(Math.min(a, b) * this.count + Math.max(a, b));
-  }
-
-  /** Triangles of the faces between pairs of blocks, in current position, and of which pair each is. */
-  surfaces(pairs: [number, number][]): { points: Float32Array; pair: number[] } {
-    const points: number[] = [];
-    const pair: number[] = [];
-    pairs.forEach(([a, b], n) => {
-      const twin = this.twinBetween(a, b);
-      if (twin === undefined) return;
-      const f = this.twins[twin]!;
-      const from = this.faceEnds[f]!;
-      const to = this.faceEnds[f + 1]!;
-      for (let k = from + 1; k + 1 < to; k++) {
-        for (const c of [this.corners[from]!, this.corners[k]!, this.corners[k + 1]!]) {
-          points.push(this.positions[3 * c]!, this.positions[3 * c + 1]!, this.positions[3 * c + 2]!);
-        }
-        pair.push(n);
-      }
-    });
-    return { points: Float32Array.from(points), pair };
   }
 }
 

@@ -2,7 +2,6 @@
 
 import { zipSync } from "fflate";
 import { save } from "./dom";
-import { quantity } from "./format";
 import { legendOf, paintLegend } from "./legend";
 import type { Settings } from "./settings";
 import type { Timeline } from "./timeline";
@@ -33,8 +32,8 @@ export function compose(views: View[], settings: Settings, canvas = document.cre
   let x = 0;
   views.forEach((view, i) => {
     ctx.drawImage(view.stage.canvas, x, head);
-    const { manifest, times } = view.run.summary;
-    const time = times[view.frame] === undefined ? "" : quantity(times[view.frame]!, "s");
+    const { manifest } = view.run.summary;
+    const time = view.run.saidAt(view.frame);
     ctx.fillStyle = ink;
     ctx.textBaseline = "middle";
     ctx.font = `600 ${13 * ratio}px system-ui, sans-serif`;

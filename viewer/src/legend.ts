@@ -3,7 +3,7 @@
 import { kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
-import { STATES } from "./marks";
+import { FACES, STATES } from "./marks";
 import type { Settings } from "./settings";
 import type { View } from "./view";
 
@@ -36,10 +36,17 @@ export function legendOf(view: View, settings: Settings): LegendText {
     out.notes.push({ text: `longest ${settings.vectors} ${quantity(view.arrow.longest, view.arrow.unit, 3)}` });
   }
   if (settings.exaggeration !== 1) out.notes.push({ text: `displacements × ${short(settings.exaggeration)}` });
-  if (view.contactCounts && (settings.contacts || settings.cracks)) {
+  const cut = view.cutText(settings);
+  if (cut) out.notes.push({ text: cut });
+  const { between } = view;
+  if (between && (settings.contacts || settings.cracks)) {
     STATES.forEach((state, i) => {
-      const drawn = (settings.contacts && settings.states[i]) || (settings.cracks && i >= 2);
-      if (drawn) out.notes.push({ text: `${state.name} ${view.contactCounts![i]}`, colour: state.colour });
+      const drawn = (settings.contacts && settings.states[i]) || (settings.cracks && !view.flat && i >= FACES);
+      const count = between.counts[i]!;
+      if (!drawn || (count === 0 && i > 1)) return;
+      const unit = between.unit === "m2" ? "m²" : between.unit;
+      const area = i >= FACES ? ` (${short(between.areas[i]!, 3)} ${unit})` : "";
+      out.notes.push({ text: `${state.name} ${count}${area}`, colour: state.colour });
     });
   }
   return out;

@@ -5,6 +5,7 @@ import { App } from "./app";
 import { el } from "./dom";
 import { told } from "./run";
 import { Held, Served, type Source } from "./source";
+import { follow } from "./theme";
 
 /** Runs that the page itself holds (a report), else those of the server. */
 async function sources(): Promise<Source[]> {
@@ -17,6 +18,7 @@ async function sources(): Promise<Source[]> {
   return Array.from({ length: runs }, (_, i) => new Served(i));
 }
 
+follow();
 const host = document.getElementById("app") ?? el("div");
 try {
   await new App(host).start(await sources());

@@ -1,6 +1,7 @@
 // What is drawn over the blocks: arrows, contacts, cracks, sources, the picked block.
 
 import * as THREE from "three";
+import { surfaces } from "./between";
 import type { Blocks } from "./blocks";
 import type { ContactInfo } from "./run";
 import type { Packet } from "./wire";
@@ -8,13 +9,19 @@ import type { Packet } from "./wire";
 /** Arrows drawn at most; of more, every second, third, ... is. */
 const ARROWS = 4000;
 
-/** States of contacts, as the server counts them. */
+/** States of contacts, as the server numbers them (crates/riprap-view/src/contacts.rs). */
 export const STATES = [
   { name: "touching", colour: "#4b8fd6" },
   { name: "sliding", colour: "#f0a020" },
+  { name: "softened", colour: "#3aa88f" },
   { name: "broken", colour: "#e0483e" },
-  { name: "open", colour: "#b05cd0" },
+  { name: "broken in tension", colour: "#d62728" },
+  { name: "broken in shear", colour: "#2c4fb8" },
+  { name: "broken and open", colour: "#b05cd0" },
+  { name: "open", colour: "#c062a8" },
 ] as const;
+/** States from here on are drawn as faces. */
+export const FACES = 2;
 
 /** An arrow along +x of length one, from the origin. */
 function arrowShape(flat: boolean): THREE.BufferGeometry {
@@ -126,6 +133,11 @@ export class Contacts {
     this.cracks.visible = false;
   }
 
+  /** Ends everything at planes. */
+  end(planes: THREE.Plane[]): void {
+    for (const one of [this.points, this.cracks]) (one.material as THREE.Material).clippingPlanes = planes;
+  }
+
   /** How many there are of each state. */
   static count(contacts: Packet<ContactInfo>): number[] {
     const counts = STATES.map(() => 0);
@@ -150,28 +162,34 @@ export class Contacts {
     this.points.visible = points.length > 0;
   }
 
-  /** Draws the faces between blocks whose contact is broken or open. */
-  drawCracks(contacts: Packet<ContactInfo>, blocks: Blocks): void {
+  /**
+   * Draws faces between blocks whose contact has softened, broken or opened. `outlines`: the broken parts of deformable
+   * blocks as they are; without them the faces that blocks share at rest are drawn.
+   */
+  drawCracks(contacts: Packet<ContactInfo>, outlines: Packet<unknown> | null, blocks: Blocks, shift: Shift): void {
     const states = contacts.u8("states");
     const a = contacts.u32("blockA");
     const b = contacts.u32("blockB");
     const pairs: [number, number][] = [];
     const kinds: number[] = [];
     states.forEach((s, i) => {
-      const [i0, i1] = [a[i] ?? 0xffffffff, b[i] ?? 0xffffffff];
-      if (s < 2 || i0 === 0xffffffff || i1 === 0xffffffff) return;
+      const [i0, i1] = [a[i] ?? NOBODY, b[i] ?? NOBODY];
+      const outlined = outlines !== null && (s === 4 || s === 5);
+      if (s < FACES || outlined || i0 === NOBODY || i1 === NOBODY) return;
       if (!blocks.isShown(i0) || !blocks.isShown(i1)) return;
       pairs.push([i0, i1]);
       kinds.push(s);
     });
-    const { points, pair } = blocks.surfaces(pairs);
+    const { points, pair } = surfaces(blocks, pairs);
+    const of = pair.map((n) => kinds[n]!);
+    if (outlines) addOutlines(outlines, blocks, shift, points, of);
     const colours = STATES.map((s) => new THREE.Color(s.colour));
     const colour = new Float32Array(points.length);
-    pair.forEach((n, t) => {
-      for (let k = 0; k < 3; k++) colours[kinds[n]!]!.toArray(colour, 9 * t + 3 * k);
+    of.forEach((state, t) => {
+      for (let k = 0; k < 3; k++) colours[state]!.toArray(colour, 9 * t + 3 * k);
     });
     this.cracks.geometry.dispose();
-    this.cracks.geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
+    this.cracks.geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
     this.cracks.geometry.setAttribute("color", new THREE.BufferAttribute(colour, 3));
     this.cracks.visible = points.length > 0;
   }
@@ -181,11 +199,32 @@ export class Contacts {
   }
 }
 
+/** What is to be added to the present place of something on a block, to have it where the block is drawn. */
+export type Shift = (block: number, target: THREE.Vector3) => THREE.Vector3;
+
+/** No block of the frame. */
+const NOBODY = 0xffffffff;
+
+/** Adds triangles of cracks, each between where its two blocks are drawn. */
+function addOutlines(outlines: Packet<unknown>, blocks: Blocks, shift: Shift, points: number[], of: number[]): void {
+  const own = outlines.f32("points");
+  const sides = [outlines.u32("blockA"), outlines.u32("blockB")] as const;
+  const [one, all] = [new THREE.Vector3(), new THREE.Vector3()];
+  outlines.u8("states").forEach((state, t) => {
+    const there = sides.map((s) => s[t]!).filter((b) => b < blocks.count);
+    if (!there.some((b) => blocks.isShown(b))) return;
+    all.set(0, 0, 0);
+    for (const b of there) all.addScaledVector(shift(b, one), 1 / there.length);
+    for (let k = 0; k < 9; k++) points.push(own[9 * t + k]! + all.getComponent(k % 3));
+    of.push(state);
+  });
+}
+
 /** Places of contacts as drawn: each goes along with its first block. */
 export function contactPlaces(
   contacts: Packet<ContactInfo>,
   blocks: Blocks,
-  shift: (block: number, target: THREE.Vector3) => THREE.Vector3,
+  shift: Shift,
 ): Float32Array {
   const points = contacts.f32("points").slice();
   const owners = contacts.u32("blockA");

@@ -17,6 +17,8 @@ export interface Actions {
   unpick: () => void;
   history: () => void;
   range: () => [number, number];
+  /** Which states of contacts the frames shown have. */
+  states: () => boolean[];
 }
 
 export class Panel {
@@ -37,8 +39,9 @@ export class Panel {
     this.rebuild();
     choices.listen((changed) => {
       // A slider that is being moved must stay.
-      const sliding: (keyof Settings)[] = ["clipAt", "vectorSize"];
-      if (!changed.every((c) => sliding.includes(c))) this.refill();
+      const sliding: (keyof Settings)[] = ["clipAt", "clipDip", "clipDirection", "vectorSize"];
+      const held = this.object.querySelector("input[type=range]:active, input[type=range]:focus");
+      if (!held || !changed.every((c) => sliding.includes(c))) this.refill();
     });
   }
 
@@ -57,7 +60,8 @@ export class Panel {
     if (!this.blockBox.hasChildNodes()) this.showBlock(null);
   }
 
-  private refill(): void {
+  /** The choices anew: they depend on what is shown. */
+  refill(): void {
     this.colourBox.replaceChildren(...this.colourRows());
     this.moveBox.replaceChildren(...this.moveRows());
     this.marksBox.replaceChildren(...this.markRows());
@@ -149,22 +153,54 @@ export class Panel {
           : []),
       ),
       el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)")),
-      row(
-        "Cut away",
-        choice(
-          [["", "nothing"], ...(this.dimension === 3 ? ["x", "y", "z"] : ["x", "y"]).map((a): [string, string] => [a, `along ${a}`])],
-          now.clipAxis,
-          (axis) => choices.set({ clipAxis: axis as Settings["clipAxis"] }),
-          "clipping plane",
-        ),
-        now.clipAxis ? check("flip", now.clipFlip, (clipFlip) => choices.set({ clipFlip }), "Take away the other side") : null,
-      ),
+      ...this.cutRows(),
     ];
-    if (now.clipAxis) {
-      const place = el("input", { type: "range", min: "0", max: "1", step: "0.005", value: String(now.clipAt), "aria-label": "place of the clipping plane" });
-      place.addEventListener("input", () => choices.set({ clipAt: Number(place.value) }));
-      rows.push(row("Plane at", place));
+    return rows;
+  }
+
+  /** What is taken away to look inside. */
+  private cutRows(): HTMLElement[] {
+    const { choices } = this;
+    const now = choices.now;
+    const axes = this.dimension === 3 ? ["x", "y", "z"] : ["x", "y"];
+    const axis = choice(
+      [["", "nothing"], ...axes.map((a): [string, string] => [a, `along ${a}`]), ["free", this.dimension === 3 ? "any plane" : "any line"]],
+      now.clipAxis,
+      (a) => choices.set({ clipAxis: a as Settings["clipAxis"] }),
+      "clipping plane",
+    );
+    const rows = [row("Cut away", axis)];
+    if (!now.clipAxis) return rows;
+    const slider = (key: "clipAt" | "clipDip" | "clipDirection", high: number, step: number, label: string) => {
+      const box = el("input", { type: "range", min: "0", max: String(high), step: String(step), value: String(now[key]), "aria-label": label });
+      const said = key === "clipAt" ? null : el("output", {}, `${now[key]}°`);
+      box.addEventListener("input", () => {
+        if (said) said.textContent = `${box.value}°`;
+        choices.set({ [key]: Number(box.value) });
+      });
+      return [box, said] as const;
+    };
+    const how = choice(
+      [
+        ["flat", "flat, through blocks"],
+        ["whole", "whole blocks"],
+      ],
+      now.clipFlat ? "flat" : "whole",
+      (way) => choices.set({ clipFlat: way === "flat" }),
+      "kind of cut",
+    );
+    how.title = "Flat, or whole blocks (b)";
+    rows.push(row("Cut is", how), row("Plane at", ...slider("clipAt", 1, 0.002, "place of the cut")));
+    if (now.clipAxis === "free") {
+      if (this.dimension === 2) rows.push(row("Angle from x", ...slider("clipDip", 180, 1, "angle of the cut")));
+      else {
+        rows.push(
+          row("Dip", ...slider("clipDip", 90, 1, "dip of the cut")),
+          row("Dip direction", ...slider("clipDirection", 360, 1, "dip direction of the cut")),
+        );
+      }
     }
+    rows.push(el("div.checks", {}, check("flip", now.clipFlip, (clipFlip) => choices.set({ clipFlip }), "Take away the other side (o)")));
     return rows;
   }
 
@@ -173,12 +209,18 @@ export class Panel {
     const now = choices.now;
     const names = new Set(this.runs.flatMap((r) => (r.summary.fields ?? []).filter((f) => f.components > 1).map((f) => f.name)));
     const kinds = (["displacement", "velocity", "force"] as const).filter((v) => names.has(v));
-    if (this.runs.some((r) => r.summary.held)) return [el("p.hint", {}, "Not in a report: riprap view shows them.")];
-    const rows = [
+    // A report holds what there was room for.
+    const held = this.runs.map((r) => r.summary.held).filter((h) => h !== undefined);
+    const vectors = kinds.filter((v) => held.every((h) => h.vectors.includes(v)));
+    const contacts = held.every((h) => h.contacts);
+    const missing = kinds.length > vectors.length || !contacts;
+    const hint = missing ? [el("p.hint", {}, "Of arrows and contacts this report has what it had room for; riprap view shows all.")] : [];
+    if (vectors.length === 0 && !contacts) return hint;
+    const rows: HTMLElement[] = [
       row(
         "Arrows",
         choice(
-          [["", "none"], ...kinds.map((k): [string, string] => [k, k]), ["contact force", "contact force"]],
+          [["", "none"], ...vectors.map((k): [string, string] => [k, k]), ...(contacts ? [["contact force", "contact force"] as [string, string]] : [])],
           now.vectors,
           (v) => choices.set({ vectors: v as Settings["vectors"] }),
           "vectors",
@@ -190,6 +232,7 @@ export class Panel {
       size.addEventListener("input", () => choices.set({ vectorSize: 10 ** Number(size.value) }));
       rows.push(row("Length", size));
     }
+    if (!contacts) return [...rows, ...hint];
     rows.push(
       el(
         "div.checks",
@@ -201,11 +244,13 @@ export class Panel {
       ),
     );
     if (now.contacts) {
+      const there = this.actions.states();
       rows.push(
         el(
           "div.checks",
           {},
-          ...STATES.map((state, i) => {
+          ...STATES.flatMap((state, i) => {
+            if (i > 1 && !there[i]) return [];
             const box = check(state.name, now.states[i]!, (on) => choices.set({ states: now.states.map((s, j) => (j === i ? on : s)) }));
             box.style.setProperty("--chip", state.colour);
             box.classList.add("chipped");
@@ -214,7 +259,7 @@ export class Panel {
         ),
       );
     }
-    return rows;
+    return [...rows, ...hint];
   }
 
   private saveBox(): HTMLElement {

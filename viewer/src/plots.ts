@@ -4,14 +4,15 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { choice, el } from "./dom";
 import { short } from "./format";
-import type { Field, Run, Table } from "./run";
+import type { Field, Moment, Run, Table } from "./run";
 
 const COLOURS = ["#2f7ed8", "#e4572e", "#2a9d5c", "#9a5fc9", "#d99a1c", "#17a2b0", "#c2448d", "#7a7f87"];
 
 interface Curve {
   name: string;
   unit: string;
-  time: ArrayLike<number>;
+  x: ArrayLike<number>;
+  bySteps: boolean;
   values: ArrayLike<number | null>;
   dash: boolean;
 }
@@ -21,7 +22,7 @@ type Tab = "histories" | "energy" | "block";
 export class Plots {
   readonly object: HTMLElement;
   tab: Tab = "histories";
-  private time = 0;
+  private now: Moment | null = null;
   private readonly body = el("div.charts");
   private readonly bar = el("div.tabs", { role: "tablist" });
   private readonly extra = el("span.extra");
@@ -33,7 +34,7 @@ export class Plots {
 
   constructor(
     private readonly runs: Run[],
-    private readonly seek: (time: number) => void,
+    private readonly seek: (x: number, bySteps: boolean) => void,
   ) {
     this.object = el("section.plots", { "aria-label": "histories" }, el("div.plothead", {}, this.bar, this.extra), this.body);
     new ResizeObserver(() => this.resize()).observe(this.body);
@@ -44,8 +45,8 @@ export class Plots {
     const tabs: [Tab, string][] = [
       ["histories", "Histories"],
       ["energy", "Energy"],
+      ["block", "Block"],
     ];
-    if (!this.runs.some((r) => r.summary.held)) tabs.push(["block", "Block"]);
     this.bar.replaceChildren(
       ...tabs.map(([tab, label]) =>
         el(
@@ -99,17 +100,20 @@ export class Plots {
       ),
     );
     this.draw("Reading the frames …");
-    await run.history(id, this.blockField, (time, values, unit) => {
+    const moments = run.moments();
+    const bySteps = moments.length > 1 && moments.every((m) => m.time === moments[0]!.time);
+    await run.history(id, this.blockField, (values, unit) => {
       if (stamp !== this.stamp) return false;
-      this.curves = [{ name: this.blockField, unit, time: [...time], values: [...values], dash: false }];
+      const x = moments.slice(0, values.length).map((m) => (bySteps ? m.step : m.time));
+      this.curves = [{ name: this.blockField, unit, x, bySteps, values: [...values], dash: false }];
       this.draw("");
       return true;
     });
   }
 
   /** Moves the line. */
-  mark(time: number): void {
-    this.time = time;
+  mark(now: Moment): void {
+    this.now = now;
     for (const plot of this.plots) plot.redraw(false);
   }
 
@@ -123,7 +127,7 @@ export class Plots {
     }
     const groups = new Map<string, Curve[]>();
     for (const curve of this.curves) {
-      const key = curve.unit === "-" ? `- ${curve.name}` : curve.unit;
+      const key = `${curve.unit === "-" ? `- ${curve.name}` : curve.unit} ${curve.bySteps}`;
       groups.set(key, [...(groups.get(key) ?? []), curve]);
     }
     for (const curves of groups.values()) this.body.append(this.one(curves));
@@ -132,6 +136,7 @@ export class Plots {
 
   private one(curves: Curve[]): HTMLElement {
     const unit = curves[0]!.unit === "-" ? "" : curves[0]!.unit;
+    const { bySteps } = curves[0]!;
     const host = el("figure.chart", {});
     const style = getComputedStyle(document.documentElement);
     const ink = style.getPropertyValue("--ink2").trim();
@@ -152,13 +157,13 @@ export class Plots {
         { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, size: 62, values },
       ],
       series: [
-        { label: "time [s]", value: (_, v) => (v === null ? "–" : short(v)) },
+        { label: bySteps ? "step" : "time [s]", value: (_, v) => (v === null ? "–" : short(v)) },
         ...curves.map((c, i) => ({
           label: c.dash ? `${c.name} (2)` : c.name,
           stroke: COLOURS[names.indexOf(c.name) % COLOURS.length] ?? COLOURS[i % COLOURS.length]!,
           width: 1.4,
           ...(c.dash ? { dash: [6, 4] } : {}),
-          points: { show: c.time.length < 40, size: 4 },
+          points: { show: c.x.length < 40, size: 4 },
           spanGaps: true,
           value: (_: uPlot, v: number | null) => (v === null || v === undefined ? "–" : short(v)),
         })),
@@ -166,7 +171,7 @@ export class Plots {
       hooks: {
         draw: [
           (u) => {
-            const x = u.valToPos(this.time, "x", true);
+            const x = u.valToPos((bySteps ? this.now?.step : this.now?.time) ?? 0, "x", true);
             const { left, top, width, height } = u.bbox;
             if (x < left || x > left + width) return;
             u.ctx.save();
@@ -185,7 +190,7 @@ export class Plots {
     const plot = new uPlot(options, joined(curves, log), host);
     plot.over.addEventListener("click", () => {
       const { left } = plot.cursor;
-      if (left !== undefined && left !== null && left >= 0) this.seek(plot.posToVal(left, "x"));
+      if (left !== undefined && left !== null && left >= 0) this.seek(plot.posToVal(left, "x"), bySteps);
     });
     this.plots.push(plot);
     return host;
@@ -211,7 +216,8 @@ function curvesOf(table: Table, dash: boolean): Curve[] {
   return table.names.map((name, i) => ({
     name,
     unit: table.units[i]!,
-    time: table.time,
+    x: table.x,
+    bySteps: table.bySteps,
     values: table.columns[i]!,
     dash,
   }));
@@ -234,12 +240,12 @@ function fieldNames(fields: Field[]): string[] {
 /** Curves over one time axis, gaps where one has no value. */
 function joined(curves: Curve[], positive: boolean): uPlot.AlignedData {
   const tables = curves.map((c): uPlot.AlignedData => {
-    const time = Array.from(c.time);
+    const time = Array.from(c.x);
     const values = Array.from(c.values, (v) => (v === null || !Number.isFinite(v) || (positive && v <= 0) ? null : v));
     return [time, values];
   });
-  const first = curves[0]!.time;
-  if (curves.every((c) => c.time === first)) {
+  const first = curves[0]!.x;
+  if (curves.every((c) => c.x === first)) {
     return [tables[0]![0], ...tables.map((t) => t[1]!)] as uPlot.AlignedData;
   }
   return uPlot.join(tables);

@@ -1,5 +1,7 @@
 // One run: what it has, and its frames as they are asked for, with a memory of those seen.
 
+import { quantity } from "./format";
+import { heldBlock, heldHistory } from "./held";
 import type { Source } from "./source";
 import { Problem } from "./source";
 import type { Packet } from "./wire";
@@ -41,13 +43,18 @@ export interface Summary {
   live: boolean;
   died: boolean;
   times: number[];
+  /** Of each frame: step count and phase. */
+  steps: number[];
+  phases: string[];
   fields: Field[];
   /** In a report: the fields that it holds. */
   names?: string[];
-  /** The answers are in the page itself, and few. */
-  held?: boolean;
+  /** The answers are in the page itself: vectors that it has, and whether it has contacts. */
+  held?: { vectors: string[]; contacts: boolean };
   note: { what: string; hint: string } | null;
   tables: [boolean, boolean];
+  /** Whether frames have cracks of deformable blocks. */
+  cracks: boolean;
 }
 
 export interface ShapeInfo {
@@ -78,6 +85,9 @@ export interface ContactInfo {
   fields: Field[];
   forceUnit: string | null;
   longest: number | null;
+  /** Area (in the plane: length) in each state. */
+  areas: number[];
+  areaUnit: string;
 }
 
 export interface Table {
@@ -85,7 +95,10 @@ export interface Table {
   units: string[];
   /** Without the columns step and time. */
   columns: Float64Array[];
-  time: Float64Array;
+  /** Time in s, or steps. */
+  x: Float64Array;
+  /** Time stands still throughout, as in runs of static phases. */
+  bySteps: boolean;
 }
 
 export interface BlockNumbers {
@@ -101,6 +114,18 @@ export interface BlockNumbers {
 export interface Moment {
   time: number;
   nth: number;
+  step: number;
+  phase: string;
+  /** Whether another frame has the same time. */
+  still: boolean;
+}
+
+/** A moment in words: phase and step where time does not tell. */
+export function saidOf(moment: Moment): string {
+  const time = quantity(moment.time, "s");
+  if (!moment.still) return time;
+  const parts = [moment.phase, `step ${moment.step}`].filter(Boolean);
+  return (moment.time === 0 ? parts : [time, ...parts]).join(", ");
 }
 
 export class Run {
@@ -156,22 +181,27 @@ export class Run {
     return this.packet<ContactInfo>(`contacts/${k}`);
   }
 
+  /** Outlines of the broken parts of deformable blocks. */
+  cracks(k: number): Promise<Packet<unknown>> {
+    return this.packet<unknown>(`cracks/${k}`);
+  }
+
   block(k: number, id: number): Promise<BlockNumbers> {
+    if (this.summary.held) return heldBlock(this, k, id);
     return this.source.json<BlockNumbers>(`block/${k}/${id}`);
   }
 
-  /** A field of one block over all frames; `more` is called as frames come in and may say to stop. */
-  async history(id: number, name: string, more: (times: number[], values: (number | null)[], unit: string) => boolean) {
-    const times: number[] = [];
+  /** A field of one block over the frames; `more` is called as frames come in and may say to stop. */
+  async history(id: number, name: string, more: (values: (number | null)[], unit: string) => boolean) {
     const values: (number | null)[] = [];
+    if (this.summary.held) return heldHistory(this, id, name, more);
     const at = 24;
     for (let from = 0; from < this.frames; from += at) {
-      const part = await this.source.json<{ unit: string; times: number[]; values: (number | string | null)[] }>(
+      const part = await this.source.json<{ unit: string; values: (number | string | null)[] }>(
         `history/${id}?name=${encodeURIComponent(name)}&from=${from}&count=${at}`,
       );
-      times.push(...part.times);
       values.push(...part.values.map((v) => (typeof v === "number" ? v : null)));
-      if (!more(times, values, part.unit)) return;
+      if (!more(values, part.unit)) return;
     }
   }
 
@@ -199,27 +229,41 @@ export class Run {
   async table(name: "histories" | "energy"): Promise<Table> {
     const packet = await this.source.packet<{ columns: { name: string; unit: string }[] }>(`table/${name}`);
     const heads = packet.info.columns;
-    const time = heads.findIndex((h) => h.name === "time");
-    const keep = heads.map((_, i) => i).filter((i) => i !== time && heads[i]!.name !== "step");
+    const keep = heads.map((_, i) => i).filter((i) => !["time", "step"].includes(heads[i]!.name));
+    const column = (name: string) => {
+      const at = heads.findIndex((h) => h.name === name);
+      return at < 0 ? new Float64Array() : packet.f64(String(at));
+    };
+    const times = column("time");
+    const bySteps = times.length > 1 && times.every((t) => t === times[0]);
     return {
       names: keep.map((i) => heads[i]!.name),
       units: keep.map((i) => heads[i]!.unit),
       columns: keep.map((i) => packet.f64(String(i))),
-      time: time < 0 ? new Float64Array() : packet.f64(String(time)),
+      x: bySteps ? column("step") : times,
+      bySteps,
     };
   }
 
   /** The moments of the frames. */
   moments(): Moment[] {
     let nth = 0;
+    const { steps, phases } = this.summary;
     return (this.summary.times ?? []).map((time, i, all) => {
       nth = i > 0 && all[i - 1] === time ? nth + 1 : 0;
-      return { time, nth };
+      const still = nth > 0 || all[i + 1] === time;
+      return { time, nth, step: steps[i] ?? 0, phase: phases[i] ?? "", still };
     });
   }
 
+  /** When frame `k` is, in words. */
+  saidAt(k: number): string {
+    const moment = this.moments()[k];
+    return moment ? saidOf(moment) : "";
+  }
+
   /** The last frame not later than a moment. */
-  frameAt(moment: Moment): number {
+  frameAt(moment: Pick<Moment, "time" | "nth">): number {
     const all = this.moments();
     const slack = 1e-9 * Math.abs(moment.time);
     let low = 0;

@@ -10,10 +10,16 @@ export interface Settings {
   log: boolean;
   exaggeration: number;
   edges: boolean;
-  clipAxis: "" | "x" | "y" | "z";
+  /** Normal of the cut: an axis, or free. */
+  clipAxis: "" | "x" | "y" | "z" | "free";
   /** Share of the model. */
   clipAt: number;
   clipFlip: boolean;
+  /** Flat through the blocks; else whole blocks are taken away. */
+  clipFlat: boolean;
+  /** Of a free cut, degrees: dip (in the plane the angle from x) and dip direction. */
+  clipDip: number;
+  clipDirection: number;
   /** Only blocks whose value is in the range. */
   only: boolean;
   vectors: "" | "displacement" | "velocity" | "force" | "contact force";
@@ -37,11 +43,15 @@ export const DEFAULTS: Settings = {
   clipAxis: "",
   clipAt: 0.5,
   clipFlip: false,
+  clipFlat: true,
+  clipDip: 60,
+  // Towards where the camera begins.
+  clipDirection: 240,
   only: false,
   vectors: "",
   vectorSize: 1,
   contacts: false,
-  states: [false, true, true, true],
+  states: [false, true, true, true, true, true, true, true],
   cracks: false,
   speed: 10,
   loop: true,

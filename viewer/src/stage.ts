@@ -24,6 +24,8 @@ export class Stage {
   controls: OrbitControls;
   onMove: ((from: Standpoint) => void) | null = null;
   onDrawn: (() => void) | null = null;
+  /** Called before a picture is drawn, with its scale. */
+  onDraw: ((metresPerPixel: number) => void) | null = null;
   private readonly light = new THREE.DirectionalLight(0xffffff, 1.6);
   private due = false;
   private following = false;
@@ -43,6 +45,7 @@ export class Stage {
     // Smooth edges cost a processor more than all else.
     const software = drawnBySoftware();
     this.renderer = new THREE.WebGLRenderer({ antialias: !software, preserveDrawingBuffer: true });
+    this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
@@ -176,6 +179,7 @@ export class Stage {
     const away = this.camera.position.clone().sub(this.controls.target);
     this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.3, 0.2, 0.8).multiplyScalar(away.length()));
     this.light.target.position.copy(this.controls.target);
+    this.onDraw?.(this.metresPerPixel());
     this.renderer.render(this.scene, this.camera);
     this.onDrawn?.();
   }

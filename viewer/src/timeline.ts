@@ -1,8 +1,7 @@
 // The bar below: play, step, scrub.
 
 import { choice, el, icon, iconButton } from "./dom";
-import { quantity } from "./format";
-import type { Moment } from "./run";
+import { saidOf, type Moment } from "./run";
 import type { Choices } from "./settings";
 
 export class Timeline {
@@ -60,13 +59,14 @@ export class Timeline {
   }
 
   private say(): void {
-    const time = this.moments[this.at]?.time;
+    const moment = this.moments[this.at];
+    const said = moment ? saidOf(moment) : "";
     this.slider.value = String(this.at);
     this.label.replaceChildren(
-      el("b", {}, time === undefined ? "no frames" : quantity(time, "s")),
+      el("b", { title: said }, said || "no frames"),
       el("small", {}, this.moments.length ? `${this.at + 1} of ${this.moments.length}` : ""),
     );
-    this.slider.setAttribute("aria-valuetext", time === undefined ? "" : quantity(time, "s"));
+    this.slider.setAttribute("aria-valuetext", said);
   }
 
   /** Goes to a place. Calls that come while one is under way are joined: only the last counts. */
@@ -92,11 +92,12 @@ export class Timeline {
     }
   }
 
-  /** The place of the time nearest to `time`. */
-  async seek(time: number): Promise<void> {
+  /** The place nearest to a time, or to a step. */
+  async seek(x: number, bySteps: boolean): Promise<void> {
+    const far = (m: Moment) => Math.abs((bySteps ? m.step : m.time) - x);
     let best = 0;
     this.moments.forEach((m, i) => {
-      if (Math.abs(m.time - time) < Math.abs(this.moments[best]!.time - time)) best = i;
+      if (far(m) < far(this.moments[best]!)) best = i;
     });
     this.following = false;
     await this.go(best);

@@ -3,8 +3,10 @@
 import * as THREE from "three";
 import { Blocks, type Look } from "./blocks";
 import { KINDS, Scale } from "./colour";
+import { quantity } from "./format";
 import { Arrows, Contacts, Picked, contactPlaces } from "./marks";
 import { told, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
+import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
 import type { Packet } from "./wire";
@@ -17,6 +19,7 @@ interface Fetched {
   range: [number, number] | null;
   vectors: Packet<{ unit: string; longest: number | null }> | null;
   contacts: Packet<ContactInfo> | null;
+  cracks: Packet<unknown> | null;
 }
 
 export class View {
@@ -28,7 +31,8 @@ export class View {
   unit = "";
   /** Longest arrow and its unit. */
   arrow: { longest: number; unit: string } | null = null;
-  contactCounts: number[] | null = null;
+  /** Contacts by state: how many, and their area (in the plane: length). */
+  between: { counts: number[]; areas: number[]; unit: string } | null = null;
   /** What is wrong with the frame that was asked for. */
   trouble: { what: string; hint: string } | null = null;
   picked: number | null = null;
@@ -39,6 +43,7 @@ export class View {
   private readonly sources = new THREE.Group();
   private last: Fetched | null = null;
   private ticket = 0;
+  private ink = "#000000";
   /** Runs shown with this one: their colours mean the same. */
   others: Run[] = [];
 
@@ -47,6 +52,7 @@ export class View {
     readonly host: HTMLElement,
   ) {
     this.stage = new Stage(host, 2);
+    this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
     for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark]) {
@@ -62,6 +68,8 @@ export class View {
   setTheme(background: string, ink: string): void {
     this.stage.background = background;
     for (const arrows of Object.values(this.arrows)) arrows.colour = ink;
+    this.ink = ink;
+    this.blocks?.tint(ink);
     this.stage.redraw();
   }
 
@@ -101,17 +109,22 @@ export class View {
 
   private async fetch(k: number, settings: Settings): Promise<Fetched> {
     const { field, vectors } = settings;
-    const needContacts = settings.contacts || settings.cracks || vectors === "contact force";
+    const { held } = this.run.summary;
+    const needContacts = (settings.contacts || settings.cracks || vectors === "contact force") && (!held || held.contacts);
+    const needVectors = vectors !== "" && vectors !== "contact force" && this.hasField(vectors) && (!held || held.vectors.includes(vectors));
     const none = Promise.resolve(null);
     const withField = field !== "" && this.hasField(field);
-    const [motion, values, range, arrows, contacts] = await Promise.all([
+    const needCracks = settings.cracks && this.run.summary.cracks;
+    const [motion, values, range, arrows, contacts, cracks] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
       withField && settings.rangeMode === "run" && !KINDS.has(field) ? this.sharedRange(field) : none,
-      vectors && vectors !== "contact force" && this.hasField(vectors) ? this.run.vectors(k, vectors) : none,
+      needVectors ? this.run.vectors(k, vectors) : none,
       needContacts ? this.run.contacts(k) : none,
+      // A frame whose cracks are missing shows the faces that its contacts tell of.
+      needCracks ? this.run.cracks(k).catch(() => null) : none,
     ]);
-    return { k, motion, field: values, range, vectors: arrows, contacts };
+    return { k, motion, field: values, range, vectors: arrows, contacts, cracks };
   }
 
   /** Range of a field over all runs that are shown. */
@@ -130,6 +143,7 @@ export class View {
       before.dispose();
     }
     this.blocks = blocks;
+    blocks.tint(this.ink);
     this.stage.setDimension(blocks.dimension);
     this.stage.scene.add(blocks.object);
     if (first) {
@@ -170,6 +184,8 @@ export class View {
     blocks.paint(this.values, this.scale);
     blocks.reveal(look, this.values);
     blocks.glass = settings.cracks && !this.flat;
+    const { planes } = blocks;
+    for (const marks of Object.values(this.marks)) marks.end(planes);
     this.sources.visible = settings.cracks || settings.clipAxis !== "";
     this.drawArrows(settings);
     this.drawContacts(settings);
@@ -178,21 +194,46 @@ export class View {
   }
 
   private look(settings: Settings): Look {
-    const { low, high } = this.blocks!.shape.info;
-    const axis = "xyz".indexOf(settings.clipAxis || "x") as 0 | 1 | 2;
     return {
       exaggeration: settings.exaggeration,
       edges: settings.edges,
-      clip: settings.clipAxis
-        ? {
-            axis,
-            at: low[axis] + settings.clipAt * (high[axis] - low[axis]),
-            // The camera begins in front, to the left and above: what is nearer to it goes first.
-            keep: (axis === 2) === settings.clipFlip ? 1 : -1,
-          }
-        : null,
+      clip: this.cut(settings),
       only: settings.only ? [this.scale.low, this.scale.high] : null,
     };
+  }
+
+  /** The cut that is asked for, less the origin of what is drawn. */
+  private cut(settings: Settings): Cut | null {
+    const { clipAxis, clipAt, clipDip, clipDirection, clipFlip, clipFlat } = settings;
+    if (clipAxis === "" || (clipAxis === "z" && this.flat)) return null;
+    let normal: Cut["normal"] = [0, 0, 0];
+    if (clipAxis !== "free") normal["xyz".indexOf(clipAxis)] = 1;
+    else normal = this.flat ? normalInPlane(clipDip) : normalOf(clipDip, clipDirection);
+    const { low, high } = this.blocks!.shape.info;
+    // Ends of the model's box along the normal.
+    const reach = [0, 0];
+    normal.forEach((n, k) => {
+      reach[0] += Math.min(n * low[k]!, n * high[k]!);
+      reach[1] += Math.max(n * low[k]!, n * high[k]!);
+    });
+    const at = reach[0]! + clipAt * (reach[1]! - reach[0]!);
+    // The camera begins in front, to the left and above: what is nearer to it goes first.
+    const upper = clipAxis === "z" || clipAxis === "free";
+    return { normal, at, keep: upper === clipFlip ? 1 : -1, flat: clipFlat };
+  }
+
+  /** Where the cut is, in words; empty without one. */
+  cutText(settings: Settings): string {
+    const cut = this.blocks && this.cut(settings);
+    if (!cut) return "";
+    const { origin } = this.blocks!.shape.info;
+    const far = cut.at + cut.normal.reduce((sum, n, k) => sum + n * origin[k]!, 0);
+    const { clipAxis, clipDip, clipDirection } = settings;
+    if (clipAxis !== "free") return `cut at ${clipAxis} = ${quantity(far, "m", 3)}`;
+    const angle = (v: number) => String(Math.round(v)).padStart(this.flat ? 1 : 2, "0");
+    return this.flat
+      ? `cut at ${angle(clipDip)}° from x`
+      : `cut ${angle(clipDip)}°/${angle(clipDirection).padStart(3, "0")}° (dip/direction)`;
   }
 
   /** Range and colours of the scale. */
@@ -240,6 +281,7 @@ export class View {
       const contacts = last!.contacts;
       const longest = contacts.info.longest ?? 0;
       const places = this.contactPlaces(settings);
+      for (let k = 0; k < places.length; k += 3) if (blocks!.isAway(place.fromArray(places, k))) places[k] = NaN;
       if (longest > 0) arrows.draw(places, contacts.f32("forces"), longest, length);
       else arrows.clear();
       this.arrow = { longest, unit: contacts.info.forceUnit ?? "" };
@@ -249,7 +291,8 @@ export class View {
       for (let b = 0; b < blocks!.count; b++) {
         this.shiftOf(b, settings.exaggeration, place);
         for (let k = 0; k < 3; k++) places[3 * b + k] = blocks!.middles[3 * b + k]! + place.getComponent(k);
-        if (!blocks!.isShown(b)) places[3 * b] = NaN;
+        const hidden = !blocks!.isShown(b) || blocks!.isAway(place.fromArray(places, 3 * b));
+        if (hidden) places[3 * b] = NaN;
       }
       const longest = last!.vectors.info.longest ?? 0;
       if (longest > 0) arrows.draw(places, vectors, longest, length);
@@ -274,11 +317,13 @@ export class View {
   private drawContacts(settings: Settings): void {
     const contacts = this.last!.contacts;
     const marks = this.flat ? this.marks.plane : this.marks.space;
-    this.contactCounts = contacts ? Contacts.count(contacts) : null;
+    this.between = contacts ? { counts: Contacts.count(contacts), areas: contacts.info.areas, unit: contacts.info.areaUnit } : null;
     if (contacts && settings.contacts) marks.drawPoints(contacts, this.contactPlaces(settings), settings.states);
     else marks.hide("points");
-    if (contacts && settings.cracks && !this.flat) marks.drawCracks(contacts, this.blocks!);
-    else marks.hide("cracks");
+    if (contacts && settings.cracks && !this.flat) {
+      const shift = (b: number, target: THREE.Vector3) => this.shiftOf(b, settings.exaggeration - 1, target);
+      marks.drawCracks(contacts, this.last!.cracks, this.blocks!, shift);
+    } else marks.hide("cracks");
   }
 
   private drawPicked(): void {

@@ -1,7 +1,7 @@
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { BINARY, RUNS, run } from "./runs";
-import { PICTURES, expect, frame, pixels, shoot, test } from "./serve";
+import { PICTURES, expect, frame, pickSome, pixels, shoot, test } from "./serve";
 
 test("a report is one file that plays and prints", async ({ page, allow }) => {
   void allow;
@@ -25,7 +25,20 @@ test("a report is one file that plays and prints", async ({ page, allow }) => {
   await expect.poll(() => pixels(page)).not.toBe(first);
   await page.getByLabel("field", { exact: true }).selectOption("velocity");
   await expect(page.locator(".legend .title")).toHaveText(/^velocity/);
-  await page.getByTitle("Histories (p)").click();
+  // Arrows, contacts, and numbers of single blocks.
+  await page.keyboard.press("v");
+  await expect(page.locator(".legend")).toContainText("longest velocity");
+  await page.keyboard.press("c");
+  await expect(page.locator(".legend")).toContainText(/broken \d+/);
+  await page.keyboard.press("k");
+  await shoot(page, "report-cracks");
+  await page.keyboard.press("k");
+  await pickSome(page);
+  await expect(page.locator(".pickhead b")).toHaveText(/\D/);
+  await expect(page.locator(".numbers")).toContainText("peak_speed");
+  await page.locator(".pickhead").getByText("history").click();
+  await expect(page.locator(".chart .u-title")).toHaveText(/displacement/);
+  await page.getByRole("tab", { name: "Histories" }).click();
   await expect(page.locator(".chart").first()).toBeVisible();
   await shoot(page, "report");
   await page.emulateMedia({ media: "print" });

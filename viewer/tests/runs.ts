@@ -15,6 +15,9 @@ const SCENES: [string, string, string[]][] = [
   ["steep", "scenes/planar/topple.toml", ["phases.1.until.time=0.6 s", "outputs.0.frames.every=50 ms", "interfaces.default.friction_angle=45 deg"]],
   ["beam", "scenes/spatial/beam.toml", []],
   ["blast", "scenes/spatial/blast.toml", ["outputs.0.frames.every=0.4 ms"]],
+  ["hybrid", "scenes/spatial/hybrid.toml", []],
+  ["soft", "scenes/spatial/beam.toml", ["interfaces.default.brittle_bond.cohesive={ mode_1 = \"3 kJ/m2\", mode_2 = \"3 kJ/m2\" }"]],
+  ["joints", "scenes/planar/voronoi.toml", []],
 ];
 
 export function run(name: string): string {

@@ -7,7 +7,8 @@
 //! | `shape/K` | the blocks of frame K at rest ([`crate::shape`]) |
 //! | `field/K?name=` | one number per block |
 //! | `vectors/K?name=` | one vector per block |
-//! | `contacts/K` | places, states and forces of contacts |
+//! | `contacts/K` | places, states, areas and forces of contacts ([`crate::contacts`]) |
+//! | `cracks/K` | outlines of the broken parts of deformable blocks |
 //! | `block/K/ID` | JSON: all numbers of one block |
 //! | `history/ID?name=&from=&count=` | JSON: a field of one block over frames |
 //! | `range?name=&from=&count=` | JSON: smallest and largest value over frames |
@@ -19,12 +20,12 @@ use riprap::record::Column;
 use riprap::record::table::Table;
 use serde_json::{Value, json};
 
-use crate::run::{Problem, Run, Touches};
+use crate::run::{Problem, Run};
 use crate::wire::Wire;
-use crate::{motion, shape};
+use crate::{contacts, motion};
 
 /// Frames read for one question at most; a page asks again for more.
-const FRAMES_AT_ONCE: usize = 64;
+pub(crate) const FRAMES_AT_ONCE: usize = 64;
 
 /// Kind and bytes of an answer.
 #[derive(Debug)]
@@ -69,7 +70,8 @@ pub fn answer(run: &Run, path: &str, query: &Query<'_>) -> Result<Answer, Proble
         ["shape", k] => Ok(binary(run.placed(count(k)?)?.0.wire())),
         ["field", k] => field(run, count(k)?, &query.text("name")?),
         ["vectors", k] => vectors(run, count(k)?, &query.text("name")?),
-        ["contacts", k] => contacts(run, count(k)?),
+        ["contacts", k] => Ok(binary(contacts::wire(&run.contacts(count(k)?)?))),
+        ["cracks", k] => Ok(binary(contacts::cracks(run, count(k)?)?)),
         ["block", k, id] => block(run, count(k)?, count(id)?),
         ["history", id] => history(run, count(id)?, query),
         ["range"] => range(run, query),
@@ -112,7 +114,7 @@ pub fn summary(run: &Run) -> Value {
         Ok(manifest) => manifest,
         Err(problem) => return told(&problem),
     };
-    let frames = match run.frames() {
+    let frames = match run.moments() {
         Ok(frames) => frames,
         Err(problem) => return told(&problem),
     };
@@ -136,18 +138,21 @@ pub fn summary(run: &Run) -> Value {
         "live": live,
         "died": manifest.ended == riprap::record::Ended::Running && !live,
         "times": frames.iter().map(|f| f.time).collect::<Vec<_>>(),
+        "steps": frames.iter().map(|f| f.step).collect::<Vec<_>>(),
+        "phases": frames.iter().map(|f| f.phase.as_str()).collect::<Vec<_>>(),
         "fields": fields,
         "note": note,
         "tables": tables,
+        "cracks": run.inside("cracks.pvd").is_ok(),
     })
 }
 
-fn described(column: &Column) -> Value {
+pub(crate) fn described(column: &Column) -> Value {
     json!({ "name": column.name, "unit": column.unit, "components": column.components })
 }
 
 /// Smallest and largest finite value.
-fn extremes(values: &[f64]) -> Option<[f64; 2]> {
+pub(crate) fn extremes(values: &[f64]) -> Option<[f64; 2]> {
     let finite = values.iter().copied().filter(|v| v.is_finite());
     finite.fold(None, |range, v| match range {
         None => Some([v, v]),
@@ -162,7 +167,7 @@ fn field(run: &Run, k: usize, name: &str) -> Result<Answer, Problem> {
     Ok(binary(Wire::default().f32("values", &values).finish(&info)))
 }
 
-fn flat3(column: &Column) -> Vec<f32> {
+pub(crate) fn flat3(column: &Column) -> Vec<f32> {
     column
         .data
         .chunks(column.components.max(1))
@@ -177,63 +182,6 @@ fn vectors(run: &Run, k: usize, name: &str) -> Result<Answer, Problem> {
     Ok(binary(
         Wire::default().f32("values", &flat3(&column)).finish(&info),
     ))
-}
-
-/// State of each contact, from the counters that the engines write.
-fn states(columns: &[Column], contacts: usize) -> Vec<u8> {
-    let of = |name: &str, k: usize| {
-        columns
-            .iter()
-            .find(|c| c.name == name && c.components == 1)
-            .map_or(0.0, |c| c.data[k])
-    };
-    (0..contacts)
-        .map(|k| {
-            if of("open_points", k) > 0.0 {
-                3
-            } else if of("broken_points", k) > 0.0 || of("broken", k) > 0.0 {
-                2
-            } else if of("sliding_points", k) > 0.0 || of("slipping", k) > 0.0 {
-                1
-            } else {
-                0
-            }
-        })
-        .collect()
-}
-
-fn contacts(run: &Run, k: usize) -> Result<Answer, Problem> {
-    let Touches {
-        points,
-        columns,
-        ids,
-    } = run.contacts(k)?;
-    let places: Vec<f32> = points.iter().flat_map(|p| shape::single(*p)).collect();
-    let mut order: Vec<(u32, u32)> = ids.iter().zip(0..).map(|(id, at)| (*id, at)).collect();
-    order.sort_unstable();
-    let place_of = |id: f64| {
-        let found = order.binary_search_by_key(&(id as u32), |o| o.0);
-        found.map_or(u32::MAX, |at| order[at].1)
-    };
-    let side = |name: &str| -> Vec<u32> {
-        let column = columns.iter().find(|c| c.name == name && c.components == 1);
-        column.map_or_else(Vec::new, |c| c.data.iter().map(|v| place_of(*v)).collect())
-    };
-    let force = columns.iter().find(|c| c.components > 1);
-    let mut out = Wire::default()
-        .f32("points", &places)
-        .u8("states", &states(&columns, points.len()))
-        .u32("blockA", &side("block_a"))
-        .u32("blockB", &side("block_b"));
-    if let Some(force) = force {
-        out = out.f32("forces", &flat3(force));
-    }
-    let info = json!({
-        "fields": columns.iter().map(described).collect::<Vec<_>>(),
-        "forceUnit": force.map(|f| &f.unit),
-        "longest": force.and_then(|f| extremes(&f.numbers(riprap::record::Part::Magnitude))).map(|r| r[1]),
-    });
-    Ok(binary(out.finish(&info)))
 }
 
 fn block(run: &Run, k: usize, id: usize) -> Result<Answer, Problem> {

@@ -6,12 +6,15 @@
 //!
 //! - [`run`]: a run folder opened for looking, and what can be wrong with it;
 //! - [`shape`], [`motion`]: blocks at rest, and how they moved, as compact arrays;
+//! - [`contacts`]: what is between the blocks;
 //! - [`wire`]: the binary answers; [`answer`]: which question gives which;
 //! - [`report`]: the same page with its answers in one file;
 //! - [`server`]: HTTP on the loopback address.
 
 pub mod answer;
+pub mod contacts;
 pub mod motion;
+mod problem;
 pub mod report;
 pub mod run;
 pub mod server;

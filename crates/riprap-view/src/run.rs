@@ -4,68 +4,22 @@
 //! lie inside the folder. A run that goes on while it is looked at is read anew each time.
 
 use riprap::Vec3;
-use riprap::record::folder::{block_file, contact_file, in_use};
+use riprap::record::folder::{block_file, contact_file, crack_file, in_use};
 use riprap::record::names::Names;
 use riprap::record::table::Table;
-use riprap::record::vtu::{self, PvdEntry, ReadError, Wanted};
+use riprap::record::vtu::{self, Moment, PvdEntry, Wanted};
 use riprap::record::{Column, Ended, Frame, Manifest, Part};
-use serde::Serialize;
+use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+pub use crate::problem::Problem;
 use crate::shape::{self, Shape};
 
 /// Shapes kept in memory; runs that split blocks have many.
 const SHAPES: usize = 3;
 /// Files larger than this are not handed out.
 const LARGEST_FILE: u64 = 256 << 20;
-
-/// Why something cannot be shown, in words for the person in front of the page.
-#[derive(Debug, Clone, Serialize, thiserror::Error)]
-#[error("{what}")]
-pub struct Problem {
-    /// What is wrong, with the file.
-    pub what: String,
-    /// What to do about it.
-    pub hint: String,
-    /// Whether it is not there, rather than broken.
-    pub missing: bool,
-}
-
-impl Problem {
-    /// Something that does not exist.
-    pub fn missing(what: impl Into<String>, hint: impl Into<String>) -> Self {
-        Problem {
-            what: what.into(),
-            hint: hint.into(),
-            missing: true,
-        }
-    }
-
-    /// Something that is there and cannot be read.
-    pub fn broken(what: impl Into<String>, hint: impl Into<String>) -> Self {
-        Problem {
-            what: what.into(),
-            hint: hint.into(),
-            missing: false,
-        }
-    }
-}
-
-impl From<ReadError> for Problem {
-    fn from(error: ReadError) -> Self {
-        let hint = match &error {
-            ReadError::Read { .. } => {
-                "The file is missing or may not be read. Copy the run folder again, whole."
-            }
-            ReadError::Foreign { .. } => "Frames of other programs can be looked at in ParaView.",
-            ReadError::Damaged { .. } => {
-                "The other frames can still be shown. Copy the run folder again, or run the scene again."
-            }
-        };
-        Problem::broken(error.to_string(), hint)
-    }
-}
 
 /// A run folder.
 #[derive(Debug)]
@@ -80,6 +34,8 @@ struct Memory {
     origin: Option<Vec3>,
     /// Newest last.
     shapes: Vec<Arc<Shape>>,
+    /// When the frames are, by their files: asked for again and again while a run goes on.
+    moments: BTreeMap<String, Moment>,
 }
 
 impl Run {
@@ -159,6 +115,35 @@ impl Run {
         })
     }
 
+    /// When the frames are, as many as there are in [`Run::frames`]. One that cannot be read has the time of the list, step 0 and
+    /// no phase.
+    ///
+    /// # Errors
+    /// As [`Run::frames`].
+    pub fn moments(&self) -> Result<Vec<Moment>, Problem> {
+        let frames = self.frames()?;
+        let mut memory = self.memory();
+        let all = frames.into_iter().map(|entry| {
+            if let Some(known) = memory.moments.get(&entry.file) {
+                // Another run may have taken the folder.
+                if known.time == entry.time {
+                    return known.clone();
+                }
+            }
+            let read = self
+                .inside(&entry.file)
+                .ok()
+                .and_then(|f| vtu::read_moment(&f).ok());
+            let moment = Moment {
+                time: entry.time,
+                ..read.unwrap_or_default()
+            };
+            memory.moments.insert(entry.file, moment.clone());
+            moment
+        });
+        Ok(all.collect())
+    }
+
     /// Whether a process is still writing into it. A manifest that says so with nobody there means that it died.
     pub fn live(&self, manifest: &Manifest) -> bool {
         manifest.ended == Ended::Running && in_use(&self.path) != Some(false)
@@ -166,6 +151,11 @@ impl Run {
 
     /// Files of blocks and contacts of frame `k`, counted from 0.
     fn files(&self, k: usize) -> Result<[PathBuf; 2], Problem> {
+        Ok(self.numbered(k)?.1)
+    }
+
+    /// The number of frame `k` and its files.
+    fn numbered(&self, k: usize) -> Result<(u32, [PathBuf; 2]), Problem> {
         let frames = self.frames()?;
         let entry = frames.get(k).ok_or_else(|| {
             Problem::missing(
@@ -189,10 +179,11 @@ impl Run {
                 "The list of frames was changed. Copy the run folder again, or run the scene again.",
             ));
         };
-        Ok([
+        let files = [
             self.inside(&block_file(number))?,
             self.inside(&contact_file(number))?,
-        ])
+        ];
+        Ok((number, files))
     }
 
     /// A file of the folder by its relative name. What leads out of the folder, by `..` or by a link, is refused.
@@ -374,29 +365,35 @@ impl Run {
     pub fn contacts(&self, k: usize) -> Result<Touches, Problem> {
         let [blocks, file] = self.files(k)?;
         let contacts = vtu::read(&file)?;
+        Ok(Touches {
+            points: self.less_origin(k, &contacts.points)?,
+            columns: contacts.point_columns,
+            ids: numbers_of(&blocks)?,
+        })
+    }
+
+    /// Cracks of frame `k`: outlines of the broken parts of deformable blocks.
+    ///
+    /// # Errors
+    /// As [`Run::placed`]; a run without deformable blocks has none.
+    pub fn cracks(&self, k: usize) -> Result<Cracks, Problem> {
+        let (number, [blocks, _]) = self.numbered(k)?;
+        let cracks = vtu::read(&self.inside(&crack_file(number))?)?;
+        Ok(Cracks {
+            points: self.less_origin(k, &cracks.points)?,
+            ends: cracks.offsets,
+            columns: cracks.cell_columns,
+            ids: numbers_of(&blocks)?,
+        })
+    }
+
+    fn less_origin(&self, k: usize, points: &[[f64; 3]]) -> Result<Vec<Vec3>, Problem> {
         let origin = self.memory().origin;
         let origin = match origin {
             Some(origin) => origin,
             None => self.placed(k)?.0.origin,
         };
-        let points = contacts
-            .points
-            .iter()
-            .map(|p| Vec3::from(*p) - origin)
-            .collect();
-        let only = Wanted {
-            geometry: false,
-            column: &|n| n == "block",
-        };
-        let ids = vtu::read_some(&blocks, only)?
-            .cell_columns
-            .first()
-            .map_or_else(Vec::new, |c| c.data.iter().map(|v| *v as u32).collect());
-        Ok(Touches {
-            points,
-            columns: contacts.point_columns,
-            ids,
-        })
+        Ok(points.iter().map(|p| Vec3::from(*p) - origin).collect())
     }
 
     /// `histories.csv` or `energy.csv`; `None` if the run has none.
@@ -436,6 +433,30 @@ pub struct Touches {
     pub columns: Vec<Column>,
     /// Shape `[blocks]`: numbers of the blocks of the frame.
     pub ids: Vec<u32>,
+}
+
+/// Cracks of a frame.
+#[derive(Debug)]
+pub struct Cracks {
+    /// Corners less the origin, m.
+    pub points: Vec<Vec3>,
+    /// Shape `[cracks]`: end of the corners of each.
+    pub ends: Vec<u32>,
+    /// Numbers on cracks.
+    pub columns: Vec<Column>,
+    /// Shape `[blocks]`: numbers of the blocks of the frame.
+    pub ids: Vec<u32>,
+}
+
+/// Numbers of the blocks of a frame.
+fn numbers_of(blocks: &Path) -> Result<Vec<u32>, Problem> {
+    let only = Wanted {
+        geometry: false,
+        column: &|n| n == "block",
+    };
+    let columns = vtu::read_some(blocks, only)?.cell_columns;
+    let ids = columns.first();
+    Ok(ids.map_or_else(Vec::new, |c| c.data.iter().map(|v| *v as u32).collect()))
 }
 
 /// One number per block.

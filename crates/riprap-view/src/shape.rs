@@ -12,8 +12,11 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use crate::wire::Wire;
 
-/// Faces whose corners lie nearer than this share of the typical block size are the same face.
-const SAME: f64 = 1e-5;
+/// Faces whose corners lie nearer than this share of the typical block size are the same face: more than what deformable
+/// blocks are strained, since only rigid motion can be taken back, and less than an opening that is drawn.
+const SAME: f64 = 1e-3;
+/// Cells in which faces are looked for, over the distance that counts as none: faces that are the same seldom lie in two.
+const CELL: f64 = 60.0;
 
 /// Blocks at rest.
 #[derive(Debug, Default)]
@@ -178,7 +181,7 @@ impl Shape {
                 std::iter::repeat_n(b as u32, faces)
             })
             .collect();
-        let cells = self.cells(4.0 * near);
+        let cells = self.cells(CELL * near);
         let mut taken = vec![false; self.faces()];
         let mut matched = Vec::new();
         for group in cells.chunk_by(|a, b| a.0 == b.0) {

@@ -138,6 +138,8 @@ fn a_run_is_told_frame_by_frame() {
         ("field/1?name=displacement%2Ex", 200),
         ("vectors/1?name=displacement", 200),
         ("contacts/1", 200),
+        // A run of rigid blocks has none.
+        ("cracks/1", 404),
         ("table/histories", 200),
         ("table/energy", 200),
         ("events", 200),

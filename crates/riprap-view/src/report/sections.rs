@@ -1,0 +1,259 @@
+//! The parts of the report that print: facts, checks, plots, energy, events, scene, versions.
+
+use base64::Engine as _;
+use riprap::record::manifest::Manifest;
+use riprap::record::names::Names;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use super::html::{escape, short, table, text_of};
+use crate::run::Run;
+
+/// Groups of blocks, with what is in them.
+pub(super) fn groups(out: &mut String, names: &Names) {
+    if names.groups.is_empty() {
+        return;
+    }
+    out.push_str("<h2>Groups</h2>\n<table class=\"grid\"><tr><th>group</th><th>blocks</th><th>from</th><th>to</th></tr>\n");
+    for group in &names.groups {
+        let count: u64 = group
+            .blocks
+            .iter()
+            .map(|[a, b]| 1 + u64::from(b.saturating_sub(*a)))
+            .sum();
+        let name = |number: Option<u32>| number.and_then(|n| names.block(n)).unwrap_or_default();
+        let ends = [
+            group.blocks.first().map(|b| b[0]),
+            group.blocks.last().map(|b| b[1]),
+        ];
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{count}</td><td>{}</td><td>{}</td></tr>",
+            escape(&group.name),
+            escape(&name(ends[0])),
+            escape(&name(ends[1]))
+        );
+    }
+    out.push_str("</table>\n");
+}
+
+pub(super) fn facts(out: &mut String, m: &Manifest) {
+    let ended = serde_json::to_value(m.ended).unwrap_or_default();
+    let ended = ended.as_str().unwrap_or_default();
+    let mut how = ended.to_owned();
+    if !m.message.is_empty() {
+        let _ = write!(how, ": {}", m.message);
+    }
+    let case = [&m.variant, &m.case]
+        .into_iter()
+        .filter(|c| !c.is_empty() && *c != "default")
+        .cloned()
+        .collect::<Vec<_>>()
+        .join(", ");
+    let changed = m
+        .overrides
+        .iter()
+        .map(|o| format!("{} = {}", o.key, o.value))
+        .collect::<Vec<_>>()
+        .join("; ");
+    table(
+        out,
+        "facts",
+        [
+            ("ended", how),
+            ("scene", m.scenario.clone()),
+            ("case", case),
+            ("changed", changed),
+            ("model time", format!("{} s", short(m.time))),
+            ("steps", m.steps.to_string()),
+            ("last time step", format!("{} s", short(m.dt))),
+            ("started", m.started.replace('T', " ").replace('Z', " UTC")),
+            ("wall time", format!("{} s", short(m.wall_time))),
+        ],
+    );
+    if !m.sources.is_empty() {
+        out.push_str("<h2>Charges</h2>\n<table class=\"grid\"><tr><th>name</th><th>centre [m]</th><th>delay [s]</th><th>mass [kg]</th><th>cavity [m³]</th><th>depth [m]</th></tr>\n");
+        for s in &m.sources {
+            let centre = s.centre().map(short).join(", ");
+            let maybe = |v: Option<f64>| v.map_or_else(String::new, short);
+            let _ = writeln!(
+                out,
+                "<tr><td>{}</td><td>{centre}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+                escape(&s.name),
+                short(s.delay),
+                maybe(s.mass),
+                short(s.cavity_volume),
+                maybe(s.depth)
+            );
+        }
+        out.push_str("</table>\n");
+    }
+}
+
+pub(super) fn checks(out: &mut String, run: &Run) {
+    let lines = run.lines("checks.jsonl");
+    if lines.is_empty() {
+        return;
+    }
+    let count = |status: &str| lines.iter().filter(|l| l["status"] == status).count();
+    let _ = writeln!(
+        out,
+        "<h2>Checks</h2>\n<p>{} passed, {} failed, {} skipped (known failures, shown with their reason).</p>",
+        count("passed"),
+        count("failed"),
+        count("skipped")
+    );
+    out.push_str("<table class=\"grid\"><tr><th></th><th>check</th><th>measured</th><th>expected</th><th>tolerance</th></tr>\n");
+    for line in &lines {
+        let status = text_of(line, "status");
+        let unit = text_of(line, "unit");
+        let unit = if unit == "-" { "" } else { &unit };
+        let note = text_of(line, "note");
+        let note = if note.is_empty() {
+            note
+        } else {
+            format!("<br><small>{}</small>", escape(&note))
+        };
+        let _ = writeln!(
+            out,
+            "<tr class=\"{0}\"><td>{0}</td><td>{1}{note}</td><td>{2} {3}</td><td>{4}</td><td>{5}</td></tr>",
+            escape(&status),
+            escape(&text_of(line, "check")),
+            escape(&text_of(line, "measured")),
+            escape(unit),
+            escape(&text_of(line, "expected")),
+            escape(&text_of(line, "tolerance")),
+        );
+    }
+    out.push_str("</table>\n");
+}
+
+pub(super) fn pictures(out: &mut String, plots: &[PathBuf]) {
+    let mut headed = false;
+    for path in plots {
+        let kind = match path.extension().and_then(|e| e.to_str()) {
+            Some("svg") => "image/svg+xml",
+            Some("png") => "image/png",
+            Some(_) | None => continue,
+        };
+        let Ok(bytes) = std::fs::read(path) else {
+            continue;
+        };
+        if !headed {
+            out.push_str("<h2>Plots</h2>\n");
+            headed = true;
+        }
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let _ = writeln!(
+            out,
+            "<figure><img alt=\"{0}\" src=\"data:{kind};base64,{1}\"><figcaption>{0}</figcaption></figure>",
+            escape(&name),
+            base64::engine::general_purpose::STANDARD.encode(bytes)
+        );
+    }
+}
+
+pub(super) fn energy(out: &mut String, run: &Run) {
+    let Ok(Some(table)) = run.table("energy.csv") else {
+        return;
+    };
+    let terms: Vec<_> = table
+        .columns
+        .iter()
+        .filter(|c| c.name != "step" && c.name != "time")
+        .filter_map(|c| Some((c, *c.values.first()?, *c.values.last()?)))
+        .collect();
+    if terms.is_empty() {
+        return;
+    }
+    out.push_str("<h2>Energy ledger</h2>\n<table class=\"grid\"><tr><th>term</th><th>at the start</th><th>at the end</th><th>unit</th></tr>\n");
+    for (column, first, last) in terms {
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(&column.name),
+            short(first),
+            short(last),
+            escape(&column.unit)
+        );
+    }
+    out.push_str("</table>\n<p><small>The residual is zero but for the error of time integration and rounding.</small></p>\n");
+}
+
+pub(super) fn events(out: &mut String, run: &Run) {
+    let lines = run.lines("events.jsonl");
+    if lines.is_empty() {
+        return;
+    }
+    let mut counts: std::collections::BTreeMap<String, (usize, f64, f64)> = Default::default();
+    for line in &lines {
+        let time = line["time"].as_f64().unwrap_or(f64::NAN);
+        let entry = counts
+            .entry(text_of(line, "event"))
+            .or_insert((0, time, time));
+        entry.0 += 1;
+        entry.2 = time;
+    }
+    out.push_str("<h2>Events</h2>\n<table class=\"grid\"><tr><th>event</th><th>how often</th><th>first [s]</th><th>last [s]</th></tr>\n");
+    for (event, (count, first, last)) in counts {
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{count}</td><td>{}</td><td>{}</td></tr>",
+            escape(&event.replace('_', " ")),
+            short(first),
+            short(last)
+        );
+    }
+    out.push_str("</table>\n");
+}
+
+pub(super) fn scene(out: &mut String, run: &Run, manifest: &Manifest) {
+    let bytes = run.file("scenario.resolved.toml").unwrap_or_default();
+    if bytes.is_empty() {
+        return;
+    }
+    let _ = writeln!(
+        out,
+        "<h2>The scene as run</h2>\n<p>{} with all changes; it runs as it stands.</p>\n<pre>{}</pre>",
+        escape(&manifest.scenario),
+        escape(&String::from_utf8_lossy(&bytes))
+    );
+}
+
+pub(super) fn provenance(out: &mut String, m: &Manifest) {
+    out.push_str("<h2>Versions and hashes</h2>\n");
+    let machine = [
+        m.machine.cpu.clone(),
+        m.machine.arch.clone(),
+        m.machine.os.clone(),
+        format!("{} cores", m.machine.cores),
+    ];
+    let machine: Vec<String> = machine.into_iter().filter(|t| !t.is_empty()).collect();
+    table(
+        out,
+        "facts",
+        [
+            ("riprap", m.riprap.clone()),
+            ("report written by", env!("CARGO_PKG_VERSION").to_owned()),
+            ("input hash", m.input_hash.clone()),
+            ("state hash", m.state_hash.clone()),
+            ("machine", machine.join(", ")),
+            ("threads", m.threads.to_string()),
+        ],
+    );
+    if !m.profile.is_empty() {
+        let all: f64 = m.profile.iter().map(|s| s.seconds).sum();
+        out.push_str("<table class=\"grid\"><tr><th>stage of the step</th><th>time [s]</th><th>share</th></tr>\n");
+        for stage in m.profile.iter().filter(|s| s.seconds > 0.0) {
+            let _ = writeln!(
+                out,
+                "<tr><td>{}</td><td>{:.3}</td><td>{:.1} %</td></tr>",
+                escape(&stage.name),
+                stage.seconds,
+                100.0 * stage.seconds / all
+            );
+        }
+        out.push_str("</table>\n");
+    }
+    out.push_str("<p><small>Equal input hashes mean the same scene and files; equal state hashes mean the same final state, bit for bit, on any number of threads.</small></p>\n");
+}
