@@ -29,6 +29,10 @@ class Anything:
             return [0.0, 0.0, 0.0]
         return Anything()
 
+    def __setattr__(self, name, value):
+        # `ClipType = "Plane"` makes an object with properties of its own.
+        pass
+
     def __call__(self, *_, **given):
         return Anything(**given)
 
