@@ -5,6 +5,7 @@
 
 pub mod cut;
 mod hull;
+pub mod joints;
 mod mass;
 mod slice;
 mod tetrahedra;

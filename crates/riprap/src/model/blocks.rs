@@ -23,6 +23,8 @@ pub(super) struct Generated {
     /// Whether the blocks are called name.1, name.2, ...
     pub(super) numbered: bool,
     pub(super) region: Option<Region>,
+    /// Groups of the file it comes from, by places among `outlines`.
+    pub(super) groups: Vec<(String, Vec<u32>)>,
 }
 
 impl Generated {
@@ -31,14 +33,16 @@ impl Generated {
             outlines: vec![outline],
             numbered: false,
             region: None,
+            groups: Vec::new(),
         }
     }
 
-    fn several(outlines: Vec<Vec<Vec2>>) -> Self {
+    pub(super) fn several(outlines: Vec<Vec<Vec2>>) -> Self {
         Generated {
             outlines,
             numbered: true,
             region: None,
+            groups: Vec::new(),
         }
     }
 }
@@ -50,6 +54,8 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
         None
         | Some(
             Geometry::Polygon(Polygon::Csv(_))
+            // Read before the origin is found.
+            | Geometry::Polygons(_)
             | Geometry::Brick(_)
             | Geometry::Grid(_)
             | Geometry::Polyhedron(_)
@@ -60,7 +66,7 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
         Some(Geometry::Regular(r)) => vec![global(&r.centre)],
         Some(Geometry::Wall(w)) => vec![global(&w.corner)],
         Some(Geometry::Arch(a)) => vec![global(&a.centre)],
-        Some(Geometry::Cut(c)) => all(&c.region),
+        Some(Geometry::Cut(c)) => c.region.iter().flatten().map(global).collect(),
         Some(Geometry::Voronoi(v)) => all(&v.region),
         Some(Geometry::Pour(p)) => all(&p.region),
     }
@@ -83,6 +89,7 @@ impl Builder<'_> {
                 let span = |_| Some(file.span.clone());
                 self.outline(block, outline, &span).map(Generated::single)?
             }
+            Geometry::Polygons(said) => self.polygons(block, said)?,
             Geometry::Rectangle(shape) => Generated::single(self.rectangle(shape)),
             Geometry::Regular(r) => {
                 let centre = self.point(&r.centre);
@@ -262,7 +269,11 @@ impl Builder<'_> {
     }
 
     /// Columns of a CSV file; `None` after an error.
-    fn columns<const N: usize>(&mut self, file: &Name, names: [&str; N]) -> Option<[Vec<f64>; N]> {
+    pub(super) fn columns<const N: usize>(
+        &mut self,
+        file: &Name,
+        names: [&str; N],
+    ) -> Option<[Vec<f64>; N]> {
         let path = self.parsed.folder.join(file.as_str());
         match csv_columns(&path, &names) {
             Ok(columns) => columns.try_into().ok(),
@@ -276,23 +287,8 @@ impl Builder<'_> {
     }
 
     fn cut(&mut self, block: &Block, cut: &Cut) -> Option<Generated> {
-        let region = self.region(block, &cut.region)?;
-        let mut traces = Vec::new();
-        if let Some(mapped) = &cut.traces {
-            let [x1, y1, x2, y2] = self.columns(&mapped.csv, ["x1_m", "y1_m", "x2_m", "y2_m"])?;
-            for k in 0..x1.len() {
-                let ends = [Vec2::new(x1[k], y1[k]), Vec2::new(x2[k], y2[k])];
-                if ends[0] == ends[1] {
-                    let message = format!("trace {} has no length", k + 1);
-                    let mut found = Diagnostic::error("geometry.joints", message);
-                    found.help =
-                        Some("give each trace two different ends, or leave it out".to_owned());
-                    self.found.push(found.at(mapped.csv.span.clone()));
-                    return None;
-                }
-                traces.push(ends.map(|p| p - self.origin));
-            }
-        }
+        let region = self.region(block, cut.region.as_deref().unwrap_or_default())?;
+        let traces = self.traces(block, cut)?;
         let si = |q: Option<f64>| q.unwrap_or(0.0);
         let sets: Vec<JointSet> = cut
             .joint_sets
@@ -349,7 +345,7 @@ impl Builder<'_> {
         Some(self.divided(block, blocks, cells.smallest_edge))
     }
 
-    fn seed(&mut self, key: &str, given: Option<u64>) -> u64 {
+    pub(super) fn seed(&mut self, key: &str, given: Option<u64>) -> u64 {
         let from = if given.is_some() {
             Provenance::Given
         } else {
@@ -388,6 +384,7 @@ impl Builder<'_> {
             outlines: blocks.polygons,
             numbered: true,
             region: Some(region),
+            groups: Vec::new(),
         }
     }
 

@@ -6,6 +6,7 @@ use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::assertions::LIMIT;
 use super::blocks::Generated;
+use super::drawn::Drawn;
 use super::explain::{Explained, Provenance, with_unit};
 use super::names::{Directory, Entry};
 use super::{Model, Summary, inspect};
@@ -34,6 +35,10 @@ pub(super) struct Builder<'a> {
     pub(super) fitted_levels: BTreeMap<String, u8>,
     pub(super) plan: Plan,
     pub(super) directory: Directory,
+    /// Polygons of files, by the name of their table, until they become blocks.
+    pub(super) drawn: BTreeMap<String, Drawn>,
+    /// Named faces of meshes: block, unit outward normal, distance from the local origin along it (m).
+    pub(super) surfaces: BTreeMap<String, Vec<(u32, Vec3, f64)>>,
     pub(super) found: Vec<Diagnostic>,
     pub(super) explained: Vec<Explained>,
     pub(super) summary: Summary,
@@ -64,6 +69,8 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
             ..Plan::default()
         },
         directory: Directory::default(),
+        drawn: BTreeMap::new(),
+        surfaces: BTreeMap::new(),
         found: parsed.warnings.clone(),
         explained: Vec::new(),
         summary: Summary::default(),
@@ -169,6 +176,7 @@ impl Builder<'_> {
     /// Everything of the plane up to the loads; whether names and sizes are known.
     fn planar(&mut self, space: &Planar) -> bool {
         self.planar_gravity(space);
+        self.draw();
         self.find_origin();
         self.blocks();
         // Names and sizes of blocks that could not be made would only give follow-up errors.
@@ -267,7 +275,16 @@ impl Builder<'_> {
         let mut points: Vec<Vec2> = Vec::new();
         for block in &self.parsed.scenario.blocks {
             let shift = block.shift.as_ref().map_or(Vec2::ZERO, |s| s.xy().into());
-            points.extend(super::blocks::places(block).into_iter().map(|p| p + shift));
+            let drawn = self.drawn.get(block.name.as_str());
+            let drawn = drawn
+                .iter()
+                .flat_map(|d| d.outlines.iter().flatten().copied());
+            points.extend(
+                super::blocks::places(block)
+                    .into_iter()
+                    .chain(drawn)
+                    .map(|p| p + shift),
+            );
         }
         let bounds = riprap_geom::polygon::Aabb::of(&points);
         let far = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -343,7 +360,12 @@ impl Builder<'_> {
             count: generated.outlines.len() as u32,
             numbered: generated.numbered,
         };
+        let first = entry.first;
         self.directory.add(entry, &block.groups);
+        for (name, members) in generated.groups {
+            let members = members.into_iter().map(|k| first + k).collect();
+            self.directory.extend(&name, members);
+        }
         let velocity = block
             .velocity
             .as_ref()

@@ -15,6 +15,7 @@
 mod assertions;
 mod blocks;
 mod builder;
+mod drawn;
 mod explain;
 mod fields;
 mod inspect;

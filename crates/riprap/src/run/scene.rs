@@ -187,7 +187,7 @@ pub fn input_hash(text: &str, folder: &Path) -> String {
     let mut names = Vec::new();
     strings(&root, &mut names);
     let read = |name: &&String| {
-        [".csv", ".obj", ".msh"]
+        [".csv", ".obj", ".msh", ".tess", ".stl", ".dxf"]
             .iter()
             .any(|end| name.ends_with(end))
     };

@@ -14,6 +14,7 @@
 
 pub mod csv_columns;
 pub mod diagnostic;
+pub mod foreign;
 pub mod language;
 pub mod load;
 pub mod moments;

@@ -16,7 +16,7 @@ mod reader;
 mod tests;
 
 pub use elements::{Cell, CellKind, Facet};
-pub use reader::{MshError, Place};
+pub use reader::{FileError, Place};
 
 use reader::{Coding, Reader};
 
@@ -71,7 +71,7 @@ pub fn read_msh(path: &Path) -> Result<Mesh, String> {
 ///
 /// # Errors
 /// The first thing that is wrong, with its place.
-pub fn parse_msh(bytes: &[u8]) -> Result<Mesh, MshError> {
+pub fn parse_msh(bytes: &[u8]) -> Result<Mesh, FileError> {
     let mut reader = Reader::new(bytes);
     let mut file = File::default();
     let version = header(&mut reader)?;
@@ -98,7 +98,7 @@ enum Version {
     Four,
 }
 
-fn header(reader: &mut Reader) -> Result<Version, MshError> {
+fn header(reader: &mut Reader) -> Result<Version, FileError> {
     if reader.word() != Some("$MeshFormat") {
         return Err(reader.wrong("this is no .msh file: it does not begin with $MeshFormat"));
     }
@@ -155,7 +155,7 @@ struct File {
 }
 
 impl File {
-    fn names(&mut self, reader: &mut Reader) -> Result<(), MshError> {
+    fn names(&mut self, reader: &mut Reader) -> Result<(), FileError> {
         reader.as_text(|reader| {
             let count = reader.size("the number of names")?;
             for _ in 0..reader.room(count, 6, "names")? {
@@ -173,7 +173,7 @@ impl File {
         })
     }
 
-    fn entities(&mut self, reader: &mut Reader) -> Result<(), MshError> {
+    fn entities(&mut self, reader: &mut Reader) -> Result<(), FileError> {
         reader.skip_to_data();
         let mut counts = [0; 4];
         for count in &mut counts {
@@ -204,7 +204,7 @@ impl File {
         Ok(())
     }
 
-    fn nodes(&mut self, reader: &mut Reader, version: Version) -> Result<(), MshError> {
+    fn nodes(&mut self, reader: &mut Reader, version: Version) -> Result<(), FileError> {
         if std::mem::replace(&mut self.seen_nodes, true) {
             return Err(reader.wrong("a second section $Nodes"));
         }
@@ -256,7 +256,7 @@ impl File {
         Ok(())
     }
 
-    fn node(&mut self, reader: &mut Reader, tag: u64) -> Result<(), MshError> {
+    fn node(&mut self, reader: &mut Reader, tag: u64) -> Result<(), FileError> {
         let mut at = [0.0; 3];
         for x in &mut at {
             *x = reader.number("a coordinate")?;
@@ -267,7 +267,7 @@ impl File {
     }
 
     /// Place of the node with a tag.
-    fn find(&self, reader: &Reader, tag: u64) -> Result<u32, MshError> {
+    fn find(&self, reader: &Reader, tag: u64) -> Result<u32, FileError> {
         match self.tags.binary_search_by_key(&tag, |(tag, _)| *tag) {
             Ok(place) => Ok(self.tags[place].1),
             Err(_) => {
@@ -291,7 +291,7 @@ impl File {
         })
     }
 
-    fn finish(mut self, reader: &Reader) -> Result<Mesh, MshError> {
+    fn finish(mut self, reader: &Reader) -> Result<Mesh, FileError> {
         elements::drop_repeated(&mut self.mesh.cells);
         if self.mesh.cells.is_empty() {
             return Err(reader.wrong(

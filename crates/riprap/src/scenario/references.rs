@@ -144,9 +144,14 @@ impl<'a> References<'a> {
         }
     }
 
-    /// Whether it is a group, or may be one: the groups of meshes are in their files, and the model looks there.
+    /// Whether it is a group, or may be one: the groups of meshes and drawings are in their files, and the model looks there.
     fn is_group(&self, name: &str) -> bool {
-        self.groups.contains(name) || self.scenario.blocks.iter().any(|b| b.mesh.is_some())
+        self.groups.contains(name)
+            || self
+                .scenario
+                .blocks
+                .iter()
+                .any(|b| b.mesh.is_some() || b.polygons.is_some())
     }
 
     fn block_or_group(&mut self, name: &Name) {

@@ -96,6 +96,16 @@ fn is_on(set: &FaceSet, face: &Face, centre: Vec3, tolerance: f64) -> bool {
         FaceSet::Blocks { blocks, normal } => {
             blocks.binary_search(&face.block).is_ok() && normal.as_ref().is_none_or(along)
         }
+        FaceSet::Surface { blocks, planes } => {
+            let x = face.frame[0].x;
+            let from = planes.partition_point(|(normal, _)| normal.x < x - PARALLEL);
+            let near = planes[from..].iter();
+            let mut near = near.take_while(|(normal, _)| normal.x <= x + PARALLEL);
+            blocks.binary_search(&face.block).is_ok()
+                && near.any(|(normal, offset)| {
+                    along(normal) && (centre.dot(*normal) - offset).abs() <= tolerance
+                })
+        }
         FaceSet::Box { min, max, normal } => {
             centre.cmpge(*min - Vec3::splat(tolerance)).all()
                 && centre.cmple(*max + Vec3::splat(tolerance)).all()

@@ -59,7 +59,7 @@ impl Setup {
         let groups = self.groups.iter_mut().map(|g| &mut g.blocks);
         let supports = self.supports.iter_mut().map(|s| &mut s.blocks);
         let boundaries = self.boundaries.iter_mut().filter_map(|b| match &mut b.on {
-            FaceSet::Blocks { blocks, .. } => Some(blocks),
+            FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => Some(blocks),
             FaceSet::Plane { .. } | FaceSet::Box { .. } => None,
         });
         let sources = self.sources.iter_mut().filter_map(|s| match &mut s.place {
@@ -324,6 +324,13 @@ pub enum FaceSet {
         max: Vec3,
         /// Unit outward normal; `None` takes all.
         normal: Option<Vec3>,
+    },
+    /// A named surface of a mesh: faces of some blocks on some planes.
+    Surface {
+        /// Indices of the blocks, ascending.
+        blocks: Vec<u32>,
+        /// Unit outward normals and distances from the local origin along them, m; ascending by the x of the normal.
+        planes: Vec<(Vec3, f64)>,
     },
 }
 

@@ -7,14 +7,18 @@ use super::shapes::{bounds, solid};
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
 use crate::model::explain::Provenance;
+use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Faces, Side};
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
-use crate::scenario::{Diagnostic, Quantity};
+use crate::scenario::{Diagnostic, Name, Quantity};
 use crate::spatial::setup::{Boundary, BoundaryKind, FaceSet, Shape};
 
 /// A face lies on a plane if it is nearer than this share of its block.
 const ON_PLANE: f64 = 1e-6;
+
+/// Planes whose normals and offsets (m) differ by less than about this are one.
+const SAME_PLANE: f64 = 1e-8;
 
 /// Axis and sign of the outward normal of a side, and its word.
 fn side(side: Side) -> (usize, f64, &'static str) {
@@ -82,6 +86,9 @@ impl Builder<'_> {
                 normal,
             });
         }
+        if let Some(name) = &on.surface {
+            return self.mesh_surface(name);
+        }
         let names: Vec<_> = on
             .block
             .iter()
@@ -92,6 +99,32 @@ impl Builder<'_> {
         let blocks = self.directory.all(&names);
         let blocks = self.take(blocks)?;
         Some(FaceSet::Blocks { blocks, normal })
+    }
+
+    /// The faces of a physical surface of a mesh.
+    fn mesh_surface(&mut self, name: &Name) -> Option<FaceSet> {
+        let Some(faces) = self.surfaces.get(name.as_str()) else {
+            let message = format!("there is no surface `{name}`");
+            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
+            error.help = suggest(name.as_str(), self.surfaces.keys().map(String::as_str))
+                .or_else(|| Some("surfaces are physical surfaces of `mesh.msh`".to_owned()));
+            self.found.push(error);
+            return None;
+        };
+        let mut blocks: Vec<u32> = faces.iter().map(|(block, ..)| *block).collect();
+        blocks.sort_unstable();
+        blocks.dedup();
+        // Planes of one flat surface differ by round-off: they are kept once.
+        let rounded = |(n, d): &(Vec3, f64)| [n.x, n.y, n.z, *d].map(|x| (x / SAME_PLANE).round());
+        let mut planes: Vec<(Vec3, f64)> = faces.iter().map(|(_, n, d)| (*n, *d)).collect();
+        planes.sort_by(|a, b| {
+            let pairs = rounded(a).into_iter().zip(rounded(b));
+            pairs.fold(std::cmp::Ordering::Equal, |so_far, (x, y)| {
+                so_far.then(x.total_cmp(&y))
+            })
+        });
+        planes.dedup_by_key(|plane| rounded(plane));
+        Some(FaceSet::Surface { blocks, planes })
     }
 
     fn plane(&mut self, plane: &WordOr<Side, language::FacePlane>) -> Option<FaceSet> {
@@ -186,7 +219,7 @@ fn boundary_name(said: &language::Boundary, number: usize) -> String {
     if let Some(name) = &said.name {
         return name.text.clone();
     }
-    let names = on.block.iter().chain(&on.group);
+    let names = on.block.iter().chain(&on.group).chain(&on.surface);
     let mut names = names.chain(on.blocks.iter().flatten());
     match (&on.plane, names.next()) {
         (Some(WordOr::Word(word, _)), _) => side(*word).2.to_owned(),
@@ -196,7 +229,7 @@ fn boundary_name(said: &language::Boundary, number: usize) -> String {
 }
 
 /// Whether a shape has a face on the plane `normal . x = offset` that looks along the normal.
-fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
+pub(super) fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
     let (min, max) = bounds(shape);
     let slack = ON_PLANE * (max - min).max_element();
     let along = |n: Vec3| n.dot(normal) > 1.0 - 1e-9;

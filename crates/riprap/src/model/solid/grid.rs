@@ -40,6 +40,7 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
     match block.geometry()? {
         Geometry::Grid(Grid::Box(grid)) => Some(grid),
         Geometry::Polygon(_)
+        | Geometry::Polygons(_)
         | Geometry::Rectangle(_)
         | Geometry::Regular(_)
         | Geometry::Wall(_)

@@ -272,6 +272,9 @@ impl Builder<'_> {
                 } => {
                     n.dot(normal) > 1.0 - 1e-9 && (d - offset).abs() <= 1e-6 * offset.abs().max(1.0)
                 }
+                FaceSet::Surface { planes, .. } => planes.iter().any(|(n, d)| {
+                    n.dot(normal) > 1.0 - 1e-9 && (d - offset).abs() <= 1e-6 * offset.abs().max(1.0)
+                }),
                 // Faces of single blocks and boxes may add up to a side; the engine knows.
                 FaceSet::Blocks { normal: n, .. } | FaceSet::Box { normal: n, .. } => {
                     n.is_none_or(|n| n.dot(normal) > 1.0 - 1e-9)

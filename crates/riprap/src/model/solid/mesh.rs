@@ -1,66 +1,166 @@
-//! Blocks from meshes of Gmsh.
+//! Blocks from meshes of Gmsh, tessellations of Neper and surfaces in STL.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use riprap_geom::Vec3;
+use riprap_geom::polyhedron::{Polyhedron, hull};
 
 use crate::model::builder::Builder;
 use crate::model::explain::Provenance;
+use crate::scenario::Name;
+use crate::scenario::foreign::stl::parse_stl;
+use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::language::{self, Block};
 use crate::scenario::msh::{Mesh, read_msh};
 use crate::spatial::setup::{Shape, Solid};
 
 /// Most elements of a mesh.
 const MOST: usize = 4_000_000;
+/// A node of a facet is in the plane of a face if it is nearer than this share of its block.
+const IN_PLANE: f64 = 1e-6;
 
 /// Groups of a mesh: name, and places of the blocks among those of the table.
 type Groups = Vec<(String, Vec<u32>)>;
+/// Faces of a mesh by name: place of the block, unit outward normal, distance from the local origin along it (m).
+pub(super) type Surfaces = Vec<(String, Vec<(u32, Vec3, f64)>)>;
+
+/// What a table makes in space.
+#[derive(Default)]
+pub(super) struct Made {
+    pub(super) shapes: Vec<Shape>,
+    pub(super) groups: Groups,
+    pub(super) surfaces: Surfaces,
+}
+
+impl Made {
+    pub(super) fn of(shapes: Vec<Shape>) -> Self {
+        Made {
+            shapes,
+            ..Made::default()
+        }
+    }
+}
+
+/// A solid as a shape.
+pub(super) fn shape_of(solid: Polyhedron) -> Shape {
+    Shape::Polyhedron(Box::new(Solid {
+        vertices: solid.vertices,
+        faces: solid.faces,
+    }))
+}
 
 impl Builder<'_> {
-    /// The elements of a mesh as blocks in local coordinates, and the groups they belong to; `None` after an error.
+    /// The cells of a file as blocks in local coordinates, and what is named there; `None` after an error.
     pub(super) fn mesh(
         &mut self,
         block: &Block,
         said: &language::Mesh,
         shift: Vec3,
-    ) -> Option<(Vec<Shape>, Groups)> {
+    ) -> Option<Made> {
+        let key = format!("blocks.{}.mesh.unit", block.name);
+        let unit = self.or(&key, said.unit.as_ref(), 1.0, "m");
+        let made = if let Some(file) = &said.tess {
+            Made::of(self.tess(file, unit, shift)?)
+        } else if let Some(file) = &said.stl {
+            Made::of(self.stl(file, unit, shift)?)
+        } else {
+            self.msh(block, said, said.msh.as_ref()?, unit, shift)?
+        };
+        let count = made.shapes.len().to_string();
+        let key = format!("blocks.{}.mesh", block.name);
+        self.explain(key, count, Provenance::Derived, "cells of the file");
+        Some(made)
+    }
+
+    fn tess(&mut self, file: &Name, unit: f64, shift: Vec3) -> Option<Vec<Shape>> {
+        let cells = self.foreign_file(file, parse_tess, "save it with `neper -T`")?;
+        let Cells::Space(cells) = cells else {
+            let message = format!("`{file}` has cells in two dimensions");
+            let help = "use `polygons.tess` in [space.planar], or make them with `neper -T -dim 3`";
+            self.error_at("file.tess", file, message, help);
+            return None;
+        };
+        let mut shapes = Vec::with_capacity(cells.len());
+        for cell in cells {
+            let places = cell.vertices.iter();
+            let places = places.map(|p| unit * Vec3::from_array(*p) + shift);
+            match Polyhedron::new(places.collect(), cell.faces) {
+                Ok(solid) => shapes.push(shape_of(solid)),
+                Err(error) => {
+                    let message = format!(
+                        "`{file}`, line {}: cell {} cannot be a block: {error}",
+                        cell.line, cell.number
+                    );
+                    let help = "cells are convex with flat faces: make them without regularisation (`-reg 0`)";
+                    self.error_at("file.tess", file, message, help);
+                    return None;
+                }
+            }
+        }
+        Some(shapes)
+    }
+
+    fn stl(&mut self, file: &Name, unit: f64, shift: Vec3) -> Option<Vec<Shape>> {
+        let parts = self.foreign_file(file, parse_stl, "save it as STL, text or binary")?;
+        let mut shapes = Vec::with_capacity(parts.len());
+        for (number, part) in (1..).zip(parts) {
+            let places = part.points.iter();
+            let places: Vec<Vec3> = places
+                .map(|p| unit * Vec3::from_array(*p) + shift)
+                .collect();
+            match hull(&places) {
+                Ok(solid) => shapes.push(shape_of(solid)),
+                Err(error) => {
+                    let message = format!(
+                        "`{file}`, {}: part {number} cannot be a block: {error}",
+                        part.place
+                    );
+                    let help = "each connected part is a closed convex surface";
+                    self.error_at("file.stl", file, message, help);
+                    return None;
+                }
+            }
+        }
+        Some(shapes)
+    }
+
+    /// The elements of a mesh of Gmsh.
+    fn msh(
+        &mut self,
+        block: &Block,
+        said: &language::Mesh,
+        file: &Name,
+        unit: f64,
+        shift: Vec3,
+    ) -> Option<Made> {
         let help = "save the mesh with `gmsh -3 -format msh41`; paths are seen from the folder of the scenario file";
-        let mesh = match read_msh(&self.parsed.folder.join(said.msh.as_str())) {
+        let mesh = match read_msh(&self.parsed.folder.join(file.as_str())) {
             Ok(mesh) => mesh,
             Err(message) => {
-                self.error_at("file.msh", &said.msh, message, help);
+                self.error_at("file.msh", file, message, help);
                 return None;
             }
         };
-        let key = format!("blocks.{}.mesh.unit", block.name);
-        let unit = self.or(&key, said.unit.as_ref(), 1.0, "m");
-        let chosen = self.chosen(said, &mesh)?;
+        let chosen = self.chosen(said, file, &mesh)?;
         if chosen.len() > MOST {
-            let message = format!("`{}` has {} elements", said.msh, chosen.len());
+            let message = format!("`{file}` has {} elements", chosen.len());
             let help = format!("a mesh has {MOST} at most: make it coarser");
-            self.error_at("file.msh", &said.msh, message, &help);
+            self.error_at("file.msh", file, message, &help);
             return None;
         }
-        let count = chosen.len().to_string();
-        let key = format!("blocks.{}.mesh", block.name);
-        self.explain(key, count, Provenance::Derived, "volume elements");
         let at: Vec<[f64; 3]> = mesh
             .nodes
             .iter()
             .map(|p| (unit * Vec3::from_array(*p) + shift).to_array())
             .collect();
-        let mut shapes = Vec::with_capacity(chosen.len());
+        let mut solids = Vec::with_capacity(chosen.len());
         for &k in &chosen {
             match mesh.cells[k].solid(&at) {
-                Ok(solid) => shapes.push(Shape::Polyhedron(Box::new(Solid {
-                    vertices: solid.vertices,
-                    faces: solid.faces,
-                }))),
+                Ok(solid) => solids.push(solid),
                 Err(error) => {
                     let middle = middle(&mesh, k);
                     let message = format!(
-                        "`{}`: volume element {} near ({}, {}, {}) cannot be a block: {error}",
-                        said.msh,
+                        "`{file}`: volume element {} near ({}, {}, {}) cannot be a block: {error}",
                         k + 1,
                         middle.x,
                         middle.y,
@@ -68,17 +168,24 @@ impl Builder<'_> {
                     );
                     let help = "faces must be flat: mesh with tetrahedra, or extrude; and without elements that are \
                                 turned inside out";
-                    self.error_at("file.msh", &said.msh, message, help);
+                    self.error_at("file.msh", file, message, help);
                     return None;
                 }
             }
         }
-        let groups = self.physical(block, said, &mesh, &chosen)?;
-        Some((shapes, groups))
+        let (groups, surfaces) = physical(&mesh, &chosen, &solids, &at);
+        for (name, _) in &groups {
+            self.group_of_file(block, file, name)?;
+        }
+        Some(Made {
+            shapes: solids.into_iter().map(shape_of).collect(),
+            groups,
+            surfaces,
+        })
     }
 
     /// Elements of the physical volume asked for, or all.
-    fn chosen(&mut self, said: &language::Mesh, mesh: &Mesh) -> Option<Vec<usize>> {
+    fn chosen(&mut self, said: &language::Mesh, file: &Name, mesh: &Mesh) -> Option<Vec<usize>> {
         let Some(volume) = &said.volume else {
             return Some((0..mesh.cells.len()).collect());
         };
@@ -94,7 +201,7 @@ impl Builder<'_> {
         if chosen.is_empty() {
             let volumes = mesh.groups.iter().filter(|g| g.dimension == 3);
             let names: Vec<&str> = volumes.map(|g| g.name.as_str()).collect();
-            let message = format!("`{}` has no physical volume `{volume}`", said.msh);
+            let message = format!("`{file}` has no physical volume `{volume}`");
             let help = if names.is_empty() {
                 "it has none at all: leave `volume` out".to_owned()
             } else {
@@ -105,56 +212,59 @@ impl Builder<'_> {
         }
         Some(chosen)
     }
+}
 
-    /// Physical groups with the places of their blocks among the chosen elements.
-    fn physical(
-        &mut self,
-        block: &Block,
-        said: &language::Mesh,
-        mesh: &Mesh,
-        chosen: &[usize],
-    ) -> Option<Groups> {
-        let mut members: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        let mut faces: BTreeMap<BTreeSet<u32>, Vec<u32>> = BTreeMap::new();
-        for facet in &mesh.facets {
-            let nodes: BTreeSet<u32> = facet.nodes.into_iter().collect();
-            faces.entry(nodes).or_default().push(facet.group);
-        }
-        for (place, &k) in (0u32..).zip(chosen) {
-            let cell = &mesh.cells[k];
-            if let Some(group) = cell.group {
-                members.entry(group).or_default().push(place);
-            }
-            if faces.is_empty() {
-                continue;
-            }
-            for face in cell.kind.faces() {
-                let nodes: BTreeSet<u32> = face.iter().map(|c| cell.nodes[*c as usize]).collect();
-                for &group in faces.get(&nodes).into_iter().flatten() {
-                    members.entry(group).or_default().push(place);
-                }
-            }
-        }
-        let taken = |name: &str| {
-            let mut blocks = self.parsed.scenario.blocks.iter();
-            name != block.name.as_str() && blocks.any(|b| b.name.as_str() == name)
-        };
-        let mut groups = Vec::new();
-        for (k, blocks) in members {
-            let name = mesh.groups[k as usize].name.clone();
-            if taken(&name) {
-                let message = format!(
-                    "the physical group `{name}` of `{}` has the name of a [[blocks]] table",
-                    said.msh
-                );
-                let help = "rename one of them";
-                self.error_at("file.msh", &said.msh, message, help);
-                return None;
-            }
-            groups.push((name, blocks));
-        }
-        Some(groups)
+/// Physical groups with the places of their blocks among the chosen elements, and the faces of physical surfaces.
+fn physical(
+    mesh: &Mesh,
+    chosen: &[usize],
+    solids: &[Polyhedron],
+    at: &[[f64; 3]],
+) -> (Groups, Surfaces) {
+    let mut members: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    let mut sides: BTreeMap<u32, Vec<(u32, Vec3, f64)>> = BTreeMap::new();
+    let mut facets: BTreeMap<BTreeSet<u32>, Vec<u32>> = BTreeMap::new();
+    for facet in &mesh.facets {
+        let nodes: BTreeSet<u32> = facet.nodes.into_iter().collect();
+        facets.entry(nodes).or_default().push(facet.group);
     }
+    for ((place, &k), solid) in (0u32..).zip(chosen).zip(solids) {
+        let cell = &mesh.cells[k];
+        if let Some(group) = cell.group {
+            members.entry(group).or_default().push(place);
+        }
+        if facets.is_empty() {
+            continue;
+        }
+        for face in cell.kind.faces() {
+            let nodes: BTreeSet<u32> = face.iter().map(|c| cell.nodes[*c as usize]).collect();
+            for &group in facets.get(&nodes).into_iter().flatten() {
+                members.entry(group).or_default().push(place);
+                let plane = plane_of(solid, nodes.iter().map(|n| at[*n as usize].into()));
+                let plane = plane.map(|(normal, offset)| (place, normal, offset));
+                sides.entry(group).or_default().extend(plane);
+            }
+        }
+    }
+    let name = |k: u32| mesh.groups[k as usize].name.clone();
+    let groups = members.into_iter().map(|(k, blocks)| (name(k), blocks));
+    let surfaces = sides.into_iter().map(|(k, faces)| (name(k), faces));
+    (groups.collect(), surfaces.collect())
+}
+
+/// Plane of the face of a solid that holds some points.
+fn plane_of(solid: &Polyhedron, points: impl Iterator<Item = Vec3> + Clone) -> Option<(Vec3, f64)> {
+    let slack = IN_PLANE * solid.size();
+    let planes = (0..solid.faces.len()).map(|face| solid.plane(face));
+    let distance = |(normal, offset): (Vec3, f64)| {
+        let heights = points.clone().map(|p| (normal.dot(p) - offset).abs());
+        heights.fold(0.0, f64::max)
+    };
+    planes
+        .map(|plane| (plane, distance(plane)))
+        .filter(|(_, distance)| *distance <= slack)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(plane, _)| plane)
 }
 
 /// Mean of the nodes of an element, in the unit of the file.

@@ -9,6 +9,7 @@
 //! given, and the finest cells around charges.
 
 mod boundaries;
+mod cut;
 mod deform;
 mod fit;
 mod grid;

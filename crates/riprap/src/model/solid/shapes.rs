@@ -7,6 +7,7 @@ use riprap_geom::polyhedron::{
 
 use super::global;
 use super::grid::{Grids, Lattice};
+use super::mesh::Made;
 use crate::model::builder::Builder;
 use crate::model::explain::Provenance;
 use crate::model::names::Entry;
@@ -62,6 +63,7 @@ pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
         }
         Some(
             Geometry::Polygon(_)
+            | Geometry::Polygons(_)
             | Geometry::Rectangle(_)
             | Geometry::Regular(_)
             | Geometry::Wall(_)
@@ -89,7 +91,7 @@ impl Builder<'_> {
         for (block, lattice) in scenario.blocks.iter().zip(grids) {
             let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
             let shift = shift - self.spatial.origin;
-            let shapes = match block.geometry() {
+            let made = match block.geometry() {
                 Some(Geometry::Brick(said)) => {
                     let (centre, half) = brick(said);
                     self.with_volume(block, 8.0 * half.element_product())
@@ -109,20 +111,14 @@ impl Builder<'_> {
                     .polyhedron(block, said, shift)
                     .map(|solid| vec![Shape::Polyhedron(Box::new(solid))]),
                 Some(Geometry::Mesh(said)) => {
-                    let Some((shapes, groups)) = self.mesh(block, said, shift) else {
-                        continue;
-                    };
-                    let first = self.spatial.blocks.len() as u32;
-                    self.enter_solids(block, shapes);
-                    for (name, members) in groups {
-                        let members = members.into_iter().map(|k| first + k).collect();
-                        self.directory.extend(&name, members);
-                    }
-                    None
+                    let made = self.mesh(block, said, shift);
+                    self.enter_made(block, made, shift);
+                    continue;
                 }
                 // Refused by the language: shapes of the other space.
                 Some(
                     Geometry::Polygon(_)
+                    | Geometry::Polygons(_)
                     | Geometry::Rectangle(_)
                     | Geometry::Regular(_)
                     | Geometry::Wall(_)
@@ -133,10 +129,29 @@ impl Builder<'_> {
                 )
                 | None => None,
             };
-            if let Some(shapes) = shapes {
-                let shapes = copies(block, shapes);
-                self.enter_solids(block, shapes);
+            let made = made.map(|shapes| Made::of(copies(block, shapes)));
+            self.enter_made(block, made, shift);
+        }
+    }
+
+    /// Cuts the blocks of a table if that is wanted, and enters them with what is named among them.
+    fn enter_made(&mut self, block: &Block, made: Option<Made>, shift: Vec3) {
+        let Some(mut made) = made else { return };
+        if let Some(cut) = &block.cut {
+            match self.divide(block, cut, made, shift) {
+                Some(divided) => made = divided,
+                None => return,
             }
+        }
+        let first = self.spatial.blocks.len() as u32;
+        self.enter_solids(block, made.shapes);
+        for (name, members) in made.groups {
+            let members = members.into_iter().map(|k| first + k).collect();
+            self.directory.extend(&name, members);
+        }
+        for (name, faces) in made.surfaces {
+            let faces = faces.into_iter().map(|(k, n, d)| (first + k, n, d));
+            self.surfaces.entry(name).or_default().extend(faces);
         }
     }
 

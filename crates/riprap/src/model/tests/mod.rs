@@ -11,6 +11,7 @@ use riprap_geom::Vec2;
 use riprap_geom::polygon::{Aabb, signed_area};
 
 mod checks;
+mod foreign;
 mod interfaces;
 mod solid;
 

@@ -4,15 +4,17 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Point;
+use super::files::{Polygons, Traces};
+use super::joints::{JointPlanes, JointSet};
 use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron};
 use crate::scenario::quantity::{
-    Angle, Axial, HalfAngle, Length, Name, NotNegativeAngle, NotNegativeLength, PositiveLength,
-    Quantity, Share, Spin, Vector, Velocity,
+    Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, PositiveLength, Quantity, Spin,
+    Vector, Velocity,
 };
 
-/// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`,
+/// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
 /// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
-/// `grid`, `polyhedron` or `mesh`.
+/// `grid`, `polyhedron` or `mesh`, which `cut` may divide.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
@@ -27,6 +29,9 @@ pub struct Block {
     /// A polygon by its corners, in the file or from a CSV file.
     #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub polygon: Option<Polygon>,
+    /// Polygons of a drawing or a tessellation, each a block.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `mesh`"))]
+    pub polygons: Option<Polygons>,
     /// A rectangle with sides along x and y.
     #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub rectangle: Option<Rectangle>,
@@ -39,8 +44,8 @@ pub struct Block {
     /// A circular arch of wedge-shaped blocks.
     #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
     pub arch: Option<Arch>,
-    /// A region cut into blocks by sets of joints, mapped traces or both.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    /// Joints that divide: in the plane a region, in space every block of the shape beside it (`brick`,
+    /// `grid`, `polyhedron` or `mesh`).
     pub cut: Option<Cut>,
     /// A region divided into random cells.
     #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
@@ -57,7 +62,7 @@ pub struct Block {
     /// A convex polyhedron.
     #[schemars(extend("x-space" = "spatial", "x-instead" = "use `polygon`"))]
     pub polyhedron: Option<Polyhedron>,
-    /// The volume elements of a mesh of Gmsh.
+    /// Cells of a mesh of Gmsh, a tessellation of Neper or surfaces in STL.
     #[schemars(extend("x-space" = "spatial", "x-instead" = "use `voronoi` or `cut`"))]
     pub mesh: Option<Mesh>,
     /// How the blocks deform. Default rigid.
@@ -82,6 +87,8 @@ pub struct Block {
 pub enum Geometry<'a> {
     /// `polygon`
     Polygon(&'a Polygon),
+    /// `polygons`
+    Polygons(&'a Polygons),
     /// `rectangle`
     Rectangle(&'a Rectangle),
     /// `regular`
@@ -120,6 +127,7 @@ impl Geometry<'_> {
             | Geometry::Cut(_)
             | Geometry::Voronoi(_)
             | Geometry::Pour(_)
+            | Geometry::Polygons(_)
             | Geometry::Grid(_)
             | Geometry::Mesh(_) => true,
         }
@@ -133,6 +141,9 @@ impl Block {
             self.polygon
                 .as_ref()
                 .map(|g| ("polygon", Geometry::Polygon(g))),
+            self.polygons
+                .as_ref()
+                .map(|g| ("polygons", Geometry::Polygons(g))),
             self.rectangle
                 .as_ref()
                 .map(|g| ("rectangle", Geometry::Rectangle(g))),
@@ -141,7 +152,11 @@ impl Block {
                 .map(|g| ("regular", Geometry::Regular(g))),
             self.wall.as_ref().map(|g| ("wall", Geometry::Wall(g))),
             self.arch.as_ref().map(|g| ("arch", Geometry::Arch(g))),
-            self.cut.as_ref().map(|g| ("cut", Geometry::Cut(g))),
+            // In space it is no shape of its own.
+            self.cut
+                .as_ref()
+                .filter(|cut| cut.region.is_some())
+                .map(|g| ("cut", Geometry::Cut(g))),
             self.voronoi
                 .as_ref()
                 .map(|g| ("voronoi", Geometry::Voronoi(g))),
@@ -160,7 +175,9 @@ impl Block {
 
     /// Whether it makes blocks called name.1, name.2, ... instead of one called name.
     pub fn is_generator(&self) -> bool {
-        self.geometry().is_some_and(Geometry::is_many) || self.copies.is_some()
+        self.geometry().is_some_and(Geometry::is_many)
+            || self.copies.is_some()
+            || self.cut.is_some()
     }
 
     /// The geometry, if exactly one was given.
@@ -252,51 +269,27 @@ pub struct Arch {
     pub voussoirs: u32,
 }
 
-/// A region cut into blocks by sets of joints, mapped traces or both.
+/// Joints that divide a region of the plane, or blocks in space: sets of them, or one by one.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cut {
     /// Corners of the region [x, y], m.
-    pub region: Vec<Point>,
+    #[schemars(extend("x-space" = "planar", "x-instead" = "give the shape beside `cut`: `brick`, `grid`, `polyhedron` or `mesh`"))]
+    pub region: Option<Vec<Point>>,
     /// The sets of joints.
     #[serde(default)]
     pub joint_sets: Vec<JointSet>,
     /// Joints one by one, as they were mapped.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `joints`"))]
     pub traces: Option<Traces>,
+    /// Joints one by one: planes, or disks. They cut before the sets do.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `traces`"))]
+    pub joints: Option<JointPlanes>,
     /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
     pub seed: Option<u64>,
-    /// Blocks with a shorter edge are reported as slivers and healed where possible, m.
-    /// Default: only reported, at 1/50 of the median edge.
+    /// Blocks with a shorter edge are reported as slivers and healed where possible, m. In space a joint does not
+    /// cut a block of which a thinner part would come off. Default: only reported, at 1/50 of the median edge.
     pub smallest_edge: Option<Quantity<NotNegativeLength>>,
-}
-
-/// Mapped joints. The part of a trace that ends within a block divides nothing and is left out.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Traces {
-    /// Path of a CSV file, seen from the scenario file, with the ends of a trace in each row: columns `x1_m`, `y1_m`, `x2_m`
-    /// and `y2_m`.
-    pub csv: Name,
-}
-
-/// A set of parallel joints.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct JointSet {
-    /// Angle of the traces, anticlockwise from the x axis.
-    pub dip: Quantity<Angle>,
-    /// Distance between neighbours, measured across the joints, m.
-    pub spacing: Quantity<PositiveLength>,
-    /// Standard deviation of the spacing, m. Default 0 m.
-    pub spacing_scatter: Option<Quantity<NotNegativeLength>>,
-    /// Standard deviation of the angle. Default 0 deg.
-    pub angle_scatter: Option<Quantity<NotNegativeAngle>>,
-    /// Share of the length of a trace that is cut; 1 is fully persistent. Default 1.
-    pub persistence: Option<Quantity<Share>>,
-    /// Mean length of one cut piece when `persistence` is less than 1, m.
-    pub trace_length: Option<Quantity<PositiveLength>>,
-    /// Shifts the whole set across the joints, m. Default 0 m.
-    pub offset: Option<Quantity<Length>>,
 }
 
 /// A region divided into random (Voronoi) cells.

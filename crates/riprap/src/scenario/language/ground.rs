@@ -43,7 +43,7 @@ pub struct Boundary {
     pub in_situ: Option<bool>,
 }
 
-/// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`.
+/// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`, `surface`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Faces {
@@ -58,7 +58,9 @@ pub struct Faces {
     /// Faces whose centre lies in a box.
     #[serde(rename = "box")]
     pub region: Option<BoxRegion>,
-    /// Only faces that look to this side. Default all. Not with `plane`.
+    /// The faces of a physical surface of a mesh of Gmsh, by its name.
+    pub surface: Option<Name>,
+    /// Only faces that look to this side. Default all. Not with `plane` or `surface`.
     pub side: Option<OneWord<Side>>,
 }
 

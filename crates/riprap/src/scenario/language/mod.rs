@@ -10,8 +10,10 @@
 
 mod blocks;
 mod checks;
+mod files;
 mod ground;
 mod interfaces;
+mod joints;
 mod loads;
 mod outputs;
 mod phases;
@@ -23,10 +25,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 pub use blocks::{
-    Arch, Block, Copies, Cut, Geometry, JointSet, Polygon, Pour, Rectangle, Regular, Rotate,
-    Voronoi, Wall, WallBond,
+    Arch, Block, Copies, Cut, Geometry, Polygon, Pour, Rectangle, Regular, Rotate, Voronoi, Wall,
+    WallBond,
 };
 pub use checks::{Bisect, Check, Criterion, Reduce};
+pub use files::{Polygons, Traces};
 pub use ground::{
     Boundary, Compressive, FacePlane, FacePressure, FaceTraction, Faces, GravityK0, InSitu, Moved,
     Side, TensionPositive, Viscous,
@@ -35,6 +38,7 @@ pub use interfaces::{
     Bond, BondFailure, BrittleBond, Cohesive, Failure, FrictionLaw, Interface, InterfaceChange,
     NormalLaw, Points, Reflex, Softening, StiffnessRule,
 };
+pub use joints::{JointPlanes, JointSet};
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
 };

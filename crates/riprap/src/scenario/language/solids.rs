@@ -82,16 +82,22 @@ pub struct Polyhedron {
     pub obj: Option<Name>,
 }
 
-/// The volume elements of first order of a mesh: tetrahedra, hexahedra, prisms, pyramids. Each becomes a block. Physical
-/// volumes become groups of their blocks, physical surfaces groups of the blocks that have a face in them.
+/// Cells of a file, each a block. Exactly one of `msh`, `tess` and `stl`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary), seen from the scenario file.
-    pub msh: Name,
+    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary), seen from the scenario file: its volume elements of first
+    /// order (tetrahedra, hexahedra, prisms, pyramids). Physical volumes become groups of their blocks, physical surfaces
+    /// groups of the blocks that have a face in them and sets of faces for boundaries (`on.surface`).
+    pub msh: Option<Name>,
+    /// Path of a tessellation of Neper in three dimensions, seen from the scenario file.
+    pub tess: Option<Name>,
+    /// Path of an STL file (text or binary), seen from the scenario file: each connected part that is closed and convex is
+    /// a block.
+    pub stl: Option<Name>,
     /// What the length 1 in the file stands for, m. Default 1 m.
     pub unit: Option<Quantity<PositiveLength>>,
-    /// Name of the physical volume whose elements are taken. Default all.
+    /// Name of the physical volume whose elements are taken (`msh`). Default all.
     pub volume: Option<Name>,
 }
 

@@ -1,6 +1,6 @@
 //! Elements of a .msh file.
 
-use super::reader::{Coding, MshError, Reader};
+use super::reader::{Coding, FileError, Reader};
 use super::{File, Version};
 use crate::Vec3;
 use crate::geom::polyhedron::{Polyhedron, SolidError};
@@ -111,7 +111,7 @@ enum Kind {
     Passed(usize),
 }
 
-fn kind(reader: &Reader, number: i32) -> Result<Kind, MshError> {
+fn kind(reader: &Reader, number: i32) -> Result<Kind, FileError> {
     Ok(match number {
         1 => Kind::Passed(2),
         2 => Kind::Facet(3),
@@ -132,7 +132,11 @@ fn kind(reader: &Reader, number: i32) -> Result<Kind, MshError> {
     })
 }
 
-pub(super) fn read(file: &mut File, reader: &mut Reader, version: Version) -> Result<(), MshError> {
+pub(super) fn read(
+    file: &mut File,
+    reader: &mut Reader,
+    version: Version,
+) -> Result<(), FileError> {
     match version {
         Version::Two => match reader.coding {
             Coding::Text => two_text(file, reader),
@@ -142,7 +146,7 @@ pub(super) fn read(file: &mut File, reader: &mut Reader, version: Version) -> Re
     }
 }
 
-fn two_text(file: &mut File, reader: &mut Reader) -> Result<(), MshError> {
+fn two_text(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
     let count = reader.size("the number of elements")?;
     for _ in 0..reader.room(count, 6, "elements")? {
         reader.int("the number of an element")?;
@@ -155,7 +159,7 @@ fn two_text(file: &mut File, reader: &mut Reader) -> Result<(), MshError> {
     Ok(())
 }
 
-fn two_binary(file: &mut File, reader: &mut Reader) -> Result<(), MshError> {
+fn two_binary(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
     let count = reader.as_text(|r| r.size("the number of elements"))?;
     let mut left = reader.room(count, 8, "elements")?;
     reader.skip_to_data();
@@ -181,7 +185,7 @@ fn two_binary(file: &mut File, reader: &mut Reader) -> Result<(), MshError> {
 }
 
 /// Reads the tags of an element of format 2.2; the first is the physical group, 0: none.
-fn first_tag(reader: &mut Reader, tags: i32) -> Result<Option<i32>, MshError> {
+fn first_tag(reader: &mut Reader, tags: i32) -> Result<Option<i32>, FileError> {
     let count = u64::try_from(tags).map_err(|_| reader.wrong(format!("{tags} tags")))?;
     let mut group = None;
     for k in 0..reader.room(count, 2, "tags")? {
@@ -193,7 +197,7 @@ fn first_tag(reader: &mut Reader, tags: i32) -> Result<Option<i32>, MshError> {
     Ok(group)
 }
 
-fn four(file: &mut File, reader: &mut Reader) -> Result<(), MshError> {
+fn four(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
     reader.skip_to_data();
     let blocks = reader.size("the number of element blocks")?;
     let count = reader.size("the number of elements")?;
@@ -224,7 +228,7 @@ fn element(
     kind: &Kind,
     group: Option<i32>,
     short: bool,
-) -> Result<(), MshError> {
+) -> Result<(), FileError> {
     let count = match kind {
         Kind::Cell(cell) => cell.nodes(),
         Kind::Facet(count) | Kind::Passed(count) => *count,

@@ -1,6 +1,6 @@
 //! Numbers of a .msh file one after the other, as text or in binary, with the place of what is wrong.
 
-/// Where something is wrong in a .msh file.
+/// Where something is wrong in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// Line of a text file, counted from 1.
@@ -18,10 +18,10 @@ impl std::fmt::Display for Place {
     }
 }
 
-/// What is wrong with a .msh file, and where.
+/// What is wrong with a file, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{place}: {text}")]
-pub struct MshError {
+pub struct FileError {
     /// Where.
     pub place: Place,
     /// What is wrong and what to do about it.
@@ -58,7 +58,7 @@ impl<'a> Reader<'a> {
     }
 
     /// An error at what was read last.
-    pub(super) fn wrong(&self, text: impl Into<String>) -> MshError {
+    pub(super) fn wrong(&self, text: impl Into<String>) -> FileError {
         let start = self.start.min(self.bytes.len());
         let place = match self.coding {
             Coding::Text => {
@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
             }
             Coding::Binary { .. } => Place::Byte(start),
         };
-        MshError {
+        FileError {
             place,
             text: text.into(),
         }
@@ -91,7 +91,7 @@ impl<'a> Reader<'a> {
         (!word.is_empty()).then(|| std::str::from_utf8(word).unwrap_or("\u{fffd}"))
     }
 
-    fn text<T: std::str::FromStr>(&mut self, what: &str, kind: &str) -> Result<T, MshError> {
+    fn text<T: std::str::FromStr>(&mut self, what: &str, kind: &str) -> Result<T, FileError> {
         let Some(word) = self.word() else {
             return Err(self.wrong(format!("the file ends where {what} should be")));
         };
@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn binary<const N: usize>(&mut self, what: &str, swapped: bool) -> Result<[u8; N], MshError> {
+    fn binary<const N: usize>(&mut self, what: &str, swapped: bool) -> Result<[u8; N], FileError> {
         self.start = self.at;
         let Some(part) = self.bytes.get(self.at..self.at + N) else {
             return Err(self.wrong(format!("the file ends where {what} should be")));
@@ -116,7 +116,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A whole number of 4 bytes.
-    pub(super) fn int(&mut self, what: &str) -> Result<i32, MshError> {
+    pub(super) fn int(&mut self, what: &str) -> Result<i32, FileError> {
         match self.coding {
             Coding::Text => self.text(what, "a whole number"),
             Coding::Binary { swapped } => Ok(i32::from_le_bytes(self.binary(what, swapped)?)),
@@ -124,7 +124,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A count or tag of 8 bytes.
-    pub(super) fn size(&mut self, what: &str) -> Result<u64, MshError> {
+    pub(super) fn size(&mut self, what: &str) -> Result<u64, FileError> {
         match self.coding {
             Coding::Text => self.text(what, "a whole number, 0 or above"),
             Coding::Binary { swapped } => Ok(u64::from_le_bytes(self.binary(what, swapped)?)),
@@ -132,7 +132,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A number, which is finite.
-    pub(super) fn number(&mut self, what: &str) -> Result<f64, MshError> {
+    pub(super) fn number(&mut self, what: &str) -> Result<f64, FileError> {
         let x = match self.coding {
             Coding::Text => self.text(what, "a number")?,
             Coding::Binary { swapped } => f64::from_le_bytes(self.binary(what, swapped)?),
@@ -144,7 +144,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Checks that `count` things of at least `bytes` bytes each can still come: a count is never trusted with memory.
-    pub(super) fn room(&self, count: u64, bytes: u64, what: &str) -> Result<usize, MshError> {
+    pub(super) fn room(&self, count: u64, bytes: u64, what: &str) -> Result<usize, FileError> {
         let left = (self.bytes.len() - self.at) as u64;
         if count > left / bytes {
             return Err(self.wrong(format!(
@@ -155,7 +155,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A section name that begins with `$`, or nothing at the end.
-    pub(super) fn section(&mut self) -> Result<Option<&'a str>, MshError> {
+    pub(super) fn section(&mut self) -> Result<Option<&'a str>, FileError> {
         let Some(word) = self.word() else {
             return Ok(None);
         };
@@ -171,7 +171,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The end of a section.
-    pub(super) fn end(&mut self, name: &str) -> Result<(), MshError> {
+    pub(super) fn end(&mut self, name: &str) -> Result<(), FileError> {
         let word = self.word();
         if word.and_then(|w| w.strip_prefix("$End")) == Some(name) {
             return Ok(());
@@ -185,7 +185,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Goes behind the end of a section that is not needed.
-    pub(super) fn skip(&mut self, name: &str) -> Result<(), MshError> {
+    pub(super) fn skip(&mut self, name: &str) -> Result<(), FileError> {
         let end = format!("$End{name}");
         let rest = &self.bytes[self.at..];
         let found = rest.windows(end.len()).position(|w| w == end.as_bytes());
@@ -227,8 +227,8 @@ impl<'a> Reader<'a> {
     /// Runs `f` on numbers written as text, whatever the rest of the file is written in.
     pub(super) fn as_text<T>(
         &mut self,
-        f: impl FnOnce(&mut Self) -> Result<T, MshError>,
-    ) -> Result<T, MshError> {
+        f: impl FnOnce(&mut Self) -> Result<T, FileError>,
+    ) -> Result<T, FileError> {
         let coding = std::mem::replace(&mut self.coding, Coding::Text);
         let result = f(self);
         self.coding = coding;

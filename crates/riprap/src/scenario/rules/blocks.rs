@@ -17,6 +17,7 @@ impl Rules {
         let all: &[&str] = match self.space {
             InSpace::Planar => &[
                 "polygon",
+                "polygons",
                 "rectangle",
                 "regular",
                 "wall",
@@ -29,17 +30,28 @@ impl Rules {
         };
         let flags: Vec<(&str, bool)> = all
             .iter()
-            .map(|key| (*key, given.iter().any(|(other, _)| other == key)))
+            .map(|key| {
+                let cut = *key == "cut" && block.cut.is_some();
+                (*key, cut || given.iter().any(|(other, _)| other == key))
+            })
             .collect();
         // A shape of the other space was refused already.
         if given.iter().all(|(key, _)| all.contains(key)) {
             self.one_of(span, &of, &flags);
         }
+        if let Some(cut) = &block.cut {
+            self.cut(span, &of, cut);
+            if block.copies.is_some() {
+                let message = format!("{of}: what is cut cannot be copied");
+                let help = "`copies` is for single shapes; write another [[blocks]] with `shift`";
+                self.error("key.forbidden", span, message, help);
+            }
+        }
         for (key, geometry) in given {
             self.geometry(span, &of, geometry);
             if let Some(Copies { count, .. }) = &block.copies {
                 self.count(span, &of, "copies.count", u64::from(*count), 1, MAX_BLOCKS);
-                if geometry.is_many() {
+                if geometry.is_many() && block.cut.is_none() {
                     let message = format!("{of}: `{key}` cannot be copied");
                     let help =
                         "`copies` is for single shapes; write another [[blocks]] with `shift`";
@@ -95,8 +107,32 @@ impl Rules {
                 }
             }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
-            // Looked at when the file is read.
-            Geometry::Mesh(_) => {}
+            Geometry::Mesh(mesh) => {
+                let of = format!("the mesh of {of}");
+                let given = [
+                    ("msh", mesh.msh.is_some()),
+                    ("tess", mesh.tess.is_some()),
+                    ("stl", mesh.stl.is_some()),
+                ];
+                self.one_of(span, &of, &given);
+                if let (Some(volume), None) = (&mesh.volume, &mesh.msh) {
+                    let message = format!("{of} has `volume` without `msh`");
+                    self.error("key.forbidden", &volume.span, message, "leave it out");
+                }
+            }
+            Geometry::Polygons(polygons) => {
+                let of = format!("the polygons of {of}");
+                let given = [
+                    ("dxf", polygons.dxf.is_some()),
+                    ("tess", polygons.tess.is_some()),
+                ];
+                self.one_of(span, &of, &given);
+                let layers = polygons.layers.as_ref().and_then(|layers| layers.first());
+                let sagitta = polygons.sagitta.as_ref().map(|sagitta| &sagitta.span);
+                if polygons.dxf.is_none() {
+                    self.of_drawing(&of, layers.map(|l| &l.span), sagitta);
+                }
+            }
             Geometry::Rectangle(shape) => self.one_of(
                 span,
                 &format!("the rectangle of {of}"),
@@ -129,7 +165,8 @@ impl Rules {
                     self.error("value.order", &arch.thickness.span, message, help);
                 }
             }
-            Geometry::Cut(cut) => self.cut(span, of, cut),
+            // With the other keys of the block, as in space it is no shape.
+            Geometry::Cut(_) => {}
             Geometry::Voronoi(voronoi) => {
                 self.corners(span, of, voronoi.region.len());
                 self.count(
@@ -226,14 +263,53 @@ impl Rules {
         }
     }
 
-    pub(super) fn cut(&mut self, span: &Span, of: &str, cut: &Cut) {
-        self.corners(span, of, cut.region.len());
-        if cut.joint_sets.is_empty() && cut.traces.is_none() {
+    /// Keys that only a drawing has.
+    fn of_drawing(&mut self, of: &str, layers: Option<&Span>, sagitta: Option<&Span>) {
+        for (key, span) in [("layers", layers), ("sagitta", sagitta)] {
+            if let Some(span) = span {
+                let message = format!("{of}: `{key}` belongs to `dxf`");
+                self.error("key.forbidden", span, message, "leave it out");
+            }
+        }
+    }
+
+    fn cut(&mut self, span: &Span, of: &str, cut: &Cut) {
+        match (self.space, &cut.region) {
+            (InSpace::Planar, Some(region)) => self.corners(span, of, region.len()),
+            (InSpace::Planar, None) => {
+                let message = format!("the cut of {of} has no `region`");
+                let help = "give the corners of what is cut: region = [[\"0 m\", \"0 m\"], ...]";
+                self.error("key.missing", span, message, help);
+            }
+            // Refused already where there is one.
+            (InSpace::Spatial, _) => {}
+        }
+        if cut.joint_sets.is_empty() && cut.traces.is_none() && cut.joints.is_none() {
             let message = format!("{of} is cut by no joints");
-            let help = "add joint_sets = [{ dip = \"60 deg\", spacing = \"1 m\" }]";
+            let help = match self.space {
+                InSpace::Planar => "add joint_sets = [{ dip = \"60 deg\", spacing = \"1 m\" }]",
+                InSpace::Spatial => {
+                    "add joint_sets = [{ dip = \"60 deg\", dip_direction = \"90 deg\", spacing = \"1 m\" }]"
+                }
+            };
             self.error("key.missing", span, message, help);
         }
+        if let Some(traces) = &cut.traces {
+            let of = format!("the traces of {of}");
+            let given = [("csv", traces.csv.is_some()), ("dxf", traces.dxf.is_some())];
+            self.one_of(span, &of, &given);
+            if traces.dxf.is_none() {
+                let layers = traces.layers.as_ref().and_then(|layers| layers.first());
+                let sagitta = traces.sagitta.as_ref().map(|sagitta| &sagitta.span);
+                self.of_drawing(&of, layers.map(|l| &l.span), sagitta);
+            }
+        }
         for set in &cut.joint_sets {
+            if self.space == InSpace::Spatial && set.dip_direction.is_none() {
+                let message = "a joint set in space needs `dip_direction`".to_owned();
+                let help = "write for example dip_direction = \"90 deg\": dipping to the east (x)";
+                self.error("key.missing", &set.dip.span, message, help);
+            }
             let partial = set.persistence.as_ref().filter(|share| share.si() < 1.0);
             if let (Some(share), None) = (partial, &set.trace_length) {
                 let message =

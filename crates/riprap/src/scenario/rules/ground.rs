@@ -51,10 +51,12 @@ impl Rules {
                 ("blocks", on.blocks.is_some()),
                 ("group", on.group.is_some()),
                 ("box", on.region.is_some()),
+                ("surface", on.surface.is_some()),
             ],
         );
-        if let (Some(_), Some(side)) = (&on.plane, &on.side) {
-            let message = "a plane has a normal already, `side` has no place".to_owned();
+        let flat = on.plane.is_some() || on.surface.is_some();
+        if let Some(side) = on.side.as_ref().filter(|_| flat) {
+            let message = "these faces have normals already, `side` has no place".to_owned();
             let help = "`side` goes with block, blocks, group and box";
             self.error("key.forbidden", &side.1, message, help);
         }
@@ -134,6 +136,7 @@ pub(in crate::scenario) fn boundary_span(boundary: &Boundary) -> Span {
     let name = boundary.name.as_ref().or(on.block.as_ref());
     let name = name
         .or(on.group.as_ref())
+        .or(on.surface.as_ref())
         .or_else(|| on.blocks.as_ref().and_then(|names| names.first()));
     let plane = on.plane.as_ref().map(|plane| plane.span().clone());
     let region = on.region.as_ref().map(|region| region.min.span.clone());

@@ -1,0 +1,339 @@
+//! Convex solids divided by joints: planes, disks, and sets of parallel planes.
+//!
+//! A plane cuts every solid that it meets. A disk cuts the solids whose section with its plane it touches, and those
+//! all through, so that every part stays convex: the usual convention of block-cutting codes.
+
+use super::{Polyhedron, Sliced, slice};
+use crate::error::demand;
+use crate::random::Chance;
+use crate::tol::{MAX_BLOCKS, SNAP};
+use crate::{GeomError, Vec3};
+
+/// Most planes of one set.
+pub const MAX_SET: usize = 10_000;
+
+/// A joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Unit normal.
+    pub normal: Vec3,
+    /// A point of it; the centre of a disk, m.
+    pub at: Vec3,
+    /// Radius of a disk, m; `None` is a plane.
+    pub radius: Option<f64>,
+}
+
+/// A set of parallel planes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneSet {
+    /// Unit normal.
+    pub normal: Vec3,
+    /// A point of one plane, m.
+    pub at: Vec3,
+    /// Distance between neighbours, m.
+    pub spacing: f64,
+    /// Standard deviation of that distance, m. The place of each plane is scattered by this over sqrt 2, and by no more
+    /// than 0.45 spacings, so planes keep their order.
+    pub spacing_scatter: f64,
+    /// Standard deviation of the turns of a normal about two axes across it, rad; at most 3 of them.
+    pub angle_scatter: f64,
+}
+
+/// What joints have made of solids.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Divided {
+    /// The parts.
+    pub solids: Vec<Polyhedron>,
+    /// Number of the solid that each part comes from.
+    pub parents: Vec<u32>,
+    /// Cuts that were not made, because a part would have been too thin.
+    pub spared: usize,
+}
+
+/// Upward unit normal of a plane by its dip (below the horizontal) and dip direction (clockwise from y), rad.
+#[must_use]
+pub fn normal_of_dip(dip: f64, direction: f64) -> Vec3 {
+    let (sin, cos) = (libm::sin(dip), libm::cos(dip));
+    Vec3::new(sin * libm::sin(direction), sin * libm::cos(direction), cos)
+}
+
+/// The planes of sets that meet the box from `min` to `max` (m), in the order of the sets, each along its normal.
+///
+/// # Errors
+/// Numbers out of range, more than [`MAX_SET`] planes in a set.
+pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<Joint>, GeomError> {
+    let mut chance = Chance::new(seed);
+    let mut joints = Vec::new();
+    for set in sets {
+        let spacing = set.spacing;
+        demand(
+            "the spacing of a joint set",
+            spacing,
+            spacing > 0.0,
+            "above 0",
+        )?;
+        let far = set.at.abs().max_element();
+        demand("the origin of a joint set", far, far < 1e150, "finite")?;
+        let (centre, half) = (0.5 * (min + max), 0.5 * (max - min));
+        let reach = set.normal.abs().dot(half)
+            + libm::tan(3.0 * set.angle_scatter.min(0.3)) * half.length();
+        let middle = (centre - set.at).dot(set.normal);
+        // One plane more on either side, since scatter may bring it in.
+        let first = ((middle - reach) / spacing).floor() - 1.0;
+        let last = ((middle + reach) / spacing).ceil() + 1.0;
+        let count = last - first + 1.0;
+        if count.is_nan() || count > MAX_SET as f64 {
+            return Err(GeomError::TooMany {
+                what: "planes of a joint set",
+                count,
+                cap: MAX_SET,
+            });
+        }
+        let [_, b, c] = super::frame(set.normal);
+        for k in 0..count as usize {
+            let jitter = set.spacing_scatter * std::f64::consts::FRAC_1_SQRT_2 * chance.normal();
+            let limit = 0.45 * spacing;
+            let height = (first + k as f64) * spacing + jitter.clamp(-limit, limit);
+            let mut turn = || set.angle_scatter * chance.normal().clamp(-3.0, 3.0);
+            let turned = set.normal + libm::tan(turn()) * b + libm::tan(turn()) * c;
+            joints.push(Joint {
+                normal: turned.normalize(),
+                at: centre + (height - middle) * set.normal,
+                radius: None,
+            });
+        }
+    }
+    Ok(joints)
+}
+
+/// Cuts solids by joints, one joint after the other. A cut that would leave a part thinner than `thinnest` (m) across the
+/// joint is not made.
+///
+/// # Errors
+/// A joint without direction or place; more than `tol::MAX_BLOCKS` parts.
+pub fn divide(
+    solids: Vec<Polyhedron>,
+    joints: &[Joint],
+    thinnest: f64,
+) -> Result<Divided, GeomError> {
+    for joint in joints {
+        let far = joint.at.abs().max_element();
+        demand("the place of a joint", far, far < 1e150, "finite")?;
+        let length = joint.normal.length();
+        demand(
+            "the normal of a joint",
+            length,
+            (length - 1.0).abs() < 1e-9,
+            "a direction",
+        )?;
+    }
+    let mut boxes: Vec<(Vec3, Vec3)> = solids.iter().map(centre_and_half).collect();
+    let mut divided = Divided {
+        parents: (0..solids.len() as u32).collect(),
+        solids,
+        spared: 0,
+    };
+    for joint in joints {
+        let offset = joint.normal.dot(joint.at);
+        let across = joint.normal.abs();
+        for k in 0..divided.solids.len() {
+            let (centre, half) = boxes[k];
+            if (joint.normal.dot(centre) - offset).abs() > across.dot(half) {
+                continue;
+            }
+            match halves(&divided.solids[k], joint, offset, thinnest) {
+                Halves::Beside => {}
+                Halves::Thin => divided.spared += 1,
+                Halves::Cut(below, above) => {
+                    if divided.solids.len() >= MAX_BLOCKS {
+                        return Err(GeomError::TooMany {
+                            what: "blocks",
+                            count: (MAX_BLOCKS + 1) as f64,
+                            cap: MAX_BLOCKS,
+                        });
+                    }
+                    boxes[k] = centre_and_half(&below);
+                    boxes.push(centre_and_half(&above));
+                    divided.parents.push(divided.parents[k]);
+                    divided.solids[k] = below;
+                    divided.solids.push(above);
+                }
+            }
+        }
+    }
+    Ok(divided)
+}
+
+fn centre_and_half(solid: &Polyhedron) -> (Vec3, Vec3) {
+    let (min, max) = solid.bounds();
+    (0.5 * (min + max), 0.5 * (max - min))
+}
+
+enum Halves {
+    /// The joint does not meet the solid.
+    Beside,
+    /// It would cut off too little.
+    Thin,
+    /// Below and above it.
+    Cut(Polyhedron, Polyhedron),
+}
+
+fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halves {
+    let heights = || solid.vertices.iter().map(|v| joint.normal.dot(*v) - offset);
+    let below = heights().fold(0.0, |most: f64, h| most.max(-h));
+    let above = heights().fold(0.0, f64::max);
+    if below.min(above) <= SNAP * solid.size() {
+        return Halves::Beside;
+    }
+    let parts = (
+        slice(solid, joint.normal, offset),
+        slice(solid, -joint.normal, -offset),
+    );
+    let (Sliced::Part(low), Sliced::Part(high)) = parts else {
+        return Halves::Thin;
+    };
+    // The face of the cut is the last one.
+    let section = low.outline(low.faces.len() - 1);
+    if joint
+        .radius
+        .is_some_and(|radius| distance(&section, joint) > radius)
+    {
+        return Halves::Beside;
+    }
+    if below.min(above) < thinnest {
+        return Halves::Thin;
+    }
+    Halves::Cut(low, high)
+}
+
+/// Distance of the centre of a disk from a convex polygon in its plane that runs anticlockwise about its normal, m.
+fn distance(section: &[Vec3], joint: &Joint) -> f64 {
+    let mut least = f64::INFINITY;
+    let mut inside = true;
+    for (k, &a) in section.iter().enumerate() {
+        let edge = section[(k + 1) % section.len()] - a;
+        let arm = joint.at - a;
+        inside &= edge.cross(arm).dot(joint.normal) >= 0.0;
+        let share = (arm.dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
+        least = least.min((arm - share * edge).length());
+    }
+    if inside { 0.0 } else { least }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CUBE: (Vec3, Vec3) = (Vec3::ZERO, Vec3::ONE);
+
+    fn cube() -> Vec<Polyhedron> {
+        vec![Polyhedron::brick(Vec3::splat(0.5), Vec3::splat(0.5))]
+    }
+
+    fn set(dip: f64, direction: f64, spacing: f64) -> PlaneSet {
+        PlaneSet {
+            normal: normal_of_dip(dip.to_radians(), direction.to_radians()),
+            at: Vec3::splat(0.05),
+            spacing,
+            spacing_scatter: 0.0,
+            angle_scatter: 0.0,
+        }
+    }
+
+    fn volume(divided: &Divided) -> f64 {
+        divided.solids.iter().map(|s| s.moments().volume).sum()
+    }
+
+    #[test]
+    fn a_plane_that_dips_east_has_a_normal_that_leans_east() {
+        let n = normal_of_dip(30_f64.to_radians(), 90_f64.to_radians());
+        assert!((n - Vec3::new(0.5, 0.0, 0.75_f64.sqrt())).length() < 1e-15);
+        assert!(normal_of_dip(std::f64::consts::FRAC_PI_2, 0.0).y > 0.999);
+    }
+
+    #[test]
+    fn three_sets_across_fill_the_cube() {
+        let sets = [
+            set(0.0, 0.0, 0.25),
+            set(90.0, 0.0, 0.25),
+            set(90.0, 90.0, 0.25),
+        ];
+        let joints = planes(&sets, CUBE.0, CUBE.1, 1).unwrap();
+        let divided = divide(cube(), &joints, 0.0).unwrap();
+        // Planes at 0.05, 0.3, 0.55, 0.8 along each axis.
+        assert_eq!((divided.solids.len(), divided.spared), (125, 0));
+        assert!((volume(&divided) - 1.0).abs() < 1e-12);
+        assert!(divided.parents.iter().all(|p| *p == 0));
+        // Parts of 0.05 across are not cut off.
+        let thick = divide(cube(), &joints, 0.1).unwrap();
+        assert_eq!(thick.solids.len(), 64);
+        assert!((volume(&thick) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn oblique_sets_fill_it_too_and_scatter_is_the_same_for_a_seed() {
+        let mut sets = [
+            set(35.0, 110.0, 0.2),
+            set(70.0, 220.0, 0.3),
+            set(80.0, 330.0, 0.25),
+        ];
+        for set in &mut sets {
+            (set.spacing_scatter, set.angle_scatter) = (0.05, 0.1);
+        }
+        let made = |seed| {
+            let joints = planes(&sets, CUBE.0, CUBE.1, seed).unwrap();
+            divide(cube(), &joints, 0.0).unwrap()
+        };
+        let (one, again, other) = (made(1), made(1), made(2));
+        assert!(one == again && one != other);
+        assert!(one.solids.len() > 50, "{}", one.solids.len());
+        assert!((volume(&one) - 1.0).abs() < 1e-9, "{}", volume(&one));
+        for solid in &one.solids {
+            solid.validate().unwrap();
+        }
+    }
+
+    #[test]
+    fn a_disk_cuts_what_it_touches() {
+        let plane = |z: f64| Joint {
+            normal: Vec3::Z,
+            at: Vec3::new(0.2, 0.5, z),
+            radius: None,
+        };
+        let across = Joint {
+            normal: Vec3::X,
+            at: Vec3::new(0.5, 0.5, 0.5),
+            radius: None,
+        };
+        let disk = |radius: f64| Joint {
+            radius: Some(radius),
+            ..plane(0.5)
+        };
+        let count = |joints: &[Joint]| divide(cube(), joints, 0.0).unwrap().solids.len();
+        assert_eq!(count(&[across, plane(0.5)]), 4);
+        assert_eq!(count(&[across, disk(0.29)]), 3);
+        assert_eq!(count(&[across, disk(0.31)]), 4);
+        // Its centre outside of the cube.
+        let beside = |radius: f64| Joint {
+            at: Vec3::new(-0.2, 0.5, 0.5),
+            ..disk(radius)
+        };
+        assert_eq!(count(&[beside(0.19)]), 1);
+        assert_eq!(count(&[beside(0.21)]), 2);
+        // Faces of the cube are no cuts.
+        assert_eq!(count(&[plane(0.0), plane(1.0), plane(-3.0)]), 1);
+    }
+
+    #[test]
+    fn too_many_planes_are_refused() {
+        let fine = set(10.0, 0.0, 1e-5);
+        let error = planes(&[fine], CUBE.0, CUBE.1, 1).unwrap_err();
+        assert!(
+            error.to_string().contains("planes of a joint set"),
+            "{error}"
+        );
+        let thin = [set(0.0, 0.0, 1e-3), set(90.0, 0.0, 1e-3)];
+        let joints = planes(&thin, CUBE.0, CUBE.1, 1).unwrap();
+        assert!(divide(cube(), &joints[..300], 0.0).is_ok());
+    }
+}

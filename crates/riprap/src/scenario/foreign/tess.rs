@@ -1,0 +1,253 @@
+//! Tessellations of Neper (`.tess`): cells as polyhedra in space, as polygons in the plane.
+//!
+//! Read are the vertices, faces and polyhedra; seeds, orientations, the domain and periodicity are passed over.
+//!
+//! Source: Neper reference manual, "Tessellation File (.tess)", formats 2.0 to 4.5.
+
+use std::collections::BTreeMap;
+
+use super::{FileError, at_byte, at_line, shown};
+
+/// A cell in the plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polygon {
+    /// Its number in Neper.
+    pub number: i64,
+    /// Corners in order along the boundary, in the length unit of the file.
+    pub points: Vec<[f64; 2]>,
+    /// Its line in the file.
+    pub line: usize,
+}
+
+/// A cell in space.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// Its number in Neper.
+    pub number: i64,
+    /// Corners, in the length unit of the file.
+    pub vertices: Vec<[f64; 3]>,
+    /// Corners of each face by their place in `vertices`.
+    pub faces: Vec<Vec<u32>>,
+    /// Its line in the file.
+    pub line: usize,
+}
+
+/// The cells of a tessellation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cells {
+    /// Of dimension 2.
+    Plane(Vec<Polygon>),
+    /// Of dimension 3.
+    Space(Vec<Solid>),
+}
+
+/// The cells that the bytes of a file describe.
+///
+/// # Errors
+/// The first thing that is wrong, with its line.
+pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
+    let text = std::str::from_utf8(bytes)
+        .map_err(|error| at_byte(error.valid_up_to(), "this is no text"))?;
+    let mut reader = Reader::new(text);
+    if reader.lines.first().map(|line| line.trim()) != Some("***tess") {
+        return Err(at_line(
+            1,
+            "`***tess` is expected: this is no tessellation of Neper",
+        ));
+    }
+    reader.section("**general")?;
+    let general = reader.next()?;
+    let plane = match general.split_whitespace().next() {
+        Some("2") => true,
+        Some("3") => false,
+        other => {
+            let other = shown(other.unwrap_or_default());
+            return Err(reader.wrong(format!("cells of dimension {other} are no blocks")));
+        }
+    };
+    let mut vertices: BTreeMap<i64, [f64; 3]> = BTreeMap::new();
+    for _ in 0..reader.entries("**vertex")? {
+        let mut words = reader.row()?;
+        let number = reader.integer(words.next())?;
+        let mut place = [0.0; 3];
+        for x in &mut place {
+            *x = reader.number(words.next())?;
+        }
+        vertices.insert(number, place);
+    }
+    let mut faces: BTreeMap<i64, (Vec<i64>, usize)> = BTreeMap::new();
+    for _ in 0..reader.entries("**face")? {
+        let mut words = reader.row()?;
+        let number = reader.integer(words.next())?;
+        let ring = reader.list(&mut words)?;
+        if let Some(corner) = ring.iter().find(|k| !vertices.contains_key(k)) {
+            return Err(reader.wrong(format!("there is no vertex {corner}")));
+        }
+        faces.insert(number, (ring, reader.at));
+        // Edges, equation and state.
+        for _ in 0..3 {
+            reader.next()?;
+        }
+    }
+    if plane {
+        let cells = faces.into_iter().map(|(number, (ring, line))| Polygon {
+            number,
+            points: ring
+                .iter()
+                .map(|k| [vertices[k][0], vertices[k][1]])
+                .collect(),
+            line,
+        });
+        return Ok(Cells::Plane(cells.collect())).and_then(|cells| some(cells, &reader));
+    }
+    let mut cells = Vec::new();
+    for _ in 0..reader.entries("**polyhedron")? {
+        let mut words = reader.row()?;
+        let number = reader.integer(words.next())?;
+        let signed = reader.list(&mut words)?;
+        let mut cell = Solid {
+            number,
+            vertices: Vec::new(),
+            faces: Vec::with_capacity(signed.len()),
+            line: reader.at,
+        };
+        let mut places: BTreeMap<i64, u32> = BTreeMap::new();
+        for face in signed {
+            let Some((ring, _)) = faces.get(&face.saturating_abs()) else {
+                return Err(reader.wrong(format!("there is no face {}", face.saturating_abs())));
+            };
+            let mut corners: Vec<u32> = Vec::with_capacity(ring.len());
+            for corner in ring {
+                let place = *places.entry(*corner).or_insert_with(|| {
+                    cell.vertices.push(vertices[corner]);
+                    cell.vertices.len() as u32 - 1
+                });
+                corners.push(place);
+            }
+            // A negative number: the face looks inwards.
+            if face < 0 {
+                corners.reverse();
+            }
+            cell.faces.push(corners);
+        }
+        cells.push(cell);
+    }
+    some(Cells::Space(cells), &reader)
+}
+
+/// The cells, if there are any.
+fn some(cells: Cells, reader: &Reader) -> Result<Cells, FileError> {
+    let none = match &cells {
+        Cells::Plane(cells) => cells.is_empty(),
+        Cells::Space(cells) => cells.is_empty(),
+    };
+    if none {
+        return Err(reader.wrong("the tessellation has no cells"));
+    }
+    Ok(cells)
+}
+
+/// Lines by sections.
+struct Reader<'a> {
+    lines: Vec<&'a str>,
+    /// First line of each section.
+    sections: BTreeMap<&'a str, usize>,
+    /// Lines read so far.
+    at: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn new(text: &'a str) -> Self {
+        let lines: Vec<&str> = text.lines().collect();
+        let named = lines.iter().enumerate().rev();
+        let sections = named
+            .filter(|(_, line)| line.trim_start().starts_with("**"))
+            .map(|(at, line)| (line.trim(), at + 1))
+            .collect();
+        Self {
+            lines,
+            sections,
+            at: 0,
+        }
+    }
+
+    /// An error at the line read last.
+    fn wrong(&self, text: impl Into<String>) -> FileError {
+        at_line(self.at.clamp(1, self.lines.len().max(1)), text)
+    }
+
+    /// Goes to the line behind the name of a section.
+    fn section(&mut self, name: &str) -> Result<(), FileError> {
+        match self.sections.get(name) {
+            Some(at) => {
+                self.at = *at;
+                Ok(())
+            }
+            None => {
+                self.at = self.lines.len();
+                let why = "the file is cut off, or its cells are not polyhedra (a raster)";
+                Err(self.wrong(format!("there is no section {name}: {why}")))
+            }
+        }
+    }
+
+    /// The next line that is not empty.
+    fn next(&mut self) -> Result<&'a str, FileError> {
+        while let Some(line) = self.lines.get(self.at) {
+            self.at += 1;
+            if !line.trim().is_empty() {
+                return Ok(line);
+            }
+        }
+        Err(self.wrong("the file ends here: it is cut off"))
+    }
+
+    /// Number of entries of a section, which is not larger than the file.
+    fn entries(&mut self, name: &str) -> Result<usize, FileError> {
+        self.section(name)?;
+        let line = self.next()?;
+        let count = self.integer(line.split_whitespace().next())?;
+        let most = self.lines.len();
+        match usize::try_from(count).ok().filter(|count| *count <= most) {
+            Some(count) => Ok(count),
+            None => Err(self.wrong(format!("{count} entries in a file of {most} lines"))),
+        }
+    }
+
+    /// The words of the next entry.
+    fn row(&mut self) -> Result<std::str::SplitWhitespace<'a>, FileError> {
+        let line = self.next()?;
+        if line.trim_start().starts_with('*') {
+            return Err(self.wrong("more entries were announced, but the next section begins"));
+        }
+        Ok(line.split_whitespace())
+    }
+
+    /// A number of three or more, and as many whole numbers.
+    fn list(&self, words: &mut std::str::SplitWhitespace<'a>) -> Result<Vec<i64>, FileError> {
+        let count = self.integer(words.next())?;
+        let list = words.take(usize::try_from(count).unwrap_or(0));
+        let list: Vec<i64> = list
+            .map(|word| self.integer(Some(word)))
+            .collect::<Result<_, _>>()?;
+        if list.len() as i64 != count {
+            return Err(self.wrong(format!("{count} numbers are expected, not {}", list.len())));
+        }
+        if count < 3 {
+            return Err(self.wrong("three or more are expected"));
+        }
+        Ok(list)
+    }
+
+    fn integer(&self, word: Option<&str>) -> Result<i64, FileError> {
+        let word = word.unwrap_or_default();
+        word.parse()
+            .map_err(|_| self.wrong(format!("a whole number is expected, not {:?}", shown(word))))
+    }
+
+    fn number(&self, word: Option<&str>) -> Result<f64, FileError> {
+        let word = word.unwrap_or_default();
+        let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
+        number.ok_or_else(|| self.wrong(format!("a number is expected, not {:?}", shown(word))))
+    }
+}
