@@ -8,7 +8,7 @@
 //! [`node_to_face`] is what Han, Liu & Li (2010) do, equations (21) and (22): it conserves momentum, but not the
 //! force of a uniform traction where faces overlap in part.
 
-use crate::polyhedron::{Tetrahedra, area_vector, frame};
+use crate::polyhedron::{Tetrahedra, area_vector, flatten, frame};
 use crate::{Vec2, Vec3};
 
 /// Triangles with less than this share of the smaller face's area are dropped from an overlay.
@@ -87,17 +87,14 @@ impl Fan {
         0.5 * (a - m).cross(b - m).length()
     }
 
-    /// Triangles in a plane, anticlockwise; the places of their corners with them.
-    fn flat(&self, origin: Vec3, [n, e, f]: [Vec3; 3]) -> Vec<Flat> {
+    /// Triangles in a plane with the normal `n`, anticlockwise, from the places of the nodes there.
+    fn flat(&self, n: Vec3, places: &[Vec2]) -> Vec<Flat> {
         let turned = self.area_vector().dot(n) < 0.0;
         (0..self.corners())
             .map(|k| {
                 let [m, a, b] = self.triangle(k);
                 let nodes = if turned { [m, b, a] } else { [m, a, b] };
-                let at = nodes.map(|k| {
-                    let r = self.at[k] - origin;
-                    Vec2::new(r.dot(e), r.dot(f))
-                });
+                let at = nodes.map(|k| places[k]);
                 let low = at[0].min(at[1]).min(at[2]);
                 let high = at[0].max(at[1]).max(at[2]);
                 Flat {
@@ -171,7 +168,12 @@ pub fn overlay(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointPoint>
         return Vec::new();
     };
     let axes = frame(normal);
-    let (flat_a, flat_b) = (a.flat(origin, axes), b.flat(origin, axes));
+    let places = [a, b].map(|fan| flatten(&fan.at, origin, axes[1], axes[2]));
+    let boxes = places.each_ref().map(|p| bounds(p));
+    if boxes[0].0.cmpge(boxes[1].1).any() || boxes[1].0.cmpge(boxes[0].1).any() {
+        return Vec::new();
+    }
+    let (flat_a, flat_b) = (a.flat(normal, &places[0]), b.flat(normal, &places[1]));
     let sliver = SLIVER * a.area().min(b.area());
     let mut points = Points::new(a);
     for ta in &flat_a {
@@ -211,7 +213,7 @@ pub fn node_to_face(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointP
     let swapped = a.area() > b.area();
     let (slave, master) = if swapped { (b, a) } else { (a, b) };
     let (origin, axes) = (slave.at[0], frame(normal));
-    let triangles = master.flat(origin, axes);
+    let triangles = master.flat(normal, &flatten(&master.at, origin, axes[1], axes[2]));
     let mut areas = vec![0.0; slave.nodes.len()];
     for k in 0..slave.corners() {
         for node in slave.triangle(k) {
@@ -241,6 +243,15 @@ pub fn node_to_face(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointP
         }
     }
     points
+}
+
+/// Lowest and highest corner of the box around places.
+fn bounds(places: &[Vec2]) -> (Vec2, Vec2) {
+    places
+        .iter()
+        .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| {
+            (low.min(*p), high.max(*p))
+        })
 }
 
 fn apart(a: &Flat, b: &Flat) -> bool {

@@ -1,4 +1,5 @@
-//! Times the deformable blocks of the spatial engine and prints CSV: `bench_deform [CELLS]`.
+//! Times the deformable blocks of the spatial engine and prints CSV: `bench_deform [CELLS]`, or `bench_deform cut [CELLS]` for
+//! cutting alone.
 //!
 //! Run by `cargo xtask bench`. A beam of CELLS (default 46 x 9 x 10) cubes of 24 tetrahedra, joined by bonds, rings: with one
 //! matrix for congruent blocks, tetrahedron by tetrahedron, and with large strain. Then the kernels alone, and the cut of
@@ -14,6 +15,9 @@ use riprap::lanes::Width;
 use riprap::laws::fracture::{Criterion, Margins};
 use riprap::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, forces};
 use riprap::record::manifest::Machine;
+use riprap::run::scene::Scene;
+use riprap::run::simulation::Simulation;
+use riprap::scenario::Source;
 use riprap::spatial::deform::cut as cutting;
 use riprap::spatial::deform::phase::{self, Rules};
 use riprap::spatial::setup::deform::{BondFailure, BondLaw, DeformableSet, Deformables, Strength};
@@ -31,6 +35,13 @@ const EDGE: f64 = 0.03;
 const LONG: f64 = 10_000.0;
 
 fn main() {
+    let machine = Machine::this();
+    println!("# {} {} {} cores", machine.os, machine.cpu, machine.cores);
+    println!("case,threads,value,unit,asked");
+    if std::env::args().nth(1).as_deref() == Some("cut") {
+        let words = std::env::args().skip(2).filter_map(|w| w.parse().ok());
+        return cut_both(words.collect());
+    }
     let words: Vec<usize> = std::env::args()
         .skip(1)
         .filter_map(|w| w.parse().ok())
@@ -39,9 +50,6 @@ fn main() {
         [x, y, z] => [x, y, z],
         _ => [46, 9, 10],
     };
-    let machine = Machine::this();
-    println!("# {} {} {} cores", machine.os, machine.cpu, machine.cores);
-    println!("case,threads,value,unit,asked");
     kernels();
     for (name, own, strain, asked) in [
         ("beam, congruent blocks", false, Strain::Small, "<= 25"),
@@ -73,7 +81,7 @@ fn main() {
             "the bits depend on the number of threads"
         );
     }
-    cut_all([20, 20, 25]);
+    cut_both(Vec::new());
 }
 
 /// What is timed: number of a block, displacements and forces of its nodes.
@@ -272,12 +280,73 @@ fn beam(cells: [usize; 3], own: bool, strain: Strain, threads: usize) -> (f64, u
     (best, hash, rate)
 }
 
+/// Congruent blocks and cells of own shapes, `cells` (default 20 x 20 x 25) along the axes.
+fn cut_both(cells: Vec<usize>) {
+    let cells: [usize; 3] = cells.try_into().unwrap_or([20, 20, 25]);
+    for (name, grid) in [("congruent", "box"), ("Voronoi", "cells")] {
+        for threads in [1, 2] {
+            cut_all(name, grid, cells, threads);
+        }
+    }
+}
+
+/// A box of blocks as a scene.
+fn scene(grid: &str, cells: [usize; 3]) -> Scene {
+    let size = cells.map(|n| format!("\"{} mm\"", 30 * n)).join(", ");
+    let text = format!(
+        r#"
+riprap = 1
+title = "blocks to be cut"
+
+[space.spatial]
+gravity = "0 m/s2"
+
+[materials.rock]
+density = "2500 kg/m3"
+young = "30 GPa"
+poisson = 0.25
+
+[interfaces.default.brittle_bond]
+thickness = "0.3 mm"
+tension = "5 MPa"
+cohesion = "8 MPa"
+friction_angle = "26.565051177 deg"
+
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.{grid} = {{ size = [{size}], cell = "30 mm" }}
+mechanics.deformable = {{}}
+
+[[phases]]
+name = "run"
+until = {{ time = "1 ms" }}
+"#
+    );
+    let source = Source {
+        name: "bench".into(),
+        text,
+    };
+    Scene::parse(source, ".".into(), &[]).expect("a sound scene")
+}
+
 /// Builds a model, strains it beyond its strength, and cuts every block once.
-fn cut_all(cells: [usize; 3]) {
+fn cut_all(name: &str, grid: &str, cells: [usize; 3], threads: usize) {
+    let exec = || Exec::new(threads).expect("threads");
+    let parsed = scene(grid, cells);
     let start = Instant::now();
-    let (mut world, mut scratch) =
-        World::new(model(cells, false, Strain::Small), Exec::serial()).expect("a model");
-    let build = start.elapsed().as_secs_f64();
+    let model = parsed.prepare(&parsed.plain()).expect("a model").model;
+    let setup = model.setup.clone();
+    let simulation = Simulation::new(model.setup, model.plan, exec()).expect("a simulation");
+    let library = start.elapsed().as_secs_f64();
+    drop(simulation);
+    let riprap::model::Setup::Spatial(setup) = setup else {
+        panic!("the scene is in space")
+    };
+    let start = Instant::now();
+    let (mut world, mut scratch) = World::new(*setup, exec()).expect("a model");
+    let engine = start.elapsed().as_secs_f64();
+    let blocks = world.alive.len();
     let strain = Vec3::new(3e-4, 1e-5, 0.0);
     begin(&mut world, &mut scratch, false, |at| {
         Vec3::new(strain.x * at.x, strain.y * at.x, 0.0)
@@ -303,11 +372,40 @@ fn cut_all(cells: [usize; 3]) {
     let start = Instant::now();
     let count = cutting::step(&mut world, &mut scratch, 1e-9).expect("a sound cut");
     let seconds = start.elapsed().as_secs_f64();
-    let blocks: usize = cells.iter().product();
-    println!("\"building {blocks} blocks\",1,{build:.3},s,");
-    println!("\"cutting {count} of them\",1,{seconds:.3},s,<= building");
-    println!(
-        "\"one cut with its interfaces\",1,{:.1},us,<= 60",
-        1e6 * seconds / count as f64
+    let start = Instant::now();
+    evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9).expect("finite");
+    let once = start.elapsed().as_secs_f64();
+    let row = |what: &str, value: f64, unit: &str, asked: &str| {
+        println!("\"{name}: {what}\",{threads},{value:.4},{unit},{asked}");
+    };
+    row(
+        &format!("building {blocks} blocks from the parsed scene"),
+        library,
+        "s",
+        "",
+    );
+    row(
+        &format!("building {blocks} blocks in the engine"),
+        engine,
+        "s",
+        "",
+    );
+    row(
+        &format!("cutting {count} of them"),
+        seconds,
+        "s",
+        "<= building",
+    );
+    row(
+        "one cut with its interfaces",
+        1e6 * seconds / count as f64,
+        "us",
+        "<= 60",
+    );
+    row(
+        "forces of all parts once",
+        1e6 * once / count as f64,
+        "us/cut",
+        "",
     );
 }

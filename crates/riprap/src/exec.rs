@@ -119,6 +119,23 @@ impl Exec {
     }
 }
 
+impl Exec {
+    /// `f` of each run of `per` (at least 1) items, in order.
+    pub fn map<T: Sync, R: Send>(
+        &self,
+        items: &[T],
+        per: usize,
+        f: impl Fn(&[T]) -> R + Sync,
+    ) -> Vec<R> {
+        match &self.pool {
+            Some(pool) if items.len() > per => {
+                pool.install(|| items.par_chunks(per).map(&f).collect())
+            }
+            _ => items.chunks(per).map(f).collect(),
+        }
+    }
+}
+
 /// Work that can be cut between two of its chunks.
 pub trait Divide: Sized + Send {
     /// The chunks before number `middle` (counted from the first of this piece) and the others.

@@ -6,7 +6,7 @@
 //! [`Tetrahedra::inertial`] masses the gain is below 0.05 %.
 //!
 //! Interpolated displacements would also make strain energy (up to a fifth of that of a block). Each new tetrahedron
-//! gets the mean of the parent's stress over its volume instead ([`shares`], [`mean_stresses`]), held by a start stress
+//! gets the mean of the parent's stress over its volume instead ([`Shares`], [`mean_stresses`]), held by a start stress
 //! ([`start_stresses`]): the energy `1/2 S : C^-1 : S` of a mean is never above the mean of the energies.
 //!
 //! Source: derived here; Han, Liu & Li (2010) do not say what they do.
@@ -16,8 +16,11 @@ use crate::Vec3;
 use crate::geom::Mat3;
 use crate::geom::polyhedron::Tetrahedra;
 
+mod shares;
 #[cfg(test)]
 mod tests;
+
+pub use shares::{Cells, Shares, Sides};
 
 /// A point of a block as a mean of nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,17 +31,38 @@ pub struct Place {
     pub weights: [f64; 4],
 }
 
+/// A point with weights above this is in no other tetrahedron.
+pub const WELL_INSIDE: f64 = 1e-3;
+
 /// Where a point (m) is in a block. One a little outside is taken in the nearest tetrahedron.
 #[must_use]
 pub fn locate(parent: &Tetrahedra, at: Vec3) -> Place {
+    nearest(parent, at, 0..parent.tets.len()).0
+}
+
+/// As [`locate`] for node number `node` of a part.
+#[must_use]
+pub fn locate_node(parent: &Tetrahedra, part: &Tetrahedra, sides: &Sides, node: usize) -> Place {
+    let at = part.nodes[node];
+    let (place, inside) = nearest(parent, at, sides.holders(node));
+    // What is a little outside is outside of all that may hold it.
+    if inside < -WELL_INSIDE {
+        return locate(parent, at);
+    }
+    place
+}
+
+/// The first of some tetrahedra whose least weight at a point is largest, and that weight.
+fn nearest(parent: &Tetrahedra, at: Vec3, some: impl Iterator<Item = usize>) -> (Place, f64) {
     let mut best = Place {
         nodes: [0; 4],
         weights: [1.0, 0.0, 0.0, 0.0],
     };
     let mut inside = f64::NEG_INFINITY;
-    for (nodes, gradients) in parent.tets.iter().zip(&parent.gradients) {
+    for tet in some {
+        let nodes = &parent.tets[tet];
         let arm = at - parent.nodes[nodes[0] as usize];
-        let [b, c, d] = gradients.map(|g| g.dot(arm));
+        let [b, c, d] = parent.gradients[tet].map(|g| g.dot(arm));
         let weights = [1.0 - b - c - d, b, c, d];
         let least = weights.into_iter().fold(f64::INFINITY, f64::min);
         if least > inside {
@@ -47,9 +71,12 @@ pub fn locate(parent: &Tetrahedra, at: Vec3) -> Place {
                 nodes: *nodes,
                 weights,
             };
+            if least > WELL_INSIDE {
+                break;
+            }
         }
     }
-    best
+    (best, inside)
 }
 
 /// Value of a nodal field of the parent at a place.
@@ -140,109 +167,10 @@ pub fn conserve(before: &Motion, masses: &[f64], at: &[Vec3], velocities: &mut [
     rigid + keep * keep * deforming - before.kinetic
 }
 
-/// Shares of the tetrahedra of the parent in each tetrahedron of a part: `(parent's, volume over the part's volume)`,
-/// which add up to 1.
+/// Means of the parent's stresses over the tetrahedra of a part, with their [`Shares`].
 #[must_use]
-pub fn shares(parent: &Tetrahedra, part: &Tetrahedra) -> Vec<Vec<(u32, f64)>> {
-    let corners = |mesh: &Tetrahedra, tet: usize| mesh.tets[tet].map(|k| mesh.nodes[k as usize]);
-    let bounds = |t: &[Vec3; 4]| {
-        let low = t[0].min(t[1]).min(t[2].min(t[3]));
-        (low, t[0].max(t[1]).max(t[2].max(t[3])))
-    };
-    let theirs: Vec<_> = (0..parent.tets.len())
-        .map(|k| {
-            let t = corners(parent, k);
-            (t, bounds(&t))
-        })
-        .collect();
-    let of = |tet: usize| {
-        let own = corners(part, tet);
-        let (low, high) = bounds(&own);
-        let mut list: Vec<(u32, f64)> = Vec::new();
-        for (k, (other, (from, to))) in theirs.iter().enumerate() {
-            if low.cmpge(*to).any() || from.cmpge(high).any() {
-                continue;
-            }
-            let volume = common_volume(&own, other);
-            if volume > 0.0 {
-                list.push((k as u32, volume));
-            }
-        }
-        let sum: f64 = list.iter().map(|(_, v)| v).sum();
-        for (_, v) in &mut list {
-            *v /= sum;
-        }
-        list
-    };
-    (0..part.tets.len()).map(of).collect()
-}
-
-/// Volume that two tetrahedra (positive volume) share, m³: one is cut by the faces of the other.
-fn common_volume(a: &[Vec3; 4], b: &[Vec3; 4]) -> f64 {
-    // Each face with the vertex opposite on its inner side.
-    const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
-    let mut pieces = vec![*a];
-    let mut next = Vec::new();
-    for face in FACES {
-        let [p, q, r] = face.map(|k| b[k]);
-        let normal = (q - p).cross(r - p);
-        for piece in pieces.drain(..) {
-            keep_inside(&piece, normal, p, &mut next);
-        }
-        std::mem::swap(&mut pieces, &mut next);
-    }
-    let volume = |t: &[Vec3; 4]| (t[1] - t[0]).dot((t[2] - t[0]).cross(t[3] - t[0])).abs() / 6.0;
-    pieces.iter().map(volume).sum()
-}
-
-/// Adds the tetrahedra that make up the part of one on the inner side of a plane.
-fn keep_inside(tet: &[Vec3; 4], normal: Vec3, origin: Vec3, to: &mut Vec<[Vec3; 4]>) {
-    let height = tet.map(|p| normal.dot(p - origin));
-    let (mut inner, mut outer) = (Vec::with_capacity(4), Vec::with_capacity(4));
-    for (k, height) in height.iter().enumerate() {
-        if *height < 0.0 {
-            inner.push(k);
-        } else {
-            outer.push(k);
-        }
-    }
-    let cut = |i: usize, o: usize| {
-        let share = height[i] / (height[i] - height[o]);
-        tet[i] + share * (tet[o] - tet[i])
-    };
-    match (inner.as_slice(), outer.as_slice()) {
-        ([], _) => {}
-        (_, []) => to.push(*tet),
-        ([i], [a, b, c]) => to.push([tet[*i], cut(*i, *a), cut(*i, *b), cut(*i, *c)]),
-        ([i, j], [a, b]) => {
-            // A wedge between the triangles (i, ia, ib) and (j, ja, jb).
-            wedge(
-                [tet[*i], cut(*i, *a), cut(*i, *b)],
-                [tet[*j], cut(*j, *a), cut(*j, *b)],
-                to,
-            );
-        }
-        ([i, j, k], [a]) => wedge(
-            [tet[*i], tet[*j], tet[*k]],
-            [cut(*i, *a), cut(*j, *a), cut(*k, *a)],
-            to,
-        ),
-        // Four vertices are shared out in no other way.
-        _ => {}
-    }
-}
-
-/// Three tetrahedra of a prism between two triangles.
-fn wedge([a, b, c]: [Vec3; 3], [d, e, f]: [Vec3; 3], to: &mut Vec<[Vec3; 4]>) {
-    to.push([a, b, c, d]);
-    to.push([b, c, d, e]);
-    to.push([c, d, e, f]);
-}
-
-/// Means of the parent's stresses over the tetrahedra of a part, with their [`shares`].
-#[must_use]
-pub fn mean_stresses(shares: &[Vec<(u32, f64)>], stresses: &[Symmetric]) -> Vec<Symmetric> {
-    let mean = |list: &Vec<(u32, f64)>| {
+pub fn mean_stresses(shares: &Shares, stresses: &[Symmetric]) -> Vec<Symmetric> {
+    let mean = |list: &[(u32, f64)]| {
         let mut sum = [0.0; 6];
         for (tet, share) in list {
             for (sum, s) in sum.iter_mut().zip(stresses[*tet as usize]) {
@@ -251,7 +179,7 @@ pub fn mean_stresses(shares: &[Vec<(u32, f64)>], stresses: &[Symmetric]) -> Vec<
         }
         sum
     };
-    shares.iter().map(mean).collect()
+    shares.rows().map(mean).collect()
 }
 
 /// Second Piola-Kirchhoff stress of each tetrahedron of a block (with small strain just the stress), Pa: what is to be

@@ -39,7 +39,7 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
         return rigid;
     };
-    let (square, block) = deform::stable::highest(world, deform, work);
+    let (square, block) = deform::stable::highest(world, deform, work, &scratch.exec);
     if square == 0.0 {
         return rigid;
     }

@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 
 use super::boundary::Push;
 use super::cavity;
+use super::deform::workspace::Kind;
 use super::deform::{self, Workspace};
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
@@ -107,14 +108,25 @@ impl Scratch {
             partial: Vec::new(),
             turning: true,
         };
-        scratch.rebuild(world);
+        scratch.rebuild(world, Vec::new());
         scratch
     }
 
     /// Lays out everything anew: blocks or patches have come or gone, or laws have changed.
     pub fn invalidate(&mut self, world: &mut World) {
         world.fresh = true;
-        self.rebuild(world);
+        self.rebuild(world, Vec::new());
+    }
+
+    /// As [`Scratch::invalidate`] where deformable blocks have been appended or have gone, and no shape or material has
+    /// changed.
+    pub(super) fn extend(&mut self, world: &mut World) {
+        world.fresh = true;
+        let old = *self.deform.take().unwrap_or_default();
+        self.rebuild(world, old.kinds);
+        if let Some(work) = &mut self.deform {
+            work.alone = old.alone;
+        }
     }
 
     /// Uses no wider instructions than `width` from now on; results stay the same bits.
@@ -122,7 +134,8 @@ impl Scratch {
         self.width = Width::detect().min(width);
     }
 
-    fn rebuild(&mut self, world: &World) {
+    /// Lays everything out; `kinds` of deformable blocks, the first ones, are taken over.
+    fn rebuild(&mut self, world: &World, kinds: Vec<Kind>) {
         self.tiles = Tiles::new(world);
         let (blocks, count) = (world.alive.len(), self.tiles.list.len());
         self.net = Sums::zeros(blocks);
@@ -138,7 +151,8 @@ impl Scratch {
         self.partial = vec![Partial::default(); count];
         self.turning = true;
         let deform = world.deform.as_deref();
-        self.deform = deform.map(|d| Box::new(Workspace::new(&world.setup, d)));
+        self.deform =
+            deform.map(|d| Box::new(Workspace::grown(&world.setup, d, kinds, &self.exec)));
         self.rebuilds += 1;
     }
 

@@ -1,6 +1,7 @@
 //! Cutting of deformable blocks: what must stay, and where the source's examples cut.
 
 use riprap::Vec3;
+use riprap::laws::bond::{Cohesive, Softening};
 use riprap::laws::fracture::{Criterion, Margins};
 use riprap::spatial::deform::cut::{self, Anchor};
 use riprap::spatial::deform::phase::Rules;
@@ -214,4 +215,153 @@ fn blocks_under_compression_are_cut_along_an_x() {
         }
     }
     assert!(run.balance().residual_relative().abs() < 1e-9);
+}
+
+/// A dynamic phase of cubes that fly apart a little.
+fn dynamic(counts: [usize; 3]) -> Run {
+    let mut setup = soft(rock(lattice(counts, 0.03), elastic()), Strain::Small, 3e-4);
+    setup.materials[0].young = Some(30e9);
+    let mut run = Run::new(setup);
+    let rules = Rules {
+        relax: None,
+        breaking: false,
+        strain: None,
+    };
+    begin(&mut run, &rules);
+    run.evaluate(1e-9);
+    run
+}
+
+#[test]
+fn the_effort_of_a_cut_does_not_grow_with_the_model() {
+    let effort = |counts: [usize; 3]| {
+        let mut run = dynamic(counts);
+        let centre = (1 + counts[0] * (1 + counts[1])) as u32;
+        // The first cut finds the frequencies of all blocks.
+        let mut efforts = [0, centre].map(|block| {
+            let normal = Vec3::new(1.0, 0.4, 0.2);
+            let given = (block, normal, 3);
+            cut::one(&mut run.world, &mut run.scratch, given, 1e-9).unwrap();
+            run.scratch.deform.as_ref().unwrap().effort
+        });
+        let blocks: usize = counts.iter().product();
+        assert_eq!(efforts[0].frequencies, blocks + 3);
+        efforts[0].frequencies = 0;
+        efforts
+    };
+    let small = effort([3, 3, 3]);
+    assert_eq!((small[0].kinds, small[1].kinds), (4, 4));
+    // Four parts and six neighbours.
+    assert_eq!(small[1].frequencies, 10);
+    // At least one facet to each neighbour, and three between the parts.
+    assert!((9..=27).contains(&small[1].facets), "{small:?}");
+    assert_eq!(effort([5, 4, 6]), small);
+}
+
+/// The bound of the highest frequency block by block, over what power iteration finds.
+#[test]
+fn the_stable_step_after_a_cut_is_safe_and_not_much_too_short() {
+    let mut draws = Draws::new(11);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for _ in 0..12 {
+        let mut run = dynamic([3, 3, 3]);
+        for block in [13, 14, 4] {
+            let given = (block, draws.vector(), 3);
+            cut::one(&mut run.world, &mut run.scratch, given, 1e-9).unwrap();
+        }
+        let exec = riprap::exec::Exec::serial();
+        let highest = |run: &Run| {
+            let (deform, work) = run.view().softs().unwrap();
+            riprap::spatial::deform::stable::highest(&run.world, deform, work, &exec).0
+        };
+        let kept = highest(&run);
+        // As after a restart: nothing is known.
+        run.scratch.invalidate(&mut run.world);
+        assert_eq!(highest(&run), kept);
+        run.world.deform.as_mut().unwrap().given = None;
+        let ratio = kept / highest(&run);
+        (least, most) = (least.min(ratio), most.max(ratio));
+    }
+    println!("squared frequencies by blocks over power iteration: {least} to {most}");
+    assert!(least > 0.999, "{least}");
+    assert!(most < 1.2, "{most}");
+}
+
+#[test]
+fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
+    let strength = Strength {
+        tension: 2e6,
+        cohesion: 10e6,
+        friction: 0.5,
+        residual_friction: 0.5,
+    };
+    let mut setup = soft(
+        rock(lattice([2, 1, 1], 0.03), elastic()),
+        Strain::Small,
+        3e-4,
+    );
+    setup.materials[0].young = Some(30e9);
+    setup.deform.bonds[0] = Some(riprap::spatial::setup::deform::BondLaw {
+        strength: Some(strength),
+        cohesive: Some(Cohesive {
+            strength,
+            energy: [20.0, 80.0],
+            softening: Softening::Munjiza,
+        }),
+        ..bonds(3e-4)
+    });
+    let mut run = Run::new(setup);
+    let rules = Rules {
+        relax: None,
+        breaking: true,
+        strain: None,
+    };
+    begin(&mut run, &rules);
+    // The second block comes off, more and more towards +y.
+    let deform = run.world.deform.as_mut().unwrap();
+    for n in deform.bodies[1].nodes() {
+        let opening = 4e-6 * (1.0 + 0.5 * (deform.nodes.place[n].y / 0.03));
+        deform.nodes.moved[n] = [opening, 0.0, 0.0];
+    }
+    run.scratch.invalidate(&mut run.world);
+    run.evaluate(1e-9);
+    // Area, force on A and mean damage of facets, by whether they join parts of one block.
+    let sums = |run: &Run, inside: bool| {
+        let (deform, work) = run.view().softs().unwrap();
+        let (mut area, mut force, mut damage) = (0.0, Vec3::ZERO, 0.0);
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for facet in deform
+            .facets
+            .iter()
+            .filter(|f| inside != f.blocks.contains(&1))
+        {
+            for p in facet.points() {
+                let d = deform.memory[p].law.damage;
+                area += deform.points[p].area;
+                force += Vec3::from_array(work.slots[p]);
+                damage += deform.points[p].area * d;
+                (least, most) = (least.min(d), most.max(d));
+            }
+        }
+        (area, force, damage / area, [least, most])
+    };
+    let before = sums(&run, false);
+    assert!(before.3[0] > 0.5 && before.3[1] < 1.0, "{before:?}");
+    let normal = Vec3::new(0.1, 1.0, 0.2);
+    let parts = cut::one(&mut run.world, &mut run.scratch, (0, normal, 3), 1e-9).unwrap();
+    assert_eq!(parts.len(), 4);
+    let after = sums(&run, false);
+    assert!((after.0 / before.0 - 1.0).abs() < 1e-12);
+    // Each new point goes on as the nearest old one.
+    assert!(
+        (after.1.x / before.1.x - 1.0).abs() < 0.05,
+        "{before:?} {after:?}"
+    );
+    assert!((after.2 - before.2).abs() < 0.01, "{before:?} {after:?}");
+    assert!(after.3[0] >= before.3[0] && after.3[1] <= before.3[1]);
+    let inside = sums(&run, true);
+    assert!(inside.0 > 0.0 && inside.3 == [0.0, 0.0], "{inside:?}");
+    let deform = run.world.deform.as_ref().unwrap();
+    let new = deform.facets.iter().filter(|f| f.blocks.contains(&1));
+    assert!(new.count() >= 3);
 }

@@ -31,6 +31,14 @@ fn linear_fields_are_handed_on_exactly() {
         let (parent, parts) = random_cut(&mut state);
         let field = |x: Vec3| [x.x - 2.0 * x.y, 0.5 * x.z, x.x + x.y + 3.0];
         let values: Vec<[f64; 3]> = parent.nodes.iter().map(|x| field(*x)).collect();
+        let cells = Cells::new(&parent);
+        for part in &parts {
+            let sides = cells.sides(part);
+            for (node, x) in part.nodes.iter().enumerate() {
+                let place = locate(&parent, *x);
+                assert_eq!(locate_node(&parent, part, &sides, node), place);
+            }
+        }
         for x in parts.iter().flat_map(|p| &p.nodes) {
             let place = locate(&parent, *x);
             assert!(place.weights.iter().all(|w| *w > -1e-9));
@@ -97,8 +105,9 @@ fn shares_fill_every_tetrahedron() {
     for _ in 0..10 {
         let (parent, parts) = random_cut(&mut state);
         let mut back = vec![0.0; parent.tets.len()];
+        let cells = Cells::new(&parent);
         for part in &parts {
-            for (list, volume) in shares(&parent, part).iter().zip(&part.volumes) {
+            for (list, volume) in cells.shares(&cells.sides(part)).rows().zip(&part.volumes) {
                 let sum: f64 = list.iter().map(|(_, s)| s).sum();
                 assert!((sum - 1.0).abs() < 1e-13);
                 for (tet, share) in list {
@@ -147,7 +156,8 @@ fn mean_stresses_never_gain_energy() {
                     .iter()
                     .map(|x| interpolate(&locate(&parent, *x), &u))
                     .collect();
-                let wanted = mean_stresses(&shares(&parent, part), &old);
+                let cells = Cells::new(&parent);
+                let wanted = mean_stresses(&cells.shares(&cells.sides(part)), &old);
                 let start = start_stresses(&groups, &law, strain, &new_u, &wanted);
                 let carried = stresses(&groups, &law, strain, &start, &new_u);
                 for (a, b) in carried.iter().zip(&wanted) {

@@ -26,6 +26,7 @@ use riprap_geom::polyhedron::cut::Part;
 use serde::{Deserialize, Serialize};
 
 use super::fracture::LOOK;
+use super::stable;
 use crate::laws::fracture::Way;
 use crate::spatial::cavity;
 use crate::spatial::edit::{EditError, EditEvent, EditKind};
@@ -53,6 +54,17 @@ pub struct Cutting {
     pub looked: u64,
     /// Times that blocks were cut.
     pub stages: u64,
+}
+
+/// What a cut had to make: of the model only what is about the cut blocks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Kinds: shapes of parts with their elements.
+    pub kinds: usize,
+    /// Facets of cut blocks.
+    pub facets: usize,
+    /// Highest frequencies of parts and of blocks that share facets with them; none where everything relaxes.
+    pub frequencies: usize,
 }
 
 /// How a block was cut.
@@ -132,7 +144,6 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
             relax.disturb();
         }
     }
-    scratch.invalidate(world);
     step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
     let view = View { world, scratch };
     let (after, ratio) = (view.balance().residual(), view.soft_unbalanced());
@@ -183,7 +194,6 @@ pub fn one(
     }];
     let before = View { world, scratch }.balance().residual();
     carry_out(world, scratch, &cuts)?;
-    scratch.invalidate(world);
     step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
     let after = View { world, scratch }.balance().residual();
     world.works.edit_defect += after - before;
@@ -191,10 +201,41 @@ pub fn one(
 }
 
 /// Does it all but the evaluation.
-fn carry_out(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<(), EditError> {
+fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: &[Cut]) -> Result<(), EditError> {
+    let kinds = world.deform.as_ref().map_or(0, |d| d.kinds.len());
+    let made = edit(world, scratch, cuts)?;
+    scratch.extend(world);
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
+    else {
+        return Ok(());
+    };
+    let mut known = std::mem::take(&mut work.alone);
+    let mut frequencies = 0;
+    if deform.relax.is_none() {
+        // The facets that were made stand last.
+        for facet in &deform.facets[deform.facets.len() - made..] {
+            for block in facet.blocks {
+                if let Some(known) = known.get_mut(deform.slot[block as usize] as usize) {
+                    *known = f64::NAN;
+                }
+            }
+        }
+        (known, frequencies) = stable::alone::each(deform, work, known, &scratch.exec);
+        work.alone = known;
+    }
+    work.effort = Effort {
+        kinds: deform.kinds.len() - kinds,
+        facets: made,
+        frequencies,
+    };
+    Ok(())
+}
+
+/// Cuts, in the lists of the world; returns the number of facets made.
+fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, EditError> {
     let walls = cavity::soft_state(world);
     let (Some(mut deform), Some(work)) = (world.deform.take(), scratch.deform.as_deref()) else {
-        return Ok(());
+        return Ok(0);
     };
     let first = world.alive.len() as u32;
     let mut next = first;
@@ -212,10 +253,10 @@ fn carry_out(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<(), E
         .collect();
     apply::append(world, &mut deform, &families);
     follow::follow(&mut world.setup, &families);
-    let result =
-        audit(world, &families).and_then(|()| facets::rebuild(world, &mut deform, work, &families));
-    let counts = match result {
-        Ok(counts) => counts,
+    let result = audit(world, &families)
+        .and_then(|()| facets::rebuild(world, &mut deform, work, &families, &scratch.exec));
+    let (counts, made) = match result {
+        Ok(done) => done,
         Err(error) => {
             world.deform = Some(deform);
             return Err(error);
@@ -234,7 +275,7 @@ fn carry_out(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<(), E
     super::build::hold_anew(world, &mut deform);
     world.deform = Some(deform);
     cavity::renew_soft(world, &walls);
-    Ok(())
+    Ok(made)
 }
 
 /// A cut block and its parts.

@@ -1,9 +1,13 @@
-//! Stable step of the deformable blocks: the highest frequency, by power iteration over blocks and bonds.
+//! Stable step of the deformable blocks: the highest frequency, by power iteration over blocks and bonds; once blocks have been
+//! cut, from above, block by block ([`alone`]).
+
+pub mod alone;
 
 use super::bonds::Anchors;
 use super::elements;
 use super::store::{Deform, Masses};
 use super::workspace::Workspace;
+use crate::exec::Exec;
 use crate::laws::tetrahedron::{StartStress, Strain};
 use crate::spatial::lanes::Width;
 use crate::spatial::world::{Bodies, Turned, World};
@@ -15,12 +19,33 @@ const SWEEPS: usize = 150;
 const MARGIN: f64 = 1.005;
 
 /// Square of the highest angular frequency (1/s²) of nodes on their tetrahedra and bonds, rigid blocks held, and
-/// the block that moves most in that mode. Bonds count as they were built.
+/// the block that moves most in that mode. Bonds count as they were built. After cuts a bound, of the block with the highest.
 #[must_use]
-pub fn highest(world: &World, deform: &Deform, work: &Workspace) -> (f64, Option<u32>) {
+pub fn highest(
+    world: &World,
+    deform: &Deform,
+    work: &Workspace,
+    exec: &Exec,
+) -> (f64, Option<u32>) {
     let n = deform.nodes.len();
     if n == 0 {
         return (0.0, None);
+    }
+    if deform
+        .given
+        .is_some_and(|given| deform.slot.len() > given as usize)
+    {
+        let found;
+        let all = if work.alone.len() == deform.bodies.len() {
+            &work.alone
+        } else {
+            found = alone::each(deform, work, Vec::new(), exec).0;
+            &found
+        };
+        let worst = (0..all.len())
+            .rev()
+            .max_by(|a, b| all[*a].total_cmp(&all[*b]));
+        return worst.map_or((0.0, None), |k| (all[k], Some(deform.bodies[k].block)));
     }
     let roots = roots(deform, work, deform.masses);
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;

@@ -5,6 +5,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::links::Links;
 use super::store::{Deform, Masses};
+use crate::exec::Exec;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
 use crate::ledger::Works;
 use crate::spatial::setup::{Setup, Shape};
@@ -29,9 +30,9 @@ pub struct Kind {
     pub law: Elastic,
     /// Lumped masses of the nodes, kg.
     pub lumped: Vec<f64>,
-    /// Masses with the true moment of inertia, kg.
+    /// Masses with the true moment of inertia, kg; empty in phases with lumped ones.
     pub inertial: Vec<f64>,
-    /// Row sums of the stiffness matrix, N/m.
+    /// Row sums of the stiffness matrix, N/m; empty outside relaxing phases.
     pub row_sums: Vec<f64>,
     /// Place in `Workspace::slopes`.
     first_slope: usize,
@@ -85,6 +86,11 @@ pub struct Workspace {
     pub norms: [f64; 3],
     /// Whether a point broke in the last evaluation.
     pub broke: bool,
+    /// Squares of the highest frequencies of the bodies, each alone, 1/s²; empty where nothing has been cut in the phase or it
+    /// relaxes.
+    pub alone: Vec<f64>,
+    /// What the last cut had to make.
+    pub effort: super::cut::Effort,
     pub(super) partial: Vec<super::kick::Sums>,
     /// Squares of the speeds of the centroids of bodies after the last step, m²/s².
     pub(super) speeds: Vec<f64>,
@@ -114,9 +120,15 @@ impl Workspace {
     /// Lays out everything for the bodies and bonds there are.
     #[must_use]
     pub fn new(setup: &Setup, deform: &Deform) -> Self {
+        Self::grown(setup, deform, Vec::new(), &Exec::serial())
+    }
+
+    /// As [`Workspace::new`] with the first kinds as they were: kinds are only ever added.
+    #[must_use]
+    pub fn grown(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Self {
         let nodes = deform.nodes.len();
         let mut work = Self {
-            kinds: kinds(setup, deform),
+            kinds: kinds(setup, deform, old, exec),
             slots: vec![[0.0; 3]; deform.points.len()],
             net: vec![[0.0; 3]; nodes],
             change: vec![[0.0; 3]; nodes],
@@ -217,38 +229,63 @@ fn slopes(mesh: &Tetrahedra) -> Vec<Vec3> {
     sums
 }
 
-fn kinds(setup: &Setup, deform: &Deform) -> Vec<Kind> {
+/// Kinds of which one thread makes so many at a time.
+const KINDS: usize = 64;
+
+/// All kinds, the first of them as they were.
+fn kinds(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Vec<Kind> {
     let mut shared = vec![0u32; deform.kinds.len()];
     for body in &deform.bodies {
         shared[body.kind as usize] += 1;
     }
-    let mut kinds: Vec<Kind> = Vec::with_capacity(deform.kinds.len());
-    let mut sum = 0;
-    for (&block, &shared) in deform.kinds.iter().zip(&shared) {
-        let spec = &setup.blocks[block as usize];
-        let material = &setup.materials[usize::from(spec.material)];
-        let (solid, _) = centred(&spec.shape);
-        // Both were looked at when the kind was made.
-        let (Ok(mesh), Some(young), Some(poisson)) =
-            (Tetrahedra::new(&solid), material.young, material.poisson)
-        else {
-            unreachable!("a kind of deformable block that cannot be built")
-        };
-        let law = Elastic::new(young, poisson);
-        let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
-        kinds.push(Kind {
-            faces: solid.faces,
-            groups: Groups::new(&mesh),
-            stiffness: (shared > 1).then(|| Stiffness::new(&mesh, &law)),
-            law,
-            lumped: scale(mesh.lumped()),
-            inertial: scale(mesh.inertial()),
-            row_sums: row_sums(&mesh, &law),
-            first_slope: sum,
-            mesh,
-        });
-        sum += kinds[kinds.len() - 1].mesh.nodes.len();
+    let mut kinds = old;
+    let new: Vec<(u32, u32)> = deform.kinds.iter().copied().zip(shared).collect();
+    let new = &new[kinds.len()..];
+    let made = exec.map(new, KINDS, |some| {
+        let some = some.iter();
+        some.map(|&(block, shared)| kind(setup, deform, block, shared > 1))
+            .collect::<Vec<_>>()
+    });
+    let mut sum = kinds
+        .last()
+        .map_or(0, |k| k.first_slope + k.mesh.nodes.len());
+    for mut kind in made.into_iter().flatten() {
+        kind.first_slope = sum;
+        sum += kind.mesh.nodes.len();
+        kinds.push(kind);
     }
     Groups::pack(kinds.iter_mut().map(|k| &mut k.groups));
     kinds
+}
+
+/// The kind that a block has, with what the present phase needs.
+fn kind(setup: &Setup, deform: &Deform, block: u32, shared: bool) -> Kind {
+    let spec = &setup.blocks[block as usize];
+    let material = &setup.materials[usize::from(spec.material)];
+    let (solid, _) = centred(&spec.shape);
+    // Both were looked at when the kind was made.
+    let (Ok(mesh), Some(young), Some(poisson)) =
+        (Tetrahedra::new(&solid), material.young, material.poisson)
+    else {
+        unreachable!("a kind of deformable block that cannot be built")
+    };
+    let law = Elastic::new(young, poisson);
+    let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
+    Kind {
+        faces: solid.faces,
+        groups: Groups::new(&mesh),
+        stiffness: shared.then(|| Stiffness::new(&mesh, &law)),
+        law,
+        lumped: scale(mesh.lumped()),
+        inertial: match deform.masses {
+            Masses::Lumped => Vec::new(),
+            Masses::Inertia => scale(mesh.inertial()),
+        },
+        row_sums: match deform.relax {
+            Some(_) => row_sums(&mesh, &law),
+            None => Vec::new(),
+        },
+        first_slope: 0,
+        mesh,
+    }
 }

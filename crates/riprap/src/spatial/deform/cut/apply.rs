@@ -42,7 +42,10 @@ fn block(world: &mut World, parent: usize, number: usize, part: &Part) {
     };
     let spec = BlockSpec {
         shape: Shape::Polyhedron(Box::new(solid)),
-        ..spec.clone()
+        name: spec.name,
+        material: spec.material,
+        velocity: spec.velocity,
+        spin: spec.spin,
     };
     let density = world.setup.materials[usize::from(spec.material)].density;
     let moments = part.solid.moments();

@@ -1,6 +1,6 @@
 //! Bonds of cut blocks: with neighbours and between parts, by overlay, with the stretch they had.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use riprap_geom::Vec3;
 use riprap_geom::face_overlay::{self, Fan, JointPoint};
@@ -10,6 +10,7 @@ use riprap_geom::polyhedron::{Tetrahedra, frame};
 use super::pressed::Pressed;
 use super::stretch::Stretch;
 use super::{AREA, Family};
+use crate::exec::Exec;
 use crate::spatial::build::BuildError;
 use crate::spatial::deform::bonds::Anchors;
 use crate::spatial::deform::build::{face_with, place, stiffness};
@@ -31,82 +32,164 @@ struct Piece {
     fan: Fan,
 }
 
-/// Lists under construction.
+/// New facets and what belongs to them.
 #[derive(Default)]
 struct Lists {
     facets: Vec<Facet>,
-    worn: Vec<bool>,
     points: Vec<Point>,
     memory: Vec<Memory>,
-    /// Area of new facets by block, face and node, m².
-    covered: BTreeMap<(u32, usize, u32), f64>,
+    /// Area of new facets by block, face and node, m², where a face may have a condition.
+    covered: Vec<(Spot, f64)>,
 }
 
-/// Makes the facets and surfaces of all families anew; returns the number of facets of each before and after.
+/// Block, face and node.
+type Spot = (u32, usize, u32);
+
+/// Not cut.
+const WHOLE: u32 = u32::MAX;
+/// Facets, and blocks, that one thread works on at a time.
+const RUN: usize = 32;
+
+/// Makes the facets and surfaces of all families anew, at the end of the lists; others stay as they are, in their order.
+/// Returns the number of facets of each family before and after, and how many were made.
 pub(super) fn rebuild(
     world: &World,
     deform: &mut Deform,
     work: &Workspace,
     families: &[Family],
-) -> Result<Vec<[u32; 2]>, EditError> {
-    let of: BTreeMap<u32, usize> = families
-        .iter()
-        .enumerate()
-        .map(|(k, f)| (f.cut.block, k))
-        .collect();
-    let mut counts = vec![[0; 2]; families.len()];
-    let mut lists = Lists::default();
-    let mut open = Vec::new();
-    for (k, facet) in deform.facets.iter().enumerate() {
-        let cut = facet.blocks.map(|b| of.get(&b).copied());
-        if cut == [None; 2] {
-            lists.keep(deform, k);
-        } else {
-            open.push(k);
-        }
-        for k in cut.into_iter().flatten() {
-            counts[k][0] += 1;
+    exec: &Exec,
+) -> Result<(Vec<[u32; 2]>, usize), EditError> {
+    let mut of = vec![WHOLE; world.alive.len()];
+    for (k, family) in families.iter().enumerate() {
+        of[family.cut.block as usize] = k as u32;
+    }
+    let mut conditioned = vec![false; families.len()];
+    for surface in &deform.surfaces {
+        let block = deform.bodies[surface.body as usize].block;
+        if let Some(set) = conditioned.get_mut(of[block as usize] as usize) {
+            *set = true;
         }
     }
+    let is_open = |facet: &Facet| facet.blocks.iter().any(|b| of[*b as usize] != WHOLE);
+    let facets = deform.facets.iter().enumerate();
+    let open: Vec<usize> = facets.filter(|(_, f)| is_open(f)).map(|(k, _)| k).collect();
     let maker = Maker {
         world,
         deform,
         work,
         families,
         of: &of,
+        conditioned: &conditioned,
     };
-    for k in open {
-        let made = maker.anew(&mut lists, k)?;
-        for k in deform.facets[k].blocks.iter().filter_map(|b| of.get(b)) {
-            counts[*k][1] += made;
+    let mut counts = vec![[0; 2]; families.len()];
+    let mut lists = Lists::default();
+    let between = exec.map(&open, RUN, |some| {
+        made_of(some, |lists, k| maker.anew(lists, *k))
+    });
+    let mut olds = open.iter();
+    for made in between {
+        let (new, made) = made?;
+        for (made, k) in made.into_iter().zip(&mut olds) {
+            for b in deform.facets[*k].blocks {
+                if let Some(counts) = counts.get_mut(of[b as usize] as usize) {
+                    counts[0] += 1;
+                    counts[1] += made;
+                }
+            }
         }
+        lists.append(new);
     }
-    for (family, counts) in families.iter().zip(&mut counts) {
-        counts[1] += maker.inside(&mut lists, family)?;
+    let inside = exec.map(families, RUN, |some| {
+        made_of(some, |lists, family| maker.inside(lists, family))
+    });
+    let mut own = counts.iter_mut();
+    for made in inside {
+        let (new, made) = made?;
+        for (made, counts) in made.into_iter().zip(&mut own) {
+            counts[1] += made;
+        }
+        lists.append(new);
     }
     let surfaces = maker.surfaces(&lists);
-    deform.facets = lists.facets;
-    deform.worn = lists.worn;
-    deform.points = lists.points;
-    deform.memory = lists.memory;
-    let gone: BTreeSet<u32> = families.iter().map(|f| f.slot).collect();
-    deform.surfaces.retain(|s| !gone.contains(&s.body));
-    deform.surfaces.extend(surfaces);
-    Ok(counts)
+    let gone = |s: &Surface| of[deform.bodies[s.body as usize].block as usize] != WHOLE;
+    let mut kept = std::mem::take(&mut deform.surfaces);
+    kept.retain(|s| !gone(s));
+    kept.extend(surfaces);
+    deform.surfaces = kept;
+    drop_facets(deform, &open);
+    let made = lists.facets.len();
+    lists.hand_over(deform);
+    Ok((counts, made))
+}
+
+/// The facets that `make` makes of some items, and how many of each.
+fn made_of<T>(
+    some: &[T],
+    make: impl Fn(&mut Lists, &T) -> Result<u32, EditError>,
+) -> Result<(Lists, Vec<u32>), EditError> {
+    let mut lists = Lists::default();
+    let made: Result<Vec<u32>, _> = some.iter().map(|item| make(&mut lists, item)).collect();
+    Ok((lists, made?))
+}
+
+/// Takes facets (ascending numbers) with their points out of the lists; the others close up.
+fn drop_facets(deform: &mut Deform, gone: &[usize]) {
+    let Some(&first) = gone.first() else { return };
+    let (mut to, mut point) = (first, deform.facets[first].first as usize);
+    let mut gone = gone.iter().peekable();
+    for k in first..deform.facets.len() {
+        if gone.next_if_eq(&&k).is_some() {
+            continue;
+        }
+        let facet = deform.facets[k];
+        deform.facets[to] = Facet {
+            first: point as u32,
+            ..facet
+        };
+        deform.worn[to] = deform.worn[k];
+        deform.points.copy_within(facet.points(), point);
+        deform.memory.copy_within(facet.points(), point);
+        to += 1;
+        point += facet.count as usize;
+    }
+    deform.facets.truncate(to);
+    deform.worn.truncate(to);
+    deform.points.truncate(point);
+    deform.memory.truncate(point);
 }
 
 impl Lists {
-    fn keep(&mut self, deform: &Deform, k: usize) {
-        let facet = &deform.facets[k];
-        self.facets.push(Facet {
-            first: self.points.len() as u32,
-            ..*facet
-        });
-        self.worn.push(deform.worn[k]);
-        self.points
-            .extend_from_slice(&deform.points[facet.points()]);
-        self.memory
-            .extend_from_slice(&deform.memory[facet.points()]);
+    fn append(&mut self, new: Self) {
+        let first = self.points.len() as u32;
+        self.facets.extend(new.facets.into_iter().map(|f| Facet {
+            first: first + f.first,
+            ..f
+        }));
+        self.points.extend(new.points);
+        self.memory.extend(new.memory);
+        self.covered.extend(new.covered);
+    }
+
+    /// Appends everything to the lists of the model. New facets are joined under load.
+    fn hand_over(self, deform: &mut Deform) {
+        let first = deform.points.len() as u32;
+        deform.facets.extend(self.facets.into_iter().map(|f| Facet {
+            first: first + f.first,
+            ..f
+        }));
+        deform.worn.resize(deform.facets.len(), true);
+        deform.points.extend(self.points);
+        deform.memory.extend(self.memory);
+    }
+
+    fn cover(&mut self, side: usize, piece: &Piece, points: &[Point]) {
+        for point in points {
+            let anchor = &point.anchors[side];
+            for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
+                let spot = (piece.block, piece.face, *node);
+                self.covered.push((spot, weight * point.area));
+            }
+        }
     }
 }
 
@@ -115,10 +198,19 @@ struct Maker<'a> {
     deform: &'a Deform,
     work: &'a Workspace,
     families: &'a [Family<'a>],
-    of: &'a BTreeMap<u32, usize>,
+    /// Family of each block; [`WHOLE`] for those that are not cut.
+    of: &'a [u32],
+    /// Families with faces that have a condition.
+    conditioned: &'a [bool],
 }
 
 impl Maker<'_> {
+    /// Number of the family of a block.
+    fn family(&self, block: u32) -> Option<usize> {
+        let k = self.of[block as usize];
+        (k != WHOLE).then_some(k as usize)
+    }
+
     /// The facets that take the place of facet `k`; their number.
     fn anew(&self, lists: &mut Lists, k: usize) -> Result<u32, EditError> {
         let old = &self.deform.facets[k];
@@ -126,14 +218,21 @@ impl Maker<'_> {
         let shift = self.shift(old);
         let place = |point: &Point| place(self.world, self.deform, old, point, 0);
         let stretch = Stretch::new(self.world, self.deform, old, place);
-        let sides = [0, 1].map(|side| self.pieces(old, side));
+        let mut sides = [0, 1].map(|side| self.pieces(old, side));
+        if shift != Vec3::ZERO {
+            for piece in &mut sides[1] {
+                piece.fan.at.iter_mut().for_each(|at| *at += shift);
+            }
+        }
+        let areas = |pieces: &[Piece]| pieces.iter().map(|p| p.fan.area()).collect::<Vec<f64>>();
+        let areas = sides.each_ref().map(|pieces| areas(pieces));
+        let cut = old.blocks.map(|b| self.family(b));
+        let conditioned = cut.map(|k| k.is_some_and(|k| self.conditioned[k]));
         let (mut made, mut area) = (0, 0.0);
-        for a in &sides[0] {
-            for b in &sides[1] {
-                let mut beside = b.fan.clone();
-                beside.at.iter_mut().for_each(|at| *at += shift);
-                let smallest = SLIVER * a.fan.area().min(b.fan.area());
-                let joints = face_overlay::overlay(&a.fan, &beside, n, smallest);
+        for (a, area_a) in sides[0].iter().zip(&areas[0]) {
+            for (b, area_b) in sides[1].iter().zip(&areas[1]) {
+                let smallest = SLIVER * area_a.min(*area_b);
+                let joints = face_overlay::overlay(&a.fan, &b.fan, n, smallest);
                 if joints.is_empty() {
                     continue;
                 }
@@ -148,14 +247,18 @@ impl Maker<'_> {
                     let at = facet.now.map(|e| e.dot(jump));
                     lists.memory.push(stretch.memory(&facet, joint.at, &at));
                 }
-                lists.cover([a, b], &points);
+                for (side, piece) in [a, b].into_iter().enumerate() {
+                    if conditioned[side] {
+                        lists.cover(side, piece, &points);
+                    }
+                }
                 lists.points.extend(points);
                 area += facet.area;
                 made += 1;
             }
         }
         if (area - old.area).abs() > AREA * old.area {
-            let cut = old.blocks.iter().find(|b| self.of.contains_key(b));
+            let cut = old.blocks.iter().find(|b| self.family(**b).is_some());
             return Err(EditError::Audit {
                 what: "the area of a facet",
                 block: self.world.name(cut.map_or(0, |b| *b as usize)),
@@ -210,7 +313,6 @@ impl Maker<'_> {
             ..facet
         };
         lists.facets.push(facet);
-        lists.worn.push(true);
         (facet, points)
     }
 
@@ -234,24 +336,27 @@ impl Maker<'_> {
         let Some(body) = self.deform.body(block as usize) else {
             return Vec::new();
         };
-        let nodes: BTreeSet<u32> = self.deform.points[facet.points()]
+        let mut nodes: Vec<u32> = self.deform.points[facet.points()]
             .iter()
             .map(|p| &p.anchors[side])
             .flat_map(|a| a.nodes.iter().zip(a.weights))
             .filter(|(_, w)| *w != 0.0)
             .map(|(n, _)| n - body.first)
             .collect();
+        nodes.sort_unstable();
+        nodes.dedup();
         let face = self.face(body, &nodes);
         self.now(body, face)
     }
 
-    /// Face of a body that has most of the nodes (numbers within the body).
-    fn face(&self, body: &Body, nodes: &BTreeSet<u32>) -> usize {
+    /// Face of a body that has most of the nodes (numbers within the body, sorted).
+    fn face(&self, body: &Body, nodes: &[u32]) -> usize {
+        let has = |node: &u32| nodes.binary_search(node).is_ok();
         let kind = self.work.kind(body);
         let middle = (kind.mesh.nodes.len() - 1 - kind.faces.len()) as u32;
         let shared = |f: usize| {
-            let own = kind.faces[f].iter().filter(|n| nodes.contains(n)).count();
-            own + 2 * usize::from(nodes.contains(&(middle + f as u32)))
+            let own = kind.faces[f].iter().filter(|n| has(n)).count();
+            own + 2 * usize::from(has(&(middle + f as u32)))
         };
         // The first of the best.
         (0..kind.faces.len())
@@ -263,7 +368,7 @@ impl Maker<'_> {
     /// A face of a body as it is now: itself, or what the parts of the body have of it.
     fn now(&self, body: &Body, face: usize) -> Vec<Piece> {
         let centre = self.deform.nodes.place[body.nodes().end - 1];
-        let Some(&k) = self.of.get(&body.block) else {
+        let Some(k) = self.family(body.block) else {
             let fan = self.work.kind(body).mesh.face_fan(face);
             let fan = moved(fan, centre, body.first);
             let block = body.block;
@@ -358,7 +463,6 @@ impl Maker<'_> {
                     ..Memory::default()
                 });
             }
-            lists.cover([a, b], &points);
             lists.points.extend(points);
             made += 1;
         }
@@ -367,18 +471,22 @@ impl Maker<'_> {
 
     /// Free parts of the faces of parts that have a condition.
     fn surfaces(&self, lists: &Lists) -> Vec<Surface> {
+        let mut covered: BTreeMap<Spot, f64> = BTreeMap::new();
+        for (spot, area) in &lists.covered {
+            *covered.entry(*spot).or_insert(0.0) += area;
+        }
         let mut made = Vec::new();
         for surface in &self.deform.surfaces {
             let body = &self.deform.bodies[surface.body as usize];
-            if !self.of.contains_key(&body.block) {
+            let Some(k) = self.family(body.block) else {
                 continue;
-            }
-            let nodes = surface.nodes.iter().map(|n| n.0 - body.first).collect();
+            };
+            let mut nodes: Vec<u32> = surface.nodes.iter().map(|n| n.0 - body.first).collect();
+            nodes.sort_unstable();
             let face = self.face(body, &nodes);
             for piece in self.now(body, face) {
                 let slot = self.deform.slot[piece.block as usize];
                 let first = self.deform.bodies[slot as usize].first;
-                let k = self.of[&body.block];
                 let part =
                     &self.families[k].cut.parts[(piece.block - self.families[k].first) as usize];
                 let shares = part.mesh.tributary(piece.face);
@@ -388,7 +496,7 @@ impl Maker<'_> {
                 let (mut nodes, mut heights) = (Vec::new(), Vec::new());
                 for (node, area) in shares {
                     let key = (piece.block, piece.face, first + node);
-                    let left = area - lists.covered.get(&key).copied().unwrap_or(0.0);
+                    let left = area - covered.get(&key).copied().unwrap_or(0.0);
                     if left > SLIVER * whole {
                         nodes.push((first + node, left));
                         heights.push(centre + levers[&node].z);
@@ -405,20 +513,6 @@ impl Maker<'_> {
             }
         }
         made
-    }
-}
-
-impl Lists {
-    fn cover(&mut self, pieces: [&Piece; 2], points: &[Point]) {
-        for (side, piece) in pieces.into_iter().enumerate() {
-            for point in points {
-                let anchor = &point.anchors[side];
-                for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
-                    let key = (piece.block, piece.face, *node);
-                    *self.covered.entry(key).or_insert(0.0) += weight * point.area;
-                }
-            }
-        }
     }
 }
 

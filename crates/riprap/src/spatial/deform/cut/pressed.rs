@@ -4,6 +4,7 @@ use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::{Mat3, Vec3};
 
 use crate::laws::tetrahedron::Strain;
+use crate::laws::transfer::WELL_INSIDE;
 use crate::spatial::deform::elements::matrix;
 use crate::spatial::deform::store::{Body, Deform};
 use crate::spatial::deform::workspace::Workspace;
@@ -58,6 +59,9 @@ fn holders(mesh: &Tetrahedra, at: Vec3) -> Vec<usize> {
         let r = at - mesh.nodes[nodes[0] as usize];
         let [b, c, d] = g.map(|g| g.dot(r));
         let least = (1.0 - b - c - d).min(b).min(c).min(d);
+        if least > WELL_INSIDE {
+            return vec![tet];
+        }
         if least >= INSIDE {
             inside.push(tet);
         }

@@ -9,8 +9,8 @@ use super::{Anchor, Cut, KINETIC, Note, Rules, transfer};
 use crate::laws::fracture::{self, Rock};
 use crate::laws::tetrahedron::{Symmetric, row_sums};
 use crate::spatial::deform::build::stiffness;
-use crate::spatial::deform::store::Deform;
-use crate::spatial::deform::workspace::{Kind, centred};
+use crate::spatial::deform::store::{Body, Deform};
+use crate::spatial::deform::workspace::{BODIES, Kind, Workspace, centred};
 use crate::spatial::fields::View;
 use crate::spatial::world::World;
 
@@ -29,27 +29,50 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
         Anchor::Spacing => None,
         Anchor::Tip { .. } => Some(tip::Front::new(world, deform)),
     };
-    let mut cuts = Vec::new();
-    for body in deform.living() {
+    let planner = Planner {
+        world,
+        deform,
+        work,
+        rules,
+        tips,
+    };
+    let found = view.scratch.exec.map(&deform.bodies, BODIES, |some| {
+        let living = some.iter().filter(|b| b.alive);
+        living.filter_map(|b| planner.cut(b)).collect::<Vec<_>>()
+    });
+    let mut cuts: Vec<Cut> = found.into_iter().flatten().collect();
+    cuts.sort_by_key(|c| c.block);
+    cuts
+}
+
+/// What is the same for all blocks.
+struct Planner<'a> {
+    world: &'a World,
+    deform: &'a Deform,
+    work: &'a Workspace,
+    rules: &'a Rules,
+    /// Where cuts begin; `None` where they may begin anywhere.
+    tips: Option<tip::Front>,
+}
+
+impl Planner<'_> {
+    /// The cut of a block whose criterion is met.
+    fn cut(&self, body: &Body) -> Option<Cut> {
+        let (world, deform, work, rules) = (self.world, self.deform, self.work, self.rules);
         let block = body.block;
         if generation(world, deform, block) >= rules.generations {
-            continue;
+            return None;
         }
-        let Some(rock) = rock(world, block) else {
-            continue;
-        };
-        let tip = match &tips {
+        let rock = rock(world, block)?;
+        let tip = match &self.tips {
             None => None,
-            Some(front) => match front.touching(world, deform, block) {
-                None => continue,
-                tip => tip,
-            },
+            Some(front) => Some(front.touching(world, deform, block)?),
         };
         let (stress, gradient) = deform.average(work, body);
         let principal = fracture::principal(&symmetric(&stress), rules.along);
         let verdict = fracture::assess(&rock, rules.criterion, &rules.margins, &principal);
         if !verdict.cut() {
-            continue;
+            return None;
         }
         let normal = fracture::cut_normal(&rock, verdict.way, &principal, &gradient, None);
         // A part gets the plane that was missing, not a full set.
@@ -60,38 +83,40 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
         };
         let at = tip.map(|t| t.at);
         let limits = (rules.snap, rules.smallest);
-        let parts = divide(world, block, normal, planes, limits, at)
-            .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)));
-        let Some(parts) = parts else {
-            continue;
-        };
+        let mut parts = divide(world, block, normal, planes, limits, at)
+            .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)))?;
         // Velocities and time steps mean nothing while everything relaxes.
         let moving = deform.relax.is_none();
         if moving && too_slow(world, work.kind(body), block, &parts, rules) {
-            continue;
+            return None;
         }
         let handed = transfer::hand_on(world, deform, work, body, &parts);
         if moving && handed.after.kinetic > KINETIC * handed.before.kinetic {
-            continue;
+            return None;
+        }
+        for part in &mut parts {
+            // Nobody asks for them any more, and there may be very many parts.
+            part.mesh.gradients = Vec::new();
         }
         let note = Note {
             normal,
             way: verdict.way,
             excess: verdict.excess,
         };
-        cuts.push(Cut {
+        Some(Cut {
             block,
             note,
             parts,
             handed,
-        });
+        })
     }
-    cuts.sort_by_key(|c| c.block);
-    cuts
 }
 
 /// Whether a part would need a time step below the floor.
 fn too_slow(world: &World, kind: &Kind, block: u32, parts: &[Part], rules: &Rules) -> bool {
+    if rules.step_floor <= 0.0 {
+        return false;
+    }
     let spec = &world.setup.blocks[block as usize];
     let m = usize::from(spec.material);
     let row = world.setup.pair_table[m * world.setup.materials.len() + m];

@@ -5,7 +5,7 @@ use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::polyhedron::cut::Part;
 
 use crate::laws::tetrahedron::{Groups, StartStress};
-use crate::laws::transfer::{self, Motion};
+use crate::laws::transfer::{self, Cells, Motion, Sides};
 use crate::spatial::deform::store::{Body, Deform, Masses, Start};
 use crate::spatial::deform::workspace::Workspace;
 use crate::spatial::world::World;
@@ -50,14 +50,15 @@ pub(super) fn hand_on(
     let parent = Stressed::new(deform, work, body);
     for part in parts {
         let first = u.len();
-        for node in &part.mesh.nodes {
-            let place = transfer::locate(&kind.mesh, *node);
+        let sides = parent.cells.sides(&part.mesh);
+        for node in 0..part.mesh.nodes.len() {
+            let place = transfer::locate_node(&kind.mesh, &part.mesh, &sides, node);
             u.push(transfer::interpolate(&place, moved));
             v.push(transfer::interpolate(&place, rates));
         }
         places.extend(at(&part.mesh, &u[first..]));
         masses.extend(shares(&part.mesh, deform.masses).map(|share| density * share));
-        starts.push(parent.of(part, &u[first..]));
+        starts.push(parent.of(part, &sides, &u[first..]));
     }
     if before.kinetic > 0.0 {
         transfer::conserve(&before, &masses, &places, &mut v);
@@ -85,6 +86,7 @@ fn shares(mesh: &Tetrahedra, rule: Masses) -> impl Iterator<Item = f64> {
 struct Stressed<'a> {
     kind: &'a crate::spatial::deform::workspace::Kind,
     body: &'a Body,
+    cells: Cells,
     stresses: Vec<crate::laws::tetrahedron::Symmetric>,
     /// Energy of the start stress that the block does not count as its own, J/m³.
     apart: f64,
@@ -105,16 +107,17 @@ impl<'a> Stressed<'a> {
         Self {
             kind,
             body,
+            cells: Cells::new(&kind.mesh),
             stresses,
             apart: apart / kind.mesh.volume(),
         }
     }
 
     /// Start stress with which a part with displacements `u` has the mean of these stresses.
-    fn of(&self, part: &Part, u: &[[f64; 3]]) -> Start {
+    fn of(&self, part: &Part, sides: &Sides, u: &[[f64; 3]]) -> Start {
         let (law, strain) = (&self.kind.law, self.body.strain);
         let groups = Groups::new(&part.mesh);
-        let shares = transfer::shares(&self.kind.mesh, &part.mesh);
+        let shares = self.cells.shares(sides);
         let wanted = transfer::mean_stresses(&shares, &self.stresses);
         let start: StartStress = transfer::start_stresses(&groups, law, strain, u, &wanted);
         let stresses: Vec<_> = (0..groups.tets()).map(|tet| start.one(tet)).collect();
