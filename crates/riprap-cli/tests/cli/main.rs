@@ -2,5 +2,6 @@
 
 mod bench;
 mod runs;
+mod templates;
 mod verbs;
 mod words;

@@ -115,6 +115,24 @@ fn fields_of(fields: &[serde_json::Value], text: &mut String) {
     assert_eq!(shown, fields.len(), "a field with a site this page lacks");
 }
 
+/// Needs no package, only an interpreter: it reads the sources. Without one the page stays as it is.
+#[test]
+fn the_python_reference_is_fresh() {
+    let script = crate::repository().join("crates/riprap-py/reference.py");
+    let made = ["python3", "python"].iter().find_map(|python| {
+        let output = Command::new(python).arg(&script).output().ok()?;
+        Some(output)
+    });
+    let Some(made) = made else {
+        println!("there is no Python: the page was not looked at");
+        return;
+    };
+    let said = String::from_utf8_lossy(&made.stderr);
+    assert!(made.status.success(), "{}: {said}", script.display());
+    let text = String::from_utf8_lossy(&made.stdout).replace("\r\n", "\n");
+    page("python-reference.md", &text);
+}
+
 /// Verbs as the overview of `riprap --help` lists them.
 fn verbs(help: &str) -> Vec<String> {
     help.lines()

@@ -66,6 +66,58 @@ fn links_lead_to_files() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
+/// The anchors that mdBook makes of the headings of a page.
+fn anchors(page: &str) -> Vec<String> {
+    let mut code = false;
+    let mut found: Vec<String> = Vec::new();
+    for line in page.lines() {
+        if line.trim_start().starts_with("```") {
+            code = !code;
+        }
+        let heading = line.trim_start_matches('#');
+        if code || heading == line || !heading.starts_with(' ') {
+            continue;
+        }
+        let kept = heading.trim().chars().filter_map(|c| match c {
+            ' ' => Some('-'),
+            '-' | '_' => Some(c),
+            _ => c.is_alphanumeric().then(|| c.to_ascii_lowercase()),
+        });
+        let anchor: String = kept.collect();
+        let same = found.iter().filter(|a| **a == anchor).count();
+        if same > 0 {
+            found.push(format!("{anchor}-{same}"));
+        }
+        found.push(anchor);
+    }
+    found
+}
+
+#[test]
+fn links_lead_to_headings() {
+    let mut broken = Vec::new();
+    for page in all_pages() {
+        for target in targets(&read(&page)) {
+            let Some((path, anchor)) = target.split_once('#') else {
+                continue;
+            };
+            if target.contains("://") || WRITTEN_LATER.iter().any(|w| path.ends_with(w)) {
+                continue;
+            }
+            let other = match path {
+                "" => page.clone(),
+                path => page.parent().expect("a folder").join(path),
+            };
+            // A file that is not there is found above.
+            let known = other.exists() && other.extension().is_some_and(|e| e == "md");
+            if known && !anchors(&read(&other)).iter().any(|a| a == anchor) {
+                broken.push(format!("{}: {target}", page.display()));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
 /// Whether a word in backquotes is meant as a file of the repository.
 fn is_repository_path(word: &str) -> bool {
     let rooted = ["crates/", "scenes/", "docs/", "xtask/", "tests/"];

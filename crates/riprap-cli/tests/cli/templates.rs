@@ -1,0 +1,54 @@
+//! Every template of `riprap new` runs.
+
+use crate::bench::Bench;
+
+/// A scene that ends after a few steps of each phase and has no checks: those are for its end.
+fn short(text: &str) -> String {
+    let mut kept = String::new();
+    let (mut wanted, mut ended) = (true, false);
+    for line in text.lines() {
+        if line.starts_with('[') {
+            wanted = !["[[checks]]", "[bisect", "[sweep"]
+                .iter()
+                .any(|head| line.starts_with(head));
+            ended = false;
+        }
+        if !wanted {
+            continue;
+        }
+        if line.starts_with("until") {
+            // Several `until.` keys are one end.
+            if !ended {
+                kept.push_str("until = { steps = 10 }\n");
+            }
+            ended = true;
+            continue;
+        }
+        kept.push_str(line);
+        kept.push('\n');
+    }
+    kept
+}
+
+#[test]
+fn every_template_runs() {
+    let bench = Bench::new();
+    let list = bench.run(&["new", "--list"]).expect(0).out;
+    let names: Vec<&str> = list
+        .lines()
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert!(names.len() > 10, "{list}");
+    for name in names {
+        bench.run(&["new", name, "--template", name]).expect(0);
+        let file = format!("{name}.toml");
+        let text = std::fs::read_to_string(bench.path(&file)).expect("read the template");
+        bench.file(&file, short(&text));
+        let out = format!("{name}.run");
+        bench.run(&["run", &file, "--out", &out]).expect(0);
+        assert!(
+            bench.path(&out).join("run.pvd").exists(),
+            "{name} left no frames"
+        );
+    }
+}
