@@ -52,7 +52,7 @@ fn planar(middle: &str) -> Planar {
 }
 
 fn refused(result: Result<Model, Diagnostics>, says: &str) {
-    let error = result.err().expect("should be refused").render();
+    let error = result.expect_err("should be refused").render();
     assert!(error.contains(says), "{error}");
 }
 
