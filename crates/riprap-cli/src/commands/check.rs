@@ -185,12 +185,18 @@ fn expected_text(f: &Forecast) -> String {
             si(*speed, "m/s")
         ));
     }
-    let steps = f.steps.map_or("as many steps as it takes".to_owned(), |n| {
-        format!("{} steps", grouped(n))
-    });
+    let most = if f.at_most { "up to " } else { "" };
+    let steps = match (f.steps, f.iterations) {
+        (Some(n), _) => format!("{most}{} steps", grouped(n)),
+        (None, Some(n)) => format!(
+            "as many steps as it takes, up to {} for a load step of a static phase,",
+            grouped(n)
+        ),
+        (None, None) => "as many steps as it takes".to_owned(),
+    };
     let time = f
         .wall_time
-        .map_or(String::new(), |s| format!(", about {}", duration(s)));
+        .map_or(String::new(), |s| format!(", {most}about {}", duration(s)));
     text.push_str(&format!(
         "  expected   {steps}{time} at {} steps/s on one thread\n",
         grouped(f.steps_per_second as u64)

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::engine::BuildError;
 use super::given_step::{self, TooLong};
-use super::plan::{Plan, TimeStep};
+use super::plan::{Phase, Plan, Relaxing, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
 use crate::model::Setup;
@@ -52,6 +52,11 @@ pub struct Forecast {
     pub guard_shortens: bool,
     /// Steps of all phases that end at a time or a step count; absent if one does not.
     pub steps: Option<u64>,
+    /// Whether a phase may end before its time or step count, because it is at rest: `steps` is then the most.
+    pub at_most: bool,
+    /// Most iterations of a load step of static phases of deformable blocks; absent without such phases. How many it
+    /// takes, and how often bonds break between them, shows the run alone.
+    pub iterations: Option<u64>,
     /// Steps per second on one thread, measured on the first steps.
     pub steps_per_second: f64,
     /// There are fewer contacts than half the blocks: once these meet, a step costs more than those timed.
@@ -80,10 +85,9 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         TimeStep::Auto { safety } => safety * stable.dt,
     };
     let steps = plan.phases.iter().map(|phase| {
-        let by_time = phase
-            .until
-            .time
-            .map(|span| (span / wanted(&phase.time_step) * (1.0 - 1e-9)).ceil());
+        // Where it relaxes, the time is that of the loads, not of steps.
+        let span = phase.until.time.filter(|_| relaxing(phase).is_none());
+        let by_time = span.map(|span| (span / wanted(&phase.time_step) * (1.0 - 1e-9)).ceil());
         let by_count = phase.until.steps.map(|n| n as f64);
         match (by_time, by_count) {
             (Some(a), Some(b)) => Some(a.min(b)),
@@ -94,6 +98,12 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         .sum::<Option<f64>>()
         .filter(|n| n.is_finite())
         .map(|n| n as u64);
+    let at_most = plan.phases.iter().any(|phase| {
+        let until = &phase.until;
+        until.unbalanced.is_some() || until.kinetic.is_some() || relaxing(phase).is_some()
+    });
+    let relaxed = plan.phases.iter().filter_map(relaxing);
+    let iterations = relaxed.map(|relax| relax.iterations).max();
     let rate = rate(&mut simulation)?;
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
@@ -105,10 +115,17 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         fastest,
         guard_shortens,
         steps,
+        at_most,
+        iterations,
         steps_per_second: rate,
         apart: 2 * contacts < blocks,
         wall_time: steps.map(|n| n as f64 / rate),
     })
+}
+
+/// How a phase relaxes, if it does.
+fn relaxing(phase: &Phase) -> Option<Relaxing> {
+    phase.deform.as_ref().and_then(|deform| deform.relax)
 }
 
 /// Steps per second over the first steps.
