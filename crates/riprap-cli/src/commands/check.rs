@@ -162,14 +162,19 @@ fn mass(kilograms: f64, per: &str) -> String {
 }
 
 fn expected_text(f: &Forecast) -> String {
-    let mut text = format!("  time step  {}", si(f.time_step, "s"));
-    if let (Some(stable), Some(share)) = (f.stable_time_step, f.share_of_stable) {
-        text.push_str(&format!(
-            " = {} % of the stable {}",
+    let mut text = match (f.stable_time_step, f.share_of_stable) {
+        (Some(stable), Some(share)) => format!(
+            "  time step  {} = {} % of the stable {}",
+            si(f.time_step, "s"),
             ratio(100.0 * share),
             si(stable, "s")
-        ));
-    }
+        ),
+        (Some(stable), None) => format!(
+            "  time step  none in the static phase at the start; {} is stable in a dynamic one",
+            si(stable, "s")
+        ),
+        (None, _) => format!("  time step  {}", si(f.time_step, "s")),
+    };
     if let Some(block) = &f.governing_block {
         text.push_str(&format!(", set by block {block}"));
     }

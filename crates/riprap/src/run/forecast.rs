@@ -40,7 +40,7 @@ pub struct Forecast {
     pub governing_block: Option<String>,
     /// Time step of the first phase as it will be used, s.
     pub time_step: f64,
-    /// `time_step` over the stable one.
+    /// `time_step` over the stable one; absent in a static phase of deformable blocks, whose iterations have no length.
     pub share_of_stable: Option<f64>,
     /// Blocks at the start, after splitting and the removal of charges.
     pub blocks: usize,
@@ -80,6 +80,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let (blocks, contacts) = (view.blocks(), view.contacts());
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
+    let timed = stable.dt.is_finite() && !simulation.relaxes();
     let wanted = |rule: &TimeStep| match *rule {
         TimeStep::Given { dt } => dt,
         TimeStep::Auto { safety } => safety * stable.dt,
@@ -109,7 +110,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
         governing_block,
         time_step: dt,
-        share_of_stable: Some(dt / stable.dt).filter(|_| stable.dt.is_finite()),
+        share_of_stable: timed.then(|| dt / stable.dt),
         blocks,
         contacts,
         fastest,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::spatial::deform::Workspace;
 use crate::spatial::deform::loads::add;
-use crate::spatial::deform::store::{Acts, Deform, Masses, Surface};
+use crate::spatial::deform::store::{Acts, Deform, Surface};
 use crate::spatial::world::World;
 
 /// Walls of a cavity on deformable blocks, in sum.
@@ -38,10 +38,14 @@ impl Soft {
         let (mut area, mut mobility) = (0.0, 0.0);
         for wall in walls() {
             let body = &deform.bodies[wall.body as usize];
-            let masses = work.kind(body).masses(Masses::Inertia);
+            let spec = &world.setup.blocks[body.block as usize];
+            let density = world.setup.materials[usize::from(spec.material)].density;
+            // Those of a dynamic phase, whatever phase this is.
+            let volumes = work.kind(body).mesh.inertial();
             for &(node, share) in &wall.nodes {
                 area += share;
-                mobility += share * share / masses[(node - body.first) as usize];
+                let mass = density * volumes[(node - body.first) as usize];
+                mobility += share * share / mass;
             }
         }
         Self {
