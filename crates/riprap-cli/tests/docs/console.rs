@@ -173,6 +173,12 @@ fn the_first_blast_works() {
     keep(&folder, &pictures.each_ref().map(String::as_str));
 }
 
+#[test]
+fn the_first_crack_works() {
+    let folder = run_page("first-crack.md");
+    keep(&folder, &["notch-section.svg", "notch-net.svg"]);
+}
+
 /// Pictures that a page's commands made are those that it shows.
 fn keep(folder: &TempDir, pictures: &[&str]) {
     for picture in pictures {
