@@ -115,6 +115,11 @@ pub fn folder(py: Python<'_>, error: &dyn std::fmt::Display) -> PyErr {
     raise(py, "FolderError", &error.to_string(), None)
 }
 
+/// A file of shapes that cannot be read; the text has its name and the line or the byte.
+pub fn shape(py: Python<'_>, text: &str) -> PyErr {
+    raise(py, "ShapeError", text, None)
+}
+
 /// A question that has no answer in this run.
 pub fn run(py: Python<'_>, text: &str) -> PyErr {
     raise(py, "RunError", text, None)

@@ -11,6 +11,7 @@ mod look;
 mod plots;
 mod runs;
 mod scene;
+mod shapes;
 mod sweeps;
 
 use pyo3::prelude::*;
@@ -32,6 +33,8 @@ mod _riprap {
     use crate::runs::{resume, run};
     #[pymodule_export]
     use crate::scene::{Scene, explain, fields, free_folder, schema, si, version};
+    #[pymodule_export]
+    use crate::shapes::{read_dxf, read_stl, read_tess};
     #[pymodule_export]
     use crate::sweeps::sweep;
 }
