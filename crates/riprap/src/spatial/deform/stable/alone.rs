@@ -7,18 +7,20 @@
 //!
 //! Source: Irons & Treharne (1971), the bound by parts; the shares of the bonds are derived here.
 
-use riprap_geom::Vec3;
-
 use super::MARGIN;
 use crate::exec::Exec;
-use crate::laws::tetrahedron::{StartStress, Strain};
-use crate::spatial::deform::elements;
+use crate::lanes::Lanes;
+use crate::laws::tetrahedron::Stiffness;
 use crate::spatial::deform::store::{Anchor, Body, Deform, RIGID};
-use crate::spatial::deform::workspace::{Kind, Workspace};
+use crate::spatial::deform::workspace::Workspace;
 use crate::spatial::lanes::Width;
 
-/// Steps of Lanczos's method: the value is then known to better than the margin.
+/// Most steps of Lanczos's method: the value is then known to better than the margin.
 const STEPS: usize = 24;
+/// Steps after which it is asked, again and again, whether they are enough.
+const LOOK: usize = 4;
+/// Share of the value up to which it must be known: a fifth of the margin.
+const KNOWN: f64 = 1e-3;
 /// Blocks that one thread works on at a time.
 const RUN: usize = 16;
 
@@ -31,9 +33,9 @@ pub fn each(
     mut known: Vec<f64>,
     exec: &Exec,
 ) -> (Vec<f64>, usize) {
-    const KNOWN: u32 = u32::MAX;
+    const TAKEN_OVER: u32 = u32::MAX;
     known.resize(deform.bodies.len(), f64::NAN);
-    let (mut number, mut todo) = (vec![KNOWN; known.len()], Vec::new());
+    let (mut number, mut todo) = (vec![TAKEN_OVER; known.len()], Vec::new());
     for (slot, body) in deform.bodies.iter().enumerate() {
         if !body.alive {
             known[slot] = 0.0;
@@ -47,7 +49,7 @@ pub fn each(
     for (k, facet) in deform.facets.iter().enumerate() {
         for (side, block) in facet.blocks.into_iter().enumerate() {
             let slot = deform.slot.get(block as usize).copied().unwrap_or(RIGID);
-            if let Some(&to) = number.get(slot as usize).filter(|n| **n != KNOWN) {
+            if let Some(&to) = number.get(slot as usize).filter(|n| **n != TAKEN_OVER) {
                 bonds[to as usize].push((k as u32, side as u8));
             }
         }
@@ -56,7 +58,7 @@ pub fn each(
     let found = exec.map(&jobs, RUN, |some| {
         let one = |(slot, bonds): &(u32, Vec<(u32, u8)>)| {
             let body = &deform.bodies[*slot as usize];
-            Alone::new(deform, work, body, bonds).highest()
+            highest(deform, work, body, bonds)
         };
         some.iter().map(one).collect::<Vec<f64>>()
     });
@@ -66,96 +68,36 @@ pub fn each(
     (known, jobs.len())
 }
 
-/// A point of a bond.
-struct Spring {
-    /// Nodes of the block and their weights.
-    anchor: Anchor,
-    normal: Vec3,
-    /// Normal and shear stiffness, N/m.
-    stiff: [f64; 2],
-}
-
-/// A block on its bonds.
-struct Alone<'a> {
-    kind: &'a Kind,
-    /// `1/sqrt(m)` of each node.
-    roots: Vec<f64>,
-    springs: Vec<Spring>,
-}
-
-impl<'a> Alone<'a> {
-    fn new(deform: &Deform, work: &'a Workspace, body: &Body, bonds: &[(u32, u8)]) -> Self {
-        let kind = work.kind(body);
-        let roots = kind.masses(deform.masses).iter().map(|m| 1.0 / m.sqrt());
-        let mut springs = Vec::new();
-        for &(k, side) in bonds {
-            let facet = &deform.facets[k as usize];
-            let (here, there) = (usize::from(side), 1 - usize::from(side));
-            for point in &deform.points[facet.points()] {
-                let own = ease(deform, work, facet.blocks[here], &point.anchors[here]);
-                // Rigid blocks count as fixed here.
-                let other = if facet.rigid[there] {
-                    0.0
-                } else {
-                    ease(deform, work, facet.blocks[there], &point.anchors[there])
-                };
-                let share = point.area * (1.0 + other / own);
-                let mut anchor = point.anchors[here];
-                for node in &mut anchor.nodes {
-                    *node = node.saturating_sub(body.first);
-                }
-                springs.push(Spring {
-                    anchor,
-                    normal: facet.frame[0],
-                    stiff: facet.stiffness.map(|k| share * k),
-                });
-            }
-        }
-        Self {
-            kind,
-            roots: roots.collect(),
-            springs,
+/// Square of the highest frequency of a body on its bonds, 1/s².
+fn highest(deform: &Deform, work: &Workspace, body: &Body, bonds: &[(u32, u8)]) -> f64 {
+    let kind = work.kind(body);
+    let mut matrix = Stiffness::new(&kind.mesh, &kind.law);
+    for &(k, side) in bonds {
+        let facet = &deform.facets[k as usize];
+        let (here, there) = (usize::from(side), 1 - usize::from(side));
+        for point in &deform.points[facet.points()] {
+            let own = ease(deform, work, facet.blocks[here], &point.anchors[here]);
+            // Rigid blocks count as fixed here.
+            let other = if facet.rigid[there] {
+                0.0
+            } else {
+                ease(deform, work, facet.blocks[there], &point.anchors[there])
+            };
+            let share = point.area * (1.0 + other / own);
+            let anchor = &point.anchors[here];
+            let nodes = anchor.nodes.map(|n| n.saturating_sub(body.first));
+            let springs = facet.stiffness.map(|k| share * k);
+            matrix.add_spring(&nodes, &anchor.weights, facet.frame[0], springs);
         }
     }
-
-    /// Square of the highest frequency, 1/s².
-    fn highest(&self) -> f64 {
-        let width = Width::detect();
-        let mut u = vec![[0.0; 3]; self.roots.len()];
-        MARGIN
-            * largest(3 * self.roots.len(), |x, y| {
-                self.times(width, &mut u, x, y);
-            })
-    }
-
-    /// `y = M^(-1/2) K M^(-1/2) x`.
-    fn times(&self, width: Width, u: &mut [[f64; 3]], x: &[f64], y: &mut [f64]) {
-        for ((u, x), root) in u.iter_mut().zip(x.as_chunks::<3>().0).zip(&self.roots) {
-            *u = x.map(|c| c * root);
-        }
-        y.fill(0.0);
-        let (f, none) = (y.as_chunks_mut::<3>().0, StartStress::none());
-        width.run(
-            #[inline(always)]
-            || elements::add_forces(self.kind, Strain::Small, &none, u, f),
-        );
-        for spring in &self.springs {
-            let pairs = || spring.anchor.nodes.iter().zip(spring.anchor.weights);
-            let d: Vec3 = pairs()
-                .map(|(n, w)| w * Vec3::from_array(u[*n as usize]))
-                .sum();
-            let ([kn, ks], n) = (spring.stiff, spring.normal);
-            let t = ks * d + ((kn - ks) * d.dot(n)) * n;
-            for (node, weight) in pairs() {
-                for (f, t) in f[*node as usize].iter_mut().zip(t.to_array()) {
-                    *f -= weight * t;
-                }
-            }
-        }
-        for (f, root) in f.iter_mut().zip(&self.roots) {
-            *f = f.map(|c| -c * root);
-        }
-    }
+    let masses = kind.masses(deform.masses).iter();
+    let roots: Vec<f64> = masses.map(|m| 1.0 / m.sqrt()).collect();
+    matrix.scale(&roots);
+    let largest = Width::detect().run(
+        #[inline(always)]
+        || largest(matrix.size(), |x, y| matrix.times(x, y)),
+    );
+    MARGIN * largest
 }
 
 /// Inverse of the mass that a point of a deformable block moves, 1/kg.
@@ -173,6 +115,7 @@ fn ease(deform: &Deform, work: &Workspace, block: u32, anchor: &Anchor) -> f64 {
 
 /// Largest eigenvalue of a symmetric operator on `size` numbers without negative ones, by Lanczos's method. That
 /// round-off makes its vectors less orthogonal does no harm to the largest value.
+#[inline(always)]
 fn largest(size: usize, mut times: impl FnMut(&[f64], &mut [f64])) -> f64 {
     // A start that has a part of every mode: no symmetry, no zeros.
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
@@ -184,11 +127,14 @@ fn largest(size: usize, mut times: impl FnMut(&[f64], &mut [f64])) -> f64 {
     let (mut before, mut next) = (vec![0.0; size], vec![0.0; size]);
     let (mut on, mut beside) = (Vec::with_capacity(STEPS), Vec::with_capacity(STEPS));
     let mut rest = dot(&q, &q).sqrt();
-    for k in 0..STEPS.min(size) {
+    let mut found = 0.0;
+    let most = STEPS.min(size);
+    for k in 0..most {
         if k > 0 {
             beside.push(rest);
         }
-        q.iter_mut().for_each(|x| *x /= rest);
+        let scale = 1.0 / rest;
+        q.iter_mut().for_each(|x| *x *= scale);
         times(&q, &mut next);
         let along = dot(&q, &next);
         let back = if k > 0 { rest } else { 0.0 };
@@ -197,22 +143,33 @@ fn largest(size: usize, mut times: impl FnMut(&[f64], &mut [f64])) -> f64 {
         }
         on.push(along);
         rest = dot(&next, &next).sqrt();
-        if rest <= 1e-12 * on[0] {
-            break;
+        let exact = rest <= 1e-12 * on[0];
+        if exact || k + 1 == most || (k + 1) % LOOK == 0 {
+            found = top(&on, &beside, found);
+            if exact || rest * last(&on, &beside, found) <= KNOWN * found {
+                break;
+            }
         }
         // The next vector, the present one as the one before, and room.
         std::mem::swap(&mut before, &mut q);
         std::mem::swap(&mut q, &mut next);
     }
-    top(&on, &beside)
+    found
 }
 
+#[inline(always)]
 fn dot(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(a, b)| a * b).sum()
+    let ((x, x_rest), (y, y_rest)) = (x.as_chunks(), y.as_chunks());
+    let mut sum = Lanes::default();
+    for (x, y) in x.iter().zip(y) {
+        sum = sum + Lanes(*x) * Lanes(*y);
+    }
+    let rest: f64 = x_rest.iter().zip(y_rest).map(|(a, b)| a * b).sum();
+    sum.sum() + rest
 }
 
-/// Largest eigenvalue of a symmetric tridiagonal matrix, from above by bisection.
-fn top(on: &[f64], beside: &[f64]) -> f64 {
+/// Largest eigenvalue of a symmetric tridiagonal matrix, from above by bisection; it is at least `low`.
+fn top(on: &[f64], beside: &[f64], low: f64) -> f64 {
     let off = |k: usize| beside.get(k).copied().unwrap_or(0.0);
     let bound = |k: usize| {
         let before = if k == 0 { 0.0 } else { off(k - 1) };
@@ -220,7 +177,7 @@ fn top(on: &[f64], beside: &[f64]) -> f64 {
         on[k] + before + after
     };
     let mut high = (0..on.len()).map(bound).fold(0.0, f64::max);
-    let mut low = on.iter().copied().fold(0.0, f64::max);
+    let mut low = on.iter().copied().fold(low, f64::max);
     // Whether all eigenvalues are below: all pivots of `x - T` are positive.
     let all_below = |x: f64| {
         let mut pivot = x - on[0];
@@ -241,6 +198,21 @@ fn top(on: &[f64], beside: &[f64]) -> f64 {
     high
 }
 
+/// Magnitude of the last component of the unit eigenvector of a symmetric tridiagonal matrix for its largest eigenvalue:
+/// times the length of what is left over after Lanczos's last step, it is the length by which the vector fails to be one of the operator.
+///
+/// Source: Parlett (1998), The symmetric eigenvalue problem, section 13.2.
+fn last(on: &[f64], beside: &[f64], value: f64) -> f64 {
+    // From the last component, taken as 1, to the first.
+    let (mut now, mut after, mut squares) = (1.0, 0.0, 1.0);
+    for k in (1..on.len()).rev() {
+        let up = beside.get(k).copied().unwrap_or(0.0);
+        (now, after) = (((value - on[k]) * now - up * after) / beside[k - 1], now);
+        squares += now * now;
+    }
+    1.0 / squares.sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -254,6 +226,16 @@ mod tests {
             }
         };
         assert!((largest(60, squares) / 3600.0 - 1.0).abs() < 2e-3);
+        // The largest one far away from the others is found soon.
+        let mut calls = 0;
+        let spread = |x: &[f64], y: &mut [f64]| {
+            calls += 1;
+            for (k, (x, y)) in x.iter().zip(y).enumerate() {
+                *y = if k == 7 { 10.0 } else { 1.0 + 0.01 * k as f64 } * x;
+            }
+        };
+        assert!((largest(45, spread) / 10.0 - 1.0).abs() < 1e-5);
+        assert!(calls < STEPS, "{calls}");
         assert!((largest(3, squares) / 9.0 - 1.0).abs() < 1e-8);
         let n = 20;
         let chain = |x: &[f64], y: &mut [f64]| {
