@@ -1,5 +1,5 @@
-//! Times the deformable blocks of the spatial engine and prints CSV: `bench_deform [CELLS]`, or `bench_deform cut [CELLS]` for
-//! cutting alone.
+//! Times the deformable blocks of the spatial engine and prints CSV: `bench_deform [CELLS]`, or `bench_deform cut [congruent|Voronoi]
+//! [CELLS]` for cutting alone.
 //!
 //! Run by `cargo xtask bench`. A beam of CELLS (default 46 x 9 x 10) cubes of 24 tetrahedra, joined by bonds, rings: with one
 //! matrix for congruent blocks, tetrahedron by tetrahedron, and with large strain. Then the kernels alone, and the cut of
@@ -39,8 +39,10 @@ fn main() {
     println!("# {} {} {} cores", machine.os, machine.cpu, machine.cores);
     println!("case,threads,value,unit,asked");
     if std::env::args().nth(1).as_deref() == Some("cut") {
-        let words = std::env::args().skip(2).filter_map(|w| w.parse().ok());
-        return cut_both(words.collect());
+        let words: Vec<String> = std::env::args().skip(2).collect();
+        let cells = words.iter().filter_map(|w| w.parse().ok()).collect();
+        let only = words.iter().find(|w| w.parse::<usize>().is_err());
+        return cut_both(cells, only.map(String::as_str));
     }
     let words: Vec<usize> = std::env::args()
         .skip(1)
@@ -81,7 +83,7 @@ fn main() {
             "the bits depend on the number of threads"
         );
     }
-    cut_both(Vec::new());
+    cut_both(Vec::new(), None);
 }
 
 /// What is timed: number of a block, displacements and forces of its nodes.
@@ -280,10 +282,11 @@ fn beam(cells: [usize; 3], own: bool, strain: Strain, threads: usize) -> (f64, u
     (best, hash, rate)
 }
 
-/// Congruent blocks and cells of own shapes, `cells` (default 20 x 20 x 25) along the axes.
-fn cut_both(cells: Vec<usize>) {
+/// Congruent blocks and cells of own shapes, or `only` the ones so called; `cells` (default 20 x 20 x 25) along the axes.
+fn cut_both(cells: Vec<usize>, only: Option<&str>) {
     let cells: [usize; 3] = cells.try_into().unwrap_or([20, 20, 25]);
-    for (name, grid) in [("congruent", "box"), ("Voronoi", "cells")] {
+    let all = [("congruent", "box"), ("Voronoi", "cells")];
+    for (name, grid) in all.into_iter().filter(|a| only.is_none_or(|o| o == a.0)) {
         for threads in [1, 2] {
             cut_all(name, grid, cells, threads);
         }
