@@ -118,11 +118,12 @@ impl Scratch {
         self.rebuild(world, Vec::new());
     }
 
-    /// As [`Scratch::invalidate`] where deformable blocks have been appended or have gone, and no shape or material has
-    /// changed.
-    pub(super) fn extend(&mut self, world: &mut World) {
+    /// As [`Scratch::invalidate`] where deformable blocks of the `new` kinds have been appended or some have gone, and no
+    /// shape or material has changed.
+    pub(super) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = Kind>) {
         world.fresh = true;
-        let old = *self.deform.take().unwrap_or_default();
+        let mut old = *self.deform.take().unwrap_or_default();
+        old.kinds.extend(new);
         self.rebuild(world, old.kinds);
         if let Some(work) = &mut self.deform {
             work.alone = old.alone;

@@ -27,11 +27,13 @@ use serde::{Deserialize, Serialize};
 
 use super::fracture::LOOK;
 use super::stable;
+use super::workspace::Kind;
 use crate::laws::fracture::Way;
 use crate::spatial::cavity;
 use crate::spatial::edit::{EditError, EditEvent, EditKind};
 use crate::spatial::fields::View;
 use crate::spatial::refine::RefineError;
+use crate::spatial::setup::Shape;
 pub use crate::spatial::setup::deform::{Anchoring as Anchor, CutRules as Rules};
 use crate::spatial::step::{self, Scratch};
 use crate::spatial::world::World;
@@ -84,6 +86,10 @@ struct Cut {
     note: Note,
     /// Parts, about the centroid of the block.
     parts: Vec<Part>,
+    /// Their shapes in the frame of the model.
+    shapes: Vec<Shape>,
+    /// Their kinds.
+    kinds: Vec<Kind>,
     /// What they take over.
     handed: Handed,
 }
@@ -135,7 +141,8 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
         return Err(RefineError::TooMany.into());
     }
     let before = View { world, scratch }.balance().residual();
-    carry_out(world, scratch, &cuts)?;
+    let count = cuts.len();
+    carry_out(world, scratch, cuts)?;
     if let Some(deform) = world.deform.as_deref_mut() {
         if let Some(cutting) = &mut deform.cutting {
             cutting.stages += 1;
@@ -149,10 +156,10 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     let (after, ratio) = (view.balance().residual(), view.soft_unbalanced());
     world.works.edit_defect += after - before;
     if let Some(deform) = world.deform.as_deref_mut() {
-        deform.cut_blocks += cuts.len() as u64;
+        deform.cut_blocks += count as u64;
         deform.cut_unbalanced = deform.cut_unbalanced.max(ratio.unwrap_or(0.0));
     }
-    Ok(cuts.len())
+    Ok(count)
 }
 
 /// Cuts one block as told and evaluates anew, for tests and tools; returns its parts.
@@ -185,15 +192,9 @@ pub fn one(
     let Some(body) = deform.body(block as usize) else {
         return Ok(Vec::new());
     };
-    let handed = transfer::hand_on(world, deform, work, body, &parts);
-    let cuts = [Cut {
-        block,
-        note,
-        parts,
-        handed,
-    }];
+    let cut = select::cut(world, (deform, work), body, note, parts);
     let before = View { world, scratch }.balance().residual();
-    carry_out(world, scratch, &cuts)?;
+    carry_out(world, scratch, vec![cut])?;
     step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
     let after = View { world, scratch }.balance().residual();
     world.works.edit_defect += after - before;
@@ -201,10 +202,10 @@ pub fn one(
 }
 
 /// Does it all but the evaluation.
-fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: &[Cut]) -> Result<(), EditError> {
+fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
     let kinds = world.deform.as_ref().map_or(0, |d| d.kinds.len());
-    let made = edit(world, scratch, cuts)?;
-    scratch.extend(world);
+    let made = edit(world, scratch, &cuts)?;
+    scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.kinds));
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
     else {
         return Ok(());

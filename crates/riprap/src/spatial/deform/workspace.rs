@@ -47,6 +47,42 @@ impl Kind {
             Masses::Inertia => &self.inertial,
         }
     }
+
+    /// The kind that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
+    pub(super) fn new(
+        setup: &Setup,
+        deform: &Deform,
+        (shape, material): (&Shape, u16),
+        shared: bool,
+    ) -> Self {
+        let material = &setup.materials[usize::from(material)];
+        let (solid, _) = centred(shape);
+        // Both were looked at when the block was made.
+        let (Ok(mesh), Some(young), Some(poisson)) =
+            (Tetrahedra::new(&solid), material.young, material.poisson)
+        else {
+            unreachable!("a kind of deformable block that cannot be built")
+        };
+        let law = Elastic::new(young, poisson);
+        let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
+        Self {
+            faces: solid.faces,
+            groups: Groups::new(&mesh),
+            stiffness: shared.then(|| Stiffness::new(&mesh, &law)),
+            law,
+            lumped: scale(mesh.lumped()),
+            inertial: match deform.masses {
+                Masses::Lumped => Vec::new(),
+                Masses::Inertia => scale(mesh.inertial()),
+            },
+            row_sums: match deform.relax {
+                Some(_) => row_sums(&mesh, &law),
+                None => Vec::new(),
+            },
+            first_slope: 0,
+            mesh,
+        }
+    }
 }
 
 /// Scratch data of the deformable blocks.
@@ -243,49 +279,18 @@ fn kinds(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Vec<Kin
     let new = &new[kinds.len()..];
     let made = exec.map(new, KINDS, |some| {
         let some = some.iter();
-        some.map(|&(block, shared)| kind(setup, deform, block, shared > 1))
-            .collect::<Vec<_>>()
+        some.map(|&(block, shared)| {
+            let spec = &setup.blocks[block as usize];
+            Kind::new(setup, deform, (&spec.shape, spec.material), shared > 1)
+        })
+        .collect::<Vec<_>>()
     });
-    let mut sum = kinds
-        .last()
-        .map_or(0, |k| k.first_slope + k.mesh.nodes.len());
-    for mut kind in made.into_iter().flatten() {
+    kinds.extend(made.into_iter().flatten());
+    let mut sum = 0;
+    for kind in &mut kinds {
         kind.first_slope = sum;
         sum += kind.mesh.nodes.len();
-        kinds.push(kind);
     }
     Groups::pack(kinds.iter_mut().map(|k| &mut k.groups));
     kinds
-}
-
-/// The kind that a block has, with what the present phase needs.
-fn kind(setup: &Setup, deform: &Deform, block: u32, shared: bool) -> Kind {
-    let spec = &setup.blocks[block as usize];
-    let material = &setup.materials[usize::from(spec.material)];
-    let (solid, _) = centred(&spec.shape);
-    // Both were looked at when the kind was made.
-    let (Ok(mesh), Some(young), Some(poisson)) =
-        (Tetrahedra::new(&solid), material.young, material.poisson)
-    else {
-        unreachable!("a kind of deformable block that cannot be built")
-    };
-    let law = Elastic::new(young, poisson);
-    let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
-    Kind {
-        faces: solid.faces,
-        groups: Groups::new(&mesh),
-        stiffness: shared.then(|| Stiffness::new(&mesh, &law)),
-        law,
-        lumped: scale(mesh.lumped()),
-        inertial: match deform.masses {
-            Masses::Lumped => Vec::new(),
-            Masses::Inertia => scale(mesh.inertial()),
-        },
-        row_sums: match deform.relax {
-            Some(_) => row_sums(&mesh, &law),
-            None => Vec::new(),
-        },
-        first_slope: 0,
-        mesh,
-    }
 }

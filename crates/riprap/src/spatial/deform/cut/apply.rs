@@ -3,10 +3,10 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::cut::Part;
 
-use super::Family;
+use super::{Cut, Family};
 use crate::spatial::deform::store::{Body, Deform, Start};
 use crate::spatial::refine::Origin;
-use crate::spatial::setup::{BlockSpec, Shape, Solid};
+use crate::spatial::setup::BlockSpec;
 use crate::spatial::world::{SolidClass, World};
 
 /// Appends the parts of all families to the lists of the world, their nodes to those of `deform`.
@@ -16,7 +16,7 @@ pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family]
         let mut first = 0;
         deform.start.resize(deform.bodies.len(), Start::default());
         for (k, part) in family.cut.parts.iter().enumerate() {
-            block(world, family.cut.block as usize, k, part);
+            block(world, family.cut, k);
             body(world, deform, family, part);
             let nodes = first..first + part.mesh.nodes.len();
             let (moved, rates) = (&handed.moved[nodes.clone()], &handed.rates[nodes.clone()]);
@@ -33,15 +33,12 @@ pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family]
     }
 }
 
-fn block(world: &mut World, parent: usize, number: usize, part: &Part) {
+fn block(world: &mut World, cut: &Cut, number: usize) {
+    let (parent, part) = (cut.block as usize, &cut.parts[number]);
     let centre = world.reference[parent];
     let spec = &world.setup.blocks[parent];
-    let solid = Solid {
-        vertices: part.solid.vertices.iter().map(|v| *v + centre).collect(),
-        faces: part.solid.faces.clone(),
-    };
     let spec = BlockSpec {
-        shape: Shape::Polyhedron(Box::new(solid)),
+        shape: cut.shapes[number].clone(),
         name: spec.name,
         material: spec.material,
         velocity: spec.velocity,

@@ -1,6 +1,5 @@
 //! Which blocks are cut, and by which planes.
 
-use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::polyhedron::cut::{self, FaceOrigin, Limits, Part, Planes};
 use riprap_geom::{Mat3, Vec3};
 
@@ -12,6 +11,7 @@ use crate::spatial::deform::build::stiffness;
 use crate::spatial::deform::store::{Body, Deform};
 use crate::spatial::deform::workspace::{BODIES, Kind, Workspace, centred};
 use crate::spatial::fields::View;
+use crate::spatial::setup::{Shape, Solid};
 use crate::spatial::world::World;
 
 /// The parts together must have the volume of the block up to this share.
@@ -83,42 +83,66 @@ impl Planner<'_> {
         };
         let at = tip.map(|t| t.at);
         let limits = (rules.snap, rules.smallest);
-        let mut parts = divide(world, block, normal, planes, limits, at)
+        let parts = divide(world, block, normal, planes, limits, at)
             .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)))?;
-        // Velocities and time steps mean nothing while everything relaxes.
-        let moving = deform.relax.is_none();
-        if moving && too_slow(world, work.kind(body), block, &parts, rules) {
-            return None;
-        }
-        let handed = transfer::hand_on(world, deform, work, body, &parts);
-        if moving && handed.after.kinetic > KINETIC * handed.before.kinetic {
-            return None;
-        }
-        for part in &mut parts {
-            // Nobody asks for them any more, and there may be very many parts.
-            part.mesh.gradients = Vec::new();
-        }
         let note = Note {
             normal,
             way: verdict.way,
             excess: verdict.excess,
         };
-        Some(Cut {
-            block,
-            note,
-            parts,
-            handed,
-        })
+        let cut = cut(world, (deform, work), body, note, parts);
+        // Velocities and time steps mean nothing while everything relaxes.
+        let moving = deform.relax.is_none();
+        let fast = |cut: &Cut| cut.handed.after.kinetic > KINETIC * cut.handed.before.kinetic;
+        if moving && (fast(&cut) || too_slow(world, work.kind(body), &cut, rules)) {
+            return None;
+        }
+        Some(cut)
+    }
+}
+
+/// The cut of a body into parts (about its centroid), with what they take over from it.
+pub(super) fn cut(
+    world: &World,
+    (deform, work): (&Deform, &Workspace),
+    body: &Body,
+    note: Note,
+    mut parts: Vec<Part>,
+) -> Cut {
+    let block = body.block;
+    let centre = world.reference[block as usize];
+    let shape = |part: &Part| {
+        Shape::Polyhedron(Box::new(Solid {
+            vertices: part.solid.vertices.iter().map(|v| *v + centre).collect(),
+            faces: part.solid.faces.clone(),
+        }))
+    };
+    let shapes: Vec<Shape> = parts.iter().map(shape).collect();
+    let material = world.setup.blocks[block as usize].material;
+    // As they will be made from the shapes after a restart, to the last bit.
+    let kind = |shape| Kind::new(&world.setup, deform, (shape, material), false);
+    let kinds: Vec<Kind> = shapes.iter().map(kind).collect();
+    let handed = transfer::hand_on(deform, work, body, &parts, &kinds);
+    for part in &mut parts {
+        // Nobody asks for them any more, and there may be very many parts.
+        part.mesh.gradients = Vec::new();
+    }
+    Cut {
+        block,
+        note,
+        parts,
+        shapes,
+        kinds,
+        handed,
     }
 }
 
 /// Whether a part would need a time step below the floor.
-fn too_slow(world: &World, kind: &Kind, block: u32, parts: &[Part], rules: &Rules) -> bool {
+fn too_slow(world: &World, parent: &Kind, cut: &Cut, rules: &Rules) -> bool {
     if rules.step_floor <= 0.0 {
         return false;
     }
-    let spec = &world.setup.blocks[block as usize];
-    let m = usize::from(spec.material);
+    let m = usize::from(world.setup.blocks[cut.block as usize].material);
     let row = world.setup.pair_table[m * world.setup.materials.len() + m];
     let Some(Some(bond)) = world.setup.deform.bonds.get(usize::from(row)) else {
         return false;
@@ -126,21 +150,19 @@ fn too_slow(world: &World, kind: &Kind, block: u32, parts: &[Part], rules: &Rule
     let Ok([across, along]) = stiffness(&world.setup, bond, [m; 2], [false; 2], [0.0; 2]) else {
         return false;
     };
-    let density = world.setup.materials[m].density;
     // Gershgorin's bound of the squared frequency, with a bond on every face.
-    let bound = |mesh: &Tetrahedra| {
-        let mut rows = row_sums(mesh, &kind.law);
-        for face in 0..mesh.first.len() - 1 {
-            for (node, area) in mesh.tributary(face) {
+    let bound = |kind: &Kind| {
+        let mut rows = row_sums(&kind.mesh, &kind.law);
+        for face in 0..kind.faces.len() {
+            for (node, area) in kind.mesh.tributary(face) {
                 rows[node as usize] += 2.0 * area * across.max(along);
             }
         }
-        let masses = mesh.inertial();
-        let terms = rows.iter().zip(masses).map(|(k, v)| k / (density * v));
+        let terms = rows.iter().zip(&kind.inertial).map(|(k, m)| k / m);
         terms.fold(0.0, f64::max)
     };
-    let most = parts.iter().map(|p| bound(&p.mesh)).fold(0.0, f64::max);
-    rules.step_floor * rules.step_floor * most > bound(&kind.mesh)
+    let most = cut.kinds.iter().map(bound).fold(0.0, f64::max);
+    rules.step_floor * rules.step_floor * most > bound(parent)
 }
 
 /// Number of cuts that a block comes from.

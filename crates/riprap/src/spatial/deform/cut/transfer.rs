@@ -4,11 +4,10 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::polyhedron::cut::Part;
 
-use crate::laws::tetrahedron::{Groups, StartStress};
-use crate::laws::transfer::{self, Cells, Motion, Sides};
-use crate::spatial::deform::store::{Body, Deform, Masses, Start};
-use crate::spatial::deform::workspace::Workspace;
-use crate::spatial::world::World;
+use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Symmetric};
+use crate::laws::transfer::{self, LinearStress, Motion, PointLocation};
+use crate::spatial::deform::store::{Body, Deform, Start};
+use crate::spatial::deform::workspace::{Kind, Workspace};
 
 /// What the parts of a block take over from it.
 pub(super) struct Handed {
@@ -24,13 +23,13 @@ pub(super) struct Handed {
     pub(super) after: Motion,
 }
 
-/// Finds what the parts (about the centroid of the block at the start) take over.
+/// Finds what the parts (about the centroid of the block at the start), with their kinds, take over.
 pub(super) fn hand_on(
-    world: &World,
     deform: &Deform,
     work: &Workspace,
     body: &Body,
     parts: &[Part],
+    kinds: &[Kind],
 ) -> Handed {
     let kind = work.kind(body);
     let (moved, rates) = (
@@ -42,52 +41,45 @@ pub(super) fn hand_on(
         pairs.map(|(x, u)| *x + Vec3::from_array(*u)).collect()
     };
     let before = transfer::motion(kind.masses(deform.masses), &at(&kind.mesh, moved), rates);
-    let material = world.setup.blocks[body.block as usize].material;
-    let density = world.setup.materials[usize::from(material)].density;
-    let (mut u, mut v) = (Vec::new(), Vec::new());
-    let (mut places, mut masses) = (Vec::new(), Vec::new());
-    let mut starts = Vec::with_capacity(parts.len());
-    let parent = Stressed::new(deform, work, body);
-    for part in parts {
+    let count = parts.iter().map(|p| p.mesh.nodes.len()).sum();
+    let (mut u, mut v) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    let mut places = Vec::with_capacity(count);
+    let mut masses = Vec::with_capacity(count);
+    let location = PointLocation::new(&kind.mesh);
+    for (part, own) in parts.iter().zip(kinds) {
         let first = u.len();
-        let sides = parent.cells.sides(&part.mesh);
-        for node in 0..part.mesh.nodes.len() {
-            let place = transfer::locate_node(&kind.mesh, &part.mesh, &sides, node);
+        for node in &part.mesh.nodes {
+            let place = location.locate(*node);
             u.push(transfer::interpolate(&place, moved));
             v.push(transfer::interpolate(&place, rates));
         }
         places.extend(at(&part.mesh, &u[first..]));
-        masses.extend(shares(&part.mesh, deform.masses).map(|share| density * share));
-        starts.push(parent.of(part, &sides, &u[first..]));
+        masses.extend_from_slice(own.masses(deform.masses));
     }
     if before.kinetic > 0.0 {
         transfer::conserve(&before, &masses, &places, &mut v);
     }
     let after = transfer::motion(&masses, &places, &v);
+    let mut first = 0;
+    let parent = Stressed::new(deform, work, body);
+    let starts = parts.iter().zip(kinds).map(|(part, own)| {
+        let nodes = first..first + part.mesh.nodes.len();
+        first = nodes.end;
+        parent.of(part, own, &u[nodes])
+    });
     Handed {
+        starts: starts.collect(),
         moved: u,
         rates: v,
-        starts,
         before,
         after,
     }
 }
 
-/// Volumes that the nodes of a mesh stand for, m³.
-fn shares(mesh: &Tetrahedra, rule: Masses) -> impl Iterator<Item = f64> {
-    let shares = match rule {
-        Masses::Lumped => mesh.lumped(),
-        Masses::Inertia => mesh.inertial(),
-    };
-    shares.into_iter()
-}
-
-/// A block with the stresses of its tetrahedra.
+/// A block with its stress.
 struct Stressed<'a> {
-    kind: &'a crate::spatial::deform::workspace::Kind,
     body: &'a Body,
-    cells: Cells,
-    stresses: Vec<crate::laws::tetrahedron::Symmetric>,
+    field: LinearStress,
     /// Energy of the start stress that the block does not count as its own, J/m³.
     apart: f64,
 }
@@ -105,33 +97,26 @@ impl<'a> Stressed<'a> {
             None => -own,
         };
         Self {
-            kind,
             body,
-            cells: Cells::new(&kind.mesh),
-            stresses,
+            field: LinearStress::new(&kind.mesh, &stresses),
             apart: apart / kind.mesh.volume(),
         }
     }
 
-    /// Start stress with which a part with displacements `u` has the mean of these stresses.
-    fn of(&self, part: &Part, sides: &Sides, u: &[[f64; 3]]) -> Start {
-        let (law, strain) = (&self.kind.law, self.body.strain);
-        let groups = Groups::new(&part.mesh);
-        let shares = self.cells.shares(sides);
-        let wanted = transfer::mean_stresses(&shares, &self.stresses);
-        let start: StartStress = transfer::start_stresses(&groups, law, strain, u, &wanted);
+    /// Start stress with which a part with displacements `u` has this stress.
+    fn of(&self, part: &Part, kind: &Kind, u: &[[f64; 3]]) -> Start {
+        let (law, groups) = (&kind.law, &kind.groups);
+        let wanted = self.field.means(&part.mesh);
+        let start: StartStress =
+            transfer::start_stresses(groups, law, self.body.strain, u, &wanted);
         let stresses: Vec<_> = (0..groups.tets()).map(|tet| start.one(tet)).collect();
-        let energy = held(&groups, law, &stresses) - self.apart * part.mesh.volume();
+        let energy = held(groups, law, &stresses) - self.apart * part.mesh.volume();
         Start { stresses, energy }
     }
 }
 
 /// Energy of start stresses without displacements, J.
-fn held(
-    groups: &Groups,
-    law: &crate::laws::tetrahedron::Elastic,
-    stresses: &[crate::laws::tetrahedron::Symmetric],
-) -> f64 {
+fn held(groups: &Groups, law: &Elastic, stresses: &[Symmetric]) -> f64 {
     let one = |(tet, s)| groups.volume_of(tet) * transfer::stress_energy(law, s);
     stresses.iter().enumerate().map(one).sum()
 }
