@@ -12,6 +12,12 @@ use rayon::prelude::*;
 /// Items per chunk in every parallel stage.
 pub const CHUNK: usize = 512;
 
+/// Work that can be cut between two of its chunks.
+pub trait Divide: Sized + Send {
+    /// The chunks before number `middle` (counted from the first of this piece) and the others.
+    fn divide(self, middle: usize) -> (Self, Self);
+}
+
 /// Runs chunked loops, serially or on a pool of its own.
 pub struct Exec {
     pool: Option<rayon::ThreadPool>,
@@ -117,9 +123,7 @@ impl Exec {
             _ => split(0, a, b, first, partials, &f, false),
         }
     }
-}
 
-impl Exec {
     /// `f` of each run of `per` (at least 1) items, in order.
     pub fn map<T: Sync, R: Send>(
         &self,
@@ -134,15 +138,7 @@ impl Exec {
             _ => items.chunks(per).map(f).collect(),
         }
     }
-}
 
-/// Work that can be cut between two of its chunks.
-pub trait Divide: Sized + Send {
-    /// The chunks before number `middle` (counted from the first of this piece) and the others.
-    fn divide(self, middle: usize) -> (Self, Self);
-}
-
-impl Exec {
     /// Calls `f(chunk, piece)` once for each of `chunks` chunks of `work`; on a pool in any order.
     pub fn divided<W: Divide>(&self, work: W, chunks: usize, f: impl Fn(usize, W) + Sync) {
         match &self.pool {
