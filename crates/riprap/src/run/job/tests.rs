@@ -1,0 +1,221 @@
+//! A block that falls: runs to the end, resumed, paused.
+
+use super::*;
+use crate::Vec2;
+use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw};
+use crate::planar::setup::{self, BlockSpec, Interface, Motion, Support};
+use crate::run::checks::{Expected, Status, Window};
+use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
+
+/// A block that falls onto a fixed one.
+fn falling() -> Job {
+    let square = |name: &str, y: f64| BlockSpec {
+        name: name.to_owned(),
+        vertices: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+            .map(|[x, dy]| Vec2::new(x, y + dy))
+            .to_vec(),
+        material: 0,
+        density: 2000.0,
+        velocity: Vec2::ZERO,
+        spin: 0.0,
+    };
+    let contact = ContactLaw {
+        normal: NormalLaw::DistancePotential,
+        normal_stiffness: 1e8,
+        shear_stiffness: 5e7,
+        friction: 0.5,
+        cohesion: 0.0,
+        friction_law: FrictionLaw::ShearSpring,
+        damping_ratio: 0.2,
+    };
+    let setup = setup::Setup {
+        gravity: [0.0, -10.0],
+        materials: vec!["rock".to_owned()],
+        blocks: vec![square("base", 0.0), square("top", 1.02)],
+        interfaces: vec![Interface {
+            name: "default".to_owned(),
+            contact,
+            bond: None,
+        }],
+        pair_table: vec![0],
+        supports: vec![Support {
+            blocks: vec![0],
+            motion: Motion::Fixed {
+                x: true,
+                y: true,
+                rotation: true,
+            },
+        }],
+        ..setup::Setup::default()
+    };
+    let phase = Phase {
+        name: "fall".to_owned(),
+        kind: PhaseKind::Dynamic,
+        until: Until {
+            time: Some(0.2),
+            ..Until::default()
+        },
+        time_step: TimeStep::Given { dt: 1e-4 },
+        damping: Damping::default(),
+        remove: Vec::new(),
+        fix: Vec::new(),
+        release: Vec::new(),
+        gravity: None,
+        gravity_ramp: None,
+        contacts: Vec::new(),
+        joints: Vec::new(),
+        zero_velocities: false,
+        zero_displacements: false,
+        deform: None,
+    };
+    let history = History {
+        name: "drop".to_owned(),
+        gauge: Gauge {
+            field: "block.displacement.y".to_owned(),
+            of: vec![1],
+            ..Gauge::default()
+        },
+        every: Every::Time(1e-2),
+    };
+    let check = Check {
+        name: "falls freely at first".to_owned(),
+        gauge: Gauge {
+            field: "block.displacement.y".to_owned(),
+            of: vec![1],
+            ..Gauge::default()
+        },
+        unit: "m".to_owned(),
+        window: Window::At(0.05),
+        expected: Expected::Value(-0.0125),
+        relative: Some(1e-9),
+        absolute: None,
+        known: None,
+    };
+    Job {
+        setup: setup.into(),
+        plan: Plan {
+            title: "falling".to_owned(),
+            phases: vec![phase],
+            histories: vec![history],
+            ..Plan::default()
+        },
+        checks: vec![check],
+        resolved: "riprap = 1\n".to_owned(),
+        manifest: Manifest::default(),
+    }
+}
+
+fn go(_: &Progress) -> Control {
+    Control::Continue
+}
+
+#[test]
+fn a_run_leaves_a_folder_and_its_checks() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("a.run");
+    let outcome = run(falling(), &folder, Existing::Refuse, 1, &mut go).unwrap();
+    assert_eq!(outcome.ending, Ending::Finished);
+    assert_eq!(
+        outcome.checks[0].status,
+        Status::Passed,
+        "{:?}",
+        outcome.checks
+    );
+    assert_eq!(
+        (outcome.manifest.ended, outcome.manifest.steps),
+        (Ended::Finished, 2000)
+    );
+    assert_eq!(Manifest::read(&folder).unwrap(), outcome.manifest);
+    for file in [
+        "histories.csv",
+        "energy.csv",
+        "checks.jsonl",
+        "scenario.resolved.toml",
+    ] {
+        assert!(folder.join(file).is_file(), "{file}");
+    }
+    let again = run(falling(), &folder, Existing::Refuse, 1, &mut go).unwrap_err();
+    assert!(matches!(again, JobError::Folder(FolderError::Run { .. })) && !again.is_output());
+    let done = resume(&folder, 1, &mut go).unwrap_err();
+    assert!(matches!(done, JobError::Ended { .. }), "{done}");
+    let alone = watch_only(falling(), 2, &mut go).unwrap();
+    assert_eq!(alone.manifest.state_hash, outcome.manifest.state_hash);
+}
+
+#[test]
+fn a_run_that_died_goes_on_to_the_same_bits() {
+    let dir = tempfile::tempdir().unwrap();
+    let (whole, died) = (dir.path().join("whole.run"), dir.path().join("died.run"));
+    let wanted = run(falling(), &whole, Existing::Refuse, 1, &mut go).unwrap();
+    // What is on disk after a kill: the checkpoint of the start and half-written files.
+    let mut half = falling();
+    half.plan.phases[0].until.time = Some(0.1);
+    run(half, &died, Existing::Refuse, 1, &mut go).unwrap();
+    for (_, file) in checkpoint::all(&died).unwrap().into_iter().skip(1) {
+        std::fs::remove_file(file).unwrap();
+    }
+    let mut manifest = Manifest::read(&died).unwrap();
+    manifest.ended = Ended::Running;
+    manifest.write(&died).unwrap();
+    let mut start: Checkpoint = checkpoint::latest(&died, KIND).unwrap().value;
+    start.snapshot.plan = falling().plan;
+    checkpoint::write(&checkpoint::path_for(&died, 0), KIND, &start).unwrap();
+    let resumed = resume(&died, 1, &mut go).unwrap();
+    assert_eq!(resumed.manifest.state_hash, wanted.manifest.state_hash);
+    assert_eq!(resumed.checks, wanted.checks);
+    for file in [
+        "histories.csv",
+        "energy.csv",
+        "events.jsonl",
+        "checks.jsonl",
+        "run.pvd",
+    ] {
+        let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+        assert_eq!(bytes(&whole), bytes(&died), "{file}");
+    }
+}
+
+#[test]
+fn pauses_change_no_bit() {
+    let dir = tempfile::tempdir().unwrap();
+    let (whole, bits) = (dir.path().join("whole.run"), dir.path().join("bits.run"));
+    let wanted = run(falling(), &whole, Existing::Refuse, 1, &mut go).unwrap();
+    let mut live = Live::begin(falling(), &bits, Existing::Refuse, 1).unwrap();
+    let mut steps = Vec::new();
+    for step in [0, 0, 1, 500, 500] {
+        let pause = Pause {
+            step: Some(step),
+            time: None,
+        };
+        assert_eq!(live.advance(pause, &mut go).unwrap(), None);
+        steps.push(live.simulation().steps());
+    }
+    assert_eq!(steps, [0, 0, 1, 500, 500]);
+    let left = live.close().unwrap();
+    assert_eq!(left.ending, Ending::Stopped);
+    let mut live = Live::reopen(&bits, 1).unwrap();
+    let pause = Pause {
+        step: None,
+        time: Some(0.15),
+    };
+    assert_eq!(live.advance(pause, &mut go).unwrap(), None);
+    assert!((live.simulation().time() - 0.15).abs() < 1.1e-4);
+    let outcome = live.finish(&mut go).unwrap();
+    assert_eq!(outcome.manifest.state_hash, wanted.manifest.state_hash);
+    assert_eq!(outcome.checks, wanted.checks);
+    for file in ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"] {
+        let read = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+        assert!(read(&whole) == read(&bits), "{file} differs");
+    }
+}
+
+#[test]
+fn a_run_without_a_place_to_write_says_so() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("file");
+    std::fs::write(&file, "x").unwrap();
+    let wrong = run(falling(), &file.join("a.run"), Existing::Refuse, 1, &mut go).unwrap_err();
+    assert!(wrong.is_output(), "{wrong}");
+    let none = resume(dir.path(), 1, &mut go).unwrap_err();
+    assert!(matches!(none, JobError::Manifest(_)) && !none.is_output());
+}
