@@ -1,0 +1,450 @@
+//! A check while the run goes on: takes values, reduces them, compares.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Check, CheckResult, Expected, Reduce, Status, Window};
+
+/// A check while the run goes on; part of checkpoints.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Watch {
+    check: Check,
+    /// Model time before which the field need not be read again, s; kept by whoever reads it.
+    pub next: f64,
+    last: Option<(f64, f64)>,
+    first_time: f64,
+    sum: f64,
+    span: f64,
+    low: f64,
+    high: f64,
+    found: Option<(f64, f64)>,
+}
+
+impl Watch {
+    /// Nothing seen yet.
+    #[must_use]
+    pub fn new(check: Check) -> Self {
+        Self {
+            check,
+            next: 0.0,
+            last: None,
+            first_time: f64::NAN,
+            sum: 0.0,
+            span: 0.0,
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            found: None,
+        }
+    }
+
+    /// The check.
+    #[must_use]
+    pub fn check(&self) -> &Check {
+        &self.check
+    }
+
+    /// Whether a value at `time` can still matter; lets the loop leave out reading the field.
+    #[must_use]
+    pub fn wants(&self, time: f64) -> bool {
+        match self.check.window {
+            Window::Start => self.last.is_none(),
+            Window::At(_) => self.found.is_none(),
+            Window::End => true,
+            Window::Over { from, to, .. } => time >= from && self.last.is_none_or(|(t, _)| t < to),
+        }
+    }
+
+    /// Takes the value of the field at a model time; times ascend.
+    pub fn observe(&mut self, time: f64, value: f64) {
+        let before = self.last.replace((time, value));
+        if before.is_none() {
+            self.first_time = time;
+        }
+        match self.check.window {
+            Window::Start => self.found = self.found.or(Some((time, value))),
+            Window::At(at) => {
+                if self.found.is_none() && time >= at - 1e-12 * at.abs() {
+                    let there = match before {
+                        Some((t0, v0)) if time > at && time > t0 => {
+                            v0 + (value - v0) * (at - t0) / (time - t0)
+                        }
+                        _ => value,
+                    };
+                    self.found = Some((at, there));
+                }
+            }
+            Window::End => {}
+            Window::Over { from, to, reduce } => {
+                if time >= from && time <= to {
+                    self.reduce(reduce, before.filter(|(t, _)| *t >= from), time, value);
+                }
+            }
+        }
+    }
+
+    fn reduce(&mut self, reduce: Reduce, before: Option<(f64, f64)>, time: f64, value: f64) {
+        // A value that is no number must show in every reduction, not vanish in a comparison.
+        if value.is_nan() {
+            self.low = f64::NAN;
+            self.high = f64::NAN;
+        }
+        if value < self.low {
+            self.low = value;
+        }
+        if value > self.high {
+            self.high = value;
+        }
+        match reduce {
+            Reduce::Max | Reduce::Min | Reduce::Range => {}
+            Reduce::Mean => {
+                if let Some((t0, v0)) = before {
+                    self.sum += 0.5 * (v0 + value) * (time - t0);
+                    self.span += time - t0;
+                }
+            }
+            Reduce::FirstAbove(threshold) => {
+                if value > threshold && self.found.is_none() {
+                    self.found = Some((time, time));
+                }
+            }
+            Reduce::ShareAbove(threshold) => {
+                if let Some((t0, v0)) = before {
+                    if 0.5 * (v0 + value) > threshold {
+                        self.sum += time - t0;
+                    }
+                    self.span += time - t0;
+                }
+            }
+        }
+    }
+
+    /// Time and value of the reading, or why there is none.
+    fn reading(&self) -> Result<(f64, f64), String> {
+        let (end, last) = self.last.ok_or("the field was never read")?;
+        match self.check.window {
+            Window::Start => self
+                .found
+                .ok_or_else(|| "the field was never read".to_owned()),
+            Window::End => Ok((end, last)),
+            Window::At(at) => self
+                .found
+                .ok_or_else(|| format!("the run ended at {end} s, before {at} s")),
+            Window::Over { from, to, reduce } => {
+                let at = end.min(to);
+                let seen = self.high >= self.low || self.high.is_nan();
+                if !seen {
+                    return Err(format!("the run ended at {end} s, before {from} s"));
+                }
+                let one = if self.span > 0.0 {
+                    self.sum / self.span
+                } else {
+                    last
+                };
+                match reduce {
+                    Reduce::Max => Ok((at, self.high)),
+                    Reduce::Min => Ok((at, self.low)),
+                    Reduce::Range => Ok((at, self.high - self.low)),
+                    Reduce::Mean => Ok((at, one)),
+                    Reduce::FirstAbove(threshold) => self
+                        .found
+                        .ok_or_else(|| format!("it never came above {threshold}")),
+                    Reduce::ShareAbove(_) => Ok((at, if self.span > 0.0 { one } else { 0.0 })),
+                }
+            }
+        }
+    }
+
+    /// Compares. `scene` and `case` are only passed on; `strict` counts known failures as failed.
+    #[must_use]
+    pub fn finish(&self, scene: &str, case: &str, strict: bool) -> CheckResult {
+        let unit = self.result_unit().to_owned();
+        let mut result = CheckResult {
+            scene: scene.to_owned(),
+            case: case.to_owned(),
+            check: self.check.name.clone(),
+            status: Status::Failed,
+            measured: None,
+            expected: String::new(),
+            tolerance: self.tolerance(&unit),
+            unit: unit.clone(),
+            note: String::new(),
+        };
+        let agrees = match self.reading() {
+            Err(why) => {
+                result.note = why;
+                result.expected = self.expected_text(f64::NAN, &unit);
+                false
+            }
+            Ok((time, value)) => {
+                result.measured = Some(value);
+                result.expected = self.expected_text(time, &unit);
+                self.agrees(time, value)
+            }
+        };
+        result.status = match (&self.check.known, agrees) {
+            (None, true) => Status::Passed,
+            (None, false) => Status::Failed,
+            (Some(reason), true) => {
+                result.note = format!("passes, but is marked known: {reason}");
+                Status::Failed
+            }
+            (Some(reason), false) => {
+                result.note.clone_from(reason);
+                if strict {
+                    Status::Failed
+                } else {
+                    Status::Skipped
+                }
+            }
+        };
+        result
+    }
+
+    fn result_unit(&self) -> &str {
+        match self.check.window {
+            Window::Over {
+                reduce: Reduce::FirstAbove(_),
+                ..
+            } => "s",
+            Window::Over {
+                reduce: Reduce::ShareAbove(_),
+                ..
+            } => "-",
+            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => &self.check.unit,
+        }
+    }
+
+    fn expected_at(&self, time: f64) -> Option<f64> {
+        match &self.check.expected {
+            Expected::Value(value) => Some(*value),
+            Expected::Formula { formula, names } => {
+                let mut values: Vec<(&str, f64)> = vec![("t", time)];
+                values.extend(names.iter().map(|(name, value)| (name.as_str(), *value)));
+                Some(formula.value(&values))
+            }
+            Expected::Table { t, v } => Some(interpolate(t, v, time)),
+            Expected::Between(..) => None,
+        }
+    }
+
+    fn agrees(&self, time: f64, value: f64) -> bool {
+        if let Expected::Between(low, high) = self.check.expected {
+            return value >= low && value <= high;
+        }
+        let Some(expected) = self.expected_at(time) else {
+            return false;
+        };
+        let difference = (value - expected).abs();
+        // `<=` on a difference that is not a number is false: NaN never agrees.
+        self.check
+            .relative
+            .is_some_and(|r| difference <= r * expected.abs())
+            || self.check.absolute.is_some_and(|a| difference <= a)
+            || difference == 0.0
+    }
+
+    fn expected_text(&self, time: f64, unit: &str) -> String {
+        let unit = if unit == "-" {
+            String::new()
+        } else {
+            format!(" {unit}")
+        };
+        match (&self.check.expected, self.expected_at(time)) {
+            (Expected::Between(low, high), _) => format!("{low} to {high}{unit}"),
+            (_, Some(value)) if value.is_finite() => format!("{value:.6e}{unit}"),
+            (Expected::Formula { .. } | Expected::Table { .. } | Expected::Value(_), _) => {
+                String::new()
+            }
+        }
+    }
+
+    fn tolerance(&self, unit: &str) -> String {
+        let unit = if unit == "-" {
+            String::new()
+        } else {
+            format!(" {unit}")
+        };
+        let relative = self.check.relative.map(|r| format!("{r} relative"));
+        let absolute = self.check.absolute.map(|a| format!("{a}{unit}"));
+        relative
+            .into_iter()
+            .chain(absolute)
+            .collect::<Vec<_>>()
+            .join(" or ")
+    }
+}
+
+/// Linear between the points, constant outside; NaN for an empty table.
+fn interpolate(t: &[f64], v: &[f64], at: f64) -> f64 {
+    let after = t.partition_point(|x| *x <= at);
+    match (after.checked_sub(1).and_then(|i| v.get(i)), v.get(after)) {
+        (Some(v0), Some(v1)) => {
+            let (t0, t1) = (t[after - 1], t[after]);
+            v0 + (v1 - v0) * (at - t0) / (t1 - t0)
+        }
+        (Some(v0), None) => *v0,
+        (None, Some(v1)) => *v1,
+        (None, None) => f64::NAN,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Formula;
+    use crate::run::plan::Gauge;
+
+    fn check(window: Window, expected: Expected) -> Check {
+        Check {
+            name: "c".to_owned(),
+            gauge: Gauge {
+                field: "block.displacement.x".to_owned(),
+                of: vec![0],
+                ..Gauge::default()
+            },
+            unit: "m".to_owned(),
+            window,
+            expected,
+            relative: None,
+            absolute: Some(1e-9),
+            known: None,
+        }
+    }
+
+    /// Feeds x(t) = 10 t^2 at 0, 0.1, … 1.
+    fn fed(window: Window, expected: Expected) -> CheckResult {
+        let mut watch = Watch::new(check(window, expected));
+        for i in 0..=10 {
+            let t = f64::from(i) * 0.1;
+            if watch.wants(t) {
+                watch.observe(t, 10.0 * t * t);
+            }
+        }
+        watch.finish("s.toml", "", false)
+    }
+
+    fn over(reduce: Reduce) -> Window {
+        Window::Over {
+            from: 0.2,
+            to: 0.8,
+            reduce,
+        }
+    }
+
+    #[test]
+    fn moments_are_found_and_interpolated() {
+        for (window, value) in [
+            (Window::Start, 0.0),
+            (Window::End, 10.0),
+            (Window::At(0.5), 2.5),
+            (Window::At(0.55), 0.5 * (2.5 + 3.6)),
+            (over(Reduce::Max), 6.4),
+            (over(Reduce::Min), 0.4),
+            (over(Reduce::Range), 6.0),
+            (over(Reduce::FirstAbove(3.0)), 0.6),
+            // Trapezoids on x^2: exact mean 2.8 plus h^2/12 (f'(b) - f'(a))/(b - a) = 1/60.
+            (over(Reduce::Mean), 2.8 + 1.0 / 60.0),
+            (over(Reduce::ShareAbove(3.0)), 0.3 / 0.6),
+        ] {
+            let result = fed(window, Expected::Value(value));
+            assert_eq!(result.status, Status::Passed, "{window:?} {result:?}");
+        }
+    }
+
+    #[test]
+    fn a_reading_that_never_came_fails_with_its_reason() {
+        let result = fed(Window::At(2.0), Expected::Value(0.0));
+        assert_eq!((result.status, result.measured), (Status::Failed, None));
+        assert!(
+            result.note.contains("ended at 1 s, before 2 s"),
+            "{}",
+            result.note
+        );
+        let result = fed(over(Reduce::FirstAbove(99.0)), Expected::Value(0.0));
+        assert!(
+            result.note.contains("never came above 99"),
+            "{}",
+            result.note
+        );
+        let late = Window::Over {
+            from: 3.0,
+            to: 4.0,
+            reduce: Reduce::Max,
+        };
+        assert_eq!(fed(late, Expected::Value(0.0)).status, Status::Failed);
+    }
+
+    #[test]
+    fn what_is_not_a_number_never_agrees() {
+        for window in [
+            Window::End,
+            over(Reduce::Max),
+            over(Reduce::Min),
+            over(Reduce::Mean),
+        ] {
+            let mut watch = Watch::new(check(window, Expected::Between(-1e300, 1e300)));
+            for (t, v) in [(0.2, 0.0), (0.3, f64::NAN), (0.4, 1.0), (0.8, f64::NAN)] {
+                watch.observe(t, v);
+            }
+            assert_eq!(
+                watch.finish("", "", false).status,
+                Status::Failed,
+                "{window:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn tables_formulas_and_bands() {
+        let formula = Formula::new("0.5*g*t^2", &["t", "g"]).unwrap();
+        let names = vec![("g".to_owned(), 20.0)];
+        let expected = Expected::Formula { formula, names };
+        assert_eq!(fed(Window::At(0.5), expected).status, Status::Passed);
+        let table = Expected::Table {
+            t: vec![0.0, 1.0],
+            v: vec![0.0, 5.0],
+        };
+        assert_eq!(fed(Window::At(0.5), table).status, Status::Passed);
+        assert_eq!(
+            fed(Window::End, Expected::Between(9.0, 11.0)).status,
+            Status::Passed
+        );
+        assert_eq!(
+            fed(Window::End, Expected::Between(9.0, 9.5)).status,
+            Status::Failed
+        );
+        assert!(interpolate(&[], &[], 1.0).is_nan());
+        assert_eq!(interpolate(&[0.0, 1.0], &[2.0, 3.0], 9.0), 3.0);
+        assert_eq!(interpolate(&[0.0, 1.0], &[2.0, 3.0], -9.0), 2.0);
+    }
+
+    #[test]
+    fn relative_or_absolute_is_enough() {
+        let mut one = check(Window::End, Expected::Value(9.95));
+        one.absolute = None;
+        one.relative = Some(0.01);
+        let mut watch = Watch::new(one.clone());
+        watch.observe(1.0, 10.0);
+        assert_eq!(watch.finish("", "", false).status, Status::Passed);
+        one.relative = Some(0.001);
+        one.absolute = Some(0.1);
+        let mut watch = Watch::new(one);
+        watch.observe(1.0, 10.0);
+        assert_eq!(watch.finish("", "", false).status, Status::Passed);
+    }
+
+    #[test]
+    fn known_failures_are_skipped_and_unexpected_passes_fail() {
+        let result = |expected: f64, strict| {
+            let mut one = check(Window::End, Expected::Value(expected));
+            one.known = Some("no reason at all".to_owned());
+            let mut watch = Watch::new(one);
+            watch.observe(1.0, 10.0);
+            watch.finish("", "", strict)
+        };
+        assert_eq!(result(9.0, false).status, Status::Skipped);
+        assert_eq!(result(9.0, true).status, Status::Failed);
+        let surprise = result(10.0, false);
+        assert_eq!(surprise.status, Status::Failed);
+        assert!(surprise.note.contains("marked known"), "{}", surprise.note);
+    }
+}
