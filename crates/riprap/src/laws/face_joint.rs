@@ -8,7 +8,11 @@
 //! `|tau| <= -sigma tan(phi)` and no tension. Deviation: residual cohesion and dilation are added (non-associated
 //! flow, closed-form return), and torsion counts when the whole face fails as one.
 
+mod whole;
+
 use serde::{Deserialize, Serialize};
+
+pub use whole::face;
 
 /// Signs of the four points along b and along c.
 pub const SIGNS: [[f64; 4]; 2] = [[-1.0, 1.0, 1.0, -1.0], [-1.0, -1.0, 1.0, 1.0]];
@@ -266,130 +270,6 @@ fn released(springs: Springs, before: &Traction, moved: &[f64; 3], from: usize) 
         .sum()
 }
 
-/// A face that fails as one: by the mean traction of its points and by its torsion moment.
-///
-/// `places` are the points along b and c, m. Intact, its points are elastic; failed, its points carry no
-/// tension, and mean shear and torsion shrink together to the residual limit.
-#[must_use]
-pub fn face(
-    law: &Strength,
-    springs: Springs,
-    start: &[Traction; 4],
-    at: &[[f64; 3]; 4],
-    moved: &[[f64; 3]; 4],
-    reach: [f64; 2],
-    memory: &mut [Memory; 4],
-) -> ([Traction; 4], Loss) {
-    let mut loss = Loss::default();
-    let was_open = memory[0].open && memory.iter().all(|m| m.open);
-    let mut t: [Traction; 4] =
-        std::array::from_fn(|p| elastic(springs, &start[p], &at[p], &memory[p]));
-    if was_open {
-        for p in 0..4 {
-            for k in 0..2 {
-                memory[p].slip[k] = at[p][k + 1] - moved[p][k + 1] + start[p][k + 1] / springs[1];
-            }
-            t[p] = elastic(springs, &start[p], &at[p], &memory[p]);
-        }
-    }
-    let trial = t;
-    let before: [Traction; 4] = std::array::from_fn(|p| {
-        if was_open {
-            [0.0; 3]
-        } else {
-            let t: Traction =
-                std::array::from_fn(|k| trial[p][k] - springs[k.min(1)] * moved[p][k]);
-            if memory[p].broken {
-                [t[0].min(0.0), t[1], t[2]]
-            } else {
-                t
-            }
-        }
-    });
-    let sums = Sums::of(&t, reach);
-    let intact = !memory[0].broken;
-    for m in memory.iter_mut() {
-        m.sliding = false;
-    }
-    if intact {
-        let limit = (law.cohesion - sums.normal * law.friction).max(0.0);
-        if sums.normal <= law.tension && sums.shear_measure(reach) <= limit {
-            return (t, loss);
-        }
-        for m in memory.iter_mut() {
-            m.broken = true;
-        }
-    }
-    // Failed: no tension at any point.
-    let mut pressed = 0.0;
-    for (point, m) in t.iter_mut().zip(memory.iter_mut()) {
-        point[0] = point[0].min(0.0);
-        m.open = point[0] == 0.0;
-        pressed -= 0.25 * point[0];
-    }
-    let closed = pressed > 0.0;
-    let limit = if closed {
-        law.residual_cohesion + pressed * law.residual_friction
-    } else {
-        0.0
-    };
-    let measure = sums.shear_measure(reach);
-    let keep = if measure > limit {
-        limit / measure
-    } else {
-        1.0
-    };
-    let slides = keep < 1.0;
-    for p in 0..4 {
-        let [b, c] = [SIGNS[0][p] * reach[0], SIGNS[1][p] * reach[1]];
-        if slides {
-            t[p][1] = keep * (sums.shear[0] - sums.twist * c);
-            t[p][2] = keep * (sums.shear[1] + sums.twist * b);
-        }
-        if intact && trial[p][0] > 0.0 {
-            loss.fracture += 0.25 * released(springs, &[before[p][0], 0.0, 0.0], &moved[p], 0);
-        }
-        for k in 0..2 {
-            let slip = (trial[p][k + 1] - t[p][k + 1]) / springs[1];
-            if slides {
-                memory[p].slip[k] += slip;
-                loss.friction += 0.125 * (before[p][k + 1] + t[p][k + 1]) * slip;
-            }
-        }
-        memory[p].sliding = slides && closed;
-    }
-    (t, loss)
-}
-
-/// Mean traction and twist of four points.
-struct Sums {
-    normal: f64,
-    shear: [f64; 2],
-    /// Shear traction per distance from the centre, Pa/m.
-    twist: f64,
-}
-
-impl Sums {
-    fn of(t: &[Traction; 4], reach: [f64; 2]) -> Self {
-        let mean = |k: usize| 0.25 * (t[0][k] + t[1][k] + t[2][k] + t[3][k]);
-        let mut moment = 0.0;
-        for p in 0..4 {
-            moment += 0.25 * (SIGNS[0][p] * reach[0] * t[p][2] - SIGNS[1][p] * reach[1] * t[p][1]);
-        }
-        Self {
-            normal: mean(0),
-            shear: [mean(1), mean(2)],
-            twist: moment / (reach[0] * reach[0] + reach[1] * reach[1]),
-        }
-    }
-
-    /// Mean shear and torsion in one number: torsion counts as the shear it makes at the points.
-    fn shear_measure(&self, reach: [f64; 2]) -> f64 {
-        let twist = self.twist * norm(reach[0], reach[1]);
-        norm(norm(self.shear[0], self.shear[1]), twist)
-    }
-}
-
 /// Square root of a sum of squares, the same bits on every machine.
 fn norm(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
@@ -418,7 +298,7 @@ pub fn carried(
 mod tests {
     use super::*;
 
-    fn strength() -> Strength {
+    pub(super) fn strength() -> Strength {
         Strength {
             cohesion: 1e6,
             tension: 0.3e6,
@@ -536,28 +416,5 @@ mod tests {
         }
         assert!((memory.lift - 0.2e-3).abs() < 1e-12, "{}", memory.lift);
         assert!((sigma + 2e10 * (1e-5 + 0.2e-3)).abs() < 1.0);
-    }
-
-    #[test]
-    fn a_face_fails_by_shear_and_torsion_together() {
-        let (law, springs, reach) = (strength(), [2e10, 1e10], [0.25, 0.25]);
-        let start = [[-1e6, 0.0, 0.0]; 4];
-        // Pure twist: the points reach the shear limit all at once.
-        let radius = 0.25 * 2f64.sqrt();
-        let limit = law.cohesion + 1e6 * law.friction;
-        let twist = |angle: f64| -> [[f64; 3]; 4] {
-            std::array::from_fn(|p| [0.0, -SIGNS[1][p] * 0.25 * angle, SIGNS[0][p] * 0.25 * angle])
-        };
-        for (share, broken) in [(0.999, false), (1.001, true)] {
-            let mut memory = [Memory::default(); 4];
-            let at = twist(share * limit / (1e10 * radius));
-            let moved = [[0.0; 3]; 4];
-            let (t, _) = face(&law, springs, &start, &at, &moved, reach, &mut memory);
-            assert_eq!(memory[0].broken, broken);
-            let size = norm(t[0][1], t[0][2]);
-            let residual = law.residual_cohesion + 1e6 * law.residual_friction;
-            let expected = if broken { residual } else { share * limit };
-            assert!((size / expected - 1.0).abs() < 1e-9);
-        }
     }
 }
