@@ -1,4 +1,4 @@
-//! The loop: phases, time steps, stop criteria, guards.
+//! The loop: phases and time steps.
 //!
 //! [`Simulation::prepare`] finds the forces at the present time (entering the next phase when one is
 //! due), so that the state can be read and recorded; [`Simulation::step`] moves on. A checkpoint
@@ -6,6 +6,7 @@
 
 mod cursor;
 mod error;
+mod stop;
 
 pub use cursor::{Cursor, Snapshot, Stage, Unconverged};
 pub use error::RunError;
@@ -17,11 +18,6 @@ use crate::model::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
 pub const STATIC_DAMPING: f64 = 0.7;
-/// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
-const WORST_OVERLAP: f64 = 0.5;
-/// Steps between two looks at guards and at costly stop criteria.
-const LOOK: u64 = 50;
-
 /// A model being advanced through its plan.
 #[derive(Debug)]
 pub struct Simulation {
@@ -371,19 +367,6 @@ impl Simulation {
         }
     }
 
-    /// Whether a relaxing phase is over: all its time has passed and nothing moves or breaks any more, or it does
-    /// not converge.
-    fn relaxed(&self, phase: &Rules, rules: Relaxing) -> bool {
-        let now = self.engine.relaxing();
-        now.is_none_or(|now| {
-            let all = phase
-                .until
-                .time
-                .is_none_or(|span| self.elapsed() >= span * (1.0 - 1e-9));
-            (now.converged && all) || now.iterations >= rules.iterations
-        })
-    }
-
     /// Model time since the start of the phase, s.
     fn elapsed(&self) -> f64 {
         self.time() - self.cursor.start_time
@@ -412,60 +395,6 @@ impl Simulation {
             }
         }
         dt
-    }
-
-    fn phase_over(&self, phase: &Rules) -> bool {
-        let until = &phase.until;
-        let steps = self.steps() - self.cursor.start_step;
-        if until.steps.is_some_and(|n| steps >= n) {
-            return true;
-        }
-        if let Some(rules) = phase.relax {
-            return self.relaxed(phase, rules);
-        }
-        let elapsed = self.elapsed();
-        if until.time.is_some_and(|t| elapsed >= t - 1e-9 * self.dt) {
-            return true;
-        }
-        let settled = steps > 0 && steps.is_multiple_of(LOOK);
-        let ramped = phase.gravity_ramp.is_none_or(|ramp| elapsed >= ramp);
-        settled
-            && ramped
-            && (until
-                .unbalanced
-                .is_some_and(|x| self.view().unbalanced() <= x)
-                || until.kinetic.is_some_and(|x| self.view().kinetic() <= x))
-    }
-
-    /// Stops runs that have left the range in which they mean anything.
-    fn guard(&self) -> Result<(), RunError> {
-        let (step, time) = (self.steps(), self.time());
-        if !step.is_multiple_of(LOOK) || step == 0 {
-            return Ok(());
-        }
-        let view = self.view();
-        if let Some((ratio, i, j)) = view.worst_overlap()
-            && ratio > WORST_OVERLAP
-        {
-            return Err(RunError::Overlap {
-                first: view.name(i),
-                second: view.name(j),
-                percent: 100.0 * ratio,
-                step,
-                time,
-            });
-        }
-        let (kinetic, put_in) = (view.kinetic(), view.put_in());
-        if kinetic > 5.0 * put_in + 1e-12 {
-            return Err(RunError::BlowUp {
-                block: view.fastest().map_or_else(String::new, |(name, _)| name),
-                kinetic,
-                ratio: kinetic / put_in.max(f64::MIN_POSITIVE),
-                step,
-                time,
-            });
-        }
-        Ok(())
     }
 }
 
