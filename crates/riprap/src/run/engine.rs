@@ -1,6 +1,7 @@
 //! The engines behind one face: what the run loop, the recorder and the checks ask of whichever engine
 //! a scene needs. A closed choice: every question is a `match` over both.
 
+mod edit;
 mod notes;
 mod reading;
 mod view;
@@ -373,11 +374,11 @@ impl Engine {
     pub fn edit(&mut self, phase: &Phase) {
         match self {
             Self::Planar(e) => {
-                planar_edit(&mut e.world, phase);
+                edit::planar(&mut e.world, phase);
                 e.scratch.invalidate(&mut e.world);
             }
             Self::Spatial(e) => {
-                spatial_edit(&mut e.world, phase);
+                edit::spatial(&mut e.world, phase);
                 e.scratch.invalidate(&mut e.world);
             }
         }
@@ -439,72 +440,4 @@ impl Engine {
             Self::Spatial(e) => super::hash::spatial(&e.world),
         }
     }
-}
-
-fn planar_edit(world: &mut planar::world::World, phase: &Phase) {
-    use planar::setup::Motion;
-    for &b in &phase.remove {
-        world.alive[b as usize] = false;
-    }
-    let alive = std::mem::take(&mut world.alive);
-    world
-        .bonds
-        .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
-    world.alive = alive;
-    for &b in &phase.fix {
-        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
-            x: true,
-            y: true,
-            rotation: true,
-        }));
-    }
-    for &b in &phase.release {
-        world.motion[b as usize] = None;
-    }
-    for (row, law) in &phase.contacts {
-        world.setup.interfaces[*row as usize].contact = *law;
-    }
-    if phase.zero_velocities {
-        for body in &mut world.bodies {
-            body.velocity = Vec2::ZERO;
-            body.spin = 0.0;
-        }
-        world.last_dt = 0.0;
-    }
-    planar::step::hold_driven(world);
-}
-
-fn spatial_edit(world: &mut spatial::world::World, phase: &Phase) {
-    use spatial::setup::Motion;
-    spatial::edit::take_out(world, &phase.remove);
-    for &b in &phase.fix {
-        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
-            translation: [true; 3],
-            rotation: [true; 3],
-        }));
-    }
-    for &b in &phase.release {
-        world.motion[b as usize] = None;
-    }
-    for (row, law) in &phase.joints {
-        world.setup.interfaces[*row as usize].joint = *law;
-    }
-    if !phase.joints.is_empty() {
-        spatial::edit::renew_laws(world);
-    }
-    if phase.zero_velocities {
-        world.halt();
-    }
-    world.hold_driven();
-    let rules = phase.deform.map(|d| spatial::deform::phase::Rules {
-        relax: d.relax.map(|r| r.tolerance),
-        breaking: d.breaking,
-        strain: d.strain,
-    });
-    spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
-    if let Some(relax) = phase.deform.and_then(|d| d.relax) {
-        spatial::deform::phase::relax_by(world, relax.way);
-    }
-    let cut = phase.deform.and_then(|d| d.cut);
-    spatial::deform::cut::allow(world, cut.as_ref());
 }

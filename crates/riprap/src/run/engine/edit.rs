@@ -1,0 +1,75 @@
+//! What the beginning of a phase changes in blocks, supports and laws.
+
+use crate::Vec2;
+use crate::run::plan::Phase;
+use crate::{planar, spatial};
+
+/// In the plane.
+pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
+    use planar::setup::Motion;
+    for &b in &phase.remove {
+        world.alive[b as usize] = false;
+    }
+    let alive = std::mem::take(&mut world.alive);
+    world
+        .bonds
+        .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
+    world.alive = alive;
+    for &b in &phase.fix {
+        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
+            x: true,
+            y: true,
+            rotation: true,
+        }));
+    }
+    for &b in &phase.release {
+        world.motion[b as usize] = None;
+    }
+    for (row, law) in &phase.contacts {
+        world.setup.interfaces[*row as usize].contact = *law;
+    }
+    if phase.zero_velocities {
+        for body in &mut world.bodies {
+            body.velocity = Vec2::ZERO;
+            body.spin = 0.0;
+        }
+        world.last_dt = 0.0;
+    }
+    planar::step::hold_driven(world);
+}
+
+/// In space.
+pub(super) fn spatial(world: &mut spatial::world::World, phase: &Phase) {
+    use spatial::setup::Motion;
+    spatial::edit::take_out(world, &phase.remove);
+    for &b in &phase.fix {
+        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
+            translation: [true; 3],
+            rotation: [true; 3],
+        }));
+    }
+    for &b in &phase.release {
+        world.motion[b as usize] = None;
+    }
+    for (row, law) in &phase.joints {
+        world.setup.interfaces[*row as usize].joint = *law;
+    }
+    if !phase.joints.is_empty() {
+        spatial::edit::renew_laws(world);
+    }
+    if phase.zero_velocities {
+        world.halt();
+    }
+    world.hold_driven();
+    let rules = phase.deform.map(|d| spatial::deform::phase::Rules {
+        relax: d.relax.map(|r| r.tolerance),
+        breaking: d.breaking,
+        strain: d.strain,
+    });
+    spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
+    if let Some(relax) = phase.deform.and_then(|d| d.relax) {
+        spatial::deform::phase::relax_by(world, relax.way);
+    }
+    let cut = phase.deform.and_then(|d| d.cut);
+    spatial::deform::cut::allow(world, cut.as_ref());
+}
