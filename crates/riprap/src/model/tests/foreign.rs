@@ -10,21 +10,7 @@ use crate::spatial::setup::{FaceSet, Setup as Spatial, Shape};
 use crate::spatial::world::World;
 use riprap_geom::polyhedron::Polyhedron;
 
-const SPACE: &str = r#"
-riprap = 1
-title = "test"
-space.spatial.gravity = "10 m/s2"
-[materials.rock]
-density = "2000 kg/m3"
-young = "18 GPa"
-poisson = 0.25
-[interfaces.default]
-friction_angle = "45 deg"
-[[blocks]]
-name = "grain"
-material = "rock"
-"#;
-const PLANE: &str = "[[blocks]]\nname = \"grain\"\nmaterial = \"rock\"\n";
+const GRAIN: &str = "[[blocks]]\nname = \"grain\"\nmaterial = \"rock\"\n";
 
 /// Builds a text whose files are in `tests/data`.
 fn built(text: String, fields: &[FieldInfo]) -> Result<Model, Diagnostics> {
@@ -35,7 +21,7 @@ fn built(text: String, fields: &[FieldInfo]) -> Result<Model, Diagnostics> {
 
 fn spatial(middle: &str) -> (Spatial, Vec<Explained>) {
     let fields = crate::run::engine::Kind::Spatial.fields();
-    let model = built(format!("{SPACE}{middle}{TAIL}"), fields);
+    let model = built(format!("{SPACE}{GRAIN}{middle}{TAIL}"), fields);
     let model = model.unwrap_or_else(|error| panic!("{error}"));
     match model.setup {
         Setup::Spatial(setup) => (*setup, model.explained),
@@ -44,7 +30,7 @@ fn spatial(middle: &str) -> (Spatial, Vec<Explained>) {
 }
 
 fn planar(middle: &str) -> Planar {
-    let model = built(text(&format!("{PLANE}{middle}")), INFOS);
+    let model = built(text(&format!("{GRAIN}{middle}")), INFOS);
     match model.unwrap_or_else(|error| panic!("{error}")).setup {
         Setup::Planar(setup) => setup,
         Setup::Spatial(_) => panic!("a model in the plane is expected"),
@@ -118,17 +104,17 @@ fn closed_polylines_are_blocks_and_layers_groups() {
     }
     let file = "polygons = { dxf = \"shapes/section_R12.dxf\", layers = [\"rocks\"] }\n";
     refused(
-        built(text(&format!("{PLANE}{file}")), INFOS),
+        built(text(&format!("{GRAIN}{file}")), INFOS),
         "did you mean `rock`",
     );
     let lines = "polygons = { dxf = \"shapes/section_R12.dxf\", layers = [\"joints\"] }\n";
     refused(
-        built(text(&format!("{PLANE}{lines}")), INFOS),
+        built(text(&format!("{GRAIN}{lines}")), INFOS),
         "no closed polylines",
     );
     let file = "polygons = { dxf = \"shapes/grains2d.tess\" }\n";
     refused(
-        built(text(&format!("{PLANE}{file}")), INFOS),
+        built(text(&format!("{GRAIN}{file}")), INFOS),
         "grains2d.tess, line 1",
     );
 }
@@ -144,7 +130,7 @@ fn open_polylines_cut() {
     assert!((area(&setup) - 2.0).abs() < 1e-12);
     let both = format!("cut = {{ {region}, traces = {{ dxf = \"a.dxf\", csv = \"a.csv\" }} }}\n");
     refused(
-        built(text(&format!("{PLANE}{both}")), INFOS),
+        built(text(&format!("{GRAIN}{both}")), INFOS),
         "only one is possible",
     );
 }
@@ -181,7 +167,7 @@ fn joints_cut_blocks_in_space() {
     ));
     assert_eq!(setup.blocks.len(), 1);
     let fields = crate::run::engine::Kind::Spatial.fields();
-    let of = |middle: &str| built(format!("{SPACE}{brick}{middle}{TAIL}"), fields);
+    let of = |middle: &str| built(format!("{SPACE}{GRAIN}{brick}{middle}{TAIL}"), fields);
     let alone = "cut.joint_sets = [{ dip = \"30 deg\", spacing = \"1 m\" }]\n";
     refused(of(alone), "a joint set in space needs `dip_direction`");
     refused(of("cut = {}\n"), "is cut by no joints");
@@ -240,7 +226,7 @@ fn physical_surfaces_are_sets_of_faces() {
     let fields = crate::run::engine::Kind::Spatial.fields();
     let wrong = on.replace("\"ends\"", "\"end\"");
     refused(
-        built(format!("{SPACE}{wrong}{TAIL}"), fields),
+        built(format!("{SPACE}{GRAIN}{wrong}{TAIL}"), fields),
         "there is no surface `end`",
     );
 }

@@ -15,6 +15,7 @@ mod foreign;
 mod interfaces;
 mod solid;
 
+/// Begins a scenario in the plane.
 const HEAD: &str = r#"
 riprap = 1
 title = "test"
@@ -22,6 +23,19 @@ space.planar.gravity = ["0 m/s2", "-10 m/s2"]
 [materials.rock]
 density = "2000 kg/m3"
 young = "10 GPa"
+poisson = 0.25
+[interfaces.default]
+friction_angle = "45 deg"
+"#;
+
+/// Begins a scenario in space.
+const SPACE: &str = r#"
+riprap = 1
+title = "test"
+space.spatial.gravity = "10 m/s2"
+[materials.rock]
+density = "2000 kg/m3"
+young = "18 GPa"
 poisson = 0.25
 [interfaces.default]
 friction_angle = "45 deg"

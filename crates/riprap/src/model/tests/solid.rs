@@ -8,18 +8,6 @@ use crate::spatial::setup::{
 };
 use riprap_geom::Vec3;
 
-const HEAD: &str = r#"
-riprap = 1
-title = "test"
-space.spatial.gravity = "10 m/s2"
-[materials.rock]
-density = "2000 kg/m3"
-young = "18 GPa"
-poisson = 0.25
-[interfaces.default]
-friction_angle = "45 deg"
-"#;
-
 const GRID: &str = r#"
 [[blocks]]
 name = "rock"
@@ -62,7 +50,7 @@ fn try_solid(text: &str) -> Result<Model, Diagnostics> {
 
 fn solid(middle: &str) -> (Setup, Model) {
     let model =
-        try_solid(&format!("{HEAD}{middle}{TAIL}")).unwrap_or_else(|error| panic!("{error}"));
+        try_solid(&format!("{SPACE}{middle}{TAIL}")).unwrap_or_else(|error| panic!("{error}"));
     let crate::model::Setup::Spatial(setup) = model.setup.clone() else {
         panic!("a planar setup")
     };
@@ -70,7 +58,7 @@ fn solid(middle: &str) -> (Setup, Model) {
 }
 
 fn refused(middle: &str) -> String {
-    let text = format!("{HEAD}{middle}{TAIL}");
+    let text = format!("{SPACE}{middle}{TAIL}");
     try_solid(&text).expect_err("should be refused").render()
 }
 
@@ -386,7 +374,7 @@ fn stresses_have_the_sign_of_their_name() {
     let bare = tension.replace(&sides, "");
     assert!(refused(&bare).contains("is carried by nobody"));
     let text =
-        format!("{HEAD}{bare}{TAIL}").replace("name = \"go\"", "name = \"go\"\nkind = \"static\"");
+        format!("{SPACE}{bare}{TAIL}").replace("name = \"go\"", "name = \"go\"\nkind = \"static\"");
     assert!(try_solid(&text).is_ok());
 }
 
@@ -446,7 +434,7 @@ friction_angle = "0 deg"
 
 #[test]
 fn strengths_of_joints_are_divided_by_the_factor() {
-    let text = format!("{HEAD}cohesion = \"3 MPa\"\n{GRID}{TAIL}").replacen(
+    let text = format!("{SPACE}cohesion = \"3 MPa\"\n{GRID}{TAIL}").replacen(
         "title",
         "strength_factor = 1.5\ntitle",
         1,
