@@ -22,8 +22,8 @@ use riprap::spatial::deform::cut as cutting;
 use riprap::spatial::deform::phase::{self, Rules};
 use riprap::spatial::setup::deform::{BondFailure, BondLaw, DeformableSet, Deformables, Strength};
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Failure, Interface, JointLaw, Kinematics, Material, Points, Setup, Shape,
-    Solid, Stiffness as Springs,
+    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
+    Setup, Shape, Solid, Stiffness as Springs,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::world::World;
@@ -206,6 +206,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,
+                dashpots: Dashpots::Sticking,
             },
         }],
         pair_table: vec![0],

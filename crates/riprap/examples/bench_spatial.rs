@@ -11,8 +11,8 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::record::manifest::Machine;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Failure, InSitu, Interface, JointLaw, Kinematics, Material, Points,
-    Setup, Shape, Stiffness, Strength,
+    BlockName, BlockSpec, Dashpots, Failure, InSitu, Interface, JointLaw, Kinematics, Material,
+    Points, Setup, Shape, Stiffness, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::world::World;
@@ -99,6 +99,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,
+                dashpots: Dashpots::Sticking,
             },
         }],
         pair_table: vec![0],

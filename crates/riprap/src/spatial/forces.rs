@@ -255,7 +255,7 @@ fn one(
     works.fracture += class.area * loss.fracture;
     let beta = class.beta + shared.stiffness_damping;
     let dashpot = shared.damped.then(|| {
-        let t = patch::dashpots(class, &points, beta, *state.flags);
+        let t = patch::dashpots(joint, class, &points, beta, *state.flags);
         points.resultant(class, &t)
     });
     (points.resultant(class, &t), dashpot)

@@ -3,7 +3,7 @@
 
 use riprap_geom::{Mat3, Quat, Vec3};
 
-use super::setup::{Failure, Interface, JointLaw};
+use super::setup::{Dashpots, Failure, Interface, JointLaw};
 use super::world::{Bodies, PatchClass, Turned, flag};
 use crate::laws::face_joint::{self, Loss, Memory, SIGNS, Traction};
 
@@ -307,6 +307,7 @@ pub fn respond(
             Loss::default(),
         );
     };
+    let slid = *state.flags;
     let moved = points.rate.map(|r| r.map(|v| v * elapsed));
     let result = match joint.failure {
         Failure::Point => {
@@ -332,6 +333,9 @@ pub fn respond(
         ),
     };
     state.write(&memory);
+    if elapsed == 0.0 {
+        *state.flags |= flag::slide_on(slid, *state.flags);
+    }
     result
 }
 
@@ -350,15 +354,60 @@ pub fn carried(
     })
 }
 
-/// Dashpot tractions at the closed points: `beta` (s) times spring times rate.
+/// Dashpot tractions at the closed points: `beta` (s) times spring times rate, along the patch where its law has
+/// them.
 #[must_use]
-pub fn dashpots(class: &PatchClass, points: &Points, beta: f64, flags: u16) -> [Traction; 4] {
+pub fn dashpots(
+    joint: &JointLaw,
+    class: &PatchClass,
+    points: &Points,
+    beta: f64,
+    flags: u16,
+) -> [Traction; 4] {
     std::array::from_fn(|p| {
         if flags & flag::of(flag::OPEN, p) != 0 {
             return [0.0; 3];
         }
-        std::array::from_fn(|k| beta * class.stiffness[k.min(1)] * points.rate[p][k])
+        let slides = flags & flag::of(flag::SLIDING, p) != 0;
+        let along = match joint.dashpots {
+            Dashpots::Sticking => !slides,
+            Dashpots::Closed => true,
+        };
+        std::array::from_fn(|k| {
+            if k == 0 || along {
+                beta * class.stiffness[k.min(1)] * points.rate[p][k]
+            } else {
+                0.0
+            }
+        })
     })
+}
+
+/// Bits of [`flag::SLIDING`] for the points of a patch that slide from the first instant: spring and dashpot together
+/// would pass their strength. Only a point that has moved shows that it slides, and blocks may start with a speed.
+#[must_use]
+pub fn starts_sliding(
+    joint: &JointLaw,
+    class: &PatchClass,
+    points: &Points,
+    start: &[Traction; 4],
+    beta: f64,
+) -> u16 {
+    let Some(strength) = joint
+        .strength
+        .filter(|_| joint.dashpots == Dashpots::Sticking)
+    else {
+        return 0;
+    };
+    let dashpots = dashpots(joint, class, points, beta, 0);
+    let slides = |p: &usize| {
+        let limit = (strength.cohesion - start[*p][0] * strength.friction).max(0.0);
+        let [b, c] = [1, 2].map(|k| start[*p][k] + dashpots[*p][k]);
+        b * b + c * c > limit * limit
+    };
+    (0..4)
+        .filter(slides)
+        .fold(0, |bits, p| bits | flag::of(flag::SLIDING, p))
 }
 
 /// Law of a class.

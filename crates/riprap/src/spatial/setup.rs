@@ -197,6 +197,21 @@ pub struct JointLaw {
     /// Dashpots parallel to the springs of closed points: `beta = damping * d / c_P` with d the distance of the
     /// centroids across the patch, so that fine and coarse blocks are damped alike.
     pub damping: f64,
+    /// Where those along the patch act.
+    pub dashpots: Dashpots,
+}
+
+/// Points on which the dashpots along a patch act; those across it act on all closed points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Dashpots {
+    /// Closed points that do not slide: a sliding point carries its friction and nothing else.
+    ///
+    /// Deviation: the source has them on all closed points. There they add `beta ks v` to the friction, which grows with
+    /// the speed and stops what should slide.
+    #[default]
+    Sticking,
+    /// All closed points, as in the source.
+    Closed,
 }
 
 /// Stiffness of a patch per area.

@@ -283,6 +283,9 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
 /// First pass: forces of patches.
 fn patches(world: &mut World, scratch: &mut Scratch) {
     scratch.need_drag(world, scratch.damping.stiffness);
+    if world.step == 0 && world.fresh && !scratch.drag.is_empty() && scratch.strong {
+        start_sliding(world, scratch.damping.stiffness);
+    }
     let live = world.pending > 0.0 || world.fresh;
     let (list, tiles) = (&mut world.patches, &scratch.tiles);
     let shared = Shared {
@@ -322,6 +325,24 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         .divided(work, count, |_, piece| forces::tile(&shared, piece));
     for works in &scratch.works {
         world.works.add(works);
+    }
+}
+
+/// Marks the points that slide from the first instant.
+fn start_sliding(world: &mut World, stiffness_damping: f64) {
+    for p in 0..world.patches.len() {
+        let list = &world.patches;
+        let class = &world.classes[list.class[p] as usize];
+        let joint = patch::joint(&world.setup.interfaces, class);
+        let poses = Poses {
+            bodies: &world.bodies,
+            turned: &world.turned,
+        };
+        let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
+        let start = patch::start(class, list.prestress.get(p));
+        let beta = class.beta + stiffness_damping;
+        let slide = patch::starts_sliding(joint, class, &points, &start, beta);
+        world.patches.flags[p] |= slide;
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::forces::{Memory, Shared};
 use super::lanes::{LANES, Lanes, Vectors, cross, minus, plus, same, scaled, times};
-use super::setup::{Failure, JointLaw};
+use super::setup::{Dashpots, Failure, JointLaw};
 use super::sums::Part;
 use super::tiles::Packet;
 use super::world::{PatchClass, flag};
@@ -40,6 +40,8 @@ pub struct Wide {
     residual: [f64; 2],
     /// Change of the in-situ traction (n, b, c) along b and along c, Pa/m.
     slope: [[f64; 3]; 2],
+    /// 1 where sliding points have no dashpots along the patch, else 0.
+    sticking: f64,
     /// Whether [`points`] knows the law: points fail by themselves, without dilation.
     pub plain: bool,
 }
@@ -73,6 +75,10 @@ impl Wide {
             }),
             residual: strength.map_or([0.0; 2], |s| [s.residual_cohesion, s.residual_friction]),
             slope: class.slope,
+            sticking: match joint.dashpots {
+                Dashpots::Sticking => 1.0,
+                Dashpots::Closed => 0.0,
+            },
             plain: joint.failure == Failure::Point && strength.is_some_and(|s| s.dilation == 0.0),
         }
     }
@@ -255,14 +261,18 @@ pub fn points(
             start[2] + (b * slope_b[2] + c * slope_c[2]),
         ];
         let before = PlainState::read(memory, at, count, q);
-        let (t, after, loss) = law.answer(&first, &place, &rate, elapsed, &before);
+        let (t, mut after, loss) = law.answer(&first, &place, &rate, elapsed, &before);
+        if elapsed == 0.0 {
+            after.slide_on(memory, at, count, q);
+        }
         after.write(memory, at, count, q, chosen);
         lost = [lost[0] + loss[0], lost[1] + loss[1]];
         let closed = Lanes::all(1.0) - after.open;
+        let along = closed - law.sticking * after.sliding;
         let drag = [
             closed * (beta * (kn * rate[0])),
-            closed * (beta * (ks * rate[1])),
-            closed * (beta * (ks * rate[2])),
+            along * (beta * (ks * rate[1])),
+            along * (beta * (ks * rate[2])),
         ];
         for (kind, t) in [t, drag].into_iter().enumerate() {
             sums[kind] = plus(&sums[kind], &t);
@@ -305,24 +315,28 @@ struct PlainLanes {
     springs: [Lanes; 2],
     peak: Vectors,
     residual: [Lanes; 2],
+    sticking: Lanes,
 }
 
 impl PlainLanes {
     #[inline(always)]
     fn of(class: &Class, shared: &Shared, packet: &Packet) -> Self {
-        let first = shared.wide_of(packet, 0).residual;
-        let mut residual = [Lanes::all(first[0]), Lanes::all(first[1])];
+        let first = shared.wide_of(packet, 0);
+        let mut residual = first.residual.map(Lanes::all);
+        let mut sticking = Lanes::all(first.sticking);
         if !packet.one_class {
             for lane in 0..LANES {
                 let wide = shared.wide_of(packet, lane);
                 residual[0].0[lane] = wide.residual[0];
                 residual[1].0[lane] = wide.residual[1];
+                sticking.0[lane] = wide.sticking;
             }
         }
         Self {
             springs: class.springs,
             peak: class.strength,
             residual,
+            sticking,
         }
     }
 
@@ -394,6 +408,16 @@ impl PlainState {
             state.open.0[lane] = bit(flag::OPEN);
         }
         state
+    }
+
+    /// Points that slid still do where nothing has moved since: see [`flag::slide_on`].
+    fn slide_on(&mut self, memory: &Memory, at: usize, count: usize, q: usize) {
+        for lane in 0..count {
+            let slid = memory.flags[at + lane] & flag::of(flag::SLIDING, q) != 0;
+            if slid && self.open.0[lane] == 0.0 {
+                self.sliding.0[lane] = 1.0;
+            }
+        }
     }
 
     #[inline(always)]

@@ -295,6 +295,13 @@ pub mod flag {
     /// `slip` or `lift` are in use.
     pub const OFFSET: u16 = 0x2000;
 
+    /// Bits of points that slid by `before`, and go on doing so by `after`: a law that is applied again at the same instant
+    /// sees no motion, but closed points have not come to rest.
+    #[must_use]
+    pub const fn slide_on(before: u16, after: u16) -> u16 {
+        before & SLIDING & !((after & OPEN) << 4)
+    }
+
     /// Bit of `point` (0 to 3) in the group that starts at the lowest bit of `group`.
     #[must_use]
     pub const fn of(group: u16, point: usize) -> u16 {

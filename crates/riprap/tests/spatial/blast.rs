@@ -4,8 +4,8 @@ use riprap::Vec3;
 use riprap::spatial::cavity;
 use riprap::spatial::edit::{self, EditKind};
 use riprap::spatial::setup::{
-    Boundary, BoundaryKind, Coupling, Explosive, FaceSet, InSitu, JointLaw, Motion, Place, Push,
-    Refinement, Region, Setup, Source, Support, Venting,
+    Boundary, BoundaryKind, Coupling, Dashpots, Explosive, FaceSet, InSitu, JointLaw, Motion,
+    Place, Push, Refinement, Region, Setup, Source, Support, Venting,
 };
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
@@ -75,9 +75,11 @@ fn cube(n: usize, levels: u8, joint: JointLaw, coupling: Coupling) -> Setup {
     setup
 }
 
+/// Dashpots as the source has them; the programs compared with here had them so.
 fn damped(joint: JointLaw) -> JointLaw {
     JointLaw {
         damping: 0.1,
+        dashpots: Dashpots::Closed,
         ..joint
     }
 }

@@ -11,6 +11,7 @@ mod faces;
 mod rock;
 mod runs;
 mod sector;
+mod sliding;
 mod solids;
 mod stability;
 mod statics;

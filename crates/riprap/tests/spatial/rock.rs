@@ -5,8 +5,8 @@ use riprap::exec::Exec;
 use riprap::ledger::Balance;
 use riprap::spatial::fields::View;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Failure, Interface, JointLaw, Kinematics, Material, Points, Setup, Shape,
-    Stiffness, Strength,
+    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
+    Setup, Shape, Stiffness, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::world::World;
@@ -21,6 +21,7 @@ pub fn elastic() -> JointLaw {
         failure: Failure::Point,
         points: Points::Quarter,
         damping: 0.0,
+        dashpots: Dashpots::Sticking,
     }
 }
 

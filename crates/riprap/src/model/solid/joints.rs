@@ -5,7 +5,7 @@ use crate::model::explain::{Provenance, with_unit};
 use crate::scenario::language::{self, InterfaceChange, StiffnessRule};
 use crate::scenario::quantity::Kind;
 use crate::scenario::{Diagnostic, Quantity};
-use crate::spatial::setup::{Failure, Interface, JointLaw, Points, Stiffness, Strength};
+use crate::spatial::setup::{Dashpots, Failure, Interface, JointLaw, Points, Stiffness, Strength};
 
 /// Default of `damping_ratio`: the value with which the source's blasts were calibrated.
 const DAMPING: f64 = 0.1;
@@ -63,6 +63,13 @@ impl Builder<'_> {
             Some(language::Points::Gauss) | None => (Points::Gauss, "gauss"),
         };
         self.explain(key("points"), word, from(said.points.is_some()), "");
+        let (dashpots, word) = match said.dashpots {
+            Some(language::Dashpots::Closed) => (Dashpots::Closed, "closed"),
+            Some(language::Dashpots::Sticking) | None => (Dashpots::Sticking, "sticking"),
+        };
+        if strength.is_some() {
+            self.explain(key("dashpots"), word, from(said.dashpots.is_some()), "");
+        }
         JointLaw {
             stiffness,
             strength,
@@ -74,6 +81,7 @@ impl Builder<'_> {
                 DAMPING,
                 "",
             ),
+            dashpots,
         }
     }
 

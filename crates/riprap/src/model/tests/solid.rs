@@ -3,8 +3,8 @@
 use super::*;
 use crate::record::field::{FieldInfo, Shape as FieldShape, Site};
 use crate::spatial::setup::{
-    BoundaryKind, Coupling, Criterion, FaceSet, Kinematics, Motion, Place, Points, Push, Region,
-    Setup, Shape, Stiffness,
+    BoundaryKind, Coupling, Criterion, Dashpots, FaceSet, Kinematics, Motion, Place, Points, Push,
+    Region, Setup, Shape, Stiffness,
 };
 use riprap_geom::Vec3;
 
@@ -392,6 +392,7 @@ cohesion = "2 MPa"
 dilation_angle = "45 deg"
 dilation_end = "5 mm"
 failure = "face"
+dashpots = "closed"
 [materials.soil]
 density = "1800 kg/m3"
 young = "1 GPa"
@@ -417,6 +418,8 @@ friction_angle = "0 deg"
             shear: 2e9
         }
     );
+    let dashpots = setup.interfaces.iter().map(|i| i.joint.dashpots);
+    assert!(dashpots.eq([Dashpots::Sticking, Dashpots::Closed]));
     let strength = soft.strength.unwrap();
     assert_eq!((strength.friction, strength.residual_friction), (0.5, 0.0));
     assert!((strength.dilation - 1.0).abs() < 1e-15 && strength.dilation_end == 5e-3);

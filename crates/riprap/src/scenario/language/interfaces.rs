@@ -73,6 +73,10 @@ pub struct Interface {
     /// `damping_ratio` times distance of the centroids over c_P; default 0.1, which needs `young`
     /// and `poisson`.
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
+    /// Points of a joint on which its dashpots act along it; across it they act on all closed points. Those of
+    /// `damping.stiffness` of a phase do likewise. Default `sticking`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub dashpots: Option<Dashpots>,
     /// Joins blocks that share an edge at the start with patches that can break.
     #[schemars(extend("x-space" = "planar", "x-instead" = "give `tension`, `cohesion`, ... of the interface itself: blocks that share a face are joined"))]
     pub bond: Option<Bond>,
@@ -174,6 +178,16 @@ pub enum Points {
     Gauss,
     /// Centres of the four quarters, as the source paper has them.
     Quarter,
+}
+
+/// Points of a joint on which its dashpots act along it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Dashpots {
+    /// Closed points that do not slide: blocks slide with friction alone.
+    Sticking,
+    /// All closed points, as in the source paper: they hold sliding blocks back.
+    Closed,
 }
 
 /// Normal law of a found contact.

@@ -35,8 +35,8 @@ pub use ground::{
     Side, TensionPositive, Viscous,
 };
 pub use interfaces::{
-    Bond, BondFailure, BrittleBond, Cohesive, Failure, FrictionLaw, Interface, InterfaceChange,
-    NormalLaw, Points, Reflex, Softening, StiffnessRule,
+    Bond, BondFailure, BrittleBond, Cohesive, Dashpots, Failure, FrictionLaw, Interface,
+    InterfaceChange, NormalLaw, Points, Reflex, Softening, StiffnessRule,
 };
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{

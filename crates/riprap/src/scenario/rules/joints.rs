@@ -81,6 +81,7 @@ impl Rules {
             ("residual_cohesion", interface.residual_cohesion.is_some()),
             ("dilation_angle", interface.dilation_angle.is_some()),
             ("failure", interface.failure.is_some()),
+            ("dashpots", interface.dashpots.is_some()),
         ]
         .into_iter()
         .filter(|(_, there)| *there)

@@ -81,7 +81,7 @@ impl Old {
                 self.tractions[nearest]
             };
             new.path[q] = self.path[nearest];
-            for group in [flag::BROKEN, flag::OPEN] {
+            for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
                 if self.flags & flag::of(group, nearest) != 0 {
                     flags |= flag::of(group, q);
                 }
