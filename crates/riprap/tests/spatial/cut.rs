@@ -18,7 +18,7 @@ fn sums(run: &Run) -> (Vec3, Vec3, f64, f64) {
     let (deform, work) = run.view().softs().unwrap();
     let (mut p, mut h, mut t, mut mass) = (Vec3::ZERO, Vec3::ZERO, 0.0, 0.0);
     for body in deform.living() {
-        let masses = work.kind(body).masses(deform.masses);
+        let masses = work.kind(body).masses();
         for (n, m) in body.nodes().zip(masses) {
             let at = deform.nodes.place[n] + Vec3::from_array(deform.nodes.moved[n]);
             let v = Vec3::from_array(deform.nodes.rate[n]);

@@ -152,7 +152,7 @@ fn on_block(
         return;
     };
     let kind = work.kind(body);
-    let (first, masses) = (body.first as usize, kind.masses(deform.masses));
+    let (first, masses) = (body.first as usize, kind.masses());
     match &load.kind {
         LoadKind::BodyForce { acceleration } => {
             for (k, m) in masses.iter().enumerate() {

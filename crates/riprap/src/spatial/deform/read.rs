@@ -27,7 +27,7 @@ pub struct Soft<'a> {
 impl<'a> Soft<'a> {
     /// Sum over its nodes of mass (kg) times a function of the node's number.
     fn sum(&self, get: impl Fn(usize) -> Vec3) -> Vec3 {
-        let masses = self.kind.masses(self.deform.masses);
+        let masses = self.kind.masses();
         self.body
             .nodes()
             .zip(masses)
@@ -36,7 +36,7 @@ impl<'a> Soft<'a> {
     }
 
     fn mass(&self) -> f64 {
-        self.kind.masses(self.deform.masses).iter().sum()
+        self.kind.masses().iter().sum()
     }
 
     /// Displacement of a node, m.
@@ -132,7 +132,7 @@ impl<'a> Soft<'a> {
 
     /// Half the sum of the masses that move now times a function of velocity and change.
     fn weighted(&self, get: impl Fn(Vec3, Vec3) -> f64) -> f64 {
-        let masses = self.kind.masses(self.deform.masses);
+        let masses = self.kind.masses();
         let fictitious = &self.work.fictitious;
         let nodes = self.body.nodes().zip(masses);
         let terms = nodes.map(|(n, m)| {

@@ -5,7 +5,7 @@ pub mod alone;
 
 use super::bonds::Anchors;
 use super::elements;
-use super::store::{Deform, Masses};
+use super::store::Deform;
 use super::workspace::Workspace;
 use crate::exec::Exec;
 use crate::laws::tetrahedron::{StartStress, Strain};
@@ -47,7 +47,7 @@ pub fn highest(
             .max_by(|a, b| all[*a].total_cmp(&all[*b]));
         return worst.map_or((0.0, None), |k| (all[k], Some(deform.bodies[k].block)));
     }
-    let roots = roots(deform, work, deform.masses);
+    let roots = roots(deform, work);
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
     let mut draw = || {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
@@ -116,10 +116,10 @@ fn dot(x: &[[f64; 3]], y: &[[f64; 3]]) -> f64 {
 }
 
 /// `1/sqrt(m)` of each node; 0 for what cannot move.
-fn roots(deform: &Deform, work: &Workspace, rule: Masses) -> Vec<f64> {
+fn roots(deform: &Deform, work: &Workspace) -> Vec<f64> {
     let mut roots = vec![0.0; deform.nodes.len()];
     for body in deform.living() {
-        let masses = work.kind(body).masses(rule);
+        let masses = work.kind(body).masses();
         for (root, m) in roots[body.nodes()].iter_mut().zip(masses) {
             *root = 1.0 / m.sqrt();
         }

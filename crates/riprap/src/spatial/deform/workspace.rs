@@ -30,8 +30,8 @@ pub struct Kind {
     pub law: Elastic,
     /// Lumped masses of the nodes, kg.
     pub lumped: Vec<f64>,
-    /// Masses with the true moment of inertia, kg; empty in phases with lumped ones.
-    pub inertial: Vec<f64>,
+    /// Masses with the true moment of inertia, kg; `None` in phases with lumped ones.
+    inertial: Option<Vec<f64>>,
     /// Row sums of the stiffness matrix, N/m; empty outside relaxing phases.
     pub row_sums: Vec<f64>,
     /// Place in `Workspace::slopes`.
@@ -39,13 +39,10 @@ pub struct Kind {
 }
 
 impl Kind {
-    /// Masses of the nodes, kg.
+    /// Masses of the nodes in the phase that it was made for, kg.
     #[must_use]
-    pub fn masses(&self, rule: Masses) -> &[f64] {
-        match rule {
-            Masses::Lumped => &self.lumped,
-            Masses::Inertia => &self.inertial,
-        }
+    pub fn masses(&self) -> &[f64] {
+        self.inertial.as_deref().unwrap_or(&self.lumped)
     }
 
     /// The kind that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
@@ -72,8 +69,8 @@ impl Kind {
             law,
             lumped: scale(mesh.lumped()),
             inertial: match deform.masses {
-                Masses::Lumped => Vec::new(),
-                Masses::Inertia => scale(mesh.inertial()),
+                Masses::Lumped => None,
+                Masses::Inertia => Some(scale(mesh.inertial())),
             },
             row_sums: match deform.relax {
                 Some(_) => row_sums(&mesh, &law),
@@ -173,7 +170,7 @@ impl Workspace {
         work.slopes = work.kinds.iter().flat_map(|k| slopes(&k.mesh)).collect();
         work.links = Links::new(deform);
         for body in &deform.bodies {
-            let own = work.kinds[body.kind as usize].masses(deform.masses);
+            let own = work.kinds[body.kind as usize].masses();
             work.masses.extend_from_slice(own);
         }
         work.start(setup, deform);
@@ -221,7 +218,7 @@ impl Workspace {
             let density = setup.materials[usize::from(spec.material)].density;
             let force = in_situ.upward() * Vec3::Z / density;
             let kind = &self.kinds[body.kind as usize];
-            let masses = kind.masses(deform.masses).iter().zip(&kind.lumped);
+            let masses = kind.masses().iter().zip(&kind.lumped);
             for (f, (now, lumped)) in self.start_forces[body.nodes()].iter_mut().zip(masses) {
                 super::loads::add(f, (now - lumped) * force);
             }

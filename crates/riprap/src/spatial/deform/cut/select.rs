@@ -158,7 +158,7 @@ fn too_slow(world: &World, parent: &Kind, cut: &Cut, rules: &Rules) -> bool {
                 rows[node as usize] += 2.0 * area * across.max(along);
             }
         }
-        let terms = rows.iter().zip(&kind.inertial).map(|(k, m)| k / m);
+        let terms = rows.iter().zip(kind.masses()).map(|(k, m)| k / m);
         terms.fold(0.0, f64::max)
     };
     let most = cut.kinds.iter().map(bound).fold(0.0, f64::max);

@@ -40,7 +40,7 @@ pub(super) fn hand_on(
         let pairs = mesh.nodes.iter().zip(moved);
         pairs.map(|(x, u)| *x + Vec3::from_array(*u)).collect()
     };
-    let before = transfer::motion(kind.masses(deform.masses), &at(&kind.mesh, moved), rates);
+    let before = transfer::motion(kind.masses(), &at(&kind.mesh, moved), rates);
     let count = parts.iter().map(|p| p.mesh.nodes.len()).sum();
     let (mut u, mut v) = (Vec::with_capacity(count), Vec::with_capacity(count));
     let mut places = Vec::with_capacity(count);
@@ -54,7 +54,7 @@ pub(super) fn hand_on(
             v.push(transfer::interpolate(&place, rates));
         }
         places.extend(at(&part.mesh, &u[first..]));
-        masses.extend_from_slice(own.masses(deform.masses));
+        masses.extend_from_slice(own.masses());
     }
     if before.kinetic > 0.0 {
         transfer::conserve(&before, &masses, &places, &mut v);

@@ -90,7 +90,7 @@ fn highest(deform: &Deform, work: &Workspace, body: &Body, bonds: &[(u32, u8)]) 
             matrix.add_spring(&nodes, &anchor.weights, facet.frame[0], springs);
         }
     }
-    let masses = kind.masses(deform.masses).iter();
+    let masses = kind.masses().iter();
     let roots: Vec<f64> = masses.map(|m| 1.0 / m.sqrt()).collect();
     matrix.scale(&roots);
     let largest = Width::detect().run(
@@ -105,7 +105,7 @@ fn ease(deform: &Deform, work: &Workspace, block: u32, anchor: &Anchor) -> f64 {
     let Some(body) = deform.body(block as usize) else {
         return 0.0;
     };
-    let masses = work.kind(body).masses(deform.masses);
+    let masses = work.kind(body).masses();
     let pairs = anchor.nodes.iter().zip(anchor.weights);
     pairs
         .filter(|(_, w)| *w != 0.0)
