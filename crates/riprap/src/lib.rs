@@ -3,18 +3,13 @@
 //! `scenario` (what the user said) -> `model` (SI numbers) -> an engine (`planar`) driven by `run`,
 //! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
 
-pub mod dynamics;
-pub mod exec;
-pub mod lanes;
-pub mod laws;
-pub mod ledger;
 pub mod model;
 pub mod planar;
-pub mod profile;
 pub mod record;
 pub mod run;
 pub mod scenario;
 pub mod spatial;
 
+pub use riprap_core::{dynamics, exec, lanes, laws, ledger, profile};
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};

@@ -20,9 +20,9 @@ mod series;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use super::field::number;
 pub use files::{block_file, contact_file, crack_file, in_use, tetrahedron_file};
 use files::{clear, frame_files, lock, remove_if_there};
-pub(crate) use series::number;
 use series::{Series, append, begin};
 
 /// What to do with a folder that is already there. An empty one is always fine.

@@ -19,10 +19,8 @@
 //! aside, synced and renamed) or an append-only file of which all but the last line is complete.
 
 pub mod checkpoint;
-pub mod field;
 pub mod fits;
 pub mod folder;
-pub mod frame;
 pub mod manifest;
 pub mod names;
 pub mod paraview;
@@ -31,6 +29,8 @@ pub mod table;
 pub mod vtu;
 
 mod disk;
+
+pub use riprap_core::{field, frame};
 
 pub use disk::OutputError;
 pub use field::{FieldError, FieldInfo, Part, Shape, Site};

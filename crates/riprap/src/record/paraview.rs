@@ -148,7 +148,7 @@ fn quoted(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::record::folder::{Existing, RunFolder};
-    use crate::record::frame::tests::{sample, solid_sample};
+    use riprap_testkit::{sample, solid_sample};
 
     #[test]
     fn the_script_has_the_numbers_of_the_run() {

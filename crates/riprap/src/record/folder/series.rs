@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use super::super::disk::{AppendFile, OutputError};
-use super::super::field::with_unit;
+use super::super::field::{number, with_unit};
 
 /// A CSV file whose first columns are `step` and `time [s]`.
 #[derive(Debug)]
@@ -77,15 +77,5 @@ fn cell(text: &str) -> String {
         )
     } else {
         text.to_owned()
-    }
-}
-
-/// The shortest text that reads back as the same number.
-pub(crate) fn number(v: f64) -> String {
-    let size = v.abs();
-    if v == 0.0 || !v.is_finite() || (1e-4..1e15).contains(&size) {
-        format!("{v}")
-    } else {
-        format!("{v:e}")
     }
 }

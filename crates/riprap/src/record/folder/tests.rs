@@ -1,9 +1,9 @@
 //! Continued runs leave the same bytes; other folders are left alone.
 
-use super::super::frame::tests::sample;
 use super::super::manifest::Ended;
 use super::super::table::Table;
 use super::*;
+use riprap_testkit::sample;
 use std::collections::BTreeMap;
 
 /// All files with their bytes, except the manifest.

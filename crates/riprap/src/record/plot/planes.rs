@@ -284,7 +284,7 @@ pub(super) fn trace_angle(normal: Vec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::frame::tests::{sample, solid_sample};
+    use riprap_testkit::{sample, solid_sample};
 
     #[test]
     fn dips_of_known_planes() {

@@ -131,7 +131,7 @@ pub(super) fn cut(frame: &Frame, i: usize, body: &Body, normal: usize, at: f64) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::frame::tests::solid_sample;
+    use riprap_testkit::solid_sample;
 
     fn area(corners: &[Vec3]) -> f64 {
         let fan = corners.windows(2).skip(1);

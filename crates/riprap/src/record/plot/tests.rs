@@ -6,8 +6,8 @@ mod shapes;
 use super::*;
 use crate::record::folder::{Existing, RunFolder};
 use crate::record::frame::Frame;
-use crate::record::frame::tests::sample;
 use crate::record::table::Table;
+use riprap_testkit::sample;
 
 fn run(dir: &Path) -> PathBuf {
     let path = dir.join("a.run");

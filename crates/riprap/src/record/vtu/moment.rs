@@ -60,7 +60,7 @@ pub fn read_moment(path: &Path) -> Result<Moment, ReadError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::frame::tests::sample;
+    use riprap_testkit::sample;
 
     #[test]
     fn the_moment_stands_at_the_head() {

@@ -93,7 +93,7 @@ fn a_rose_in_the_plane_knows_which_joints_broke() {
     let dir = tempfile::tempdir().unwrap();
     let sample = || Frame {
         time: 0.25,
-        ..crate::record::frame::tests::sample()
+        ..riprap_testkit::sample()
     };
     let (mut run, folder) = folder(dir.path(), &[sample()]);
     let out = dir.path().join("rose.svg");

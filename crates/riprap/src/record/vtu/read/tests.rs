@@ -2,11 +2,9 @@
 
 use super::super::{PvdEntry, blocks, contacts, read_blocks, read_frame, read_pvd, write_pvd};
 use super::*;
-use crate::record::frame::{
-    Frame,
-    tests::{sample, solid_sample},
-};
+use crate::record::frame::Frame;
 use proptest::prelude::*;
+use riprap_testkit::{sample, solid_sample};
 
 fn parsed(bytes: &[u8]) -> Result<Vtu, ReadError> {
     parse(bytes, Path::new("x.vtu"))

@@ -258,6 +258,17 @@ pub fn split_unit(head: &str) -> (&str, &str) {
     }
 }
 
+/// The shortest text that reads back as the same number.
+#[must_use]
+pub fn number(v: f64) -> String {
+    let size = v.abs();
+    if v == 0.0 || !v.is_finite() || (1e-4..1e15).contains(&size) {
+        format!("{v}")
+    } else {
+        format!("{v:e}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

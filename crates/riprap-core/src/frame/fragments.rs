@@ -67,7 +67,7 @@ impl Fragments {
     /// The table `fragments.csv`.
     #[must_use]
     pub fn csv(&self) -> String {
-        let number = crate::record::folder::number;
+        let number = crate::field::number;
         let mut text = String::from(if self.planar {
             "fragment,blocks,area_m2,x_m,y_m\n"
         } else {

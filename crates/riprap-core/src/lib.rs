@@ -1,0 +1,20 @@
+//! What every engine of riprap stands on.
+//!
+//! - [`exec`]: the one place that names the thread pool; [`lanes`]: eight numbers at a time;
+//! - [`ledger`]: energy; [`profile`]: stage timers;
+//! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
+//! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
+//!
+//! This crate knows no engine, no file and no scenario.
+
+pub mod dynamics;
+pub mod exec;
+pub mod field;
+pub mod frame;
+pub mod lanes;
+pub mod laws;
+pub mod ledger;
+pub mod profile;
+
+pub use riprap_geom as geom;
+pub use riprap_geom::{Vec2, Vec3};
