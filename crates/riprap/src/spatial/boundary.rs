@@ -7,49 +7,16 @@
 //! springs take the mean of the velocities before and after the kick: a lag of half a step would reflect too.
 
 use riprap_geom::{Mat3, Vec3};
-use serde::{Deserialize, Serialize};
 
 use super::build::BuildError;
 use super::patch::Poses;
 use super::setup::{Boundary, BoundaryKind, FaceSet};
+pub use super::state::face::Face;
 use super::world::{SolidClass, World};
-use crate::laws::face_joint::SIGNS;
 use crate::ledger::Works;
 
 /// Largest sine between a face normal and the one that is asked for.
 const PARALLEL: f64 = 1e-6;
-
-/// A face, or a part of one, that no patch covers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Face {
-    /// Block it belongs to.
-    pub block: u32,
-    /// Index into `Setup::boundaries` of the condition that acts on it, if any.
-    pub boundary: Option<u16>,
-    /// Unit outward normal n at the start, then b and c: right-handed.
-    pub frame: [Vec3; 3],
-    /// Centre from the centroid of the block at the start, m.
-    pub arm: Vec3,
-    /// Area, m².
-    pub area: f64,
-    /// Distance of the four points from the centre along b and c, m.
-    pub reach: [f64; 2],
-    /// Normal and shear stiffness of the half block behind the face, Pa/m; 0 without a boundary.
-    pub stiffness: [f64; 2],
-    /// Impedances rho c_P and rho c_S, Pa s/m; 0 without a boundary.
-    pub impedance: [f64; 2],
-    /// Displacement of the far end of the face spring at the four points, m.
-    pub anchor: [Vec3; 4],
-}
-
-impl Face {
-    /// Place of point `p` from the centroid of the block at the start, m.
-    #[must_use]
-    pub fn place(&self, p: usize) -> Vec3 {
-        let [_, b, c] = self.frame;
-        self.arm + SIGNS[0][p] * self.reach[0] * b + SIGNS[1][p] * self.reach[1] * c
-    }
-}
 
 /// Gives free faces their conditions.
 pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError> {

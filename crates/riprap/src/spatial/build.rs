@@ -147,22 +147,10 @@ impl World {
         Ok((world, scratch))
     }
 
-    /// Whether block `b` is deformable.
-    #[must_use]
-    pub fn deforms(&self, b: usize) -> bool {
-        self.deform.as_ref().is_some_and(|d| d.body(b).is_some())
-    }
-
     /// Name of a block, as `rock`, `rock.17` or `rock.17/3`.
     #[must_use]
     pub fn name(&self, b: usize) -> String {
         refine::name(&self.setup, &self.lineage, b)
-    }
-
-    /// Mass properties of a block.
-    #[must_use]
-    pub fn solid_of(&self, b: usize) -> &SolidClass {
-        &self.solids[self.solid[b] as usize]
     }
 
     /// Reference centroids and mass properties of all blocks.

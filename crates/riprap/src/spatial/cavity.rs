@@ -17,16 +17,16 @@ mod soft;
 
 pub(super) use push::act;
 pub use push::step_limit;
-pub use soft::{Soft, renew as renew_soft, state as soft_state};
+pub use soft::{renew as renew_soft, state as soft_state};
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::frame;
-use serde::{Deserialize, Serialize};
 
 use super::build::Overlap;
 use super::refine::Origin;
 use super::region::Bounds;
 use super::setup::{Coupling, Place, Region, Setup, Venting};
+pub use super::state::cavity::{Cavity, Gas, Soft, Wall};
 use super::world::World;
 use crate::laws::explosive::{Adiabat, ExplosiveError};
 
@@ -80,69 +80,6 @@ pub enum CavityError {
         /// What is wrong.
         reason: ExplosiveError,
     },
-}
-
-/// A cavity and what pushes in it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cavity {
-    /// Index into `Setup::sources`.
-    pub source: u16,
-    /// Blocks that were removed.
-    pub blocks: Vec<u32>,
-    /// Their volume Vc, m³.
-    pub removed: f64,
-    /// Walls, sorted by block.
-    pub walls: Vec<Wall>,
-    /// The gas, for charges.
-    pub gas: Option<Gas>,
-    /// Time of ignition once it has gone off, s.
-    pub ignited: Option<f64>,
-    /// Time at which the gas began to escape, s.
-    pub venting: Option<f64>,
-    /// Swept volume `sum A n.u` at which the volume is the one at the start, m³.
-    pub base: f64,
-    /// Volume of the gas (of the cavity, for a pressure history) now, m³.
-    pub volume: f64,
-    /// Pressure now, Pa.
-    pub pressure: f64,
-    /// Work done since the ignition, J.
-    pub work: f64,
-    /// Work of the in-situ tractions before the ignition, J.
-    pub held: f64,
-    /// Blocks at the free surface above, for venting by heave.
-    pub above: Vec<u32>,
-    /// Walls on deformable blocks.
-    pub soft: Soft,
-}
-
-/// Gas of a charge.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Gas {
-    /// Pressure over volume.
-    pub adiabat: Adiabat,
-    /// Volume at the ignition, m³.
-    pub start: f64,
-    /// Factor on the faces.
-    pub factor: f64,
-}
-
-/// A face that a removed block shared with one that stays, or a part of it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Wall {
-    /// Block that is pushed.
-    pub block: u32,
-    /// The removed block behind the face.
-    pub behind: u32,
-    /// Unit normal into the block that is pushed.
-    pub normal: Vec3,
-    /// Area, m².
-    pub area: f64,
-    /// Centre from the centroid of the block at the start, m.
-    pub arm: Vec3,
-    /// Force that the removed block carried at the start, N.
-    pub hold: Vec3,
-    /// Moment of the same about the centroid, N m.
-    pub hold_moment: Vec3,
 }
 
 impl Wall {

@@ -11,36 +11,15 @@ mod measure;
 mod patches;
 mod split;
 
-use serde::{Deserialize, Serialize};
-
 use super::boundary::Face;
 use super::build::{self, BuildError};
-use super::deform::cut::Note;
 use super::fields::View;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
 use super::setup::{During, Shape};
+pub use super::state::event::{EditEvent, EditKind};
 use super::step::{self, Damping, NonFinite, Scratch};
 use super::world::World;
-
-/// What has happened to blocks and cavities, for the record.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EditEvent {
-    /// Step number.
-    pub step: u64,
-    /// Time, s.
-    pub time: f64,
-    /// What.
-    pub kind: EditKind,
-    /// Block that was split or removed; number of the cavity otherwise.
-    pub subject: u32,
-    /// Children of a split block, in octant order.
-    pub children: Vec<u32>,
-    /// Patches or facets of the block before, and of its children (inner ones included) after.
-    pub patches: [u32; 2],
-    /// How a block was cut.
-    pub cut: Option<Note>,
-}
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
 /// that tractions change with the stiffness.
@@ -56,37 +35,6 @@ pub fn renew_laws(world: &mut World) {
             let joint = &world.setup.interfaces[class.row as usize].joint;
             class.stiffness = stiffness;
             class.beta = joint.damping * travel;
-        }
-    }
-}
-
-/// Kinds of event.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum EditKind {
-    /// A block was split 1 to 8.
-    Split,
-    /// A deformable block was cut by planes.
-    Cut,
-    /// A block was taken out.
-    Removed,
-    /// A cavity went off.
-    Ignited,
-    /// The gas of a cavity began to escape.
-    Vented,
-}
-
-impl EditEvent {
-    /// An event now, without children.
-    #[must_use]
-    pub fn at(world: &World, kind: EditKind, subject: u32) -> Self {
-        Self {
-            step: world.step,
-            time: world.time,
-            kind,
-            subject,
-            children: Vec::new(),
-            patches: [0; 2],
-            cut: None,
         }
     }
 }
@@ -252,7 +200,7 @@ fn settle(
 pub fn take_out(world: &mut World, blocks: &[u32]) {
     for &b in blocks {
         if std::mem::replace(&mut world.alive[b as usize], false) {
-            let event = EditEvent::at(world, EditKind::Removed, b);
+            let event = world.event(EditKind::Removed, b);
             world.events.push(event);
         }
     }

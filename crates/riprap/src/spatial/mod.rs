@@ -23,11 +23,11 @@ pub mod refine;
 pub mod region;
 pub mod setup;
 pub mod stable;
+pub mod state;
 pub mod step;
-pub mod sums;
 pub mod survey;
 pub mod tiles;
 pub mod wide;
-pub mod world;
 
 pub use crate::lanes;
+pub use state::{sums, world};

@@ -8,37 +8,15 @@
 //! Source: Tian & Li, eq. (4): child centroid = parent's corner + n L/4 with n = 1 or 3.
 
 use riprap_geom::Vec3;
-use serde::{Deserialize, Serialize};
 
 use super::region::{Bins, Bounds};
 use super::setup::{BlockSpec, Load, LoadKind, Refinement, Region, Setup, Shape};
+pub use super::state::lineage::Origin;
 
 /// Most levels below the blocks as given: with more, the smallest edges come near the round-off of coordinates.
 pub const MAX_LEVELS: u8 = 16;
 /// Most blocks that splitting may make.
 pub const MAX_BLOCKS: usize = 100_000_000;
-
-/// Where a block comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Origin {
-    /// The block it was split from; [`Origin::NONE`] for a block as given.
-    pub parent: u32,
-    /// Octant in the parent.
-    pub octant: u8,
-    /// Number of splits since the block as given.
-    pub level: u8,
-}
-
-impl Origin {
-    /// No parent.
-    pub const NONE: u32 = u32::MAX;
-    /// Origin of a block as given.
-    pub const GIVEN: Self = Self {
-        parent: Self::NONE,
-        octant: 0,
-        level: 0,
-    };
-}
 
 /// Why blocks cannot be split.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

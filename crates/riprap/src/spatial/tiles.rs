@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use super::lanes::LANES;
-use super::world::World;
+use super::world::{PatchClass, Patches, World};
 
 /// Blocks per tile.
 pub const TILE: usize = 2048;
@@ -211,6 +211,20 @@ impl Tiles {
             tile.rows = rows..self.rows.len();
             tile.special = special..self.special.len();
         }
+    }
+}
+
+impl Patches {
+    /// Puts patches in the order that tiles need: by tile of block i, patches within the tile first, then by
+    /// axis, block i and block j.
+    pub fn sort(&mut self, classes: &[PatchClass]) {
+        let mut order: Vec<u32> = (0..self.len() as u32).collect();
+        order.sort_by_key(|&p| {
+            let [i, j] = self.ends[p as usize];
+            let axis = classes[self.class[p as usize] as usize].axis;
+            (tile_of(i), tile_of(j) != tile_of(i), axis, i, j)
+        });
+        self.keep(&order);
     }
 }
 

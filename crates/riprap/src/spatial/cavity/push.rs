@@ -2,8 +2,8 @@
 
 use super::{Cavity, EARLY, soft, upward};
 use crate::spatial::boundary::Push;
-use crate::spatial::edit::{EditEvent, EditKind};
 use crate::spatial::setup::{Push as Kind, Venting};
+use crate::spatial::state::event::EditKind;
 use crate::spatial::step::Scratch;
 use crate::spatial::world::World;
 
@@ -97,9 +97,7 @@ fn ignite(world: &mut World, k: usize, cavity: &mut Cavity, dt: f64) {
         }
         None => cavity.volume = cavity.removed + swept,
     }
-    world
-        .events
-        .push(EditEvent::at(world, EditKind::Ignited, k as u32));
+    world.events.push(world.event(EditKind::Ignited, k as u32));
 }
 
 fn swept(world: &World, cavity: &Cavity) -> f64 {
@@ -131,7 +129,7 @@ fn expand(world: &mut World, k: usize, cavity: &mut Cavity, share: f64, pushed: 
             let began = begins_to_vent(world, cavity, *venting, ignited);
             if began {
                 cavity.venting = Some(world.time);
-                let event = EditEvent::at(world, EditKind::Vented, k as u32);
+                let event = world.event(EditKind::Vented, k as u32);
                 world.events.push(event);
             }
             factor = gas.factor;

@@ -3,25 +3,12 @@
 //! `V = V0 + f sum A_i n.u_i` over the nodes and a force `P f A_i n` on each, so that the work is again `P dV`.
 
 use riprap_geom::Vec3;
-use serde::{Deserialize, Serialize};
 
 use crate::spatial::deform::Workspace;
 use crate::spatial::deform::loads::add;
 use crate::spatial::deform::store::{Acts, Deform, Surface};
+use crate::spatial::state::cavity::Soft;
 use crate::spatial::world::World;
-
-/// Walls of a cavity on deformable blocks, in sum.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Soft {
-    /// Area, m².
-    pub area: f64,
-    /// Sum of `A_i²/m_i` over the nodes, with the masses of dynamic phases, m⁴/kg.
-    pub mobility: f64,
-    /// Volume that they had swept when they were last made anew, m³.
-    swept: f64,
-    /// Work of their in-situ tractions until then, J.
-    held: f64,
-}
 
 impl Soft {
     /// Those of a source.

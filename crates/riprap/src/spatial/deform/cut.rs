@@ -23,7 +23,6 @@ use transfer::Handed;
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::cut::Part;
-use serde::{Deserialize, Serialize};
 
 use super::fracture::LOOK;
 use super::stable;
@@ -35,6 +34,8 @@ use crate::spatial::fields::View;
 use crate::spatial::refine::RefineError;
 use crate::spatial::setup::Shape;
 pub use crate::spatial::setup::deform::{Anchoring as Anchor, CutRules as Rules};
+pub use crate::spatial::state::cutting::{Cutting, Effort};
+pub use crate::spatial::state::event::Note;
 use crate::spatial::step::{self, Scratch};
 use crate::spatial::world::World;
 
@@ -46,39 +47,6 @@ const EXACT: f64 = 1e-11;
 const AREA: f64 = 1e-3;
 /// Largest ratio of the kinetic energies after and before; a block that would have more is not cut.
 const KINETIC: f64 = 1.005;
-
-/// State of cutting in a phase.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cutting {
-    /// The rules.
-    pub rules: Rules,
-    /// Step at which blocks were last looked at.
-    pub looked: u64,
-    /// Times that blocks were cut.
-    pub stages: u64,
-}
-
-/// What a cut had to make: of the model only what is about the cut blocks.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effort {
-    /// Kinds: shapes of parts with their elements.
-    pub kinds: usize,
-    /// Facets of cut blocks.
-    pub facets: usize,
-    /// Highest frequencies of parts and of blocks that share facets with them; none where everything relaxes.
-    pub frequencies: usize,
-}
-
-/// How a block was cut.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Note {
-    /// Unit normal of the planes.
-    pub normal: Vec3,
-    /// Way of breaking.
-    pub way: Way,
-    /// Stress beyond the limit, Pa.
-    pub excess: f64,
-}
 
 /// A block to be cut.
 struct Cut {
@@ -269,7 +237,7 @@ fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, Edi
             children: family.children().collect(),
             patches: counts,
             cut: Some(family.cut.note),
-            ..EditEvent::at(world, EditKind::Cut, family.cut.block)
+            ..world.event(EditKind::Cut, family.cut.block)
         };
         world.events.push(event);
     }

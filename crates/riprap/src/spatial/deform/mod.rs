@@ -18,7 +18,6 @@ pub mod cracks;
 pub mod cut;
 pub mod elements;
 pub mod fracture;
-pub mod hold;
 pub mod in_situ;
 mod kick;
 pub mod links;
@@ -30,9 +29,8 @@ pub mod read;
 pub mod relax;
 pub mod stable;
 pub mod step;
-pub mod store;
 mod turn;
 pub mod workspace;
 
-pub use store::Deform;
+pub use super::state::{deform as store, deform::Deform, hold};
 pub use workspace::Workspace;

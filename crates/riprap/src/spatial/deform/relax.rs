@@ -6,10 +6,9 @@
 //! Converged when the net force on free nodes is below a share of the external forces or the reactions,
 //! whichever are larger.
 
-use serde::{Deserialize, Serialize};
-
 use super::store::{Deform, Facet};
 use super::workspace::{Kind, Workspace};
+pub use crate::spatial::state::relax::{Breaks, Relax, Seen, Way};
 use riprap_geom::Vec3;
 
 /// Iterations between two looks at convergence and damping.
@@ -22,65 +21,6 @@ const MOST: f64 = 1.5;
 const REST: f64 = 1e-6;
 /// Damping before the first look.
 const FIRST: f64 = 0.5;
-
-/// How a phase relaxes; the default is what this file describes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Way {
-    /// A constant c, 0 to 2, instead of the adaptive damping.
-    pub damping: Option<f64>,
-    /// Converged when the elastic energy changes by less than this share between two looks, instead of by the forces.
-    pub energy: Option<f64>,
-    /// When bonds break.
-    pub breaks: Breaks,
-}
-
-/// When bonds break in a relaxing phase.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Breaks {
-    /// At an equilibrium, what is used most.
-    #[default]
-    Most,
-    /// At an equilibrium, everything beyond its strength.
-    All,
-    /// In every iteration, every spring beyond its strength.
-    Always,
-}
-
-/// State of a relaxing phase.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Relax {
-    /// Damping c of the coming iterations.
-    pub damping: f64,
-    /// Ratio of net to external forces at which it is converged.
-    pub tolerance: f64,
-    /// Iterations since the last look.
-    pub since: u32,
-    /// Iterations since loads or bonds last changed.
-    pub iterations: u64,
-    /// Ratio at the last look.
-    pub ratio: f64,
-    /// Whether the last look found it converged.
-    pub converged: bool,
-    /// Model time that passes in the coming iteration, s: load steps.
-    pub increment: f64,
-    /// Displacements (m) and net forces (N) at the last look.
-    pub last: Option<Seen>,
-    /// Largest norm of the external forces or reactions so far in the phase, N.
-    pub largest: f64,
-    /// How it relaxes.
-    pub way: Way,
-    /// Elastic energy at the last look, J, where it decides.
-    pub energy: Option<f64>,
-}
-
-/// What the last look saw.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Seen {
-    /// Displacements of the nodes, m.
-    pub moved: Vec<[f64; 3]>,
-    /// Net forces on them, N.
-    pub net: Vec<[f64; 3]>,
-}
 
 impl Relax {
     /// The start of a phase.

@@ -335,7 +335,7 @@ fn report(world: &mut World, plan: &Plan, after: &BTreeMap<u32, u32>) {
         let event = EditEvent {
             children: (first..first + 8).collect(),
             patches: counts.map(|c| c.copied().unwrap_or(0)),
-            ..EditEvent::at(world, EditKind::Split, parent)
+            ..world.event(EditKind::Split, parent)
         };
         world.events.push(event);
     }

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use super::cut::Cutting;
+use super::cutting::Cutting;
 use super::hold::Hold;
 use super::relax::Relax;
 use crate::laws::bond::{self, Traction};

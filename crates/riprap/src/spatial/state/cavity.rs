@@ -1,0 +1,82 @@
+//! State of charges and other pressures inside the rock.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::laws::explosive::Adiabat;
+
+/// A cavity and what pushes in it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cavity {
+    /// Index into `Setup::sources`.
+    pub source: u16,
+    /// Blocks that were removed.
+    pub blocks: Vec<u32>,
+    /// Their volume Vc, m³.
+    pub removed: f64,
+    /// Walls, sorted by block.
+    pub walls: Vec<Wall>,
+    /// The gas, for charges.
+    pub gas: Option<Gas>,
+    /// Time of ignition once it has gone off, s.
+    pub ignited: Option<f64>,
+    /// Time at which the gas began to escape, s.
+    pub venting: Option<f64>,
+    /// Swept volume `sum A n.u` at which the volume is the one at the start, m³.
+    pub base: f64,
+    /// Volume of the gas (of the cavity, for a pressure history) now, m³.
+    pub volume: f64,
+    /// Pressure now, Pa.
+    pub pressure: f64,
+    /// Work done since the ignition, J.
+    pub work: f64,
+    /// Work of the in-situ tractions before the ignition, J.
+    pub held: f64,
+    /// Blocks at the free surface above, for venting by heave.
+    pub above: Vec<u32>,
+    /// Walls on deformable blocks.
+    pub soft: Soft,
+}
+
+/// Gas of a charge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gas {
+    /// Pressure over volume.
+    pub adiabat: Adiabat,
+    /// Volume at the ignition, m³.
+    pub start: f64,
+    /// Factor on the faces.
+    pub factor: f64,
+}
+
+/// A face that a removed block shared with one that stays, or a part of it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Wall {
+    /// Block that is pushed.
+    pub block: u32,
+    /// The removed block behind the face.
+    pub behind: u32,
+    /// Unit normal into the block that is pushed.
+    pub normal: Vec3,
+    /// Area, m².
+    pub area: f64,
+    /// Centre from the centroid of the block at the start, m.
+    pub arm: Vec3,
+    /// Force that the removed block carried at the start, N.
+    pub hold: Vec3,
+    /// Moment of the same about the centroid, N m.
+    pub hold_moment: Vec3,
+}
+
+/// Walls of a cavity on deformable blocks, in sum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Soft {
+    /// Area, m².
+    pub area: f64,
+    /// Sum of `A_i²/m_i` over the nodes, with the masses of dynamic phases, m⁴/kg.
+    pub mobility: f64,
+    /// Volume that they had swept when they were last made anew, m³.
+    pub swept: f64,
+    /// Work of their in-situ tractions until then, J.
+    pub held: f64,
+}

@@ -1,0 +1,38 @@
+//! Free faces of rigid blocks.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::laws::face_joint::SIGNS;
+
+/// A face, or a part of one, that no patch covers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Face {
+    /// Block it belongs to.
+    pub block: u32,
+    /// Index into `Setup::boundaries` of the condition that acts on it, if any.
+    pub boundary: Option<u16>,
+    /// Unit outward normal n at the start, then b and c: right-handed.
+    pub frame: [Vec3; 3],
+    /// Centre from the centroid of the block at the start, m.
+    pub arm: Vec3,
+    /// Area, m².
+    pub area: f64,
+    /// Distance of the four points from the centre along b and c, m.
+    pub reach: [f64; 2],
+    /// Normal and shear stiffness of the half block behind the face, Pa/m; 0 without a boundary.
+    pub stiffness: [f64; 2],
+    /// Impedances rho c_P and rho c_S, Pa s/m; 0 without a boundary.
+    pub impedance: [f64; 2],
+    /// Displacement of the far end of the face spring at the four points, m.
+    pub anchor: [Vec3; 4],
+}
+
+impl Face {
+    /// Place of point `p` from the centroid of the block at the start, m.
+    #[must_use]
+    pub fn place(&self, p: usize) -> Vec3 {
+        let [_, b, c] = self.frame;
+        self.arm + SIGNS[0][p] * self.reach[0] * b + SIGNS[1][p] * self.reach[1] * c
+    }
+}

@@ -1,0 +1,17 @@
+//! What the engine knows between two steps, and what it can drop and lay out anew: plain data.
+//!
+//! Nothing here acts. Forces, motion, edits and readings stand in the rooms above, which use this one and not each other's
+//! insides; this one uses the setup, the laws, geometry and the ledger only.
+
+pub mod bodies;
+pub mod cavity;
+pub mod cutting;
+pub mod deform;
+pub mod event;
+pub mod face;
+pub mod hold;
+pub mod lineage;
+pub mod patches;
+pub mod relax;
+pub mod sums;
+pub mod world;

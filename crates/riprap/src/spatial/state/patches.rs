@@ -1,0 +1,130 @@
+//! Patches between rigid blocks and the classes that equal ones share.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// Patches: rectangles or polygons where two blocks share a face. Lists of equal length, except
+/// those that are empty when no patch needs them.
+///
+/// Stress is tension-positive; the normal points from block `i` to block `j`; the traction is that
+/// on block `i`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Patches {
+    /// Blocks i and j; may be the same block in a periodic model one block wide.
+    pub ends: Vec<[u32; 2]>,
+    /// Index into `World::classes`.
+    pub class: Vec<u32>,
+    /// State bits, see [`flag`].
+    pub flags: Vec<u16>,
+    /// Traction at the centre at zero displacement, Pa, global axes at the start; empty without
+    /// in-situ stress.
+    pub prestress: Vec<Vec3>,
+    /// Irrecoverable shear displacement along b and c of the four points, m; empty while all is
+    /// elastic.
+    pub slip: Vec<[[f64; 4]; 2]>,
+    /// Opening at which the normal spring of each point is relaxed, m: dilation, edits and changes of
+    /// kinematics; empty when there is none.
+    pub lift: Vec<[f64; 4]>,
+    /// Length of the path of plastic shear of each point, m; empty without dilation.
+    pub path: Vec<[f64; 4]>,
+}
+
+impl Patches {
+    /// Number of patches.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// Keeps the patches `chosen`, in that order.
+    pub fn keep(&mut self, chosen: &[u32]) {
+        fn pick<T: Copy>(list: &mut Vec<T>, chosen: &[u32]) {
+            if !list.is_empty() {
+                *list = chosen.iter().map(|&p| list[p as usize]).collect();
+            }
+        }
+        pick(&mut self.ends, chosen);
+        pick(&mut self.class, chosen);
+        pick(&mut self.flags, chosen);
+        pick(&mut self.prestress, chosen);
+        pick(&mut self.slip, chosen);
+        pick(&mut self.lift, chosen);
+        pick(&mut self.path, chosen);
+    }
+
+    /// Makes room for slip where there is none yet.
+    pub fn need_slip(&mut self) {
+        self.slip.resize(self.ends.len(), [[0.0; 4]; 2]);
+    }
+
+    /// Makes room for lifts where there is none yet.
+    pub fn need_lift(&mut self) {
+        self.lift.resize(self.ends.len(), [0.0; 4]);
+    }
+
+    /// Makes room for slip paths where there is none yet.
+    pub fn need_path(&mut self) {
+        self.path.resize(self.ends.len(), [0.0; 4]);
+    }
+}
+
+/// Bits of [`Patches::flags`]; bits 0 to 11 are one per point.
+pub mod flag {
+    /// The four points have failed (bits 0 to 3).
+    pub const BROKEN: u16 = 0x000f;
+    /// The four points are open now (bits 4 to 7).
+    pub const OPEN: u16 = 0x00f0;
+    /// The four points slid in the last step (bits 8 to 11).
+    pub const SLIDING: u16 = 0x0f00;
+    /// The patch uses finite rotations.
+    pub const FINITE: u16 = 0x1000;
+    /// `slip` or `lift` are in use.
+    pub const OFFSET: u16 = 0x2000;
+
+    /// Bits of points that slid by `before`, and go on doing so by `after`: a law that is applied again at the same instant
+    /// sees no motion, but closed points have not come to rest.
+    #[must_use]
+    pub const fn slide_on(before: u16, after: u16) -> u16 {
+        before & SLIDING & !((after & OPEN) << 4)
+    }
+
+    /// Bit of `point` (0 to 3) in the group that starts at the lowest bit of `group`.
+    #[must_use]
+    pub const fn of(group: u16, point: usize) -> u16 {
+        (1 << point) << group.trailing_zeros()
+    }
+}
+
+/// Geometry and stiffness shared by equal patches, at the start.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PatchClass {
+    /// Unit vectors n (from i to j), b and c: right-handed.
+    pub frame: [Vec3; 3],
+    /// Area, m².
+    pub area: f64,
+    /// Distance of the points from the centre along b and c, m.
+    pub reach: [f64; 2],
+    /// Centre of the patch from the centroids of i and j, m.
+    pub arms: [Vec3; 2],
+    /// Normal and shear stiffness, Pa/m.
+    pub stiffness: [f64; 2],
+    /// Dashpot over spring of closed points, s.
+    pub beta: f64,
+    /// Materials of i and j.
+    pub materials: [u16; 2],
+    /// Index into `Setup::interfaces`.
+    pub row: u16,
+    /// Axis of the normal, 0 to 2, with b and c the next two axes; 3 for any other direction.
+    pub axis: u8,
+    /// Distance of the centroids across the patch, m.
+    pub distance: f64,
+    /// In-situ traction (n, b, c) per metre along b and along c, Pa/m; scaled so that four points have
+    /// its exact moment.
+    pub slope: [[f64; 3]; 2],
+}
