@@ -1,0 +1,29 @@
+//! Fragments of a planar model: blocks that joints hold together.
+
+use super::fields::View;
+use crate::frame::fragments::Fragments;
+
+impl View<'_> {
+    /// Fragments now, the largest first. A joint holds while a point of it has not failed; one without tensile
+    /// strength and cohesion holds nothing.
+    #[must_use]
+    pub fn fragments(&self) -> Fragments {
+        let world = self.world;
+        let blocks: Vec<_> = (0..world.alive.len())
+            .map(|b| {
+                let area = self.scratch.shapes.mass[b] / world.setup.blocks[b].density;
+                let at = world.bodies[b].position;
+                world.alive[b].then_some((area, [at.x, at.y, 0.0]))
+            })
+            .collect();
+        let holds = |row: u16| {
+            let law = world.setup.interfaces[usize::from(row)].bond.as_ref();
+            law.is_some_and(|l| l.tension > 0.0 || l.cohesion > 0.0)
+        };
+        let joined = world.bonds.iter().filter_map(|bond| {
+            let whole = bond.active && !bond.torn && bond.points.iter().any(|p| !p.failed);
+            (whole && holds(bond.row)).then_some([bond.i, bond.j])
+        });
+        Fragments::new(&blocks, joined, true)
+    }
+}

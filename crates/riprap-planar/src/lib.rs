@@ -1,0 +1,25 @@
+//! The 2D engine: rigid polygons with mutual-potential contact.
+
+pub mod bond;
+pub mod classify;
+pub mod contact;
+pub mod convex;
+pub mod energy;
+pub mod fields;
+mod fragments;
+pub mod handover;
+mod heap;
+pub mod loads;
+pub mod picture;
+pub mod pieces;
+pub mod potential;
+pub mod profile;
+pub mod readings;
+pub mod search;
+pub mod setup;
+pub mod shapes;
+pub mod stable;
+pub mod step;
+pub mod world;
+
+use riprap_core::{dynamics, exec, field, frame, laws, ledger};

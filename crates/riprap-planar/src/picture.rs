@@ -1,0 +1,178 @@
+//! Frames of a planar model: outlines at their present positions, found contacts and joints as points.
+
+use riprap_geom::Vec2;
+
+use super::bond::Bond;
+use super::fields::View;
+use super::world::Contact;
+use crate::frame::{Column, Frame};
+
+/// Joints beyond which a frame holds only those of which a point has failed.
+pub const MANY_JOINTS: usize = 200_000;
+
+fn flat(v: Vec2) -> [f64; 3] {
+    [v.x, v.y, 0.0]
+}
+
+/// A picture of the living blocks, their found contacts and the joints between them.
+#[must_use]
+pub fn frame(view: &View<'_>, phase: &str) -> Frame {
+    let (world, scratch) = (view.world, view.scratch);
+    let origin = Vec2::from(world.setup.origin);
+    let mut frame = Frame {
+        step: world.step,
+        time: world.time,
+        phase: phase.to_owned(),
+        offsets: vec![0],
+        ..Frame::default()
+    };
+    let living: Vec<usize> = view.living().collect();
+    for &b in &living {
+        let at = world.bodies[b].position + origin;
+        frame.points.extend(
+            scratch.turned[scratch.shapes.range(b)]
+                .iter()
+                .map(|t| flat(at + t.start)),
+        );
+        frame.offsets.push(frame.points.len() as u32);
+    }
+    let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
+        Column::scalar(name, unit, living.iter().map(|&b| get(b)).collect())
+    };
+    let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec2| {
+        let data: Vec<[f64; 2]> = living.iter().map(|&b| get(b).into()).collect();
+        Column::vector(name, unit, &data)
+    };
+    frame.block_columns = vec![
+        scalar("block", "-", &|b| b as f64),
+        scalar("material", "-", &|b| {
+            f64::from(world.setup.blocks[b].material)
+        }),
+        vector("displacement", "m", &|b| view.displacement(b)),
+        scalar("rotation", "rad", &|b| view.rotation(b)),
+        vector("velocity", "m/s", &|b| view.velocity(b)),
+        scalar("spin", "rad/s", &|b| view.spin(b)),
+        vector("force", "N/m", &|b| scratch.net[b].force),
+        scalar("held", "-", &|b| {
+            f64::from(u8::from(world.motion[b].is_some()))
+        }),
+    ];
+    let mut rows: Vec<Row> = view
+        .contacts()
+        .map(|(i, j, contact)| found(view, [i, j], contact))
+        .collect();
+    rows.extend(joints(view));
+    frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
+    frame.contact_columns = contact_columns(&rows);
+    frame
+}
+
+/// One line of the contacts of a frame.
+#[derive(Default)]
+struct Row {
+    /// m, without the origin.
+    place: Vec2,
+    blocks: [u32; 2],
+    /// On the first block, N/m.
+    force: Vec2,
+    /// Compression positive, N/m.
+    normal: f64,
+    shear: f64,
+    length: f64,
+    overlap: f64,
+    slipping: bool,
+    /// Of joints: number of points, failed ones, the length these stand for (m), their mean opening and sliding (m).
+    points: f64,
+    broken: f64,
+    broken_length: f64,
+    opening: f64,
+    slip: f64,
+}
+
+fn found(view: &View<'_>, blocks: [u32; 2], c: &Contact) -> Row {
+    let normal = c.normal.force.normalize_or_zero();
+    Row {
+        place: view.world.bodies[blocks[0] as usize].position + c.centre,
+        blocks,
+        force: c.normal.force + c.damping.force + c.tangential.force,
+        normal: (c.normal.force + c.damping.force).dot(normal),
+        shear: c.tangential.force.dot(normal.perp()),
+        length: c.length,
+        overlap: c.depth,
+        slipping: c.slipping,
+        ..Row::default()
+    }
+}
+
+/// Joints between living blocks; those that have handed over to found contact bear nothing but keep their marks.
+fn joints(view: &View<'_>) -> Vec<Row> {
+    let world = view.world;
+    let many = world.bonds.len() > MANY_JOINTS;
+    let mut living = vec![false; world.bodies.len()];
+    for b in view.living() {
+        living[b] = true;
+    }
+    let between = |b: &&Bond| {
+        let whole = b.points.iter().all(|p| !p.failed);
+        living[b.i as usize] && living[b.j as usize] && !(many && whole)
+    };
+    world
+        .bonds
+        .iter()
+        .filter(between)
+        .map(|b| joint(view, b))
+        .collect()
+}
+
+fn joint(view: &View<'_>, bond: &Bond) -> Row {
+    let body = &view.world.bodies[bond.i as usize];
+    let count = bond.points.len().max(1) as f64;
+    let arm = bond.points.iter().map(|p| p.on_i).sum::<Vec2>() / count;
+    let (s, c) = libm::sincos(body.angle);
+    let arm = Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y);
+    let (mut broken, mut length, mut opening, mut slip) = (0.0, 0.0, 0.0, 0.0);
+    for p in bond.points.iter().filter(|p| p.failed) {
+        broken += 1.0;
+        length += p.weight;
+        opening += p.weight * p.opening;
+        slip += p.weight * p.slip;
+    }
+    let mean = |sum: f64| if length > 0.0 { sum / length } else { 0.0 };
+    let bears = if bond.active { 1.0 } else { 0.0 };
+    Row {
+        place: body.position + arm,
+        blocks: [bond.i, bond.j],
+        force: bond.stress.force + bond.damping.force,
+        normal: bears * bond.compression(),
+        shear: bears * bond.shear(),
+        length: bond.length,
+        points: bond.points.len() as f64,
+        broken,
+        broken_length: length,
+        opening: mean(opening),
+        slip: mean(slip),
+        ..Row::default()
+    }
+}
+
+fn contact_columns(rows: &[Row]) -> Vec<Column> {
+    let column = |name: &str, unit: &str, get: &dyn Fn(&Row) -> f64| {
+        Column::scalar(name, unit, rows.iter().map(get).collect())
+    };
+    let forces: Vec<[f64; 2]> = rows.iter().map(|r| r.force.into()).collect();
+    vec![
+        column("block_a", "-", &|r| f64::from(r.blocks[0])),
+        column("block_b", "-", &|r| f64::from(r.blocks[1])),
+        Column::vector("force_on_a", "N/m", &forces),
+        column("normal_force", "N/m", &|r| r.normal),
+        column("shear_force", "N/m", &|r| r.shear),
+        column("length", "m", &|r| r.length),
+        column("overlap", "m", &|r| r.overlap),
+        column("slipping", "-", &|r| f64::from(u8::from(r.slipping))),
+        column("joint_points", "-", &|r| r.points),
+        column("broken_points", "-", &|r| r.broken),
+        column("broken_length", "m", &|r| r.broken_length),
+        column("opening", "m", &|r| r.opening),
+        column("slip", "m", &|r| r.slip),
+    ]
+}

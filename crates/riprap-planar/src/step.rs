@@ -1,0 +1,507 @@
+//! One step of the planar engine.
+//!
+//! Leapfrog in two halves, so that a caller can look at the state in between, when positions and
+//! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
+//! make, [`advance`] applies them and moves the blocks.
+
+mod kick;
+
+use riprap_geom::Vec2;
+
+use super::bond;
+use super::contact::{self, Context, Workspace};
+use super::convex::Turned;
+use super::handover;
+use super::loads::{self, Applied};
+use super::search::{self, Candidates};
+use super::setup::{ContactLaw, Motion, Setup};
+use super::shapes::Shapes;
+use super::world::{Body, World, Wrench};
+use crate::exec::{CHUNK, Exec};
+use crate::ledger::Works;
+use kick::kicks;
+pub use kick::{Change, Net};
+use riprap_core::profile::Profile;
+
+/// Damping of a phase besides that of the contacts.
+pub use crate::dynamics::damping::Damping;
+
+/// Everything that can be dropped and rebuilt without changing a result.
+#[derive(Debug)]
+pub struct Scratch {
+    /// Body geometry.
+    pub shapes: Shapes,
+    /// Thread pool.
+    pub exec: Exec,
+    /// Stage timers.
+    pub profile: Profile,
+    /// Candidate pairs.
+    pub candidates: Candidates,
+    /// Edges at the present angles.
+    pub turned: Vec<Turned>,
+    /// Wrench of each convex pair, then each general pair, then each bond.
+    pub slots: Vec<Wrench>,
+    /// For block `b` the entries `incidence[first_entry[b]..first_entry[b + 1]]`.
+    first_entry: Vec<u32>,
+    /// Slot number times two, plus one for the second block of the pair.
+    incidence: Vec<u32>,
+    /// Velocity changes of the coming kick.
+    pub changes: Vec<Change>,
+    /// Length of the step that the kick was found for, s.
+    pub coming_dt: f64,
+    /// Sums of forces, without damping and supports.
+    pub net: Vec<Net>,
+    /// External loads.
+    pub applied: Vec<Applied>,
+    /// Works of the half step after the present time, booked by `advance`.
+    departure: Works,
+    /// Contact laws by row.
+    pub(super) laws: Vec<ContactLaw>,
+    partial: Vec<Partial>,
+    rooms: Vec<Workspace>,
+    stale: bool,
+    /// Candidate lists built since the start.
+    pub rebuilds: u64,
+    /// Smallest time in which a block crosses the reach of its neighbourhood, s.
+    pub transit: f64,
+}
+
+/// Sums of one chunk.
+#[derive(Clone, Copy, Debug)]
+struct Partial {
+    arrival: Works,
+    departure: Works,
+    bad: Option<u32>,
+    moved: bool,
+    transit: f64,
+}
+
+impl Default for Partial {
+    fn default() -> Self {
+        Self {
+            arrival: Works::default(),
+            departure: Works::default(),
+            bad: None,
+            moved: false,
+            transit: f64::INFINITY,
+        }
+    }
+}
+
+/// A block whose state is no longer finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the forces on block {block} are not finite")]
+pub struct NonFinite {
+    /// Index of the block.
+    pub block: u32,
+}
+
+impl World {
+    /// A world at rest at time zero, with joints built; the scratch data come with it.
+    #[must_use]
+    pub fn new(setup: Setup, exec: Exec) -> (Self, Scratch) {
+        let shapes = Shapes::new(&setup);
+        let n = shapes.len();
+        let bodies: Vec<Body> = setup
+            .blocks
+            .iter()
+            .zip(&shapes.centroid)
+            .map(|(b, &position)| Body {
+                position,
+                velocity: b.velocity,
+                angle: 0.0,
+                spin: b.spin,
+            })
+            .collect();
+        let mut motion = vec![None; n];
+        for support in &setup.supports {
+            for &b in &support.blocks {
+                motion[b as usize] = Some(Box::new(support.motion.clone()));
+            }
+        }
+        let mut world = Self {
+            gravity: Vec2::from(setup.gravity),
+            time: 0.0,
+            step: 0,
+            last_dt: 0.0,
+            pending: 0.0,
+            reference: bodies.iter().map(|b| b.position).collect(),
+            reference_angle: vec![0.0; n],
+            search_pose: bodies.iter().map(|b| (b.position, b.angle)).collect(),
+            bodies,
+            alive: vec![true; n],
+            motion,
+            pairs: Vec::new(),
+            general: Vec::new(),
+            bonds: Vec::new(),
+            works: Works::default(),
+            start_energy: None,
+            setup,
+        };
+        hold_driven(&mut world);
+        let close = search::near_pairs(&world, &shapes);
+        world.bonds = bond::build(&world.setup, &shapes, &close);
+        // What a joint stores at the start, by round-off of its corners, is no work of friction.
+        for bond in &mut world.bonds {
+            if let Some(law) = &world.setup.interfaces[bond.row as usize].bond {
+                bond::force(bond, law, &world.bodies, 0.0, 0.0, &mut Works::default());
+            }
+        }
+        let scratch = Scratch::new(&mut world, exec);
+        (world, scratch)
+    }
+}
+
+/// Gives driven blocks their prescribed velocity at the present time.
+pub fn hold_driven(world: &mut World) {
+    let t = world.time;
+    for (body, motion) in world.bodies.iter_mut().zip(&world.motion) {
+        match motion.as_deref() {
+            None | Some(Motion::Acceleration { .. }) => {}
+            Some(Motion::Fixed { x, y, rotation }) => {
+                if *x {
+                    body.velocity.x = 0.0;
+                }
+                if *y {
+                    body.velocity.y = 0.0;
+                }
+                if *rotation {
+                    body.spin = 0.0;
+                }
+            }
+            Some(Motion::Velocity { x, y, spin }) => {
+                if let Some(f) = x {
+                    body.velocity.x = f.at(t);
+                }
+                if let Some(f) = y {
+                    body.velocity.y = f.at(t);
+                }
+                if let Some(f) = spin {
+                    body.spin = f.at(t);
+                }
+            }
+        }
+    }
+}
+
+impl Scratch {
+    /// Scratch data for a world, as new or as read from a checkpoint.
+    #[must_use]
+    pub fn new(world: &mut World, exec: Exec) -> Self {
+        let shapes = Shapes::new(&world.setup);
+        let n = shapes.len();
+        let mut scratch = Self {
+            exec,
+            profile: Profile::default(),
+            candidates: Candidates::default(),
+            turned: shapes
+                .edges
+                .iter()
+                .map(|e| Turned::new(e, 1.0, 0.0))
+                .collect(),
+            slots: Vec::new(),
+            first_entry: Vec::new(),
+            incidence: Vec::new(),
+            changes: vec![Change::default(); n],
+            coming_dt: 0.0,
+            net: vec![Net::default(); n],
+            applied: vec![Applied::default(); n],
+            departure: Works::default(),
+            laws: Vec::new(),
+            partial: Vec::new(),
+            rooms: Vec::new(),
+            stale: false,
+            rebuilds: 0,
+            transit: f64::INFINITY,
+            shapes,
+        };
+        for b in 0..n {
+            let range = scratch.shapes.range(b);
+            turn(
+                scratch.shapes.of(b),
+                world.bodies[b].angle,
+                &mut scratch.turned[range],
+            );
+        }
+        scratch.rebuild(world);
+        // What the last step would have left behind.
+        for (b, body) in world
+            .bodies
+            .iter()
+            .enumerate()
+            .filter(|(b, _)| world.alive[*b])
+        {
+            let (moved, transit) = scratch.travel(world, b, body);
+            scratch.stale |= moved;
+            scratch.transit = scratch.transit.min(transit);
+        }
+        scratch
+    }
+
+    /// Whether a block has left its margin, and the time it takes to cross its reach, s.
+    fn travel(&self, world: &World, b: usize, body: &Body) -> (bool, f64) {
+        travel(
+            &self.shapes,
+            &self.candidates,
+            world.search_pose[b],
+            b,
+            body,
+        )
+    }
+
+    /// Marks the candidate list as out of date: blocks removed, supports or laws changed.
+    pub fn invalidate(&mut self, world: &mut World) {
+        world.search_pose = world.bodies.iter().map(|b| (b.position, b.angle)).collect();
+        self.rebuild(world);
+    }
+
+    /// Rebuilds the candidate list from the world's search poses, and all that depends on it.
+    fn rebuild(&mut self, world: &mut World) {
+        search::rebuild(world, &self.shapes, &mut self.candidates);
+        bond::set_masses(world, &self.shapes);
+        self.laws = world.setup.interfaces.iter().map(|i| i.contact).collect();
+        let (c, g, b) = (
+            self.candidates.convex.len(),
+            self.candidates.general.len(),
+            world.bonds.len(),
+        );
+        self.slots = vec![Wrench::default(); c + g + b];
+        let ends = self
+            .candidates
+            .convex
+            .iter()
+            .chain(&self.candidates.general)
+            .map(|c| (c.i, c.j))
+            .chain(world.bonds.iter().map(|b| (b.i, b.j)));
+        (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
+        let chunks = [c, g, b, self.shapes.len()]
+            .into_iter()
+            .max()
+            .unwrap_or(0)
+            .div_ceil(CHUNK);
+        self.partial = vec![Partial::default(); chunks.max(1)];
+        self.rooms
+            .resize_with(g.div_ceil(CHUNK).max(1), Workspace::default);
+        self.stale = false;
+        self.rebuilds += 1;
+    }
+}
+
+/// Compressed rows of (slot, side) per block, slots ascending.
+fn incidence(
+    blocks: usize,
+    ends: impl Iterator<Item = (u32, u32)> + Clone,
+) -> (Vec<u32>, Vec<u32>) {
+    let mut first = vec![0u32; blocks + 1];
+    for (i, j) in ends.clone() {
+        first[i as usize + 1] += 1;
+        first[j as usize + 1] += 1;
+    }
+    for b in 0..blocks {
+        first[b + 1] += first[b];
+    }
+    let mut next = first.clone();
+    let mut entries = vec![0u32; first[blocks] as usize];
+    for (slot, (i, j)) in ends.enumerate() {
+        for (side, b) in [(0, i), (1, j)] {
+            entries[next[b as usize] as usize] = 2 * slot as u32 + side;
+            next[b as usize] += 1;
+        }
+    }
+    (first, entries)
+}
+
+fn turn(edges: &[super::shapes::Edge], angle: f64, turned: &mut [Turned]) {
+    let (s, c) = libm::sincos(angle);
+    for (edge, out) in edges.iter().zip(turned) {
+        out.turn(edge, c, s);
+    }
+}
+
+/// Finds all forces at the present positions and the velocity changes for a step of `dt`.
+///
+/// Calling it again without moving changes nothing.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn evaluate(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+) -> Result<(), NonFinite> {
+    let mut profile = std::mem::take(&mut scratch.profile);
+    profile.stage("loads", || {
+        if !world.setup.loads.is_empty() {
+            loads::apply(world, &scratch.shapes, &mut scratch.applied);
+        }
+    });
+    profile.stage("search", || refresh(world, scratch));
+    profile.stage("contacts", || found_contacts(world, scratch, damping));
+    profile.stage("bonds", || bonds(world, scratch, damping));
+    let result = profile.stage("gather", || kicks(world, scratch, damping, dt));
+    world.pending = 0.0;
+    scratch.coming_dt = dt;
+    scratch.profile = profile;
+    result
+}
+
+/// Applies the velocity changes and moves the blocks by `dt`.
+pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let mut profile = std::mem::take(&mut scratch.profile);
+    profile.stage("integrate", || integrate(world, scratch, dt));
+    let departure = std::mem::take(&mut scratch.departure);
+    world.works.add(&departure);
+    world.works.note_peak();
+    world.time += dt;
+    world.step += 1;
+    world.last_dt = dt;
+    world.pending = dt;
+    scratch.profile = profile;
+}
+
+/// Rebuilds the candidate list when a block has moved more than its margin, or a joint gives way.
+fn refresh(world: &mut World, scratch: &mut Scratch) {
+    // Only once the blocks have moved: evaluating twice changes nothing.
+    if world.pending > 0.0 && world.bonds.iter().any(bond::Bond::gives_way) {
+        handover::hand_over(world, scratch);
+    }
+    if scratch.stale {
+        scratch.invalidate(world);
+    }
+}
+
+fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
+    let mut pairs = std::mem::take(&mut world.pairs);
+    let mut general = std::mem::take(&mut world.general);
+    let c = pairs.len();
+    let (convex_slots, rest) = scratch.slots.split_at_mut(c);
+    let general_slots = &mut rest[..general.len()];
+    let context = Context::new(
+        world,
+        &scratch.shapes,
+        &scratch.turned,
+        &scratch.laws,
+        &scratch.candidates.lists,
+        damping.stiffness,
+    );
+    scratch.partial.fill(Partial::default());
+    let candidates = &scratch.candidates;
+    scratch.exec.chunks2(
+        &mut pairs,
+        convex_slots,
+        &mut scratch.partial,
+        |at, p, s, partial| {
+            let list = &candidates.convex[at..at + p.len()];
+            contact::convex_chunk(&context, list, p, s, &mut partial.arrival);
+        },
+    );
+    let mut works = Works::default();
+    for partial in &mut scratch.partial {
+        works.add(&partial.arrival);
+        *partial = Partial::default();
+    }
+    if !general.is_empty() {
+        let rooms = &mut scratch.rooms;
+        scratch
+            .exec
+            .chunks2(&mut general, general_slots, rooms, |at, g, s, room| {
+                contact::general_chunk(&context, &candidates.general[at..at + g.len()], g, s, room);
+            });
+        for room in rooms {
+            works.add(&room.works);
+        }
+    }
+    world.works.add(&works);
+    world.pairs = pairs;
+    world.general = general;
+}
+
+fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
+    if world.bonds.is_empty() {
+        return;
+    }
+    let mut bonds = std::mem::take(&mut world.bonds);
+    let (bodies, setup) = (&world.bodies, &world.setup);
+    let (elapsed, step) = (world.pending, world.step);
+    let first = world.pairs.len() + world.general.len();
+    let slots = &mut scratch.slots[first..];
+    scratch.partial.fill(Partial::default());
+    scratch.exec.chunks2(
+        &mut bonds,
+        slots,
+        &mut scratch.partial,
+        |_, b, s, partial| {
+            for (bond, slot) in b.iter_mut().zip(s) {
+                *slot = match &setup.interfaces[bond.row as usize].bond {
+                    Some(law) => {
+                        let works = &mut partial.arrival;
+                        let wrench =
+                            bond::force(bond, law, bodies, damping.stiffness, elapsed, works);
+                        if bond.broken_at.is_none() && bond.broken() {
+                            bond.broken_at = Some(step);
+                        }
+                        wrench
+                    }
+                    None => Wrench::default(),
+                };
+            }
+        },
+    );
+    for partial in &scratch.partial {
+        world.works.add(&partial.arrival);
+    }
+    world.bonds = bonds;
+}
+
+fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    scratch.partial.fill(Partial::default());
+    let (shapes, changes, candidates) = (&scratch.shapes, &scratch.changes, &scratch.candidates);
+    let (alive, poses) = (&world.alive, &world.search_pose);
+    scratch.exec.ragged(
+        &mut world.bodies,
+        &mut scratch.turned,
+        &shapes.first,
+        &mut scratch.partial,
+        |at, bodies, turned, partial| {
+            let base = shapes.first[at] as usize;
+            for (k, body) in bodies.iter_mut().enumerate() {
+                let b = at + k;
+                if !alive[b] {
+                    continue;
+                }
+                body.velocity += changes[b].velocity;
+                body.spin += changes[b].spin;
+                body.position += dt * body.velocity;
+                let turning = dt * body.spin;
+                body.angle += turning;
+                let range = shapes.range(b);
+                if turning != 0.0 {
+                    let own = range.start - base..range.end - base;
+                    turn(&shapes.edges[range], body.angle, &mut turned[own]);
+                }
+                let (moved, transit) = travel(shapes, candidates, poses[b], b, body);
+                partial.moved |= moved;
+                partial.transit = partial.transit.min(transit);
+            }
+        },
+    );
+    scratch.transit = scratch
+        .partial
+        .iter()
+        .fold(f64::INFINITY, |t, p| t.min(p.transit));
+    scratch.stale |= scratch.partial.iter().any(|p| p.moved);
+}
+
+/// Whether block `b` has left its margin since `pose`, and the time it takes to cross its reach, s.
+fn travel(
+    shapes: &Shapes,
+    candidates: &Candidates,
+    pose: (Vec2, f64),
+    b: usize,
+    body: &Body,
+) -> (bool, f64) {
+    let moved = (body.position - pose.0).length() + (body.angle - pose.1).abs() * shapes.radius[b];
+    let speed = body.velocity.length() + body.spin.abs() * shapes.radius[b];
+    (moved > candidates.margin[b], candidates.reach[b] / speed)
+}

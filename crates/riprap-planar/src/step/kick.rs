@@ -1,0 +1,226 @@
+//! Sums of the forces on each block, and the change of velocity they make.
+
+use riprap_geom::Vec2;
+
+use super::{Damping, NonFinite, Partial, Scratch};
+use crate::ledger::Works;
+use crate::loads::Applied;
+use crate::setup::Motion;
+use crate::shapes::Shapes;
+use crate::world::{Body, World, Wrench};
+
+/// Velocity change of one block in the coming kick.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Change {
+    /// m/s.
+    pub velocity: Vec2,
+    /// rad/s.
+    pub spin: f64,
+}
+
+/// Sum of all forces on a block but damping and the reaction of supports.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Net {
+    /// N/m.
+    pub force: Vec2,
+    /// About the centroid, N.
+    pub moment: f64,
+}
+
+/// Gathers the slots of each block and finds its velocity change.
+pub(super) fn kicks(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+) -> Result<(), NonFinite> {
+    scratch.partial.fill(Partial::default());
+    let kick = Kick {
+        world,
+        shapes: &scratch.shapes,
+        slots: &scratch.slots,
+        first_entry: &scratch.first_entry,
+        incidence: &scratch.incidence,
+        applied: &scratch.applied,
+        damping,
+        half: [0.5 * world.pending, 0.5 * dt],
+        span: 0.5 * (world.last_dt + dt),
+    };
+    scratch.exec.chunks2(
+        &mut scratch.changes,
+        &mut scratch.net,
+        &mut scratch.partial,
+        |at, changes, net, partial| {
+            for (k, (change, net)) in changes.iter_mut().zip(net).enumerate() {
+                kick.block(at + k, change, net, partial);
+            }
+        },
+    );
+    let (mut arrival, mut departure, mut bad) = (Works::default(), Works::default(), None);
+    for partial in &scratch.partial {
+        arrival.add(&partial.arrival);
+        departure.add(&partial.departure);
+        bad = bad.or(partial.bad);
+    }
+    world.works.add(&arrival);
+    scratch.departure = departure;
+    bad.map_or(Ok(()), |block| Err(NonFinite { block }))
+}
+
+/// What the kick of one block reads.
+struct Kick<'a> {
+    world: &'a World,
+    shapes: &'a Shapes,
+    slots: &'a [Wrench],
+    first_entry: &'a [u32],
+    incidence: &'a [u32],
+    applied: &'a [Applied],
+    damping: &'a Damping,
+    /// Halves of the step before and after the present time, s.
+    half: [f64; 2],
+    /// Time between the two half-step velocities, s.
+    span: f64,
+}
+
+impl Kick<'_> {
+    fn block(&self, b: usize, change: &mut Change, net: &mut Net, partial: &mut Partial) {
+        if !self.world.alive[b] {
+            *change = Change::default();
+            return;
+        }
+        let (mut force, mut moment) = (Vec2::ZERO, 0.0);
+        for &entry in
+            &self.incidence[self.first_entry[b] as usize..self.first_entry[b + 1] as usize]
+        {
+            let slot = &self.slots[(entry >> 1) as usize];
+            if entry & 1 == 0 {
+                force += slot.force;
+                moment += slot.moment_i;
+            } else {
+                force -= slot.force;
+                moment += slot.moment_j;
+            }
+        }
+        let (mass, inertia) = (self.shapes.mass[b], self.shapes.inertia[b]);
+        let (weight, load) = (mass * self.world.gravity, self.applied[b]);
+        force += weight + load.force;
+        moment += load.moment;
+        *net = Net { force, moment };
+        if !(force.x + force.y + moment).is_finite() && partial.bad.is_none() {
+            partial.bad = Some(b as u32);
+        }
+        let body = &self.world.bodies[b];
+        let motion = self.world.motion[b].as_deref();
+
+        // Local damping: a share of the unbalanced force, against the motion.
+        let local = self.damping.local;
+        let against = |f: f64, v: f64| {
+            if v == 0.0 {
+                0.0
+            } else {
+                -local * f.abs() * v.signum()
+            }
+        };
+        let drag = Vec2::new(
+            against(force.x, body.velocity.x),
+            against(force.y, body.velocity.y),
+        );
+        let twist = against(moment, body.spin);
+        // Mass damping acts on the mean of the velocities before and after (implicit, stable).
+        let fade = 0.5 * self.damping.mass * self.span;
+        let kicked =
+            |v: f64, f: f64, m: f64| ((v * (1.0 - fade) + self.span * f / m) / (1.0 + fade)) - v;
+        let mut dv = Vec2::new(
+            kicked(body.velocity.x, force.x + drag.x, mass),
+            kicked(body.velocity.y, force.y + drag.y, mass),
+        );
+        let mut dw = kicked(body.spin, moment + twist, inertia);
+        let free = (dv, dw);
+        if let Some(motion) = motion {
+            (dv, dw) = prescribed(
+                motion,
+                body,
+                self.world.time,
+                self.half[1],
+                self.span,
+                dv,
+                dw,
+            );
+        }
+        *change = Change {
+            velocity: dv,
+            spin: dw,
+        };
+
+        // Works before and after the present time, with the velocity of each half.
+        let reaction = if self.span > 0.0 {
+            (
+                (1.0 + fade) * mass * (dv - free.0) / self.span,
+                (1.0 + fade) * inertia * (dw - free.1) / self.span,
+            )
+        } else {
+            (Vec2::ZERO, 0.0)
+        };
+        let mean = (body.velocity + 0.5 * dv, body.spin + 0.5 * dw);
+        let slow = (
+            -self.damping.mass * mass * mean.0,
+            -self.damping.mass * inertia * mean.1,
+        );
+        for (half, v, w, works) in [
+            (self.half[0], body.velocity, body.spin, &mut partial.arrival),
+            (
+                self.half[1],
+                body.velocity + dv,
+                body.spin + dw,
+                &mut partial.departure,
+            ),
+        ] {
+            works.gravity += half * weight.dot(v);
+            works.loads += half * (load.force.dot(v) + load.moment * w);
+            works.damping -= half * ((drag + slow.0).dot(v) + (twist + slow.1) * w);
+            if motion.is_some() {
+                works.supports += half * (reaction.0.dot(v) + reaction.1 * w);
+            }
+        }
+    }
+}
+
+/// Velocity change of a block whose motion is prescribed in some freedoms.
+///
+/// `half` is half the coming step: a prescribed velocity is met in the middle of the step.
+fn prescribed(
+    motion: &Motion,
+    body: &Body,
+    time: f64,
+    half: f64,
+    span: f64,
+    dv: Vec2,
+    dw: f64,
+) -> (Vec2, f64) {
+    match motion {
+        Motion::Fixed { x, y, rotation } => (
+            Vec2::new(
+                if *x { -body.velocity.x } else { dv.x },
+                if *y { -body.velocity.y } else { dv.y },
+            ),
+            if *rotation { -body.spin } else { dw },
+        ),
+        Motion::Velocity { x, y, spin } => {
+            let t = time + half;
+            (
+                Vec2::new(
+                    x.as_ref().map_or(dv.x, |f| f.at(t) - body.velocity.x),
+                    y.as_ref().map_or(dv.y, |f| f.at(t) - body.velocity.y),
+                ),
+                spin.as_ref().map_or(dw, |f| f.at(t) - body.spin),
+            )
+        }
+        Motion::Acceleration { x, y, spin } => (
+            Vec2::new(
+                x.as_ref().map_or(dv.x, |f| span * f.at(time)),
+                y.as_ref().map_or(dv.y, |f| span * f.at(time)),
+            ),
+            spin.as_ref().map_or(dw, |f| span * f.at(time)),
+        ),
+    }
+}

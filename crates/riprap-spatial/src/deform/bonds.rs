@@ -1,0 +1,425 @@
+//! Forces of bonds: jump across each point, law, force to its slot.
+//!
+//! Tension positive, the normal points from A to B, the jump is `u_B - u_A`. A point pulls A with `A t` and B with
+//! the opposite, so momentum is kept; both anchors stand in the same spot, so angular momentum is too.
+
+use riprap_geom::Vec3;
+
+pub use super::anchors::{Anchors, rigid};
+use super::links::{Link, Sheet};
+use super::relax::Breaks;
+use super::store::{Deform, Facet, Memory, Point, State};
+use super::workspace::{FACETS, Workspace};
+use crate::boundary::Push;
+use crate::exec::Divide;
+use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
+use crate::laws::bond;
+use crate::ledger::Works;
+use crate::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::step::Scratch;
+use crate::world::World;
+
+/// Dissipation of one piece of facets, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BondWorks {
+    /// What the sliders and softening have taken.
+    pub works: Works,
+    /// Whether a point has broken.
+    pub broke: bool,
+}
+
+/// Facets of a piece of work.
+struct Piece<'a> {
+    facets: &'a mut [Facet],
+    sheets: &'a mut [Sheet],
+    first: usize,
+    worn: &'a mut [bool],
+    memory: &'a mut [Memory],
+    slots: &'a mut [[f64; 3]],
+    works: &'a mut [BondWorks],
+}
+
+impl Divide for Piece<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let (a, b) = self.facets.split_at_mut(middle * FACETS);
+        let points = (b[0].first - a[0].first) as usize;
+        let sheets = self.sheets.split_at_mut(middle * FACETS);
+        let worn = self.worn.split_at_mut(middle * FACETS);
+        let (memory, slots) = (
+            self.memory.split_at_mut(points),
+            self.slots.split_at_mut(points),
+        );
+        let works = self.works.split_at_mut(middle);
+        (
+            Self {
+                facets: a,
+                sheets: sheets.0,
+                first: self.first,
+                worn: worn.0,
+                memory: memory.0,
+                slots: slots.0,
+                works: works.0,
+            },
+            Self {
+                facets: b,
+                sheets: sheets.1,
+                first: self.first + points,
+                worn: worn.1,
+                memory: memory.1,
+                slots: slots.1,
+                works: works.1,
+            },
+        )
+    }
+}
+
+/// Finds the forces of all points, and what they push rigid blocks with.
+pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
+    let (Some(mut deform), Some(mut work)) = (world.deform.take(), scratch.deform.take()) else {
+        return;
+    };
+    super::turn::look(&deform, &mut work, &scratch.exec, scratch.width);
+    let turns = std::mem::take(&mut work.turns);
+    let mut facets = std::mem::take(&mut deform.facets);
+    let mut memory = std::mem::take(&mut deform.memory);
+    let mut worn = std::mem::take(&mut deform.worn);
+    let mut sheets = std::mem::take(&mut work.links.sheets);
+    let context = Context {
+        anchors: Anchors::new(world, &deform),
+        turning: super::turn::Turning::new(world, &deform, &turns),
+        points: &deform.points,
+        links: &work.links.links,
+        bonds: &world.setup.deform.bonds,
+        live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
+        relaxing: deform.relax.is_some(),
+        waits: deform
+            .relax
+            .as_ref()
+            .is_some_and(|r| r.way.breaks != Breaks::Always),
+        breaking: deform.breaking,
+        time: world.time,
+        step: world.step,
+        width: scratch.width,
+    };
+    let total = facets.len();
+    let piece = Piece {
+        facets: &mut facets,
+        sheets: &mut sheets,
+        first: 0,
+        worn: &mut worn,
+        memory: &mut memory,
+        slots: &mut work.slots,
+        works: &mut work.bond_works,
+    };
+    let count = total.div_ceil(FACETS);
+    scratch
+        .exec
+        .divided(piece, count, |_, piece| context.piece(piece));
+    work.turns = turns;
+    work.links.sheets = sheets;
+    work.broke = false;
+    for part in &work.bond_works {
+        world.works.add(&part.works);
+        work.broke |= part.broke;
+    }
+    deform.facets = facets;
+    deform.memory = memory;
+    deform.worn = worn;
+    push_rigid(world, &deform, &work, &mut scratch.pushed);
+    world.deform = Some(deform);
+    scratch.deform = Some(work);
+}
+
+/// How bonds behave in the present evaluation.
+struct Context<'a> {
+    anchors: Anchors<'a>,
+    /// How facets turn with their blocks; `None` where none does.
+    turning: Option<super::turn::Turning<'a>>,
+    points: &'a [Point],
+    links: &'a [Link],
+    bonds: &'a [Option<BondLaw>],
+    /// Time moved since the last evaluation, s, if the laws must be applied.
+    live: Option<f64>,
+    /// Whether softening waits for convergence.
+    relaxing: bool,
+    /// Whether breaking does.
+    waits: bool,
+    breaking: bool,
+    time: f64,
+    step: u64,
+    width: Width,
+}
+
+impl Context<'_> {
+    fn piece(&self, mut piece: Piece) {
+        if let Some(turning) = &self.turning {
+            turning.turn(piece.facets, self.width);
+            for (facet, sheet) in piece.facets.iter().zip(&mut *piece.sheets) {
+                sheet.normal = facet.now[0].to_array();
+            }
+        }
+        self.width.run(
+            #[inline(always)]
+            || self.whole(&mut piece),
+        );
+        let mut works = BondWorks::default();
+        for (k, facet) in piece.facets.iter().enumerate() {
+            let Some(law) = self.bonds[usize::from(facet.row)].as_ref() else {
+                continue;
+            };
+            if !piece.worn[k] && law.cohesive.is_none() {
+                continue;
+            }
+            let here = facet.first as usize - piece.first
+                ..(facet.first + facet.count) as usize - piece.first;
+            let points = &self.points[facet.points()];
+            let (memory, slots) = (&mut piece.memory[here.clone()], &mut piece.slots[here]);
+            self.worn(facet, law, points, memory, slots, &mut works);
+        }
+        piece.works[0] = works;
+    }
+
+    /// Forces of the points of facets without memory; facets with a point that breaks now are worn from now on.
+    #[inline(always)]
+    fn whole(&self, piece: &mut Piece) {
+        for (k, sheet) in piece.sheets.iter().enumerate() {
+            let law = self.bonds[usize::from(sheet.row)].as_ref();
+            if piece.worn[k] || law.is_some_and(|l| l.cohesive.is_some()) {
+                continue;
+            }
+            // Points break one by one while they move; a relaxing phase breaks only what has converged.
+            let strength = law
+                .filter(|l| l.failure == BondFailure::Spring)
+                .and_then(|l| l.strength.as_ref())
+                .filter(|_| self.live.is_some() && self.breaks_at_once(sheet.whole_until));
+            let from = sheet.first as usize - piece.first;
+            let slots = &mut piece.slots[from..from + sheet.count as usize];
+            let facet = &piece.facets[k];
+            let near = self.elastic(sheet, facet, strength, slots);
+            if let Some(strength) = strength
+                && near
+            {
+                piece.worn[k] = fails(strength, facet, &self.points[sheet.points()], slots);
+            }
+        }
+    }
+
+    /// Whether points of a facet that is whole until a step may break in the step in which they fail.
+    fn breaks_at_once(&self, whole_until: u64) -> bool {
+        self.breaking && !self.waits && self.step >= whole_until
+    }
+
+    /// Forces of the points of a facet that have no memory; whether one may be beyond the strength.
+    #[inline(always)]
+    fn elastic(
+        &self,
+        sheet: &Sheet,
+        facet: &Facet,
+        strength: Option<&Strength>,
+        slots: &mut [[f64; 3]],
+    ) -> bool {
+        let (n, springs) = (same(&sheet.normal), sheet.stiffness.map(Lanes::all));
+        let mut near = false;
+        for (eight, slots) in slots.chunks_mut(LANES).enumerate() {
+            let first = sheet.first as usize + eight * LANES;
+            let points = first..first + slots.len().min(LANES);
+            let (jump, area) = if sheet.plain {
+                self.jumps(&self.links[points])
+            } else {
+                self.far_jumps(facet, &self.points[points])
+            };
+            let t = bond::connect_eight(springs, &n, &jump);
+            if let Some(strength) = strength {
+                near |= bond::near_eight(strength, &n, &t);
+            }
+            let force = scaled(area, &t);
+            for (k, slot) in slots.iter_mut().enumerate().take(LANES) {
+                *slot = [force[0].0[k], force[1].0[k], force[2].0[k]];
+            }
+        }
+        near
+    }
+
+    /// Jumps (m) across up to eight points between nodes, and their areas; zero in the other lanes.
+    #[inline(always)]
+    fn jumps(&self, links: &[Link]) -> (Vectors, Lanes) {
+        let (mut jump, mut area) = (Vectors::default(), Lanes::default());
+        let moved = &self.anchors.nodes.moved;
+        for (k, link) in links.iter().enumerate().take(LANES) {
+            let (a, b) = (moved[link.nodes[0] as usize], moved[link.nodes[1] as usize]);
+            for axis in 0..3 {
+                jump[axis].0[k] = b[axis] - a[axis];
+            }
+            area.0[k] = link.area;
+        }
+        (jump, area)
+    }
+
+    /// As [`Context::jumps`], for any anchors.
+    #[inline(never)]
+    fn far_jumps(&self, facet: &Facet, points: &[Point]) -> (Vectors, Lanes) {
+        let (mut jump, mut area) = (Vectors::default(), Lanes::default());
+        for (k, point) in points.iter().enumerate().take(LANES) {
+            let across = self.anchors.jump(facet, point);
+            for axis in 0..3 {
+                jump[axis].0[k] = across[axis];
+            }
+            area.0[k] = point.area;
+        }
+        (jump, area)
+    }
+
+    /// Points with a memory.
+    fn worn(
+        &self,
+        facet: &Facet,
+        law: &BondLaw,
+        points: &[Point],
+        memory: &mut [Memory],
+        slots: &mut [[f64; 3]],
+        works: &mut BondWorks,
+    ) {
+        let at_once = self.breaks_at_once(facet.whole_until) && law.failure == BondFailure::Spring;
+        let respond = |memory: &Memory, at: &[f64; 3], breaks: bool| {
+            respond(law, facet.stiffness, memory, at, breaks)
+        };
+        for ((point, memory), slot) in points.iter().zip(memory).zip(slots) {
+            let jump = self.anchors.jump(facet, point);
+            let at = facet.now.map(|e| e.dot(jump));
+            let (t, after) = respond(memory, &at, at_once && self.live.is_some());
+            let global = t[0] * facet.now[0] + t[1] * facet.now[1] + t[2] * facet.now[2];
+            *slot = (point.area * global).to_array();
+            let Some(pending) = self.live else { continue };
+            let rate = self.anchors.jump_rate(facet, point);
+            let before = facet.now.map(|e| e.dot(jump - pending * rate));
+            let (t_before, old) = respond(memory, &before, false);
+            let lost = point.area
+                * bond::loss(
+                    facet.stiffness,
+                    &memory.start,
+                    (&before, &t_before, &old),
+                    (&at, &t, &after),
+                );
+            if after.damage > old.damage {
+                works.works.fracture += lost;
+            } else {
+                // Opening or closing within a step is an error of the time integration, no friction.
+                let defect =
+                    point.area * across(facet, memory, [&before, &at], [t_before[0], t[0]]);
+                works.works.friction += lost - defect;
+                works.works.law_defect -= defect;
+            }
+            // Softening during an iteration that overshoots would be for good.
+            if !(self.relaxing && law.cohesive.is_some()) {
+                works.broke |= commit(memory, law, after, &t_before, self.time);
+            }
+        }
+    }
+}
+
+/// Work of the normal traction of a broken point in a step less what it stores, J/m²; nil for others, which are linear.
+fn across(facet: &Facet, memory: &Memory, at: [&[f64; 3]; 2], t: [f64; 2]) -> f64 {
+    if memory.law.damage < 1.0 {
+        return 0.0;
+    }
+    let start = [memory.start[0], 0.0, 0.0];
+    let still = bond::State {
+        slip: [0.0; 2],
+        ..memory.law
+    };
+    let stored = |at: &[f64; 3]| bond::stored(facet.stiffness, &start, &[at[0], 0.0, 0.0], &still);
+    let work = 0.5 * (t[0] + t[1]) * (at[1][0] - at[0][0]);
+    work - (stored(at[1]) - stored(at[0]))
+}
+
+/// Takes a new state of a point over; whether it has broken just now. `t` is the traction (Pa) that tells how.
+pub fn commit(
+    memory: &mut Memory,
+    law: &BondLaw,
+    after: bond::State,
+    t: &bond::Traction,
+    time: f64,
+) -> bool {
+    let breaks = after.damage >= 1.0 && memory.law.damage < 1.0;
+    memory.law = after;
+    if breaks {
+        let mode = law.strength.map(|s| s.utilisation(t).1);
+        memory.state = match mode {
+            Some(bond::Mode::Tension) | None => State::Opened,
+            Some(bond::Mode::Shear) => State::Sheared,
+        };
+        memory.broken_at = time;
+        memory.untold = true;
+    }
+    breaks
+}
+
+/// Traction (n, b, c) of a point at a jump (m) and its state there; `breaks`: whether a brittle one may break.
+#[must_use]
+pub fn respond(
+    law: &BondLaw,
+    springs: bond::Springs,
+    memory: &Memory,
+    at: &[f64; 3],
+    breaks: bool,
+) -> (bond::Traction, bond::State) {
+    match (&law.strength, &law.cohesive) {
+        // A notch in an elastic model.
+        (None, _) if memory.law.damage >= 1.0 => {
+            bond::contact(springs, 0.0, &memory.start, at, &memory.law)
+        }
+        (None, _) => (bond::connect(springs, &memory.start, at), memory.law),
+        (Some(_), Some(cohesive)) => {
+            bond::cohesive(springs, cohesive, &memory.start, at, &memory.law)
+        }
+        (Some(strength), None) if breaks => {
+            bond::brittle(springs, strength, &memory.start, at, &memory.law)
+        }
+        (Some(strength), None) if memory.law.damage >= 1.0 => bond::contact(
+            springs,
+            strength.residual_friction,
+            &memory.start,
+            at,
+            &memory.law,
+        ),
+        (Some(_), None) => (bond::connect(springs, &memory.start, at), memory.law),
+    }
+}
+
+/// Whether a linear facet has a point beyond its strength.
+fn fails(strength: &Strength, facet: &Facet, points: &[Point], slots: &[[f64; 3]]) -> bool {
+    let n = facet.now[0];
+    points.iter().zip(slots).any(|(point, slot)| {
+        let t = Vec3::from_array(*slot) / point.area;
+        let sigma = t.dot(n);
+        let shear = (t.length_squared() - sigma * sigma).max(0.0).sqrt();
+        strength.failure(&[sigma, shear, 0.0]).is_some()
+    })
+}
+
+/// Sums the forces of points on rigid blocks, in the order of the facets.
+fn push_rigid(world: &World, deform: &Deform, work: &Workspace, pushed: &mut Vec<Push>) {
+    if work.links.on_rigid.is_empty() {
+        return;
+    }
+    pushed.resize(world.alive.len(), Push::default());
+    if world.cavities.is_empty() {
+        pushed.fill(Push::default());
+    }
+    let anchors = Anchors::new(world, deform);
+    for &k in &work.links.on_rigid {
+        let facet = &deform.facets[k as usize];
+        for (side, sign) in [(0, 1.0), (1, -1.0)] {
+            let Some(b) = rigid(facet, side) else {
+                continue;
+            };
+            let push = &mut pushed[b as usize];
+            for p in facet.points() {
+                let force = sign * Vec3::from_array(work.slots[p]);
+                let arm = Vec3::from_array(deform.points[p].anchors[side].weights);
+                push.force += force;
+                push.moment += anchors.arm(b as usize, arm).cross(force);
+            }
+        }
+    }
+}

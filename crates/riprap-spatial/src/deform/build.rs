@@ -1,0 +1,545 @@
+//! From plain data to deformable blocks: nodes, kinds, facets between faces, held nodes, loaded faces.
+
+use std::collections::BTreeMap;
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::Tetrahedra;
+
+use super::hold::Hold;
+use super::store::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
+use super::workspace::{Kind, Workspace, centred};
+use crate::boundary::Face;
+use crate::build::{BuildError, Overlap};
+use crate::dynamics::{Formula, TimeFunction};
+use crate::setup::deform::{BondLaw, NodeHold};
+use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
+use crate::world::World;
+
+/// Cosine beyond which two normals are the same.
+const PARALLEL: f64 = 1.0 - 1e-9;
+/// Share of a face's area below which a node of it counts as covered.
+const COVERED: f64 = 1e-9;
+
+/// The deformable blocks of a world with their nodes, without bonds; `None` if all are rigid.
+///
+/// # Errors
+/// A material without moduli, a block that cannot be divided.
+pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
+    let setup = &world.setup;
+    if setup.deform.sets.iter().all(|s| s.blocks.is_empty()) {
+        return Ok(None);
+    }
+    let mut deform = Deform {
+        slot: vec![RIGID; setup.blocks.len()],
+        breaking: true,
+        ..Deform::default()
+    };
+    let mut known: BTreeMap<[u64; 4], u32> = BTreeMap::new();
+    let mut set_of = vec![usize::MAX; setup.blocks.len()];
+    for (k, set) in setup.deform.sets.iter().enumerate() {
+        for &b in &set.blocks {
+            set_of[b as usize] = k;
+        }
+    }
+    for (b, spec) in setup.blocks.iter().enumerate() {
+        let Some(set) = setup.deform.sets.get(set_of[b]) else {
+            continue;
+        };
+        let material = &setup.materials[usize::from(spec.material)];
+        needs(material, "its deformable blocks")?;
+        let (solid, centre) = centred(&spec.shape);
+        let mesh = Tetrahedra::new(&solid).map_err(|error| BuildError::Shape {
+            block: world.name(b),
+            reason: error.to_string(),
+        })?;
+        let key = match &spec.shape {
+            Shape::Brick { half, .. } => {
+                let [x, y, z] = half.to_array().map(f64::to_bits);
+                Some([x, y, z, u64::from(spec.material)])
+            }
+            Shape::Polyhedron(_) => None,
+        };
+        let kind = key.and_then(|k| known.get(&k).copied()).unwrap_or_else(|| {
+            deform.kinds.push(b as u32);
+            deform.kinds.len() as u32 - 1
+        });
+        if let Some(key) = key {
+            known.insert(key, kind);
+        }
+        deform.slot[b] = deform.bodies.len() as u32;
+        deform.bodies.push(Body {
+            block: b as u32,
+            kind,
+            first: deform.nodes.len() as u32,
+            count: mesh.nodes.len() as u32,
+            strain: set.strain,
+            alive: world.alive[b],
+        });
+        for node in &mesh.nodes {
+            let place = *node + centre;
+            let global = place + setup.origin;
+            let u = field(&set.displacement, global);
+            let v = spec.velocity + spec.spin.cross(*node) + field(&set.velocity, global);
+            deform.nodes.place.push(place);
+            deform.nodes.moved.push(u.to_array());
+            deform.nodes.rate.push(v.to_array());
+        }
+        if let Some(in_situ) = &setup.in_situ {
+            deform
+                .start
+                .push(super::in_situ::start(in_situ, &mesh, centre));
+        }
+    }
+    Ok(Some(deform))
+}
+
+/// Young's modulus and Poisson's ratio of a material.
+fn needs(material: &Material, need: &'static str) -> Result<[f64; 2], BuildError> {
+    let moduli = material.young.zip(material.poisson);
+    moduli
+        .map(|(young, poisson)| [young, poisson])
+        .ok_or_else(|| BuildError::NoModulus {
+            material: material.name.clone(),
+            need,
+        })
+}
+
+/// Value of a vector field at a place (m, global); a component without formula is zero.
+fn field(formulas: &[Option<Formula>; 3], at: Vec3) -> Vec3 {
+    let value = |f: &Option<Formula>| {
+        f.as_ref()
+            .map_or(0.0, |f| f.value(&[("x", at.x), ("y", at.y), ("z", at.z)]))
+    };
+    Vec3::from_array(formulas.each_ref().map(value))
+}
+
+/// Joins blocks along the overlaps of their faces, at least one of the two deformable: facets with their points, in
+/// the order of the overlaps.
+///
+/// # Errors
+/// No bond law for the two materials, or one that lacks moduli.
+pub fn join(
+    world: &World,
+    deform: &mut Deform,
+    kinds: &[Kind],
+    overlaps: &[Overlap],
+) -> Result<(), BuildError> {
+    for overlap in overlaps {
+        let blocks = overlap.blocks.map(|b| b as usize);
+        let specs = blocks.map(|b| &world.setup.blocks[b]);
+        let materials = specs.map(|s| usize::from(s.material));
+        let count = world.setup.materials.len();
+        let row = world.setup.pair_table[materials[0] * count + materials[1]];
+        let bonds = &world.setup.deform.bonds;
+        let Some(Some(law)) = bonds.get(usize::from(row)) else {
+            return Err(BuildError::NoBond {
+                interface: world.setup.interfaces[usize::from(row)].name.clone(),
+                blocks: blocks.map(|b| world.name(b)),
+            });
+        };
+        let rigid = blocks.map(|b| deform.body(b).is_none());
+        let n = overlap.frame[0];
+        let depths = [overlap.arms[0].dot(n), -overlap.arms[1].dot(n)];
+        let stiffness = stiffness(&world.setup, law, materials, rigid, depths)?;
+        let first = deform.points.len() as u32;
+        let points = super::overlay::points(world, deform, kinds, overlap);
+        let starts = super::in_situ::tractions(world, deform, kinds, overlap, &points);
+        let memory = |start| Memory {
+            start,
+            ..Memory::default()
+        };
+        deform.worn.push(world.setup.in_situ.is_some());
+        deform.memory.extend(starts.into_iter().map(memory));
+        deform.facets.push(Facet {
+            blocks: overlap.blocks,
+            frame: overlap.frame,
+            now: overlap.frame,
+            centre: world.reference[blocks[0]] + overlap.arms[0],
+            area: points.iter().map(|p| p.area).sum(),
+            first,
+            count: points.len() as u32,
+            stiffness,
+            row,
+            rigid,
+            whole_until: 0,
+        });
+        deform.points.extend(points);
+    }
+    Ok(())
+}
+
+/// Where a point of a facet was at the start on one side, m (local).
+#[must_use]
+pub fn place(world: &World, deform: &Deform, facet: &Facet, point: &Point, side: usize) -> Vec3 {
+    let anchor = &point.anchors[side];
+    if facet.rigid[side] {
+        let centroid = world.reference[facet.blocks[side] as usize];
+        return centroid + Vec3::from_array(anchor.weights);
+    }
+    let nodes = anchor.nodes.iter().zip(anchor.weights);
+    nodes
+        .map(|(n, w)| w * deform.nodes.place[*n as usize])
+        .sum()
+}
+
+/// Breaks the bonds of notches.
+///
+/// # Errors
+/// A notch off every face.
+fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
+    let slack = Vec3::splat(1e-6 * world.finest());
+    for notch in &world.setup.deform.notches {
+        let [min, max] = notch.corners;
+        let inside = |at: Vec3| at.cmpge(min - slack).all() && at.cmple(max + slack).all();
+        let mut found = false;
+        for (k, facet) in deform.facets.iter().enumerate() {
+            let whole = !notch.springs && inside(facet.centre);
+            for p in facet.points() {
+                let own = || inside(place(world, deform, facet, &deform.points[p], 0));
+                if whole || (notch.springs && own()) {
+                    found = true;
+                    deform.worn[k] = true;
+                    deform.memory[p].law.damage = 1.0;
+                    deform.memory[p].state = State::Opened;
+                }
+            }
+        }
+        if !found {
+            let at = (min + world.setup.origin).to_array();
+            return Err(BuildError::NoFacet { at });
+        }
+    }
+    Ok(())
+}
+
+/// Normal and shear stiffness (Pa/m) of a facet: the bond, and the half blocks of rigid sides, in series.
+///
+/// A rigid block of a lattice has its own compliance, `h/M` and `h/2G` with h from centroid to face, which a deformable one
+/// brings along: without it a P wave would be reflected.
+pub(super) fn stiffness(
+    setup: &Setup,
+    law: &BondLaw,
+    materials: [usize; 2],
+    rigid: [bool; 2],
+    depths: [f64; 2],
+) -> Result<[f64; 2], BuildError> {
+    let mut compliance = [0.0; 2];
+    if let Some([e, g]) = law.moduli {
+        compliance = [law.thickness / e, law.thickness / g];
+    }
+    for side in 0..2 {
+        let material = &setup.materials[materials[side]];
+        let [young, poisson] = needs(material, "the stiffness of its bonds")?;
+        let g = young / (2.0 * (1.0 + poisson));
+        if law.moduli.is_none() {
+            compliance[0] += 0.5 * law.thickness / young;
+            compliance[1] += 0.5 * law.thickness / g;
+        }
+        if rigid[side] {
+            let m = material.constrained_modulus().unwrap_or(young);
+            compliance[0] += depths[side] / m;
+            compliance[1] += depths[side] / (2.0 * g);
+        }
+    }
+    Ok(compliance.map(|c| 1.0 / c))
+}
+
+/// Face of a kind with the outward normal `n`, the nearest to `at` (m from the centroid) of several.
+#[must_use]
+pub fn face_of(kind: &Kind, n: Vec3, at: Vec3) -> usize {
+    face_with(&kind.mesh, kind.faces.len(), n, at)
+}
+
+/// As [`face_of`], for the first `count` faces of a mesh about its centroid.
+#[must_use]
+pub fn face_with(mesh: &Tetrahedra, count: usize, n: Vec3, at: Vec3) -> usize {
+    let mut best = (0, f64::NEG_INFINITY, f64::INFINITY);
+    for face in 0..count {
+        let mut area = Vec3::ZERO;
+        for triangle in mesh.fan(face) {
+            let [m, a, b] = triangle.map(|k| mesh.nodes[k as usize]);
+            area += (a - m).cross(b - m);
+        }
+        let cosine = area.normalize().dot(n);
+        let centre = mesh.nodes[mesh.nodes.len() - 1 - count + face];
+        let distance = centre.distance_squared(at);
+        let both = cosine > PARALLEL && best.1 > PARALLEL;
+        if (both && distance < best.2) || (!both && cosine > best.1) {
+            best = (face, cosine, distance);
+        }
+    }
+    best.0
+}
+
+/// Gives faces of deformable blocks their conditions, and nodes their supports. Faces that no condition concerns are
+/// left out.
+///
+/// # Errors
+/// A box without nodes.
+pub fn conditions(
+    world: &World,
+    deform: &mut Deform,
+    kinds: &[Kind],
+    faces: &[Face],
+    walls: &[SoftWall],
+) -> Result<(), BuildError> {
+    let covered = covered(deform);
+    for wall in walls {
+        let Some(&body) = deform.body(wall.block as usize) else {
+            continue;
+        };
+        let face = face_of(&kinds[body.kind as usize], wall.normal, wall.arm);
+        let surface = free(deform, kinds, &covered, body, face, wall.normal);
+        // Several removed blocks may share one face.
+        let same = |s: &Surface| s.body == surface.body && s.normal.dot(wall.normal) > PARALLEL;
+        if deform.surfaces.iter().any(same) {
+            continue;
+        }
+        let acts = Acts::Cavity(wall.source);
+        deform.surfaces.push(Surface { acts, ..surface });
+    }
+    for face in faces {
+        let (Some(boundary), Some(&body)) = (face.boundary, deform.body(face.block as usize))
+        else {
+            continue;
+        };
+        let normal = face.frame[0];
+        let number = face_of(&kinds[body.kind as usize], normal, face.arm);
+        let surface = free(deform, kinds, &covered, body, number, normal);
+        let acts = Acts::Boundary(boundary);
+        let surface = Surface { acts, ..surface };
+        // Several free parts of one face make one surface.
+        if let Some(last) = deform.surfaces.last_mut()
+            && last.body == surface.body
+            && last.normal.dot(normal) > PARALLEL
+        {
+            *last = surface;
+            continue;
+        }
+        deform.surfaces.push(surface);
+    }
+    for hold in &world.setup.deform.holds {
+        if inside(world, deform, hold).is_empty() {
+            let at = (hold.min + world.setup.origin).to_array();
+            return Err(BuildError::NoNode { at });
+        }
+    }
+    deform.holds = holds(world, deform);
+    hold_now(deform, world.time);
+    Ok(())
+}
+
+/// The part of a face of a body that no facet covers.
+fn free(
+    deform: &Deform,
+    kinds: &[Kind],
+    covered: &BTreeMap<(u32, [i64; 3]), f64>,
+    body: Body,
+    face: usize,
+    normal: Vec3,
+) -> Surface {
+    let kind = &kinds[body.kind as usize];
+    let shares = kind.mesh.tributary(face);
+    let whole: f64 = shares.iter().map(|s| s.1).sum();
+    let centre = deform.nodes.place[body.nodes().end - 1].z;
+    let levers = super::in_situ::levers(&kind.mesh, face);
+    let (mut nodes, mut heights) = (Vec::new(), Vec::new());
+    for (node, area) in shares {
+        let height = centre + levers[&node].z;
+        let node = body.first + node;
+        let key = (node, axis_key(normal));
+        let left = area - covered.get(&key).copied().unwrap_or(0.0);
+        if left > COVERED * whole {
+            nodes.push((node, left));
+            heights.push(height);
+        }
+    }
+    Surface {
+        body: deform.slot[body.block as usize],
+        acts: Acts::Boundary(0),
+        normal,
+        nodes,
+        heights,
+    }
+}
+
+/// Prescribed motion of nodes: of those on faces with a condition, of supported blocks, of nodes in boxes.
+fn holds(world: &World, deform: &Deform) -> Vec<Hold> {
+    let mut holds = Holds::new();
+    for surface in &deform.surfaces {
+        let Some(boundary) = surface.boundary() else {
+            continue;
+        };
+        let kind = &world.setup.boundaries[boundary].kind;
+        for &(node, _) in &surface.nodes {
+            on_surface(hold_of(&mut holds, node), kind, surface.normal);
+        }
+    }
+    supports(world, deform, &mut holds);
+    for hold in &world.setup.deform.holds {
+        for node in inside(world, deform, hold) {
+            drive(hold_of(&mut holds, node), &hold.velocity);
+        }
+    }
+    holds.into_values().filter(|h| !h.is_free()).collect()
+}
+
+type Holds = BTreeMap<u32, Hold>;
+
+fn hold_of(holds: &mut Holds, node: u32) -> &mut Hold {
+    holds.entry(node).or_insert_with(|| Hold::new(node))
+}
+
+/// Finds the prescribed motion of nodes anew, after supports have changed.
+pub fn hold_anew(world: &World, deform: &mut Deform) {
+    deform.holds = holds(world, deform);
+}
+
+/// A rounded normal, to tell the faces of a node apart.
+fn axis_key(n: Vec3) -> [i64; 3] {
+    n.to_array().map(|c| (c * 1e6).round() as i64)
+}
+
+/// Area that facets cover, by node and outward normal.
+fn covered(deform: &Deform) -> BTreeMap<(u32, [i64; 3]), f64> {
+    let mut sums = BTreeMap::new();
+    for facet in &deform.facets {
+        for side in (0..2).filter(|s| !facet.rigid[*s]) {
+            let normal = if side == 0 {
+                facet.frame[0]
+            } else {
+                -facet.frame[0]
+            };
+            for point in &deform.points[facet.points()] {
+                let anchor = &point.anchors[side];
+                for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
+                    if weight != 0.0 {
+                        *sums.entry((*node, axis_key(normal))).or_insert(0.0) +=
+                            weight * point.area;
+                    }
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// Prescribes what a condition on a face says.
+fn on_surface(hold: &mut Hold, kind: &BoundaryKind, normal: Vec3) {
+    match kind {
+        BoundaryKind::Held {
+            normal: true,
+            shear: true,
+        } => Vec3::AXES.into_iter().for_each(|axis| hold.add(axis, None)),
+        BoundaryKind::Held {
+            normal: across,
+            shear,
+        } => {
+            if *across {
+                hold.add(normal, None);
+            }
+            if *shear {
+                let (b, c) = normal.any_orthonormal_pair();
+                hold.add(b, None);
+                hold.add(c, None);
+            }
+        }
+        BoundaryKind::Moved { velocity } => {
+            for (axis, f) in Vec3::AXES.into_iter().zip(velocity) {
+                if let Some(f) = f {
+                    hold.add(axis, Some(f.clone()));
+                }
+            }
+        }
+        BoundaryKind::Viscous { .. } | BoundaryKind::Traction { .. } => {}
+    }
+}
+
+/// Supports of blocks, for all their nodes.
+fn supports(world: &World, deform: &Deform, holds: &mut Holds) {
+    for body in deform.living() {
+        let Some(motion) = world.motion[body.block as usize].as_deref() else {
+            continue;
+        };
+        let still = |held: bool| held.then_some(TimeFunction::Constant(0.0));
+        let velocity = match motion {
+            Motion::Fixed { translation, .. } => translation.map(still),
+            Motion::Velocity { translation, .. } => translation.clone(),
+            // Refused when the model is made.
+            Motion::Acceleration { .. } => continue,
+        };
+        for node in body.nodes() {
+            drive(hold_of(holds, node as u32), &velocity);
+        }
+    }
+}
+
+fn drive(hold: &mut Hold, velocity: &[Option<TimeFunction>; 3]) {
+    for (axis, f) in Vec3::AXES.into_iter().zip(velocity) {
+        if let Some(f) = f {
+            hold.add(axis, Some(f.clone()));
+        }
+    }
+}
+
+/// Nodes of living blocks in the box of a support, its surface included.
+fn inside(world: &World, deform: &Deform, hold: &NodeHold) -> Vec<u32> {
+    let slack = Vec3::splat(1e-6 * world.finest());
+    let (min, max) = (hold.min - slack, hold.max + slack);
+    let there = |node: &usize| {
+        let place = deform.nodes.place[*node];
+        place.cmpge(min).all() && place.cmple(max).all()
+    };
+    let nodes = deform.living().flat_map(Body::nodes);
+    nodes.filter(there).map(|node| node as u32).collect()
+}
+
+/// Gives held nodes their prescribed velocities at time `t` (s).
+pub fn hold_now(deform: &mut Deform, t: f64) {
+    let dynamic = deform.relax.is_none();
+    for hold in &deform.holds {
+        let v = Vec3::from_array(deform.nodes.rate[hold.node as usize]);
+        let target = if dynamic {
+            hold.velocity(t)
+        } else {
+            Vec3::ZERO
+        };
+        deform.nodes.rate[hold.node as usize] = (hold.free * v + target).to_array();
+    }
+}
+
+/// A face of a deformable block at a cavity.
+#[derive(Clone, Copy, Debug)]
+pub struct SoftWall {
+    /// Index into `Setup::sources`.
+    pub source: u16,
+    /// The block.
+    pub block: u32,
+    /// Unit outward normal.
+    pub normal: Vec3,
+    /// Centre of the face from the centroid of the block, m.
+    pub arm: Vec3,
+}
+
+/// Bonds and conditions of a new world; gives back the faces of rigid blocks.
+///
+/// # Errors
+/// As [`join`] and [`conditions`].
+pub fn finish(
+    world: &mut World,
+    overlaps: &[Overlap],
+    faces: Vec<Face>,
+    walls: &[SoftWall],
+) -> Result<Vec<Face>, BuildError> {
+    let Some(mut deform) = world.deform.take() else {
+        return Ok(faces);
+    };
+    let work = Workspace::new(&world.setup, &deform);
+    join(world, &mut deform, &work.kinds, overlaps)?;
+    notch(world, &mut deform)?;
+    conditions(world, &mut deform, &work.kinds, &faces, walls)?;
+    let rigid = |f: &Face| deform.body(f.block as usize).is_none();
+    let faces = faces.into_iter().filter(rigid).collect();
+    world.deform = Some(deform);
+    Ok(faces)
+}

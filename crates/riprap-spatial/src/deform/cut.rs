@@ -1,0 +1,291 @@
+//! Cutting deformable blocks by planes where they are about to break.
+//!
+//! One transaction, as splitting 1 to 8: plan (read only) -> apply -> audit -> lay out and evaluate anew. It happens
+//! between `step::evaluate` and `step::advance`, in static phases at a converged state only. Displacements and velocities
+//! are those of the tetrahedra of the parent; mass, momentum and angular momentum stay. The bonds of a cut block
+//! are made anew by overlay: those with neighbours keep the stretch (and with it traction, breaks, softening and slip) that they
+//! had, those between parts begin with the traction that the parent's stress has on the plane. Nothing is tested for
+//! failure before the forces have converged again. What a cut does to the energy is booked as edit defect.
+//!
+//! Source: Han, Liu & Li (2010), section 3. Deviations: the criterion, the direction and the planes are those of
+//! `laws::fracture` and `riprap_geom::polyhedron::cut`; bonds start under load and by overlay.
+
+mod apply;
+mod facets;
+mod follow;
+mod pressed;
+mod select;
+mod stretch;
+pub mod tip;
+mod transfer;
+
+use transfer::Handed;
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::cut::Part;
+
+use super::fracture::LOOK;
+use super::stable;
+use super::workspace::Kind;
+use crate::cavity;
+use crate::edit::{EditError, EditEvent, EditKind};
+use crate::fields::View;
+use crate::laws::fracture::Way;
+use crate::refine::RefineError;
+use crate::setup::Shape;
+pub use crate::setup::deform::{Anchoring as Anchor, CutRules as Rules};
+pub use crate::state::cutting::{Cutting, Effort};
+pub use crate::state::event::Note;
+use crate::step::{self, Scratch};
+use crate::world::World;
+
+/// Most blocks that a model may have after a cut.
+const MAX_BLOCKS: usize = 4_000_000;
+/// Share by which sums may change.
+const EXACT: f64 = 1e-11;
+/// Share by which the shared area may change: crooked faces.
+const AREA: f64 = 1e-3;
+/// Largest ratio of the kinetic energies after and before; a block that would have more is not cut.
+const KINETIC: f64 = 1.005;
+
+/// A block to be cut.
+struct Cut {
+    block: u32,
+    note: Note,
+    /// Parts, about the centroid of the block.
+    parts: Vec<Part>,
+    /// Their shapes in the frame of the model.
+    shapes: Vec<Shape>,
+    /// Their kinds.
+    kinds: Vec<Kind>,
+    /// What they take over.
+    handed: Handed,
+}
+
+/// Lets the present phase cut blocks, or not.
+pub fn allow(world: &mut World, rules: Option<&Rules>) {
+    let blocks = world.alive.len() as u32;
+    let step = world.step;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return;
+    };
+    deform.given.get_or_insert(blocks);
+    deform.cutting = rules.map(|rules| Cutting {
+        rules: *rules,
+        // The state that a phase begins with may not have been relaxed by its rules.
+        looked: step,
+        stages: 0,
+    });
+}
+
+/// Cuts the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance` with the same
+/// `dt` (s); a second call at the same step does nothing.
+///
+/// # Errors
+/// Too many blocks, no bond law, forces that are not finite, a failed audit.
+pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, EditError> {
+    let now = world.step;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return Ok(0);
+    };
+    let ready = match &deform.relax {
+        Some(relax) => relax.converged,
+        None => now.is_multiple_of(LOOK) && now > 0,
+    };
+    let Some(cutting) = deform.cutting.as_mut().filter(|_| ready) else {
+        return Ok(0);
+    };
+    if cutting.looked == now || cutting.stages >= cutting.rules.stages {
+        return Ok(0);
+    }
+    cutting.looked = now;
+    let rules = cutting.rules;
+    let cuts = select::plan(&View { world, scratch }, &rules);
+    if cuts.is_empty() {
+        return Ok(0);
+    }
+    let new: usize = cuts.iter().map(|c| c.parts.len()).sum();
+    if world.alive.len() + new > MAX_BLOCKS {
+        return Err(RefineError::TooMany.into());
+    }
+    let before = View { world, scratch }.balance().residual();
+    let count = cuts.len();
+    carry_out(world, scratch, cuts)?;
+    if let Some(deform) = world.deform.as_deref_mut() {
+        if let Some(cutting) = &mut deform.cutting {
+            cutting.stages += 1;
+        }
+        if let Some(relax) = &mut deform.relax {
+            relax.disturb();
+        }
+    }
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
+    let view = View { world, scratch };
+    let (after, ratio) = (view.balance().residual(), view.soft_unbalanced());
+    world.works.edit_defect += after - before;
+    if let Some(deform) = world.deform.as_deref_mut() {
+        deform.cut_blocks += count as u64;
+        deform.cut_unbalanced = deform.cut_unbalanced.max(ratio.unwrap_or(0.0));
+    }
+    Ok(count)
+}
+
+/// Cuts one block as told and evaluates anew, for tests and tools; returns its parts.
+///
+/// # Errors
+/// As [`step()`].
+pub fn one(
+    world: &mut World,
+    scratch: &mut Scratch,
+    (block, normal, planes): (u32, Vec3, u32),
+    dt: f64,
+) -> Result<Vec<u32>, EditError> {
+    let blocks = world.alive.len() as u32;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return Ok(Vec::new());
+    };
+    deform.given.get_or_insert(blocks);
+    let Some(parts) = select::divide(world, block, normal, planes, (0.03, 0.0), None) else {
+        return Ok(Vec::new());
+    };
+    let note = Note {
+        normal,
+        way: Way::Tension,
+        excess: 0.0,
+    };
+    let view = View { world, scratch };
+    let Some((deform, work)) = view.softs() else {
+        return Ok(Vec::new());
+    };
+    let Some(body) = deform.body(block as usize) else {
+        return Ok(Vec::new());
+    };
+    let cut = select::cut(world, (deform, work), body, note, parts);
+    let before = View { world, scratch }.balance().residual();
+    carry_out(world, scratch, vec![cut])?;
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.edit_defect += after - before;
+    Ok((blocks..world.alive.len() as u32).collect())
+}
+
+/// Does it all but the evaluation.
+fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
+    let kinds = world.deform.as_ref().map_or(0, |d| d.kinds.len());
+    let made = edit(world, scratch, &cuts)?;
+    scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.kinds));
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
+    else {
+        return Ok(());
+    };
+    let mut known = std::mem::take(&mut work.alone);
+    let mut frequencies = 0;
+    if deform.relax.is_none() {
+        // The facets that were made stand last.
+        for facet in &deform.facets[deform.facets.len() - made..] {
+            for block in facet.blocks {
+                if let Some(known) = known.get_mut(deform.slot[block as usize] as usize) {
+                    *known = f64::NAN;
+                }
+            }
+        }
+        (known, frequencies) = stable::alone::each(deform, work, known, &scratch.exec);
+        work.alone = known;
+    }
+    work.effort = Effort {
+        kinds: deform.kinds.len() - kinds,
+        facets: made,
+        frequencies,
+    };
+    Ok(())
+}
+
+/// Cuts, in the lists of the world; returns the number of facets made.
+fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, EditError> {
+    let walls = cavity::soft_state(world);
+    let (Some(mut deform), Some(work)) = (world.deform.take(), scratch.deform.as_deref()) else {
+        return Ok(0);
+    };
+    let first = world.alive.len() as u32;
+    let mut next = first;
+    let families: Vec<Family> = cuts
+        .iter()
+        .map(|cut| {
+            let family = Family {
+                cut,
+                first: next,
+                slot: deform.slot[cut.block as usize],
+            };
+            next += cut.parts.len() as u32;
+            family
+        })
+        .collect();
+    apply::append(world, &mut deform, &families);
+    follow::follow(&mut world.setup, &families);
+    let result = audit(world, &families)
+        .and_then(|()| facets::rebuild(world, &mut deform, work, &families, &scratch.exec));
+    let (counts, made) = match result {
+        Ok(done) => done,
+        Err(error) => {
+            world.deform = Some(deform);
+            return Err(error);
+        }
+    };
+    for (family, counts) in families.iter().zip(counts) {
+        apply::retire(world, &mut deform, family);
+        let event = EditEvent {
+            children: family.children().collect(),
+            patches: counts,
+            cut: Some(family.cut.note),
+            ..world.event(EditKind::Cut, family.cut.block)
+        };
+        world.events.push(event);
+    }
+    super::build::hold_anew(world, &mut deform);
+    world.deform = Some(deform);
+    cavity::renew_soft(world, &walls);
+    Ok(made)
+}
+
+/// A cut block and its parts.
+struct Family<'a> {
+    cut: &'a Cut,
+    /// Block number of the first part.
+    first: u32,
+    /// Place of the parent in `Deform::bodies`.
+    slot: u32,
+}
+
+impl Family<'_> {
+    fn children(&self) -> std::ops::Range<u32> {
+        self.first..self.first + self.cut.parts.len() as u32
+    }
+}
+
+/// Checks that the parts of each block have its mass and momenta; that they have no more energy of motion is seen to before.
+fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
+    for family in families {
+        let Handed { before, after, .. } = &family.cut.handed;
+        let check = |what, before: f64, after: f64, scale: f64| {
+            if (after - before).abs() <= EXACT * scale.abs().max(f64::MIN_POSITIVE) {
+                return Ok(());
+            }
+            let block = world.name(family.cut.block as usize);
+            Err(EditError::Audit {
+                what,
+                block,
+                before,
+                after,
+            })
+        };
+        check("the mass", before.mass, after.mass, before.mass)?;
+        let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();
+        let radius = world.solid_of(family.cut.block as usize).radius + before.centre.length();
+        for k in 0..3 {
+            check("the momentum", before.momentum[k], after.momentum[k], scale)?;
+            let (one, two) = (before.spin[k], after.spin[k]);
+            check("the angular momentum", one, two, scale * radius)?;
+        }
+    }
+    Ok(())
+}

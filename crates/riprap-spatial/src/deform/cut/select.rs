@@ -1,0 +1,252 @@
+//! Which blocks are cut, and by which planes.
+
+use riprap_geom::polyhedron::cut::{self, FaceOrigin, Limits, Part, Planes};
+use riprap_geom::{Mat3, Vec3};
+
+use super::tip::{self, Tip};
+use super::{Anchor, Cut, KINETIC, Note, Rules, transfer};
+use crate::deform::build::stiffness;
+use crate::deform::store::{Body, Deform};
+use crate::deform::workspace::{BODIES, Kind, Workspace, centred};
+use crate::fields::View;
+use crate::laws::fracture::{self, Rock};
+use crate::laws::tetrahedron::{Symmetric, row_sums};
+use crate::setup::{Shape, Solid};
+use crate::world::World;
+
+/// The parts together must have the volume of the block up to this share.
+const SAME_VOLUME: f64 = 1e-11;
+/// A face of a part lies on a plane up to this share of the size of the part: snapping makes faces crooked.
+const ON_PLANE: f64 = 1e-2;
+
+/// Blocks whose criterion is met, in the order of their numbers, with their parts.
+pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
+    let Some((deform, work)) = view.softs() else {
+        return Vec::new();
+    };
+    let world = view.world;
+    let tips = match rules.anchor {
+        Anchor::Spacing => None,
+        Anchor::Tip { .. } => Some(tip::Front::new(world, deform)),
+    };
+    let planner = Planner {
+        world,
+        deform,
+        work,
+        rules,
+        tips,
+    };
+    let found = view.scratch.exec.map(&deform.bodies, BODIES, |some| {
+        let living = some.iter().filter(|b| b.alive);
+        living.filter_map(|b| planner.cut(b)).collect::<Vec<_>>()
+    });
+    let mut cuts: Vec<Cut> = found.into_iter().flatten().collect();
+    cuts.sort_by_key(|c| c.block);
+    cuts
+}
+
+/// What is the same for all blocks.
+struct Planner<'a> {
+    world: &'a World,
+    deform: &'a Deform,
+    work: &'a Workspace,
+    rules: &'a Rules,
+    /// Where cuts begin; `None` where they may begin anywhere.
+    tips: Option<tip::Front>,
+}
+
+impl Planner<'_> {
+    /// The cut of a block whose criterion is met.
+    fn cut(&self, body: &Body) -> Option<Cut> {
+        let (world, deform, work, rules) = (self.world, self.deform, self.work, self.rules);
+        let block = body.block;
+        if generation(world, deform, block) >= rules.generations {
+            return None;
+        }
+        let rock = rock(world, block)?;
+        let tip = match &self.tips {
+            None => None,
+            Some(front) => Some(front.touching(world, deform, block)?),
+        };
+        let (stress, gradient) = deform.average(work, body);
+        let principal = fracture::principal(&symmetric(&stress), rules.along);
+        let verdict = fracture::assess(&rock, rules.criterion, &rules.margins, &principal);
+        if !verdict.cut() {
+            return None;
+        }
+        let normal = fracture::cut_normal(&rock, verdict.way, &principal, &gradient, None);
+        // A part gets the plane that was missing, not a full set.
+        let planes = if tip.is_some() && generation(world, deform, block) > 0 {
+            1
+        } else {
+            rules.planes
+        };
+        let at = tip.map(|t| t.at);
+        let limits = (rules.snap, rules.smallest);
+        let parts = divide(world, block, normal, planes, limits, at)
+            .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)))?;
+        let note = Note {
+            normal,
+            way: verdict.way,
+            excess: verdict.excess,
+        };
+        let cut = cut(world, (deform, work), body, note, parts);
+        // Velocities and time steps mean nothing while everything relaxes.
+        let moving = deform.relax.is_none();
+        let fast = |cut: &Cut| cut.handed.after.kinetic > KINETIC * cut.handed.before.kinetic;
+        if moving && (fast(&cut) || too_slow(world, work.kind(body), &cut, rules)) {
+            return None;
+        }
+        Some(cut)
+    }
+}
+
+/// The cut of a body into parts (about its centroid), with what they take over from it.
+pub(super) fn cut(
+    world: &World,
+    (deform, work): (&Deform, &Workspace),
+    body: &Body,
+    note: Note,
+    mut parts: Vec<Part>,
+) -> Cut {
+    let block = body.block;
+    let centre = world.reference[block as usize];
+    let shape = |part: &Part| {
+        Shape::Polyhedron(Box::new(Solid {
+            vertices: part.solid.vertices.iter().map(|v| *v + centre).collect(),
+            faces: part.solid.faces.clone(),
+        }))
+    };
+    let shapes: Vec<Shape> = parts.iter().map(shape).collect();
+    let material = world.setup.blocks[block as usize].material;
+    // As they will be made from the shapes after a restart, to the last bit.
+    let kind = |shape| Kind::new(&world.setup, deform, (shape, material), false);
+    let kinds: Vec<Kind> = shapes.iter().map(kind).collect();
+    let handed = transfer::hand_on(deform, work, body, &parts, &kinds);
+    for part in &mut parts {
+        // Nobody asks for them any more, and there may be very many parts.
+        part.mesh.gradients = Vec::new();
+    }
+    Cut {
+        block,
+        note,
+        parts,
+        shapes,
+        kinds,
+        handed,
+    }
+}
+
+/// Whether a part would need a time step below the floor.
+fn too_slow(world: &World, parent: &Kind, cut: &Cut, rules: &Rules) -> bool {
+    if rules.step_floor <= 0.0 {
+        return false;
+    }
+    let m = usize::from(world.setup.blocks[cut.block as usize].material);
+    let row = world.setup.pair_table[m * world.setup.materials.len() + m];
+    let Some(Some(bond)) = world.setup.deform.bonds.get(usize::from(row)) else {
+        return false;
+    };
+    let Ok([across, along]) = stiffness(&world.setup, bond, [m; 2], [false; 2], [0.0; 2]) else {
+        return false;
+    };
+    // Gershgorin's bound of the squared frequency, with a bond on every face.
+    let bound = |kind: &Kind| {
+        let mut rows = row_sums(&kind.mesh, &kind.law);
+        for face in 0..kind.faces.len() {
+            for (node, area) in kind.mesh.tributary(face) {
+                rows[node as usize] += 2.0 * area * across.max(along);
+            }
+        }
+        let terms = rows.iter().zip(kind.masses()).map(|(k, m)| k / m);
+        terms.fold(0.0, f64::max)
+    };
+    let most = cut.kinds.iter().map(bound).fold(0.0, f64::max);
+    rules.step_floor * rules.step_floor * most > bound(parent)
+}
+
+/// Number of cuts that a block comes from.
+fn generation(world: &World, deform: &Deform, block: u32) -> u8 {
+    let given = deform.given.unwrap_or(u32::MAX);
+    let (mut b, mut count) = (block, 0);
+    while b >= given {
+        b = world.lineage[b as usize].parent;
+        count += 1;
+    }
+    count
+}
+
+/// Strength of a block: that of bonds within its material.
+fn rock(world: &World, block: u32) -> Option<Rock> {
+    let m = usize::from(world.setup.blocks[block as usize].material);
+    let row = world.setup.pair_table[m * world.setup.materials.len() + m];
+    let strength = world
+        .setup
+        .deform
+        .bonds
+        .get(usize::from(row))?
+        .as_ref()?
+        .strength?;
+    Some(Rock {
+        tension: strength.tension,
+        cohesion: strength.cohesion,
+        friction_angle: libm::atan(strength.friction),
+    })
+}
+
+fn symmetric(m: &Mat3) -> Symmetric {
+    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis];
+    [x.x, y.y, z.z, y.z, z.x, x.y]
+}
+
+/// Whether the plane through a tip leads on from it within the block.
+fn goes_on(world: &World, block: u32, normal: Vec3, parts: &[Part], tip: &Tip) -> bool {
+    let centre = world.reference[block as usize];
+    let n = normal.normalize();
+    let height = n.dot(tip.at - centre);
+    parts.iter().any(|part| {
+        let faces = part.origins.iter().enumerate();
+        let mut cuts = faces.filter(|(_, origin)| matches!(origin, FaceOrigin::Plane(_)));
+        cuts.any(|(f, _)| {
+            let middle = part.solid.face_centre(f);
+            let through = (n.dot(middle) - height).abs() <= ON_PLANE * part.solid.size();
+            through && tip.leads_to(middle + centre)
+        })
+    })
+}
+
+/// Parts of a block about its centroid; `at` (m, local) is the tip that a plane must go through. `None` where no plane
+/// can be cut, or a part would be too small.
+pub(super) fn divide(
+    world: &World,
+    block: u32,
+    normal: Vec3,
+    planes: u32,
+    (snap, smallest): (f64, f64),
+    at: Option<Vec3>,
+) -> Option<Vec<Part>> {
+    let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
+    let at = at.map(|at| at - world.reference[block as usize]);
+    let planes = match at {
+        None => Planes::Spaced { count: planes },
+        Some(at) => Planes::Anchored { count: planes, at },
+    };
+    let limits = Limits {
+        snap,
+        ..Limits::default()
+    };
+    let made = cut::cut(&solid, normal, planes, &limits).ok()?;
+    if made.parts.len() < 2 {
+        return None;
+    }
+    if let Some(at) = at {
+        let height = normal.normalize().dot(at);
+        let near = |d: &f64| (d - height).abs() <= 1e-9 * solid.size();
+        made.offsets.iter().any(near).then_some(())?;
+    }
+    let volumes = made.parts.iter().map(|p| p.mesh.volume());
+    let least = volumes.clone().fold(f64::INFINITY, f64::min);
+    let (total, whole) = (volumes.sum::<f64>(), solid.moments().volume);
+    let sound = (total - whole).abs() <= SAME_VOLUME * whole && least >= smallest.powi(3);
+    sound.then_some(made.parts)
+}

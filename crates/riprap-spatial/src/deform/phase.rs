@@ -1,0 +1,87 @@
+//! Entering phases: which masses, whether it relaxes, whether bonds may break.
+
+use super::relax::{Relax, Way};
+use super::store::{Deform, Masses};
+use crate::laws::tetrahedron::Strain;
+use crate::world::World;
+
+/// Rules of a phase for deformable blocks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rules {
+    /// Ratio of net to external forces at which a relaxing phase is converged; `None` in dynamic phases.
+    pub relax: Option<f64>,
+    /// Whether bonds may break.
+    pub breaking: bool,
+    /// Measure of strain from now on; `None` leaves it as it is.
+    pub strain: Option<Strain>,
+}
+
+/// Begins a phase; everything must be laid out anew afterwards. Nodes stop where it relaxes or has relaxed (then this
+/// returns true: the leapfrog starts again); the masses suit it.
+pub fn begin(deform: &mut Deform, rules: &Rules, time: f64) -> bool {
+    deform.breaking = rules.breaking;
+    let stops = deform.relax.is_some() || rules.relax.is_some();
+    if stops {
+        deform.nodes.rate.fill([0.0; 3]);
+    }
+    match rules.relax {
+        Some(tolerance) => {
+            deform.relax = Some(Relax::new(tolerance));
+            deform.masses = Masses::Lumped;
+        }
+        None => {
+            deform.relax = None;
+            deform.masses = Masses::Inertia;
+        }
+    }
+    super::build::hold_now(deform, time);
+    stops
+}
+
+/// Begins a phase of a world: blocks in `removed` go, supports are looked at anew; everything must be laid out anew
+/// afterwards.
+pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
+    let walls = crate::cavity::soft_state(world);
+    let Some(mut deform) = world.deform.take() else {
+        return;
+    };
+    for &block in removed {
+        deform.retire(block);
+    }
+    if !removed.is_empty() {
+        world.deform = Some(deform);
+        crate::cavity::renew_soft(world, &walls);
+        let Some(back) = world.deform.take() else {
+            return;
+        };
+        deform = back;
+    }
+    if let Some(strain) = rules.and_then(|r| r.strain) {
+        for body in &mut deform.bodies {
+            body.strain = strain;
+        }
+    }
+    super::build::hold_anew(world, &mut deform);
+    if let Some(rules) = rules
+        && begin(&mut deform, rules, world.time)
+    {
+        world.last_dt = 0.0;
+    }
+    world.deform = Some(deform);
+}
+
+/// Chooses how the present phase relaxes.
+pub fn relax_by(world: &mut World, way: Way) {
+    if let Some(relax) = world.deform.as_mut().and_then(|d| d.relax.as_mut()) {
+        relax.way = way;
+        relax.damping = way.damping.unwrap_or(relax.damping);
+    }
+}
+
+/// Lets model time pass in the coming iteration of a relaxing phase.
+pub fn load_step(world: &mut World, increment: f64) {
+    if let Some(relax) = world.deform.as_mut().and_then(|d| d.relax.as_mut()) {
+        relax.disturb();
+        relax.increment = increment;
+    }
+}

@@ -1,0 +1,162 @@
+//! Static phases: dynamic relaxation with a fictitious mass for each node.
+//!
+//! The step is 1 and `m_i = 1.05/4 sum_j |K_ij|` (rows of blocks and bonds, the largest of the three components): by Gershgorin's
+//! theorem every mode is stable, and all of them converge at a like pace whatever the size of the blocks. Damping is
+//! adaptive: every 25 iterations `c = min(1.5, 2 sqrt(-du.dr / du.M du))`, nearly critical for the mode that still moves.
+//! Converged when the net force on free nodes is below a share of the external forces or the reactions,
+//! whichever are larger.
+
+use super::store::{Deform, Facet};
+use super::workspace::{Kind, Workspace};
+pub use crate::state::relax::{Breaks, Relax, Seen, Way};
+use riprap_geom::Vec3;
+
+/// Iterations between two looks at convergence and damping.
+pub const LOOK: u32 = 25;
+/// Share by which the masses exceed the limit of stability.
+const MARGIN: f64 = 1.05;
+/// Largest damping.
+const MOST: f64 = 1.5;
+/// Forces below this share of the largest so far are none: a body in two parts would never be at rest by round-off.
+const REST: f64 = 1e-6;
+/// Damping before the first look.
+const FIRST: f64 = 0.5;
+
+impl Relax {
+    /// The start of a phase.
+    #[must_use]
+    pub fn new(tolerance: f64) -> Self {
+        Self {
+            damping: FIRST,
+            tolerance,
+            ratio: f64::INFINITY,
+            ..Self::default()
+        }
+    }
+
+    /// Begins anew: loads or bonds have changed.
+    pub fn disturb(&mut self) {
+        self.since = 0;
+        self.iterations = 0;
+        self.converged = false;
+        self.ratio = f64::INFINITY;
+        self.last = None;
+        self.energy = None;
+    }
+
+    /// Looks at convergence and damping where it is time; to be called once an iteration, after the forces are
+    /// known.
+    pub fn look(&mut self, nodes: &super::store::Nodes, work: &Workspace) {
+        let [net, reactions, external] = work.norms;
+        self.largest = self.largest.max(reactions).max(external);
+        let scale = reactions.max(external).max(REST * self.largest);
+        let ratio = if net == 0.0 { 0.0 } else { net / scale };
+        self.iterations += 1;
+        self.since += 1;
+        if self.since < LOOK {
+            return;
+        }
+        self.since = 0;
+        self.ratio = ratio;
+        self.converged = match self.way.energy {
+            None => ratio <= self.tolerance,
+            Some(share) => {
+                let energy = elastic(nodes, work);
+                let before = self.energy.replace(energy);
+                before.is_some_and(|before| (energy - before).abs() <= share * energy.abs())
+            }
+        };
+        if let Some(damping) = self.way.damping {
+            self.damping = damping;
+            return;
+        }
+        if let Some(last) = &self.last {
+            let (mut stiff, mut heavy) = (0.0, 0.0);
+            for k in 0..nodes.moved.len() {
+                let mass = work.fictitious[k];
+                for axis in 0..3 {
+                    let du = nodes.moved[k][axis] - last.moved[k][axis];
+                    stiff -= du * (work.net[k][axis] - last.net[k][axis]);
+                    heavy += mass * du * du;
+                }
+            }
+            if heavy > 0.0 {
+                self.damping = MOST.min(2.0 * (stiff / heavy).max(0.0).sqrt());
+            }
+        }
+        self.last = Some(Seen {
+            moved: nodes.moved.clone(),
+            net: work.net.clone(),
+        });
+    }
+}
+
+/// Elastic energy, J: half the work of the internal forces, exact for small strain without friction.
+fn elastic(nodes: &super::store::Nodes, work: &Workspace) -> f64 {
+    let mut sum = 0.0;
+    for (k, (u, net)) in nodes.moved.iter().zip(&work.net).enumerate() {
+        let load = work.loads.get(k).copied().unwrap_or_default();
+        for axis in 0..3 {
+            sum += u[axis] * (load[axis] - net[axis]);
+        }
+    }
+    0.5 * sum
+}
+
+/// Fictitious masses of all nodes.
+#[must_use]
+pub fn masses(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
+    let mut sums = row_sums(deform, kinds);
+    for sum in &mut sums {
+        *sum *= MARGIN / 4.0;
+    }
+    sums
+}
+
+/// Row sums `sum_j |K_ij|` of the stiffness of blocks and bonds, the largest component of each node, N/m.
+#[must_use]
+pub fn row_sums(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
+    let mut sums = vec![0.0; deform.nodes.len()];
+    for body in &deform.bodies {
+        let own = &kinds[body.kind as usize].row_sums;
+        sums[body.nodes()].copy_from_slice(own);
+    }
+    let mut bonds = vec![Vec3::ZERO; deform.nodes.len()];
+    for facet in &deform.facets {
+        let rows = rows(facet);
+        for point in &deform.points[facet.points()] {
+            let of = |side: usize| {
+                if facet.rigid[side] {
+                    1.0
+                } else {
+                    point.anchors[side].weights.iter().map(|w| w.abs()).sum()
+                }
+            };
+            let all = of(0) + of(1);
+            for side in (0..2).filter(|s| !facet.rigid[*s]) {
+                let anchor = &point.anchors[side];
+                for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
+                    bonds[*node as usize] += weight.abs() * all * point.area * rows;
+                }
+            }
+        }
+    }
+    for (sum, bond) in sums.iter_mut().zip(&bonds) {
+        *sum += bond.max_element();
+    }
+    sums
+}
+
+/// Row sums of `kn n n^T + ks (1 - n n^T)`, Pa/m.
+fn rows(facet: &Facet) -> Vec3 {
+    let n = facet.frame[0];
+    let [kn, ks] = facet.stiffness;
+    Vec3::from_array([0, 1, 2].map(|i| {
+        (0..3)
+            .map(|j| {
+                let one = if i == j { ks } else { 0.0 };
+                (one + (kn - ks) * n[i] * n[j]).abs()
+            })
+            .sum()
+    }))
+}

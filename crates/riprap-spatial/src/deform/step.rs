@@ -1,0 +1,331 @@
+//! One step of the deformable blocks: forces on nodes, velocity changes, motion.
+//!
+//! The same leapfrog and the same books as for rigid blocks: works are trapezoidal with the half-step velocities, so that their
+//! sum is exactly the change of `m v(n-1/2).v(n+1/2)/2`. While relaxing the masses are fictitious, the step is 1 s of no
+//! meaning, and model time stands still.
+
+use riprap_geom::Vec3;
+
+use super::elements;
+use super::kick::{Kick, Sums};
+use super::store::{Body, Deform};
+use super::workspace::{BODIES, Workspace};
+use crate::exec::Divide;
+use crate::lanes::Width;
+use crate::ledger::Works;
+use crate::step::{NonFinite, Scratch};
+use crate::world::World;
+
+/// What is the same for all bodies.
+struct Context<'a> {
+    deform: &'a Deform,
+    work: &'a Workspace,
+    kick: Kick<'a>,
+}
+
+/// Nodes of a run of bodies.
+struct Piece<'a> {
+    bodies: &'a [Body],
+    first: usize,
+    net: &'a mut [[f64; 3]],
+    change: &'a mut [[f64; 3]],
+    partial: &'a mut [Sums],
+}
+
+impl Divide for Piece<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let (a, b) = self.bodies.split_at(middle * BODIES);
+        let nodes = b[0].first as usize - a[0].first as usize;
+        let (net, change) = (
+            self.net.split_at_mut(nodes),
+            self.change.split_at_mut(nodes),
+        );
+        let partial = self.partial.split_at_mut(middle);
+        (
+            Self {
+                bodies: a,
+                first: self.first,
+                net: net.0,
+                change: change.0,
+                partial: partial.0,
+            },
+            Self {
+                bodies: b,
+                first: self.first + middle * BODIES,
+                net: net.1,
+                change: change.1,
+                partial: partial.1,
+            },
+        )
+    }
+}
+
+/// Finds the forces on nodes (those of bonds are in their slots) and the velocity changes for a step of `dt` (s).
+pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<(), NonFinite> {
+    let Some(mut work) = scratch.deform.take() else {
+        return Ok(());
+    };
+    let Some(deform) = world.deform.take() else {
+        scratch.deform = Some(work);
+        return Ok(());
+    };
+    super::loads::apply(world, &deform, &mut work);
+    let result = forces(world, &deform, scratch, &mut work, dt);
+    world.works.add(&result.0);
+    world.deform = Some(deform);
+    scratch.deform = Some(work);
+    result.1.map_or(Ok(()), |block| Err(NonFinite { block }))
+}
+
+fn forces(
+    world: &World,
+    deform: &Deform,
+    scratch: &Scratch,
+    work: &mut Workspace,
+    dt: f64,
+) -> (Works, Option<u32>) {
+    let mut net = std::mem::take(&mut work.net);
+    let mut change = std::mem::take(&mut work.change);
+    let mut partial = std::mem::take(&mut work.partial);
+    let mut damping = scratch.damping;
+    let mut drive = (world.time + 0.5 * dt, 1.0);
+    if let Some(relax) = &deform.relax {
+        damping.mass = relax.damping;
+        damping.local = 0.0;
+        drive = (world.time + 0.5 * relax.increment, relax.increment);
+    }
+    let kick = Kick {
+        gravity: world.gravity,
+        damping,
+        half: [0.5 * world.pending, 0.5 * dt],
+        span: 0.5 * (world.last_dt + dt),
+        drive,
+        rate: &deform.nodes.rate,
+        masses: &work.masses,
+        inertias: match work.fictitious.is_empty() {
+            true => &work.masses,
+            false => &work.fictitious,
+        },
+        loads: &work.loads,
+        pushes: &work.pushes,
+        holds: &deform.holds,
+        dashpots: &work.dashpots,
+        width: scratch.width,
+    };
+    let context = Context { deform, work, kick };
+    let piece = Piece {
+        bodies: &deform.bodies,
+        first: 0,
+        net: &mut net,
+        change: &mut change,
+        partial: &mut partial,
+    };
+    let count = deform.bodies.len().div_ceil(BODIES);
+    scratch
+        .exec
+        .divided(piece, count, |_, piece| context.piece(piece));
+    let (mut arrival, mut departure, mut bad) = (Works::default(), Works::default(), None);
+    let mut squares = [0.0; 3];
+    for p in &partial {
+        arrival.add(&p.arrival);
+        departure.add(&p.departure);
+        bad = bad.or(p.bad);
+        for (sum, x) in squares.iter_mut().zip(p.squares) {
+            *sum += x;
+        }
+    }
+    work.net = net;
+    work.change = change;
+    work.partial = partial;
+    work.departure = departure;
+    work.norms = squares.map(f64::sqrt);
+    let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
+    (arrival, bad.map(|node| deform.bodies[holder(node)].block))
+}
+
+impl Context<'_> {
+    fn piece(&self, piece: Piece) {
+        let Piece {
+            bodies,
+            first,
+            net,
+            change,
+            partial,
+        } = piece;
+        let base = bodies[0].first as usize;
+        self.kick.width.run(
+            #[inline(always)]
+            || self.elements(bodies, first, net),
+        );
+        let mut sums = Sums::default();
+        let mut number = first;
+        for run in bodies.chunk_by(|a, b| a.alive == b.alive) {
+            let nodes = run[0].first as usize..run[run.len() - 1].nodes().end;
+            let here = nodes.start - base..nodes.end - base;
+            if run[0].alive {
+                for (k, body) in run.iter().enumerate() {
+                    let own = body.first as usize - base;
+                    let f = &mut net[own..own + body.count as usize];
+                    self.gather(number + k, body, f);
+                }
+                let (net, change) = (&mut net[here.clone()], &mut change[here]);
+                self.kick.run(nodes.start, net, change, &mut sums);
+            } else {
+                change[here].fill([0.0; 3]);
+            }
+            number += run.len();
+        }
+        partial[0] = sums;
+    }
+
+    /// Sets the forces of the tetrahedra of the bodies number `first` and following.
+    #[inline(always)]
+    fn elements(&self, bodies: &[Body], first: usize, net: &mut [[f64; 3]]) {
+        let base = bodies[0].first as usize;
+        for (k, body) in bodies.iter().enumerate() {
+            let nodes = body.nodes();
+            let f = &mut net[nodes.start - base..nodes.end - base];
+            match self.work.start_forces.get(nodes.clone()) {
+                Some(start) => f.copy_from_slice(start),
+                None => f.fill([0.0; 3]),
+            }
+            if body.alive {
+                let u = &self.deform.nodes.moved[nodes];
+                let start = self.work.start_of(first + k);
+                elements::add_forces(self.work.kind(body), body.strain, start, u, f);
+            }
+        }
+    }
+
+    /// Adds the forces of bonds to the nodes of body number `k`.
+    fn gather(&self, k: usize, body: &Body, f: &mut [[f64; 3]]) {
+        for hook in self.work.links.hooks_of(k) {
+            let force = self.work.slots[hook.point as usize];
+            let sign = [1.0, -1.0][hook.side()];
+            if let Some(to) = f.get_mut(hook.node() as usize) {
+                for axis in 0..3 {
+                    to[axis] += sign * force[axis];
+                }
+                continue;
+            }
+            let anchor = &self.deform.points[hook.point as usize].anchors[hook.side()];
+            for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
+                if weight == 0.0 {
+                    continue;
+                }
+                let to = &mut f[(node - body.first) as usize];
+                for axis in 0..3 {
+                    to[axis] += sign * weight * force[axis];
+                }
+            }
+        }
+    }
+}
+
+/// Pieces of the motion.
+struct Moving<'a> {
+    bodies: &'a [Body],
+    moved: &'a mut [[f64; 3]],
+    rate: &'a mut [[f64; 3]],
+    change: &'a [[f64; 3]],
+    masses: &'a [f64],
+    speeds: &'a mut [f64],
+}
+
+impl Divide for Moving<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let (a, b) = self.bodies.split_at(middle * BODIES);
+        let nodes = b[0].first as usize - a[0].first as usize;
+        let (moved, rate) = (
+            self.moved.split_at_mut(nodes),
+            self.rate.split_at_mut(nodes),
+        );
+        let change = self.change.split_at(nodes);
+        let masses = self.masses.split_at(nodes);
+        let speeds = self.speeds.split_at_mut(middle * BODIES);
+        (
+            Self {
+                bodies: a,
+                moved: moved.0,
+                rate: rate.0,
+                change: change.0,
+                masses: masses.0,
+                speeds: speeds.0,
+            },
+            Self {
+                bodies: b,
+                moved: moved.1,
+                rate: rate.1,
+                change: change.1,
+                masses: masses.1,
+                speeds: speeds.1,
+            },
+        )
+    }
+}
+
+/// Applies the velocity changes and moves the nodes by `dt` (s); returns the model time that passes, s.
+pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 {
+    let (Some(deform), Some(work)) = (world.deform.as_deref_mut(), scratch.deform.as_deref_mut())
+    else {
+        return dt;
+    };
+    if let Some(relax) = &mut deform.relax {
+        relax.look(&deform.nodes, work);
+    }
+    let moving = Moving {
+        bodies: &deform.bodies,
+        moved: &mut deform.nodes.moved,
+        rate: &mut deform.nodes.rate,
+        change: &work.change,
+        masses: &work.masses,
+        speeds: &mut work.speeds,
+    };
+    let count = deform.bodies.len().div_ceil(BODIES);
+    scratch
+        .exec
+        .divided(moving, count, |_, piece| piece.go(dt, scratch.width));
+    scratch.departure.add(&std::mem::take(&mut work.departure));
+    match &mut deform.relax {
+        Some(relax) => std::mem::take(&mut relax.increment),
+        None => {
+            let peaks = &mut world.peak_speed_squared;
+            for (body, speed) in deform.bodies.iter().zip(&work.speeds) {
+                if body.alive {
+                    let peak = &mut peaks[body.block as usize];
+                    *peak = peak.max(*speed);
+                }
+            }
+            dt
+        }
+    }
+}
+
+impl Moving<'_> {
+    /// Moves the nodes and finds the speeds of the centroids of the bodies.
+    fn go(self, dt: f64, width: Width) {
+        let moved = self.moved.as_flattened_mut().iter_mut();
+        let rate = self.rate.as_flattened_mut().iter_mut();
+        let change = self.change.as_flattened();
+        width.run(
+            #[inline(always)]
+            || {
+                for ((u, v), dv) in moved.zip(rate).zip(change) {
+                    *v += dv;
+                    *u += dt * *v;
+                }
+            },
+        );
+        let base = self.bodies[0].first as usize;
+        for (body, speed) in self.bodies.iter().zip(self.speeds) {
+            let nodes = body.nodes();
+            let here = nodes.start - base..nodes.end - base;
+            let (mut sum, mut mass) = (Vec3::ZERO, 0.0);
+            for (v, m) in self.rate[here.clone()].iter().zip(&self.masses[here]) {
+                sum += *m * Vec3::from_array(*v);
+                mass += m;
+            }
+            *speed = (sum / mass).length_squared();
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! Everything of the deformable blocks that can be dropped and rebuilt without changing a result.
+
+use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
+use riprap_geom::{Mat3, Vec3};
+
+use super::links::Links;
+use super::store::{Deform, Masses};
+use crate::exec::Exec;
+use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
+use crate::ledger::Works;
+use crate::setup::{Setup, Shape};
+
+/// Bodies per piece of work.
+pub const BODIES: usize = 64;
+/// Facets per piece of work.
+pub const FACETS: usize = 256;
+
+/// Shape, elements and masses of congruent bodies of one material.
+#[derive(Debug)]
+pub struct Kind {
+    /// Nodes and tetrahedra about the centroid.
+    pub mesh: Tetrahedra,
+    /// Its faces: corners, anticlockwise seen from outside.
+    pub faces: Vec<Vec<u32>>,
+    /// The tetrahedra, eight at a time.
+    pub groups: Groups,
+    /// Dense small-strain stiffness where several bodies share the kind.
+    pub stiffness: Option<Stiffness>,
+    /// Elasticity.
+    pub law: Elastic,
+    /// Lumped masses of the nodes, kg.
+    pub lumped: Vec<f64>,
+    /// Masses with the true moment of inertia, kg; `None` in phases with lumped ones.
+    inertial: Option<Vec<f64>>,
+    /// Row sums of the stiffness matrix, N/m; empty outside relaxing phases.
+    pub row_sums: Vec<f64>,
+    /// Place in `Workspace::slopes`.
+    first_slope: usize,
+}
+
+impl Kind {
+    /// Masses of the nodes in the phase that it was made for, kg.
+    #[must_use]
+    pub fn masses(&self) -> &[f64] {
+        self.inertial.as_deref().unwrap_or(&self.lumped)
+    }
+
+    /// The kind that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
+    pub(super) fn new(
+        setup: &Setup,
+        deform: &Deform,
+        (shape, material): (&Shape, u16),
+        shared: bool,
+    ) -> Self {
+        let material = &setup.materials[usize::from(material)];
+        let (solid, _) = centred(shape);
+        // Both were looked at when the block was made.
+        let (Ok(mesh), Some(young), Some(poisson)) =
+            (Tetrahedra::new(&solid), material.young, material.poisson)
+        else {
+            unreachable!("a kind of deformable block that cannot be built")
+        };
+        let law = Elastic::new(young, poisson);
+        let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
+        Self {
+            faces: solid.faces,
+            groups: Groups::new(&mesh),
+            stiffness: shared.then(|| Stiffness::new(&mesh, &law)),
+            law,
+            lumped: scale(mesh.lumped()),
+            inertial: match deform.masses {
+                Masses::Lumped => None,
+                Masses::Inertia => Some(scale(mesh.inertial())),
+            },
+            row_sums: match deform.relax {
+                Some(_) => row_sums(&mesh, &law),
+                None => Vec::new(),
+            },
+            first_slope: 0,
+            mesh,
+        }
+    }
+}
+
+/// Scratch data of the deformable blocks.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    /// Shapes and elements, as `Deform::kinds`.
+    pub kinds: Vec<Kind>,
+    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m, one kind after another.
+    slopes: Vec<Vec3>,
+    /// What a step reads of bonds.
+    pub links: Links,
+    /// Masses of the nodes, kg. *Shape* `[n_nodes]`.
+    pub masses: Vec<f64>,
+    /// Force of each point on A, N.
+    pub slots: Vec<[f64; 3]>,
+    /// External loads on nodes without gravity, N; empty without any.
+    pub loads: Vec<[f64; 3]>,
+    /// What cavities push nodes with, N, whose work the cavities book; empty without any.
+    pub pushes: Vec<[f64; 3]>,
+    /// Rotations of the bodies with large strain; empty without any.
+    pub turns: Vec<Mat3>,
+    /// Start stresses of the bodies; empty without any.
+    pub starts: Vec<StartStress>,
+    /// Forces of the start stresses of small-strain bodies on nodes, N; empty without any.
+    pub start_forces: Vec<[f64; 3]>,
+    /// Net forces on nodes without damping and supports, N.
+    pub net: Vec<[f64; 3]>,
+    /// Velocity change of the coming kick, m/s.
+    pub change: Vec<[f64; 3]>,
+    /// Fictitious masses of the nodes, kg; empty outside relaxing phases.
+    pub fictitious: Vec<f64>,
+    /// Dashpots on nodes of viscous faces, by node.
+    pub dashpots: Vec<super::loads::Dashpot>,
+    /// Works of the coming half step.
+    pub departure: Works,
+    /// Norms of the net forces along free directions, of the reactions and of the external forces, N.
+    pub norms: [f64; 3],
+    /// Whether a point broke in the last evaluation.
+    pub broke: bool,
+    /// Squares of the highest frequencies of the bodies, each alone, 1/s²; empty where nothing has been cut in the phase or it
+    /// relaxes.
+    pub alone: Vec<f64>,
+    /// What the last cut had to make.
+    pub effort: super::cut::Effort,
+    pub(super) partial: Vec<super::kick::Sums>,
+    /// Squares of the speeds of the centroids of bodies after the last step, m²/s².
+    pub(super) speeds: Vec<f64>,
+    pub(super) bond_works: Vec<super::bonds::BondWorks>,
+}
+
+/// A convex solid with its centroid at the origin, and that centroid.
+#[must_use]
+pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
+    match shape {
+        Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
+        Shape::Polyhedron(solid) => {
+            let mut body = Polyhedron {
+                vertices: solid.vertices.clone(),
+                faces: solid.faces.clone(),
+            };
+            let centroid = body.moments().centroid;
+            for v in &mut body.vertices {
+                *v -= centroid;
+            }
+            (body, centroid)
+        }
+    }
+}
+
+impl Workspace {
+    /// Lays out everything for the bodies and bonds there are.
+    #[must_use]
+    pub fn new(setup: &Setup, deform: &Deform) -> Self {
+        Self::grown(setup, deform, Vec::new(), &Exec::serial())
+    }
+
+    /// As [`Workspace::new`] with the first kinds as they were: kinds are only ever added.
+    #[must_use]
+    pub fn grown(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Self {
+        let nodes = deform.nodes.len();
+        let mut work = Self {
+            kinds: kinds(setup, deform, old, exec),
+            slots: vec![[0.0; 3]; deform.points.len()],
+            net: vec![[0.0; 3]; nodes],
+            change: vec![[0.0; 3]; nodes],
+            ..Self::default()
+        };
+        work.slopes = work.kinds.iter().flat_map(|k| slopes(&k.mesh)).collect();
+        work.links = Links::new(deform);
+        for body in &deform.bodies {
+            let own = work.kinds[body.kind as usize].masses();
+            work.masses.extend_from_slice(own);
+        }
+        work.start(setup, deform);
+        work.speeds = vec![0.0; deform.bodies.len()];
+        work.dashpots = super::loads::dashpots(setup, deform);
+        if deform.relax.is_some() {
+            work.fictitious = super::relax::masses(deform, &work.kinds);
+        }
+        let pieces = deform.bodies.len().div_ceil(BODIES);
+        work.partial = vec![super::kick::Sums::default(); pieces];
+        let pieces = deform.facets.len().div_ceil(FACETS);
+        work.bond_works = vec![super::bonds::BondWorks::default(); pieces];
+        work
+    }
+
+    /// Lays out the start stresses.
+    fn start(&mut self, setup: &Setup, deform: &Deform) {
+        if deform.start.iter().all(|s| s.stresses.is_empty()) {
+            return;
+        }
+        self.starts
+            .resize(deform.bodies.len(), StartStress::default());
+        self.start_forces.resize(deform.nodes.len(), [0.0; 3]);
+        for (k, (body, start)) in deform.bodies.iter().zip(&deform.start).enumerate() {
+            if !body.alive || start.stresses.is_empty() {
+                continue;
+            }
+            self.starts[k] = StartStress::new(&start.stresses);
+            if body.strain == Strain::Small {
+                let groups = &self.kinds[body.kind as usize].groups;
+                let law = Elastic {
+                    lambda: 0.0,
+                    mu: 0.0,
+                };
+                let still = vec![[0.0; 3]; body.count as usize];
+                let on = &mut self.start_forces[body.nodes()];
+                groups.add_forces(&law, Strain::Small, &self.starts[k], &still, on);
+            }
+            // The weights of dynamic phases are not those that balance the stress: a part of them sits on the centroid.
+            let given = deform.given.is_none_or(|first| body.block < first);
+            let Some(in_situ) = setup.in_situ.filter(|_| given) else {
+                continue;
+            };
+            let spec = &setup.blocks[body.block as usize];
+            let density = setup.materials[usize::from(spec.material)].density;
+            let force = in_situ.upward() * Vec3::Z / density;
+            let kind = &self.kinds[body.kind as usize];
+            let masses = kind.masses().iter().zip(&kind.lumped);
+            for (f, (now, lumped)) in self.start_forces[body.nodes()].iter_mut().zip(masses) {
+                super::loads::add(f, (now - lumped) * force);
+            }
+        }
+    }
+
+    /// Start stress of body number `k`.
+    #[must_use]
+    pub fn start_of(&self, k: usize) -> &StartStress {
+        static NONE: StartStress = StartStress::none();
+        self.starts.get(k).unwrap_or(&NONE)
+    }
+
+    /// What displacements of the nodes of a body are multiplied with in its mean displacement gradient, 1/m.
+    #[must_use]
+    pub fn slopes(&self, body: &super::store::Body) -> &[Vec3] {
+        let first = self.kind(body).first_slope;
+        &self.slopes[first..first + body.count as usize]
+    }
+
+    /// Kind of a body.
+    #[must_use]
+    pub fn kind(&self, body: &super::store::Body) -> &Kind {
+        &self.kinds[body.kind as usize]
+    }
+}
+
+/// Sums over the triangles at each node of a third of the area vector, over the volume: by Gauss's theorem.
+fn slopes(mesh: &Tetrahedra) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; mesh.nodes.len()];
+    let volume = mesh.volume();
+    for face in 0..mesh.first.len() - 1 {
+        for triangle in mesh.fan(face) {
+            let [m, a, b] = triangle.map(|k| mesh.nodes[k as usize]);
+            let share = (a - m).cross(b - m) / (6.0 * volume);
+            for node in triangle {
+                sums[node as usize] += share;
+            }
+        }
+    }
+    sums
+}
+
+/// Kinds of which one thread makes so many at a time.
+const KINDS: usize = 64;
+
+/// All kinds, the first of them as they were.
+fn kinds(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Vec<Kind> {
+    let mut shared = vec![0u32; deform.kinds.len()];
+    for body in &deform.bodies {
+        shared[body.kind as usize] += 1;
+    }
+    let mut kinds = old;
+    let new: Vec<(u32, u32)> = deform.kinds.iter().copied().zip(shared).collect();
+    let new = &new[kinds.len()..];
+    let made = exec.map(new, KINDS, |some| {
+        let some = some.iter();
+        some.map(|&(block, shared)| {
+            let spec = &setup.blocks[block as usize];
+            Kind::new(setup, deform, (&spec.shape, spec.material), shared > 1)
+        })
+        .collect::<Vec<_>>()
+    });
+    kinds.extend(made.into_iter().flatten());
+    let mut sum = 0;
+    for kind in &mut kinds {
+        kind.first_slope = sum;
+        sum += kind.mesh.nodes.len();
+    }
+    Groups::pack(kinds.iter_mut().map(|k| &mut k.groups));
+    kinds
+}

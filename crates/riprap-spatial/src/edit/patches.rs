@@ -1,0 +1,208 @@
+//! What patches hand on when their blocks are split or taken out.
+
+use riprap_geom::{Mat3, Vec3};
+
+use crate::boundary::Face;
+use crate::fields::View;
+use crate::laws::face_joint::{SIGNS, Traction};
+use crate::patch::{self, Poses};
+use crate::setup::Points;
+use crate::world::{PatchClass, World, flag};
+
+/// A patch whose block is about to be split.
+#[derive(Clone, Debug)]
+pub(super) struct Old {
+    /// Blocks i and j.
+    pub(super) ends: [u32; 2],
+    /// Geometry and stiffness.
+    class: PatchClass,
+    /// Centre in the place of block i at the start, m.
+    centre: Vec3,
+    /// Tractions on i at the points (n, b, c), Pa.
+    tractions: [Traction; 4],
+    /// Tractions at zero displacement.
+    start: [Traction; 4],
+    flags: u16,
+    lift: [f64; 4],
+    path: [f64; 4],
+}
+
+impl Old {
+    pub(super) fn new(view: &View, p: usize) -> Self {
+        let (world, list) = (view.world, &view.world.patches);
+        let class = *view.patch_class(p);
+        let ends = list.ends[p];
+        Self {
+            centre: world.reference[ends[0] as usize] + class.arms[0],
+            tractions: view.patch_tractions(p),
+            start: patch::start(&class, list.prestress.get(p)),
+            flags: list.flags[p],
+            lift: list.lift.get(p).copied().unwrap_or_default(),
+            path: list.path.get(p).copied().unwrap_or_default(),
+            ends,
+            class,
+        }
+    }
+
+    /// Axis of the normal.
+    pub(super) fn axis(&self) -> u8 {
+        self.class.axis
+    }
+
+    /// Hands its state to patch `p`, which is a part of it.
+    ///
+    /// While all points hold, tractions are those of the bilinear field through the old points: force and moment
+    /// stay exactly. Where a point is broken or open, each new point takes state and traction of the nearest old
+    /// point, so that none exceeds its limit.
+    pub(super) fn hand_on(&self, world: &mut World, p: usize) {
+        let class = world.classes[world.patches.class[p] as usize];
+        let i = world.patches.ends[p][0] as usize;
+        let shift = world.reference[i] + class.arms[0] - self.centre;
+        let [_, b, c] = self.class.frame;
+        let whole = self.flags & (flag::BROKEN | flag::OPEN) == 0;
+        let same = shift.length() < 1e-9 * self.class.reach[0].max(self.class.reach[1])
+            && (class.area - self.class.area).abs() < 1e-9 * class.area;
+        let mut flags = self.flags & flag::FINITE;
+        let mut new = New {
+            tractions: [[0.0; 3]; 4],
+            lift: [None; 4],
+            path: [0.0; 4],
+        };
+        for q in 0..4 {
+            let at = shift + patch::place(&class, q);
+            let at = [
+                at.dot(b) / self.class.reach[0],
+                at.dot(c) / self.class.reach[1],
+            ];
+            let nearest = if same { q } else { nearest(at) };
+            new.tractions[q] = if whole && !same {
+                bilinear(&self.tractions, at)
+            } else {
+                self.tractions[nearest]
+            };
+            new.path[q] = self.path[nearest];
+            for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
+                if self.flags & flag::of(group, nearest) != 0 {
+                    flags |= flag::of(group, q);
+                }
+            }
+            if self.flags & flag::of(flag::OPEN, nearest) != 0 {
+                // An open point closes at the displacement at which it would have closed.
+                let closes = self.lift[nearest] - self.start[nearest][0] / self.class.stiffness[0];
+                new.lift[q] = Some(closes);
+            }
+        }
+        new.put(world, p, flags);
+    }
+}
+
+/// The point whose quarter holds a place given in units of the reach.
+fn nearest(at: [f64; 2]) -> usize {
+    let side = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
+    (0..4)
+        .find(|&q| SIGNS[0][q] == side(at[0]) && SIGNS[1][q] == side(at[1]))
+        .unwrap_or(0)
+}
+
+/// Bilinear field through the four points, at a place in units of the reach.
+fn bilinear(tractions: &[Traction; 4], at: [f64; 2]) -> Traction {
+    let mut out = [0.0; 3];
+    for (q, t) in tractions.iter().enumerate() {
+        let weight = 0.25 * (1.0 + SIGNS[0][q] * at[0]) * (1.0 + SIGNS[1][q] * at[1]);
+        for k in 0..3 {
+            out[k] += weight * t[k];
+        }
+    }
+    out
+}
+
+/// State of a new patch.
+struct New {
+    tractions: [Traction; 4],
+    /// For open points: the opening displacement at which they close, m.
+    lift: [Option<f64>; 4],
+    path: [f64; 4],
+}
+
+impl New {
+    /// Stores offsets so that the patch carries the tractions at the present displacements.
+    fn put(&self, world: &mut World, p: usize, mut flags: u16) {
+        let class = world.classes[world.patches.class[p] as usize];
+        let poses = Poses {
+            bodies: &world.bodies,
+            turned: &world.turned,
+        };
+        let finite = flags & flag::FINITE != 0;
+        let at = poses.points(&class, world.patches.ends[p], finite).at;
+        let start = patch::start(&class, world.patches.prestress.get(p));
+        let [kn, ks] = class.stiffness;
+        let (mut slip, mut lift) = ([[0.0; 4]; 2], [0.0; 4]);
+        let size = self
+            .tractions
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |m, t| m.max(t.abs()));
+        for q in 0..4 {
+            let (t, s, u) = (&self.tractions[q], &start[q], &at[q]);
+            lift[q] = match self.lift[q] {
+                Some(closes) => closes + s[0] / kn,
+                None => u[0] + (s[0] - t[0]) / kn,
+            };
+            for k in 0..2 {
+                slip[k][q] = u[k + 1] + (s[k + 1] - t[k + 1]) / ks;
+            }
+        }
+        let list = &mut world.patches;
+        let zero = size == 0.0 && lift.iter().chain(slip.iter().flatten()).all(|x| *x == 0.0);
+        if !zero {
+            flags |= flag::OFFSET;
+            list.need_slip();
+            list.need_lift();
+            list.slip[p] = slip;
+            list.lift[p] = lift;
+        }
+        if let Some(path) = list.path.get_mut(p) {
+            *path = self.path;
+        }
+        list.flags[p] = flags;
+    }
+}
+
+/// Gives patch `p` between two parts of one block the tractions of the block's average stress (frame of the start).
+pub(super) fn inside(world: &mut World, p: usize, stress: &Mat3, finite: bool) {
+    let class = world.classes[world.patches.class[p] as usize];
+    let traction = *stress * class.frame[0];
+    let t = class.frame.map(|e| e.dot(traction));
+    let new = New {
+        tractions: [t; 4],
+        lift: [None; 4],
+        path: [0.0; 4],
+    };
+    new.put(world, p, if finite { flag::FINITE } else { 0 });
+}
+
+/// The free face that patch `p` leaves on its block number `side` (0 or 1) when the other block goes.
+pub(super) fn bare(world: &World, p: usize, side: usize) -> Face {
+    let class = &world.classes[world.patches.class[p] as usize];
+    let [n, b, c] = class.frame;
+    let joint = &world.setup.interfaces[class.row as usize].joint;
+    let spread = match joint.points {
+        Points::Gauss => 1.0,
+        Points::Quarter => 0.75f64.sqrt(),
+    };
+    let mut reach = class.reach.map(|r| r / spread);
+    if side == 1 {
+        reach.swap(0, 1);
+    }
+    Face {
+        block: world.patches.ends[p][side],
+        boundary: None,
+        frame: if side == 0 { [n, b, c] } else { [-n, c, b] },
+        arm: class.arms[side],
+        area: class.area,
+        reach,
+        stiffness: [0.0; 2],
+        impedance: [0.0; 2],
+        anchor: [Vec3::ZERO; 4],
+    }
+}

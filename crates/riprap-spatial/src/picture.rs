@@ -1,0 +1,280 @@
+//! Frames of a spatial model: solids at their present positions, patches as points.
+
+use riprap_geom::Vec3;
+
+use super::deform::store::{Memory, State};
+use super::fields::View;
+use super::patch;
+use super::readings::principal;
+use super::setup::Shape;
+use super::world::flag;
+use crate::frame::{BRICK, Column, Frame, Solids};
+
+/// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
+/// three million patches.
+pub const MANY_PATCHES: usize = 200_000;
+
+/// A picture of the living blocks and their patches.
+#[must_use]
+pub fn frame(view: &View<'_>, phase: &str) -> Frame {
+    let world = view.world;
+    let living: Vec<usize> = view.living().collect();
+    let mut frame = Frame {
+        step: world.step,
+        time: world.time,
+        phase: phase.to_owned(),
+        offsets: vec![0],
+        ..Frame::default()
+    };
+    let mut solids = Solids {
+        faces: vec![0],
+        ends: vec![0],
+        corners: Vec::new(),
+    };
+    for &b in &living {
+        put_block(view, b, &mut frame, &mut solids);
+    }
+    frame.solids = Some(solids);
+    frame.block_columns = block_columns(view, &living);
+    put_patches(view, &mut frame);
+    put_facets(view, &mut frame);
+    frame.cracks = super::deform::cracks::surfaces(view);
+    frame
+}
+
+/// Corners and faces of one block.
+fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) {
+    let world = view.world;
+    let place = view.position(b) + world.setup.origin;
+    let attitude = match &world.turned[b] {
+        Some(turned) => turned.attitude,
+        None => patch::rotation(world.bodies.rotation(b)),
+    };
+    let soft = view.soft(b);
+    let node = |k: usize| {
+        soft.map(|soft| {
+            let at = soft.place(soft.body.first as usize + k);
+            (at + world.setup.origin).to_array()
+        })
+    };
+    match &world.setup.blocks[b].shape {
+        Shape::Brick { half, .. } => {
+            for corner in BRICK {
+                // Nodes count x, y, z as bits.
+                let bits = [0, 1, 2].map(|k: usize| usize::from(corner[k] > 0.0) << k);
+                if let Some(point) = node(bits.iter().sum()) {
+                    frame.points.push(point);
+                    continue;
+                }
+                let arm = attitude * (*half * Vec3::from(corner));
+                frame.points.push((place + arm).to_array());
+            }
+        }
+        Shape::Polyhedron(solid) => {
+            let centroid = world.reference[b];
+            for (k, corner) in solid.vertices.iter().enumerate() {
+                if let Some(point) = node(k) {
+                    frame.points.push(point);
+                    continue;
+                }
+                let arm = attitude * (*corner - centroid);
+                frame.points.push((place + arm).to_array());
+            }
+            for face in &solid.faces {
+                solids.corners.extend_from_slice(face);
+                solids.ends.push(solids.corners.len() as u32);
+            }
+        }
+    }
+    solids.faces.push(solids.ends.len() as u32 - 1);
+    frame.offsets.push(frame.points.len() as u32);
+}
+
+fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
+    let world = view.world;
+    let stresses = view.stresses();
+    let surface = view.surface();
+    let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
+        Column::scalar(name, unit, living.iter().map(|&b| get(b)).collect())
+    };
+    let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec3| {
+        let data: Vec<[f64; 3]> = living.iter().map(|&b| get(b).to_array()).collect();
+        Column::vector3(name, unit, &data)
+    };
+    let ends: Vec<[f64; 3]> = living.iter().map(|&b| principal(&stresses[b])).collect();
+    let broken = broken_shares(view);
+    vec![
+        scalar("block", "-", &|b| b as f64),
+        scalar("material", "-", &|b| {
+            f64::from(world.setup.blocks[b].material)
+        }),
+        scalar("level", "-", &|b| f64::from(world.level(b))),
+        vector("displacement", "m", &|b| view.displacement(b)),
+        vector("rotation", "rad", &|b| view.rotation(b)),
+        vector("velocity", "m/s", &|b| view.velocity(b)),
+        scalar("peak_speed", "m/s", &|b| view.peak_speed(b)),
+        Column::scalar(
+            "sigma1_compressive",
+            "Pa",
+            ends.iter().map(|e| -e[2]).collect(),
+        ),
+        Column::scalar(
+            "sigma3_compressive",
+            "Pa",
+            ends.iter().map(|e| -e[0]).collect(),
+        ),
+        Column::scalar(
+            "pressure",
+            "Pa",
+            ends.iter().map(|e| -(e[0] + e[1] + e[2]) / 3.0).collect(),
+        ),
+        scalar("broken_share", "-", &|b| broken[b]),
+        scalar("surface", "-", &|b| f64::from(u8::from(surface[b]))),
+        scalar("held", "-", &|b| {
+            f64::from(u8::from(world.motion[b].is_some()))
+        }),
+    ]
+}
+
+/// Share of the failed points among the points of each block's patches.
+fn broken_shares(view: &View<'_>) -> Vec<f64> {
+    let list = &view.world.patches;
+    let mut sums = vec![[0.0_f64; 2]; view.world.alive.len()];
+    for (ends, flags) in list.ends.iter().zip(&list.flags) {
+        let broken = f64::from((flags & flag::BROKEN).count_ones());
+        for b in ends {
+            sums[*b as usize][0] += broken;
+            sums[*b as usize][1] += 4.0;
+        }
+    }
+    for facet in view.softs().iter().flat_map(|(deform, _)| &deform.facets) {
+        let broken = view.broken_points(facet);
+        for b in facet.blocks {
+            sums[b as usize][0] += f64::from(broken);
+            sums[b as usize][1] += f64::from(facet.count);
+        }
+    }
+    sums.iter().map(|[n, all]| n / all.max(1.0)).collect()
+}
+
+/// Facets of deformable blocks, in the columns of patches.
+fn put_facets(view: &View<'_>, frame: &mut Frame) {
+    let Some((deform, work)) = view.softs() else {
+        return;
+    };
+    let many = deform.facets.len() > MANY_PATCHES;
+    for facet in &deform.facets {
+        let broken = view.broken_points(facet);
+        let whole = |m: &Memory| !m.state.is_broken() && m.law.damage == 0.0;
+        if many && deform.memory[facet.points()].iter().all(whole) {
+            continue;
+        }
+        let moved = view.position(facet.blocks[0] as usize)
+            - view.world.reference[facet.blocks[0] as usize];
+        let place = facet.centre + moved + view.world.setup.origin;
+        frame.contact_points.push(place.to_array());
+        let points = facet.points();
+        let force: Vec3 = points.clone().map(|p| Vec3::from(work.slots[p])).sum();
+        let [n, b, c] = facet.frame.map(|e| e.dot(force) / facet.area);
+        let lost = points
+            .clone()
+            .filter(|p| deform.memory[*p].state.is_broken());
+        let failed: f64 = lost.map(|p| deform.points[p].area).sum();
+        let open = points.clone().filter(|p| {
+            deform.memory[*p].state.is_broken() && Vec3::from(work.slots[*p]) == Vec3::ZERO
+        });
+        let in_shear = points
+            .clone()
+            .filter(|p| deform.memory[*p].state == State::Sheared);
+        let sheared: f64 = in_shear.map(|p| deform.points[p].area).sum();
+        let mode = match broken {
+            0 => 0.0,
+            _ if sheared > failed - sheared => 2.0,
+            _ => 1.0,
+        };
+        let soft: Vec<f64> = points
+            .filter(|p| {
+                let memory = &deform.memory[*p];
+                !memory.state.is_broken() && memory.law.damage > 0.0
+            })
+            .map(|p| deform.points[p].area)
+            .collect();
+        let numbers = [
+            f64::from(facet.blocks[0]),
+            f64::from(facet.blocks[1]),
+            force.x,
+            force.y,
+            force.z,
+            n,
+            b.hypot(c),
+            facet.area,
+            f64::from(broken),
+            open.count() as f64,
+            0.0,
+            facet.frame[0].x,
+            facet.frame[0].y,
+            facet.frame[0].z,
+            failed,
+            mode,
+            soft.len() as f64,
+            soft.iter().sum(),
+        ];
+        let mut numbers = numbers.into_iter();
+        for column in &mut frame.contact_columns {
+            column.data.extend(numbers.by_ref().take(column.components));
+        }
+    }
+}
+
+fn put_patches(view: &View<'_>, frame: &mut Frame) {
+    let list = &view.world.patches;
+    let active = flag::BROKEN | flag::OPEN | flag::SLIDING;
+    let many = list.len() > MANY_PATCHES;
+    let chosen: Vec<usize> = (0..list.len())
+        .filter(|&p| !many || list.flags[p] & active != 0)
+        .collect();
+    let mut forces = Vec::with_capacity(chosen.len());
+    let mut means = Vec::with_capacity(chosen.len());
+    let mut normals = Vec::with_capacity(chosen.len());
+    for &p in &chosen {
+        let class = view.patch_class(p);
+        let i = list.ends[p][0] as usize;
+        let (arm, normal) = match &view.world.turned[i] {
+            Some(turned) => (
+                turned.attitude * class.arms[0],
+                turned.attitude * class.frame[0],
+            ),
+            None => (class.arms[0], class.frame[0]),
+        };
+        normals.push(normal.to_array());
+        let place = view.position(i) + arm + view.world.setup.origin;
+        frame.contact_points.push(place.to_array());
+        forces.push(view.patch_resultant(p).force.to_array());
+        let t = view.patch_tractions(p);
+        let mean = |k: usize| 0.25 * t.iter().map(|t| t[k]).sum::<f64>();
+        means.push([mean(0), mean(1).hypot(mean(2))]);
+    }
+    let column = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
+        Column::scalar(name, unit, (0..chosen.len()).map(get).collect())
+    };
+    let bits = |k: usize, group: u16| f64::from((list.flags[chosen[k]] & group).count_ones());
+    frame.contact_columns = vec![
+        column("block_a", "-", &|k| f64::from(list.ends[chosen[k]][0])),
+        column("block_b", "-", &|k| f64::from(list.ends[chosen[k]][1])),
+        Column::vector3("force_on_a", "N", &forces),
+        column("normal_stress", "Pa", &|k| means[k][0]),
+        column("shear_stress", "Pa", &|k| means[k][1]),
+        column("area", "m2", &|k| view.patch_class(chosen[k]).area),
+        column("broken_points", "-", &|k| bits(k, flag::BROKEN)),
+        column("open_points", "-", &|k| bits(k, flag::OPEN)),
+        column("sliding_points", "-", &|k| bits(k, flag::SLIDING)),
+        Column::vector3("normal", "-", &normals),
+        column("failed_area", "m2", &|k| {
+            0.25 * bits(k, flag::BROKEN) * view.patch_class(chosen[k]).area
+        }),
+        // Of facets only.
+        column("failure_mode", "-", &|_| 0.0),
+        column("softened_points", "-", &|_| 0.0),
+        column("softened_area", "m2", &|_| 0.0),
+    ];
+}

@@ -1,0 +1,445 @@
+//! The field table of the spatial engine: name, unit, meaning and getter of every number that frames,
+//! histories, checks, `riprap fields` and the documentation can ask for.
+
+use std::cell::Cell;
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::cavity::Cavity;
+use super::crater::UPLIFT;
+use super::deform::cut::tip;
+use super::deform::fracture;
+use super::deform::read::Motion;
+use super::fields::View;
+use super::refine::Origin;
+use super::setup::Shape;
+use super::setup::deform::BondFailure;
+use super::world::flag;
+use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
+use crate::laws::tetrahedron::Gradient;
+
+/// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
+type Getter = fn(&View<'_>, &[u32]) -> Vec3;
+
+/// One field: what it is and how it is read.
+pub struct Field {
+    /// Name, unit, meaning.
+    pub info: FieldInfo,
+    get: Getter,
+    /// Whether reading it costs as much as a step.
+    pub costly: bool,
+}
+
+macro_rules! fields {
+    ($($name:literal $unit:literal $site:ident $shape:ident $cost:literal $meaning:literal $get:expr;)*) => {
+        /// Names, units and meanings, in the order of the documentation.
+        pub const INFOS: &[FieldInfo] = &[$(FieldInfo {
+            name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
+        }),*];
+        /// The table with its getters, in the order of [`INFOS`].
+        pub const FIELDS: &[Field] = &[$(Field {
+            info: FieldInfo {
+                name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
+            },
+            get: $get,
+            costly: $cost,
+        }),*];
+    };
+}
+
+const fn one(x: f64) -> Vec3 {
+    Vec3::new(x, 0.0, 0.0)
+}
+
+fn first(of: &[u32]) -> usize {
+    of.first().map_or(0, |&b| b as usize)
+}
+
+fn pair(of: &[u32]) -> (u32, u32) {
+    (
+        of.first().copied().unwrap_or(0),
+        of.get(1).copied().unwrap_or(0),
+    )
+}
+
+/// Blocks of a group (ascending) that are there, and those that its split blocks have become.
+fn members(v: &View<'_>, of: &[u32]) -> std::vec::IntoIter<usize> {
+    let world = v.world;
+    let living: Vec<usize> = if of.iter().all(|&b| world.alive[b as usize]) {
+        of.iter().map(|&b| b as usize).collect()
+    } else {
+        let belongs = |b: usize| {
+            let mut ancestor = b as u32;
+            while of.binary_search(&ancestor).is_err() {
+                ancestor = world.lineage[ancestor as usize].parent;
+                if ancestor == Origin::NONE {
+                    return false;
+                }
+            }
+            true
+        };
+        v.living().filter(|&b| belongs(b)).collect()
+    };
+    living.into_iter()
+}
+
+/// Mean over the living blocks of a group.
+fn mean(v: &View<'_>, of: &[u32], get: impl Fn(usize) -> Vec3) -> Vec3 {
+    let (mut sum, mut count) = (Vec3::ZERO, 0.0);
+    for b in members(v, of) {
+        sum += get(b);
+        count += 1.0;
+    }
+    sum / f64::max(count, 1.0)
+}
+
+/// Mean by volume over the living blocks of a group of components of their stress, Pa.
+fn mean_stress(v: &View<'_>, of: &[u32], get: impl Fn(&Mat3) -> Vec3) -> Vec3 {
+    let (mut sum, mut volume) = (Vec3::ZERO, 0.0);
+    for b in members(v, of) {
+        let own = v.world.solid_of(b).volume;
+        sum += own * get(&v.stress(b));
+        volume += own;
+    }
+    sum / f64::max(volume, f64::MIN_POSITIVE)
+}
+
+fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> Vec3 {
+    one(blocks.map(get).fold(0.0, f64::max))
+}
+
+/// Share of the living blocks of a group for which something holds.
+fn share(v: &View<'_>, of: &[u32], holds: impl Fn(usize) -> bool) -> Vec3 {
+    mean(v, of, |b| one(f64::from(u8::from(holds(b)))))
+}
+
+/// Living blocks that are not held or driven in all freedoms.
+fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
+    v.living().filter(|&b| v.world.is_free(b))
+}
+
+/// A number of the cavity of a source; NaN if it has none.
+fn of_cavity(v: &View<'_>, of: &[u32], get: impl Fn(&Cavity) -> f64) -> Vec3 {
+    let source = first(of);
+    let cavity = v
+        .world
+        .cavities
+        .iter()
+        .find(|c| c.source as usize == source);
+    one(cavity.map_or(f64::NAN, get))
+}
+
+/// Patches between two blocks with the sign that turns "on i" into "on the first".
+fn between<'a>(v: &'a View<'_>, of: &[u32]) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let (a, b) = pair(of);
+    v.world
+        .patches
+        .ends
+        .iter()
+        .enumerate()
+        .filter_map(move |(p, e)| match *e {
+            e if e == [a, b] => Some((p, 1.0)),
+            e if e == [b, a] => Some((p, -1.0)),
+            _ => None,
+        })
+}
+
+/// Sum over the patches of a pair of area times a function of the four tractions, over the whole area.
+fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
+    let (mut sum, mut area) = (0.0, 0.0);
+    for (p, _) in between(v, of) {
+        let part = 0.25 * v.patch_class(p).area;
+        for traction in v.patch_tractions(p) {
+            sum += part * get(&traction);
+            area += part;
+        }
+    }
+    if area > 0.0 { sum / area } else { 0.0 }
+}
+
+/// Number of points of all patches, or of those of a pair, with a bit of a group set.
+fn count(v: &View<'_>, patches: impl Iterator<Item = usize>, group: u16) -> f64 {
+    patches
+        .map(|p| f64::from((v.world.patches.flags[p] & group).count_ones()))
+        .sum()
+}
+
+/// Share of failed points among all points of a block's patches.
+fn broken_share(v: &View<'_>, b: u32) -> f64 {
+    let (mut broken, mut all) = (0.0, 0.0);
+    for (p, _) in v
+        .world
+        .patches
+        .ends
+        .iter()
+        .enumerate()
+        .filter(|(_, e)| e.contains(&b))
+    {
+        broken += count(v, std::iter::once(p), flag::BROKEN);
+        all += 4.0;
+    }
+    if all > 0.0 { broken / all } else { 0.0 }
+}
+
+/// Principal values of a symmetric matrix, largest first (analytic, for 3 x 3).
+#[must_use]
+pub fn principal(m: &Mat3) -> [f64; 3] {
+    let mean = (m.x_axis.x + m.y_axis.y + m.z_axis.z) / 3.0;
+    let off = m.y_axis.x * m.y_axis.x + m.z_axis.x * m.z_axis.x + m.z_axis.y * m.z_axis.y;
+    let d = [m.x_axis.x - mean, m.y_axis.y - mean, m.z_axis.z - mean];
+    let p = ((d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + 2.0 * off) / 6.0).sqrt();
+    if p == 0.0 {
+        return [mean; 3];
+    }
+    let scaled = (1.0 / p) * (*m - mean * Mat3::IDENTITY);
+    let angle = libm::acos((0.5 * scaled.determinant()).clamp(-1.0, 1.0)) / 3.0;
+    let third = 2.0 * std::f64::consts::PI / 3.0;
+    let high = mean + 2.0 * p * libm::cos(angle);
+    let low = mean + 2.0 * p * libm::cos(angle + third);
+    [high, 3.0 * mean - high - low, low]
+}
+
+fn gradient(v: &View<'_>, of: &[u32]) -> Gradient {
+    v.soft(first(of))
+        .map_or([[f64::NAN; 3]; 3], |soft| soft.gradient())
+}
+
+fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
+    v.stress(first(of))
+}
+
+fields! {
+    "block.position" "m" Block Vector3 false "Position of the centroid." |v, of| v.position(first(of)) + v.world.setup.origin;
+    "block.displacement" "m" Block Vector3 false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of));
+    "block.rotation" "rad" Block Vector3 false "Rotation vector since the start or the last reset." |v, of| v.rotation(first(of));
+    "block.velocity" "m/s" Block Vector3 false "Velocity of the centroid." |v, of| v.velocity(first(of));
+    "block.speed" "m/s" Block Scalar false "Magnitude of the velocity." |v, of| one(v.velocity(first(of)).length());
+    "block.peak_speed" "m/s" Block Scalar false "Peak particle velocity: largest speed of the centroid so far." |v, of| one(v.peak_speed(first(of)));
+    "block.spin" "rad/s" Block Vector3 false "Angular velocity." |v, of| v.spin(first(of));
+    "block.force" "N" Block Vector3 false "Sum of all forces on the block, damping and supports excluded." |v, of| v.scratch.net.force(first(of));
+    "block.moment" "N m" Block Vector3 false "Sum of all moments about the centroid." |v, of| v.scratch.net.moment(first(of));
+    "block.kinetic" "J" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
+    "block.stress_normal" "Pa" Block Vector3 true "Average stress of the block, normal components xx, yy, zz as x, y, z; tension positive." |v, of| { let s = stress(v, of); Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z) };
+    "block.stress_shear" "Pa" Block Vector3 true "Average stress of the block, shear components yz, zx, xy as x, y, z." |v, of| { let s = stress(v, of); Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x) };
+    "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[2]);
+    "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression of the block's average stress (negative in tension)." |v, of| one(-principal(&stress(v, of))[0]);
+    "block.pressure" "Pa" Block Scalar true "Mean compression of the block's average stress." |v, of| { let s = stress(v, of); one(-(s.x_axis.x + s.y_axis.y + s.z_axis.z) / 3.0) };
+    "block.broken_share" "-" Block Scalar true "Share of the points of its patches that have failed." |v, of| one(broken_share(v, first(of) as u32));
+    "block.level" "-" Block Scalar false "How often the block's ancestors were split." |v, of| one(f64::from(v.world.level(first(of))));
+    "block.removed" "-" Block Scalar false "1 once the block has been removed or split." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
+    "pair.force" "N" Pair Vector3 true "Sum of the forces of patches and bonds of the second block on the first, without dashpots." |v, of| between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum::<Vec3>() + v.facet_force(pair(of));
+    "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
+    "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
+    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
+    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| t[1].hypot(t[2])));
+    "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
+    "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
+    "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
+    "group.shift" "m" Group Vector3 false "Means of the magnitudes of x, y and z of the displacements of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b).abs());
+    "group.rotation" "rad" Group Vector3 false "Mean rotation vector of the group's blocks." |v, of| mean(v, of, |b| v.rotation(b));
+    "group.velocity" "m/s" Group Vector3 false "Mean velocity of the group's blocks." |v, of| mean(v, of, |b| v.velocity(b));
+    "group.kinetic" "J" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(members(v, of).map(|b| v.kinetic(b)).sum());
+    "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.scratch.net.force(b)).sum();
+    "group.stress_normal" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, normal components xx, yy, zz as x, y, z; tension positive." |v, of| mean_stress(v, of, |s| Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z));
+    "group.stress_shear" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, shear components yz, zx, xy as x, y, z." |v, of| mean_stress(v, of, |s| Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x));
+    "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(members(v, of), |b| v.displacement(b).length());
+    "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(members(v, of), |b| v.rotation(b).length());
+    "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(members(v, of), |b| v.velocity(b).length());
+    "group.peak_speed" "m/s" Group Scalar false "Largest peak particle velocity in the group." |v, of| largest(members(v, of), |b| v.peak_speed(b));
+    "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
+    "group.blocks" "-" Group Scalar false "Number of the group's blocks that are there." |v, of| one(members(v, of).count() as f64);
+    "model.time" "s" Model Scalar false "Model time." |v, _| one(v.world.time);
+    "model.steps" "-" Model Scalar false "Steps done." |v, _| one(v.world.step as f64);
+    "model.time_step" "s" Model Scalar false "Length of the last step." |v, _| one(v.world.last_dt);
+    "model.kinetic" "J" Model Scalar true "Kinetic energy of all blocks." |v, _| one(v.living().map(|b| v.kinetic(b)).sum());
+    "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
+    "model.blocks" "-" Model Scalar true "Number of blocks that are there." |v, _| one(v.living().count() as f64);
+    "model.patches" "-" Model Scalar false "Number of patches." |v, _| one(v.world.patches.len() as f64);
+    "model.broken_share" "-" Model Scalar true "Share of all points that have failed." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::BROKEN) / (4 * n).max(1) as f64) };
+    "model.open_share" "-" Model Scalar true "Share of all points that are open." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::OPEN) / (4 * n).max(1) as f64) };
+    "model.sliding_share" "-" Model Scalar true "Share of all points that slid in the last step." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::SLIDING) / (4 * n).max(1) as f64) };
+    "model.finite" "-" Model Scalar true "Number of blocks that use finite rotations." |v, _| one(v.living().filter(|&b| v.world.turned[b].is_some()).count() as f64);
+    "model.mass" "kg" Model Scalar true "Mass of all blocks." |v, _| one(v.living().map(|b| v.world.solid_of(b).mass).sum());
+    "model.volume" "m3" Model Scalar true "Volume of all blocks." |v, _| one(v.living().map(|b| v.world.solid_of(b).volume).sum());
+    "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
+    "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).length());
+    "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
+    "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids: how far rigid blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
+    "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
+    "cavity.pressure" "Pa" Cavity Scalar false "Pressure in the cavity." |v, of| of_cavity(v, of, |c| c.pressure);
+    "cavity.volume" "m3" Cavity Scalar false "Volume of the gas (of the cavity, for a pressure history)." |v, of| of_cavity(v, of, |c| c.volume);
+    "cavity.expansion" "-" Cavity Scalar false "Volume of the gas over that of the charge, V/V0." |v, of| of_cavity(v, of, |c| c.volume / c.charge_volume());
+    "cavity.volume_ratio" "-" Cavity Scalar false "Volume of the removed blocks over that of the charge, Vc/V0." |v, of| of_cavity(v, of, Cavity::volume_ratio);
+    "cavity.gas_work" "J" Cavity Scalar false "Work done by the gas since the ignition." |v, of| of_cavity(v, of, |c| c.work);
+    "cavity.depth" "m" Cavity Scalar true "Depth of the charge below the free surface over it." |v, of| of_cavity(v, of, |c| v.profile(c).depth);
+    "cavity.dome" "m" Cavity Scalar true "Mean uplift of the surface blocks nearest to the axis of the charge." |v, of| of_cavity(v, of, |c| v.profile(c).dome());
+    "cavity.crater_radius" "m" Cavity Scalar true "Radius about the axis of the charge within which the free surface has risen by more than 0.02 of the depth of the charge (mean over rings)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) });
+    "cavity.crater_ratio" "-" Cavity Scalar true "The same radius over the depth of the charge (n of Boreskov's formula)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) / p.depth });
+    "cavity.attenuation" "-" Cavity Scalar true "Exponent n of the attenuation v = K/r^n of the peak speed between 2 and 16 radii of a ball as large as the cavity (least squares over means of shells)." |v, of| of_cavity(v, of, |c| v.attenuation(c));
+    "cavity.roundness" "-" Cavity Scalar true "Radius along the axes over that along the diagonals of space of the contours of the peak speed around the source (blocks within 15 degrees, mean over contours); 1 is round." |v, of| of_cavity(v, of, |c| v.roundness(c));
+    "block.node_displacement" "m" Block Vector3 false "Displacement, since the start, of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Displacement);
+    "block.node_velocity" "m/s" Block Vector3 false "Velocity of the node of a deformable block that lay nearest to `at_point` (of a rigid block: of its centroid)." |v, of| v.at_node(of, Motion::Velocity);
+    "block.crack_distance" "m" Block Scalar true "Distance from `at_point` to the nearest broken facet, at the start; infinite without any." |_v, _of| one(f64::NAN);
+    "block.crack_offset" "m" Block Vector3 true "Distance from `at_point` along x, y, z (or `along`) to the nearest broken facet that the line meets, at the start; negative against the axis, infinite where it meets none." |_v, _of| Vec3::NAN;
+    "block.strain_normal" "-" Block Vector3 true "Mean normal strains xx, yy, zz of a deformable block as x, y, z; extension positive." |v, of| { let h = gradient(v, of); Vec3::new(h[0][0], h[1][1], h[2][2]) };
+    "block.strain_shear" "-" Block Vector3 true "Mean shear strains yz, zx, xy (half the angle) of a deformable block as x, y, z." |v, of| { let h = gradient(v, of); 0.5 * Vec3::new(h[1][2] + h[2][1], h[2][0] + h[0][2], h[0][1] + h[1][0]) };
+    "block.sigma2_compressive" "Pa" Block Scalar true "Middle principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[1]);
+    "boundary.displacement" "m" Boundary Vector3 true "Mean displacement, by area, of the faces a condition acts on." |v, of| v.on_boundary(first(of)).0;
+    "boundary.force" "N" Boundary Vector3 true "Force by which a condition acts on the nodes of deformable blocks: tractions and reactions." |v, of| v.on_boundary(first(of)).1;
+    "model.strain_energy" "J" Model Scalar true "Elastic energy of deformable blocks." |v, _| one(v.strain_energy());
+    "model.bond_energy" "J" Model Scalar true "Elastic energy of the bonds of deformable blocks." |v, _| one(v.bond_energy().iter().sum());
+    "model.facets" "-" Model Scalar false "Number of facets: shared parts of faces along which a deformable block is joined." |v, _| one(v.softs().map_or(0, |s| s.0.facets.len()) as f64);
+    "model.springs" "-" Model Scalar false "Number of springs of these facets." |v, _| one(v.softs().map_or(0, |s| s.0.points.len()) as f64);
+    "model.broken_area" "m2" Model Scalar true "Area of broken bonds." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area.iter().sum()));
+    "model.broken_tension" "m2" Model Scalar true "Area of bonds broken by tension." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area[0]));
+    "model.broken_shear" "m2" Model Scalar true "Area of bonds broken by shear." |v, _| one(v.softs().map_or(0.0, |s| s.0.broken_area[1]));
+    "model.broken_facets" "-" Model Scalar true "Number of facets more than half of whose springs are broken." |v, _| one(v.softs().map_or(0, |s| tip::broken(s.0).count()) as f64);
+    "model.crack_fabric" "-" Model Vector3 true "Mean over the area of broken facets of the squared components of their normals: (0.75, 0.25, 0) for cracks at 30 degrees to y in the plane across z." |v, _| v.softs().map_or(Vec3::NAN, |s| tip::fabric(s.0));
+    "model.crack_away" "m" Model Vector3 true "Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0, as x, y, z." |v, _| v.softs().map_or(Vec3::NAN, |s| tip::away(s.0, v.world.setup.origin));
+    "model.break_events" "-" Model Scalar true "Number of times that bonds have broken in static phases, each followed by a new equilibrium." |v, _| one(v.softs().map_or(0, |s| s.0.breaks) as f64);
+    "model.peak_share" "-" Model Scalar true "Largest of 1/utilisation over the times that bonds have broken in static phases: the share of the load that the rock carried at most, as far as it is linear between them." |v, _| one(v.softs().map_or(0.0, |s| s.0.peak_share));
+    "model.cut_blocks" "-" Model Scalar true "Number of blocks that have been cut, parts that were cut again included." |v, _| one(v.softs().map_or(0, |s| s.0.cut_blocks) as f64);
+    "model.cut_unbalanced" "-" Model Scalar true "Largest ratio of the net to the external forces just after blocks were cut, before anything moved." |v, _| one(v.softs().map_or(0.0, |s| s.0.cut_unbalanced));
+    "model.utilisation" "-" Model Scalar true "Largest traction over strength of a spring that is not broken." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
+    "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
+    "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
+    "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(super::stable::stable_step(v.world, v.scratch, 0.0).dt);
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed." |v, _| one(v.fragments().list.len() as f64);
+    "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
+    "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
+    "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
+    "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
+    "energy.contact_shear" "J" Energy Scalar true "Elastic energy of the shear springs of patches." |v, _| one(v.balance().contact_shear);
+    "energy.joints" "J" Energy Scalar true "Elastic energy of the springs behind boundary faces." |v, _| one(v.balance().bond);
+    "energy.loads" "J" Energy Scalar true "Work of external loads and tractions." |v, _| one(v.world.works.loads);
+    "energy.supports" "J" Energy Scalar true "Work of supports with prescribed motion." |v, _| one(v.world.works.supports);
+    "energy.gas" "J" Energy Scalar true "Work of the gas of cavities and of other pressures in them." |v, _| one(v.world.works.gas);
+    "energy.absorbed" "J" Energy Scalar true "Absorbed at viscous boundaries." |v, _| one(v.world.works.absorbed);
+    "energy.friction" "J" Energy Scalar true "Dissipated by friction." |v, _| one(v.world.works.friction);
+    "energy.damping" "J" Energy Scalar true "Dissipated by patch, mass and local damping." |v, _| one(v.world.works.damping);
+    "energy.fracture" "J" Energy Scalar true "Released when points fail and open." |v, _| one(v.world.works.fracture);
+    "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws." |v, _| one(v.world.works.edit_defect);
+    "energy.residual" "J" Energy Scalar true "What the books do not explain." |v, _| one(v.balance().residual());
+    "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
+}
+
+/// A field with everything needed to read one number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    index: usize,
+    part: Part,
+    of: Vec<u32>,
+    at: Option<Vec3>,
+    along: Option<Vec3>,
+    /// Block that held the point at the last reading.
+    held_by: Cell<u32>,
+}
+
+impl Reading {
+    /// Finds `name` in the table. With a point `at` (m, local) a block field is read at the block that holds it.
+    ///
+    /// # Errors
+    /// Unknown names and parts of scalars.
+    pub fn new(
+        name: &str,
+        of: &[u32],
+        at: Option<Vec3>,
+        along: Option<Vec3>,
+    ) -> Result<Self, FieldError> {
+        let (info, part) = find(INFOS, name)?;
+        let index = INFOS.iter().position(|f| f.name == info.name).unwrap_or(0);
+        Ok(Self {
+            index,
+            part,
+            of: of.to_vec(),
+            at,
+            along,
+            held_by: Cell::new(0),
+        })
+    }
+
+    /// Table entry.
+    #[must_use]
+    pub fn info(&self) -> &'static FieldInfo {
+        &INFOS[self.index]
+    }
+
+    /// Whether reading it costs as much as a step.
+    #[must_use]
+    pub fn costly(&self) -> bool {
+        FIELDS[self.index].costly
+    }
+
+    /// The number; a vector without part or direction gives its magnitude. NaN where the block is gone or
+    /// no block holds the point.
+    #[must_use]
+    pub fn value(&self, view: &View<'_>) -> f64 {
+        let get = FIELDS[self.index].get;
+        if self.info().name == "block.crack_distance" {
+            return self.at.map_or(f64::NAN, |at| tip::distance(view, at));
+        }
+        if self.info().name == "block.crack_offset" {
+            let axis = match self.part {
+                Part::Whole | Part::Magnitude => self.along,
+                part => Vec3::AXES
+                    .into_iter()
+                    .find(|e| part.of(&e.to_array()) == Some(1.0)),
+            };
+            let both = self.at.zip(axis);
+            return both.map_or(f64::NAN, |(at, axis)| tip::offset(view, at, axis));
+        }
+        let found;
+        let of: &[u32] = match (self.at, self.info().site) {
+            (Some(point), _) => match self.holder(view, point) {
+                Some(block) => {
+                    found = [block, view.spot(block, point)];
+                    &found
+                }
+                None => return f64::NAN,
+            },
+            (None, Site::Block) if self.info().name.starts_with("block.node_") => return f64::NAN,
+            (None, Site::Block | Site::Pair) if self.gone(view) => return f64::NAN,
+            (None, _) => &self.of,
+        };
+        let v = get(view, of);
+        match (self.info().shape, self.part, self.along) {
+            (FieldShape::Scalar, ..) => v.x,
+            (_, Part::Whole, Some(direction)) => v.dot(direction),
+            (_, Part::Whole, None) => v.length(),
+            (_, part, _) => part.of(&v.to_array()).unwrap_or(f64::NAN),
+        }
+    }
+
+    /// Whether a block asked for is no longer there (`block.removed` can still be read).
+    fn gone(&self, view: &View<'_>) -> bool {
+        self.info().name != "block.removed"
+            && self.of.iter().any(|&b| !view.world.alive[b as usize])
+    }
+
+    fn holder(&self, view: &View<'_>, point: Vec3) -> Option<u32> {
+        let last = self.held_by.get();
+        let there = |b: usize| view.world.alive[b] && holds(view, b, point);
+        if (last as usize) < view.world.alive.len() && there(last as usize) {
+            return Some(last);
+        }
+        let block = (0..view.world.alive.len()).find(|&b| there(b))? as u32;
+        self.held_by.set(block);
+        Some(block)
+    }
+}
+
+/// Whether the volume of block `b` at the start holds a point, its surface included.
+fn holds(view: &View<'_>, b: usize, point: Vec3) -> bool {
+    match &view.world.setup.blocks[b].shape {
+        Shape::Brick { centre, half } => {
+            let out = (point - *centre).abs() - *half;
+            out.max_element() <= 1e-9 * half.max_element()
+        }
+        Shape::Polyhedron(solid) => solid.faces.iter().all(|face| {
+            let corner = |k: usize| solid.vertices[face[k] as usize];
+            let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+            normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
+        }),
+    }
+}

@@ -1,0 +1,325 @@
+//! State of deformable blocks and their bonds: what a checkpoint holds.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use super::cutting::Cutting;
+use super::hold::Hold;
+use super::relax::Relax;
+use crate::laws::bond::{self, Traction};
+use crate::laws::tetrahedron::Symmetric;
+use crate::setup::deform::Strain;
+
+/// Not a deformable block.
+pub const RIGID: u32 = u32::MAX;
+
+/// All deformable blocks, their bonds, and what holds and loads them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Deform {
+    /// Place of each block of the world in `bodies`; [`RIGID`] for rigid ones.
+    pub slot: Vec<u32>,
+    /// Deformable blocks in the order of their nodes.
+    pub bodies: Vec<Body>,
+    /// Blocks of the world whose shape and material a kind of body has; congruent blocks of one material share a kind.
+    pub kinds: Vec<u32>,
+    /// Motion of the nodes.
+    pub nodes: Nodes,
+    /// Prescribed motion of nodes, by node.
+    pub holds: Vec<Hold>,
+    /// Free parts of faces with a condition, and walls of cavities.
+    pub surfaces: Vec<Surface>,
+    /// Stress that the bodies have before they deform; shorter or empty where they have none.
+    pub start: Vec<Start>,
+    /// Shared parts of faces.
+    pub facets: Vec<Facet>,
+    /// Points of all facets, in the order of the facets.
+    pub points: Vec<Point>,
+    /// State of the points.
+    pub memory: Vec<Memory>,
+    /// Facets with a point that has broken or softened, or was joined under load; others are linear.
+    pub worn: Vec<bool>,
+    /// Which masses the nodes have.
+    pub masses: Masses,
+    /// Whether bonds may break in the present phase.
+    pub breaking: bool,
+    /// State of a relaxing phase; `None` in dynamic phases.
+    pub relax: Option<Relax>,
+    /// Cutting in the present phase; `None` where it does not cut.
+    pub cutting: Option<Cutting>,
+    /// Number of blocks before the first cut.
+    pub given: Option<u32>,
+    /// Step at which breaking was last looked at.
+    pub looked: u64,
+    /// Facets that have broken since the last record.
+    pub broken: Vec<Break>,
+    /// Area of bonds broken so far by mode (tension, shear), m².
+    pub broken_area: [f64; 2],
+    /// Events of breaking in static phases so far.
+    pub breaks: u64,
+    /// Largest of 1/utilisation over these events.
+    pub peak_share: f64,
+    /// Blocks cut so far.
+    pub cut_blocks: u64,
+    /// Largest ratio of net to external forces just after a cut.
+    pub cut_unbalanced: f64,
+}
+
+/// One deformable block.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    /// Index of the block in the world.
+    pub block: u32,
+    /// Index into `kinds`.
+    pub kind: u32,
+    /// Its first node.
+    pub first: u32,
+    /// Number of its nodes.
+    pub count: u32,
+    /// Measure of strain.
+    pub strain: Strain,
+    /// Cut or removed blocks stay in the lists.
+    pub alive: bool,
+}
+
+impl Body {
+    /// Its nodes.
+    #[must_use]
+    pub fn nodes(&self) -> std::ops::Range<usize> {
+        self.first as usize..(self.first + self.count) as usize
+    }
+}
+
+/// Motion of all nodes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Nodes {
+    /// Place at the start, m (local).
+    pub place: Vec<Vec3>,
+    /// Displacement, m.
+    pub moved: Vec<[f64; 3]>,
+    /// Velocity half a step ago, m/s (fictitious while relaxing).
+    pub rate: Vec<[f64; 3]>,
+}
+
+impl Nodes {
+    /// Number of nodes.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.place.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.place.is_empty()
+    }
+}
+
+/// Which masses the nodes have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Masses {
+    /// A quarter of each tetrahedron to each of its nodes.
+    #[default]
+    Lumped,
+    /// Lumped ones scaled so that the block has its true moment of inertia; the rest sits on the centroid node.
+    Inertia,
+}
+
+/// Stress of a body before it deforms: in-situ stress, or what it had when it was cut from another.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Start {
+    /// Second Piola-Kirchhoff stress of each tetrahedron, Pa; empty for none.
+    pub stresses: Vec<Symmetric>,
+    /// Energy stored without displacements, J.
+    pub energy: f64,
+}
+
+/// What acts on a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Acts {
+    /// Index into `Setup::boundaries`.
+    Boundary(u16),
+    /// Index into `Setup::sources`.
+    Cavity(u16),
+}
+
+/// A free part of a face with a condition, or a wall of a cavity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Place of the block in `bodies`.
+    pub body: u32,
+    /// What acts on it.
+    pub acts: Acts,
+    /// Unit outward normal at the start.
+    pub normal: Vec3,
+    /// Nodes and the area of each that is free, m².
+    pub nodes: Vec<(u32, f64)>,
+    /// Heights at which a traction that is linear in z has its mean over the area of each node, m (local).
+    pub heights: Vec<f64>,
+}
+
+impl Surface {
+    /// The condition on it; `None` for walls of cavities.
+    #[must_use]
+    pub fn boundary(&self) -> Option<usize> {
+        match self.acts {
+            Acts::Boundary(k) => Some(usize::from(k)),
+            Acts::Cavity(_) => None,
+        }
+    }
+}
+
+/// The shared part of two faces.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Facet {
+    /// Blocks A and B of the world, at least one of them deformable.
+    pub blocks: [u32; 2],
+    /// Unit normal n from A to B, then b and c: right-handed, at the start.
+    pub frame: [Vec3; 3],
+    /// The same now: turned with its blocks where they use large strain or finite rotations.
+    pub now: [Vec3; 3],
+    /// Centre, m (local, on the side of A).
+    pub centre: Vec3,
+    /// Area, m².
+    pub area: f64,
+    /// First point.
+    pub first: u32,
+    /// Number of points.
+    pub count: u32,
+    /// Normal and shear stiffness per area, Pa/m.
+    pub stiffness: [f64; 2],
+    /// Index into `Setup::interfaces`.
+    pub row: u16,
+    /// Which sides are rigid blocks.
+    pub rigid: [bool; 2],
+    /// Step before which it does not break: a facet made by a cut in a dynamic phase waits for the next look.
+    pub whole_until: u64,
+}
+
+impl Facet {
+    /// Its points.
+    #[must_use]
+    pub fn points(&self) -> std::ops::Range<usize> {
+        self.first as usize..(self.first + self.count) as usize
+    }
+}
+
+/// Where a point hangs on one side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Anchor {
+    /// Nodes; a rigid side has none of its own and repeats 0.
+    pub nodes: [u32; 3],
+    /// Weights of the nodes; on a rigid side the arm from its centroid, m.
+    pub weights: [f64; 3],
+}
+
+/// A point of a facet: a spring.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Point {
+    /// On A and on B.
+    pub anchors: [Anchor; 2],
+    /// Its share of the area, m².
+    pub area: f64,
+}
+
+/// State of a point. Components along n, b, c of its facet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Memory {
+    /// Traction at zero jump, Pa: bonds inserted under load.
+    pub start: Traction,
+    /// Damage and slip at the last committed instant.
+    pub law: bond::State,
+    /// How it is.
+    pub state: State,
+    /// Time at which it broke, s.
+    pub broken_at: f64,
+    /// Whether it has broken and no event tells of it yet.
+    pub untold: bool,
+}
+
+/// How a point is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum State {
+    /// Joined.
+    #[default]
+    Bonded,
+    /// Broken by tension.
+    Opened,
+    /// Broken by shear.
+    Sheared,
+}
+
+impl State {
+    /// Whether it is broken.
+    #[must_use]
+    pub fn is_broken(self) -> bool {
+        match self {
+            Self::Bonded => false,
+            Self::Opened | Self::Sheared => true,
+        }
+    }
+}
+
+/// Points of a facet that broke in one event.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Break {
+    /// Step number.
+    pub step: u64,
+    /// Time, s.
+    pub time: f64,
+    /// The facet.
+    pub facet: u32,
+    /// Broken by tension and by shear, m².
+    pub area: [f64; 2],
+    /// Utilisation at which it broke.
+    pub utilisation: f64,
+    /// Energy that the points held and no longer hold, J.
+    pub released: f64,
+}
+
+impl Deform {
+    /// The deformable block `b` of the world, if it is one.
+    #[must_use]
+    pub fn body(&self, b: usize) -> Option<&Body> {
+        match self.slot.get(b) {
+            Some(&slot) if slot != RIGID => self.bodies.get(slot as usize),
+            Some(_) | None => None,
+        }
+    }
+
+    /// Living bodies.
+    pub fn living(&self) -> impl Iterator<Item = &Body> {
+        self.bodies.iter().filter(|b| b.alive)
+    }
+
+    /// Takes a block out: its facets and surfaces go, its nodes stay in the lists at rest.
+    pub fn retire(&mut self, block: u32) {
+        let Some(&slot) = self.slot.get(block as usize).filter(|s| **s != RIGID) else {
+            return;
+        };
+        let body = &mut self.bodies[slot as usize];
+        body.alive = false;
+        let nodes = body.nodes();
+        self.nodes.rate[nodes.clone()].fill([0.0; 3]);
+        self.holds.retain(|h| !nodes.contains(&(h.node as usize)));
+        self.surfaces.retain(|s| s.body != slot);
+        let (mut facets, mut worn) = (Vec::new(), Vec::new());
+        let (mut points, mut memory) = (Vec::new(), Vec::new());
+        for (facet, was_worn) in self.facets.iter().zip(&self.worn) {
+            if facet.blocks.contains(&block) {
+                continue;
+            }
+            let range = facet.points();
+            facets.push(Facet {
+                first: points.len() as u32,
+                ..*facet
+            });
+            worn.push(*was_worn);
+            points.extend_from_slice(&self.points[range.clone()]);
+            memory.extend_from_slice(&self.memory[range]);
+        }
+        self.facets = facets;
+        self.worn = worn;
+        self.points = points;
+        self.memory = memory;
+    }
+}

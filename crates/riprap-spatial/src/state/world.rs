@@ -1,0 +1,106 @@
+//! State of the 3D engine: what a checkpoint holds.
+//!
+//! Leapfrog: velocities and spins belong to half a step before `time`, except before the first
+//! step, when they belong to `time` itself (`last_dt` is 0). Positions are reference positions plus
+//! displacements; with small kinematics lever arms and frames stay as they were at the start.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+pub use super::bodies::{Bodies, SolidClass, Turned, vec3};
+use super::cavity::Cavity;
+use super::deform::Deform;
+use super::event::{EditEvent, EditKind};
+use super::face::Face;
+use super::lineage::Origin;
+pub use super::patches::{PatchClass, Patches, flag};
+use crate::ledger::Works;
+use crate::setup::{Motion, Setup};
+
+/// Whole state of a spatial model.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct World {
+    /// The model as built (interfaces, supports and boundaries as changed by phases since). A block
+    /// that was split or removed stays in `setup.blocks`; children are appended.
+    pub setup: Setup,
+    /// Model time, s.
+    pub time: f64,
+    /// Steps done.
+    pub step: u64,
+    /// Length of the last step, s; 0 before the first.
+    pub last_dt: f64,
+    /// Time moved since the forces were last evaluated, s.
+    pub pending: f64,
+    /// Whether the laws must be applied in the next evaluation although no time has passed: after
+    /// building, an edit or a change of laws.
+    pub fresh: bool,
+    /// Gravity now, m/s².
+    pub gravity: Vec3,
+    /// Motion of the blocks.
+    pub bodies: Bodies,
+    /// Centroids that displacements are measured from, m.
+    pub reference: Vec<Vec3>,
+    /// Displacement (m) and rotation vector (rad) of each block at which outputs begin to measure; shorter or
+    /// empty where they measure from the start.
+    pub datum: Vec<[Vec3; 2]>,
+    /// Index into `solids`, per block.
+    pub solid: Vec<u32>,
+    /// Mass properties, shared by equal blocks.
+    pub solids: Vec<SolidClass>,
+    /// Blocks that use finite rotations (boxed: few do).
+    pub turned: Vec<Option<Box<Turned>>>,
+    /// Removed and split blocks stay in the lists, so that numbers keep their meaning.
+    pub alive: Vec<bool>,
+    /// Where each block comes from.
+    pub lineage: Vec<Origin>,
+    /// Prescribed motion of each block, if any (boxed: few blocks have one).
+    pub motion: Vec<Option<Box<Motion>>>,
+    /// Square of the largest speed of each block's centroid so far, m²/s².
+    pub peak_speed_squared: Vec<f64>,
+    /// Patches between blocks.
+    pub patches: Patches,
+    /// Geometry and stiffness of patches, shared by equal ones.
+    pub classes: Vec<PatchClass>,
+    /// Free faces, or parts of faces, sorted by block.
+    pub faces: Vec<Face>,
+    /// Charges and other pressures inside the rock.
+    pub cavities: Vec<Cavity>,
+    /// Nodes, bonds and conditions of deformable blocks; `None` if all blocks are rigid.
+    pub deform: Option<Box<Deform>>,
+    /// Step at which the criteria of splitting were last looked at: once a step is enough.
+    pub looked: u64,
+    /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.
+    pub events: Vec<EditEvent>,
+    /// Running sums of the energy ledger.
+    pub works: Works,
+    /// Kinetic and stored energy at the start, J; set by the first evaluation.
+    pub start_energy: Option<f64>,
+}
+
+impl World {
+    /// Mass properties of a block.
+    #[must_use]
+    pub fn solid_of(&self, b: usize) -> &SolidClass {
+        &self.solids[self.solid[b] as usize]
+    }
+
+    /// Whether block `b` is deformable.
+    #[must_use]
+    pub fn deforms(&self, b: usize) -> bool {
+        self.deform.as_ref().is_some_and(|d| d.body(b).is_some())
+    }
+
+    /// An event at the present time, without children.
+    #[must_use]
+    pub fn event(&self, kind: EditKind, subject: u32) -> EditEvent {
+        EditEvent {
+            step: self.step,
+            time: self.time,
+            kind,
+            subject,
+            children: Vec::new(),
+            patches: [0; 2],
+            cut: None,
+        }
+    }
+}
