@@ -3,7 +3,7 @@
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use riprap::record::plot::PlotError;
+use riprap::plot::PlotError;
 use riprap::run::job::JobError;
 use riprap::scenario::{Diagnostic, Diagnostics, Parsed, Severity, Source};
 

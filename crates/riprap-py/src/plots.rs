@@ -4,10 +4,8 @@ use std::path::PathBuf;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use riprap::record::plot as drawn;
-use riprap::record::plot::{
-    BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
-};
+use riprap::plot as drawn;
+use riprap::plot::{BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which};
 
 use crate::errors;
 

@@ -16,8 +16,8 @@
 //! | `events`, `checks` | JSON: lines of those files |
 //! | `file/NAME` | a file of the run folder as it is |
 
-use riprap::record::Column;
-use riprap::record::table::Table;
+use riprap_record::Column;
+use riprap_record::table::Table;
 use serde_json::{Value, json};
 
 use crate::run::{Problem, Run};
@@ -136,7 +136,7 @@ pub fn summary(run: &Run) -> Value {
         "name": name,
         "manifest": manifest,
         "live": live,
-        "died": manifest.ended == riprap::record::Ended::Running && !live,
+        "died": manifest.ended == riprap_record::Ended::Running && !live,
         "times": frames.iter().map(|f| f.time).collect::<Vec<_>>(),
         "steps": frames.iter().map(|f| f.step).collect::<Vec<_>>(),
         "phases": frames.iter().map(|f| f.phase.as_str()).collect::<Vec<_>>(),
@@ -177,7 +177,7 @@ pub(crate) fn flat3(column: &Column) -> Vec<f32> {
 
 fn vectors(run: &Run, k: usize, name: &str) -> Result<Answer, Problem> {
     let column = run.vectors(k, name)?;
-    let longest = extremes(&column.numbers(riprap::record::Part::Magnitude));
+    let longest = extremes(&column.numbers(riprap_record::Part::Magnitude));
     let info = json!({ "unit": column.unit, "longest": longest.map(|r| r[1]) });
     Ok(binary(
         Wire::default().f32("values", &flat3(&column)).finish(&info),

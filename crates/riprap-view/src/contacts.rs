@@ -1,6 +1,6 @@
 //! What is between the blocks: places, forces and states of contacts, patches, facets and joints; cracks as surfaces.
 
-use riprap::record::{Column, Part};
+use riprap_record::{Column, Part};
 use serde_json::{Value, json};
 
 use crate::answer::{described, extremes, flat3};

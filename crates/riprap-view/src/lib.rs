@@ -2,7 +2,7 @@
 //!
 //! `riprap view RUN` serves one page and the answers it asks for, on this machine only. The page (TypeScript, in
 //! `viewer/`) is built by `npm run build` there and embedded here, so that nothing but this program is needed to look
-//! at a run. A run is read through `riprap::record` alone.
+//! at a run. A run is read through `riprap_record` alone.
 //!
 //! - [`run`]: a run folder opened for looking, and what can be wrong with it;
 //! - [`shape`], [`motion`]: blocks at rest, and how they moved, as compact arrays;

@@ -3,9 +3,9 @@
 //! A rigid block needs a shift and a turn, whatever number of corners it has; a block that changed its shape brings the
 //! shift of each corner. Nothing is taken from columns here: what the corners did is what is shown.
 
-use riprap::Vec3;
-use riprap::geom::{Mat3, Quat};
-use riprap::record::Frame;
+use riprap_geom::Vec3;
+use riprap_geom::{Mat3, Quat};
+use riprap_record::Frame;
 use serde_json::{Value, json};
 
 use crate::shape::{Shape, mean, single};
@@ -164,7 +164,7 @@ fn gaps(shape: &Shape, now: &[Vec3]) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use riprap::record::frame::{BRICK, Column, Solids};
+    use riprap_record::frame::{BRICK, Column, Solids};
 
     /// Two bricks side by side; the second has moved by `shift`, turned by `turn` and been stretched.
     fn bricks(shift: Vec3, turn: Vec3, stretch: f64) -> Frame {

@@ -1,6 +1,6 @@
 //! What is wrong with a run, and what to do about it.
 
-use riprap::record::vtu::ReadError;
+use riprap_record::vtu::ReadError;
 use serde::Serialize;
 
 /// Why something cannot be shown, in words for the person in front of the page.

@@ -1,14 +1,14 @@
 //! One run folder, opened for looking: frames by their place in the list of frames, read when asked for.
 //!
-//! Only the public readers of `riprap::record` touch the files, and only names that they make themselves or that
+//! Only the public readers of `riprap_record` touch the files, and only names that they make themselves or that
 //! lie inside the folder. A run that goes on while it is looked at is read anew each time.
 
-use riprap::Vec3;
-use riprap::record::folder::{block_file, contact_file, crack_file, in_use};
-use riprap::record::names::Names;
-use riprap::record::table::Table;
-use riprap::record::vtu::{self, Moment, PvdEntry, Wanted};
-use riprap::record::{Column, Ended, Frame, Manifest, Part};
+use riprap_geom::Vec3;
+use riprap_record::folder::{block_file, contact_file, crack_file, in_use};
+use riprap_record::names::Names;
+use riprap_record::table::Table;
+use riprap_record::vtu::{self, Moment, PvdEntry, Wanted};
+use riprap_record::{Column, Ended, Frame, Manifest, Part};
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -57,7 +57,7 @@ impl Run {
     /// # Errors
     /// What is wrong with it.
     pub fn manifest(&self) -> Result<Manifest, Problem> {
-        use riprap::record::manifest::ManifestError;
+        use riprap_record::manifest::ManifestError;
         Manifest::read(&self.path).map_err(|error| {
             let hint = match &error {
                 ManifestError::Read { .. } => self.where_runs_are(),

@@ -4,9 +4,9 @@
 //! taken back, so that the same block has the same shape whichever frame it was read from. Frames whose blocks have the
 //! same identities, corners and faces share one [`Shape`]; its `key` says which.
 
-use riprap::Vec3;
-use riprap::geom::Quat;
-use riprap::record::Frame;
+use riprap_geom::Quat;
+use riprap_geom::Vec3;
+use riprap_record::Frame;
 use serde_json::json;
 use std::hash::{DefaultHasher, Hash, Hasher};
 

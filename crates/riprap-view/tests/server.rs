@@ -1,8 +1,8 @@
 //! The server as a browser, a stranger and a person with a broken folder meet it.
 
-use riprap::record::frame::{BRICK, Solids};
-use riprap::record::names::Names;
-use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
+use riprap_record::frame::{BRICK, Solids};
+use riprap_record::names::Names;
+use riprap_record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
 use riprap_view::Server;
 use serde_json::Value;
 use std::io::{Read, Write};

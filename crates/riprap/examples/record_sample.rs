@@ -4,7 +4,7 @@
 //! VTK files (`tests/python/check_vtk.py`) and of the plots use it, since it needs no engine. `expected.json`
 //! holds what a reader of the frames must find. With a second folder, plots of each kind are drawn into it.
 
-use riprap::record::plot::{self, BlockOptions, Labels, Line, Which};
+use riprap::plot::{self, BlockOptions, Labels, Line, Which};
 use riprap::record::table::Table;
 use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
 use std::error::Error;

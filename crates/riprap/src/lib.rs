@@ -4,7 +4,6 @@
 //! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
 
 pub mod model;
-pub mod record;
 pub mod run;
 pub mod scenario;
 
@@ -12,4 +11,6 @@ pub use riprap_core::{dynamics, exec, lanes, laws, ledger, profile};
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};
 pub use riprap_planar as planar;
+pub use riprap_plot as plot;
+pub use riprap_record as record;
 pub use riprap_spatial as spatial;

@@ -1,6 +1,6 @@
 //! `riprap paraview`.
 
-use riprap::record::paraview::{self, View};
+use riprap::plot::paraview::{self, View};
 
 use crate::args::Paraview;
 use crate::failure::Failure;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use riprap::record::plot::{
+use riprap::plot::{
     self, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
 };
 use riprap::scenario::units::{self, Dim};

@@ -1,8 +1,8 @@
 //! The parts of the report that print: facts, checks, plots, energy, events, scene, versions.
 
 use base64::Engine as _;
-use riprap::record::manifest::Manifest;
-use riprap::record::names::Names;
+use riprap_record::manifest::Manifest;
+use riprap_record::names::Names;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 

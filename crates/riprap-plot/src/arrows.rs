@@ -1,0 +1,77 @@
+//! Arrows on blocks: displacement or velocity.
+
+use super::section::{Vectors, middle};
+use super::svg::Page;
+use riprap_record::frame::{Column, Frame};
+use std::collections::BTreeSet;
+
+/// The longest arrow is not longer than this share of the mean of width and height of the picture,
+const LONGEST: f64 = 0.12;
+/// nor than so many times the mean distance of the blocks.
+const SPACINGS: f64 = 2.5;
+/// Of several arrows that begin in one cell of this size the first is drawn, pixels.
+const CELL: f64 = 11.0;
+/// Shorter arrows are not drawn, pixels.
+const SHORTEST: f64 = 3.0;
+
+fn column(frame: &Frame, vectors: Vectors) -> Option<&Column> {
+    frame.column(vectors.column()).filter(|c| c.components >= 2)
+}
+
+/// Length in the picture plane of the longest vector of all frames; 0 without vectors.
+pub(super) fn longest(frames: &[Frame], vectors: Option<Vectors>) -> f64 {
+    let Some(vectors) = vectors else {
+        return 0.0;
+    };
+    frames
+        .iter()
+        .filter_map(|f| column(f, vectors))
+        .flat_map(|c| c.data.chunks(c.components).map(|v| v[0].hypot(v[1])))
+        .filter(|v| v.is_finite())
+        .fold(0.0, f64::max)
+}
+
+/// Draws arrows from the middles of the blocks; the longest of all frames has the same length everywhere.
+pub(super) fn draw(
+    page: &mut Page,
+    frame: &Frame,
+    vectors: Vectors,
+    longest: f64,
+    pixel: &dyn Fn([f64; 2]) -> [f64; 2],
+    size: [f64; 2],
+) {
+    let Some(column) = column(frame, vectors).filter(|_| longest > 0.0) else {
+        return;
+    };
+    let spacing = (size[0] * size[1] / frame.blocks().max(1) as f64).sqrt();
+    let reach = (LONGEST * 0.5 * (size[0] + size[1])).min((SPACINGS * spacing).max(20.0)) / longest;
+    let mut taken = BTreeSet::new();
+    for (i, v) in column.data.chunks(column.components).enumerate() {
+        let (dx, dy) = (v[0] * reach, -v[1] * reach);
+        let [x, y] = pixel(middle(frame.outline(i)));
+        let length = dx.hypot(dy);
+        let cell = [x, y].map(|v| (v / CELL).floor() as i64);
+        if length.is_finite() && length >= SHORTEST && taken.insert(cell) {
+            arrow(page, [x, y], [x + dx, y + dy], length);
+        }
+    }
+}
+
+fn arrow(page: &mut Page, from: [f64; 2], to: [f64; 2], length: f64) {
+    let head = (0.35 * length).clamp(2.0, 6.0).min(length);
+    let (ux, uy) = ((to[0] - from[0]) / length, (to[1] - from[1]) / length);
+    let neck = [to[0] - head * ux, to[1] - head * uy];
+    let side = 0.4 * head;
+    let tip = [
+        to,
+        [neck[0] - side * uy, neck[1] + side * ux],
+        [neck[0] + side * uy, neck[1] - side * ux],
+    ];
+    page.line(
+        from,
+        neck,
+        "stroke=\"#ffffff\" stroke-width=\"2.2\" stroke-opacity=\"0.6\"",
+    );
+    page.line(from, neck, "stroke=\"#1a1a1a\" stroke-width=\"1\"");
+    page.polygon(&tip, "fill=\"#1a1a1a\"");
+}

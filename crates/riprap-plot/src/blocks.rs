@@ -1,0 +1,485 @@
+//! Block outlines coloured by a field, on equal axes, one frame or several.
+
+use super::arrows;
+use super::colour::ColourMap;
+use super::section::{Normal, Vectors};
+use super::svg::{Anchor, Page, fitted, text_width};
+use super::ticks::{Scale, label};
+use super::{PlotError, digits};
+use riprap_record::field::{FieldError, Part, nearest};
+use riprap_record::frame::{Column, Frame};
+
+const SIZE: f64 = 12.0;
+const LEFT: f64 = 70.0;
+const TOP: f64 = 44.0;
+const BAR: f64 = 16.0;
+
+/// How blocks are drawn, and what besides them.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct BlockOptions {
+    /// Contact points, and contact forces if the frame has a vector column with `force` in its name. In the plane only.
+    pub contacts: bool,
+    /// Colours over powers of ten.
+    pub log: bool,
+    /// Arrows on the blocks.
+    pub vectors: Option<Vectors>,
+    /// Factor on displacements and rotations; `None` is 1: blocks where they are.
+    pub exaggeration: Option<f64>,
+    /// In space: direction that the cut is normal to.
+    pub normal: Normal,
+    /// In space: where the cut lies along its normal, m; `None` is the first source, or the middle of the model.
+    pub at: Option<f64>,
+}
+
+/// What a picture is made of besides the frames.
+pub(super) struct Words<'a> {
+    /// Title, which may be shortened.
+    pub(super) title: &'a str,
+    /// Its end, which stays.
+    pub(super) suffix: &'a str,
+    /// When each frame is, in words.
+    pub(super) moments: &'a [String],
+    /// Names of the axes.
+    pub(super) axes: [&'static str; 2],
+    /// Places of sources in the picture, m.
+    pub(super) sources: Vec<[f64; 2]>,
+}
+
+/// A field of a frame as numbers on blocks.
+pub(super) struct Chosen {
+    pub(super) name: String,
+    pub(super) unit: String,
+    pub(super) values: Vec<f64>,
+}
+
+/// Finds `displacement`, `block.displacement`, `block.velocity.x`... A vector without a part is its magnitude.
+pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
+    let bare = |s: &str| s.strip_prefix("block.").unwrap_or(s).to_owned();
+    let find = |name: &str| {
+        frame
+            .block_columns
+            .iter()
+            .find(|c| bare(&c.name) == bare(name))
+    };
+    let (stem, part) = Part::split(field);
+    let (column, part) = match (find(field), find(stem)) {
+        (Some(c), _) => (c, Part::Whole),
+        (None, Some(c)) if c.components > 1 => (c, part),
+        (None, Some(_)) => {
+            return Err(FieldError::NoComponents {
+                name: field.to_owned(),
+                field: stem.to_owned(),
+            });
+        }
+        (None, None) => {
+            let known: Vec<String> = frame.block_columns.iter().map(|c| c.name.clone()).collect();
+            let suggestion =
+                nearest(&bare(stem), known.iter().map(String::as_str)).map(str::to_owned);
+            return Err(FieldError::Unknown {
+                name: field.to_owned(),
+                suggestion,
+                known,
+            });
+        }
+    };
+    let part = if column.components > 1 && part == Part::Whole {
+        Part::Magnitude
+    } else {
+        part
+    };
+    let suffix = match part {
+        Part::Whole => "",
+        Part::X => ", x",
+        Part::Y => ", y",
+        Part::Z => ", z",
+        Part::Magnitude => " magnitude",
+    };
+    Ok(Chosen {
+        name: format!("{}{suffix}", bare(&column.name).replace('_', " ")),
+        unit: column.unit.clone(),
+        values: column.numbers(part),
+    })
+}
+
+/// Map and range that suit the values: signed ones symmetric about zero, amounts from zero if they come near it.
+fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
+    if log {
+        return (
+            ColourMap::Viridis,
+            Scale::log_covering(values.iter().copied()),
+        );
+    }
+    let s = Scale::exact(values.iter().copied());
+    let all_zero = values.iter().all(|v| *v == 0.0 || v.is_nan());
+    if all_zero {
+        (
+            ColourMap::Viridis,
+            Scale {
+                low: 0.0,
+                high: 1.0,
+                log: false,
+            },
+        )
+    } else if s.low < 0.0 && s.high > 0.0 {
+        let size = s.high.max(-s.low);
+        (
+            ColourMap::CoolWarm,
+            Scale {
+                low: -size,
+                high: size,
+                log: false,
+            },
+        )
+    } else if s.low > 0.0 && s.low < 0.3 * s.high {
+        (ColourMap::Viridis, Scale { low: 0.0, ..s })
+    } else if s.high < 0.0 && s.high > 0.3 * s.low {
+        (ColourMap::Viridis, Scale { high: 0.0, ..s })
+    } else {
+        (ColourMap::Viridis, s)
+    }
+}
+
+/// Model window common to all panels, and pixels per metre.
+struct Window {
+    low: [f64; 2],
+    size: [f64; 2],
+    zoom: f64,
+}
+
+impl Window {
+    fn around(frames: &[Frame], columns: usize, arrows: bool) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for p in frames
+            .iter()
+            .flat_map(|f| &f.points)
+            .filter(|p| p[0].is_finite() && p[1].is_finite())
+        {
+            for k in 0..2 {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+        if low[0] > high[0] {
+            (low, high) = ([0.0; 2], [1.0; 2]);
+        }
+        let largest = (high[0] - low[0])
+            .max(high[1] - low[1])
+            .max(1e-9 * low[0].abs().max(1e-6));
+        // Arrows of blocks at the rim reach beyond it.
+        let margin = if arrows { 0.08 } else { 0.03 } * largest;
+        let size = [0, 1].map(|k| high[k] - low[k] + 2.0 * margin);
+        let wide = if columns == 1 {
+            720.0
+        } else {
+            1100.0 / columns as f64
+        };
+        let high_limit = if frames.len() == 1 { 560.0 } else { 420.0 };
+        let zoom = (wide / size[0]).min(high_limit / size[1]);
+        Window {
+            low: [low[0] - margin, low[1] - margin],
+            size,
+            zoom,
+        }
+    }
+
+    fn pixel(&self, p: [f64; 2], corner: [f64; 2]) -> [f64; 2] {
+        [
+            corner[0] + (p[0] - self.low[0]) * self.zoom,
+            corner[1] + (self.low[1] + self.size[1] - p[1]) * self.zoom,
+        ]
+    }
+}
+
+/// Panels side by side: wide scenes are stacked, tall ones stand beside each other.
+fn columns_for(frames: &[Frame]) -> usize {
+    let one = Window::around(frames, 1, false);
+    let aspect = one.size[0] / one.size[1];
+    let columns =
+        ((1.6 * frames.len() as f64 / aspect).sqrt().ceil() as usize).clamp(1, frames.len());
+    frames.len().div_ceil(frames.len().div_ceil(columns))
+}
+
+/// Draws the frames with one colour bar for all.
+pub(super) fn draw(
+    words: &Words,
+    frames: &[Frame],
+    fields: &[Chosen],
+    options: BlockOptions,
+) -> Result<Page, PlotError> {
+    let Some(first) = fields.first() else {
+        return Err(PlotError::NothingToDraw {
+            what: "no frames were chosen".to_owned(),
+        });
+    };
+    let all: Vec<f64> = fields
+        .iter()
+        .flat_map(|f| f.values.iter().copied())
+        .collect();
+    let (map, scale) = colours(&all, options.log);
+    let columns = columns_for(frames);
+    let rows = frames.len().div_ceil(columns);
+    let window = Window::around(frames, columns, options.vectors.is_some());
+    let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
+    let step = [w + LEFT + 10.0, h + 72.0];
+    let right = LEFT + step[0] * (columns - 1) as f64 + w;
+    let head = if frames.len() > 1 { TOP + 24.0 } else { TOP };
+    let bar_height = (step[1] * (rows - 1) as f64 + h).max(140.0);
+    let note = notes(frames, options);
+    let foot = if note.is_empty() { 0.0 } else { 10.0 };
+    let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);
+    let width = page.width;
+    // A long title loses its end, never the time.
+    let room = width - LEFT - 10.0 - text_width(words.suffix, 15.0);
+    let title = format!("{}{}", fitted(words.title, 15.0, room), words.suffix);
+    page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
+    let longest = arrows::longest(frames, options.vectors);
+    for (i, (frame, field)) in frames.iter().zip(fields).enumerate() {
+        let corner = [
+            LEFT + step[0] * (i % columns) as f64,
+            head + step[1] * (i / columns) as f64,
+        ];
+        if frames.len() > 1 {
+            let text = words.moments.get(i).map_or("", String::as_str);
+            let text = fitted(text, SIZE, w + 20.0);
+            page.text(
+                [corner[0] + w / 2.0, corner[1] - 8.0],
+                SIZE,
+                Anchor::Middle,
+                &text,
+            );
+        }
+        axes(&mut page, &window, corner, words.axes);
+        page.begin_clip(&format!("frame{i}"), corner[0], corner[1], w, h);
+        outlines(&mut page, frame, field, (map, &scale), &window, corner);
+        if options.contacts {
+            contacts(&mut page, frame, &window, corner);
+        }
+        if let Some(vectors) = options.vectors {
+            let pixel = |p| window.pixel(p, corner);
+            arrows::draw(&mut page, frame, vectors, longest, &pixel, [w, h]);
+        }
+        for place in &words.sources {
+            star(&mut page, window.pixel(*place, corner));
+        }
+        page.end_clip();
+        page.rect(
+            corner[0],
+            corner[1],
+            w,
+            h,
+            "fill=\"none\" stroke=\"#1a1a1a\"",
+        );
+    }
+    if !note.is_empty() {
+        let at = [LEFT, page.height - 10.0];
+        page.text(at, 11.0, Anchor::Start, &note);
+    }
+    bar(
+        &mut page,
+        (map, &scale),
+        first,
+        [right + 18.0, head],
+        bar_height,
+    );
+    Ok(page)
+}
+
+/// A number for people: at most 6 digits.
+pub(super) fn short(v: f64) -> String {
+    if v != 0.0 && !(1e-4..1e6).contains(&v.abs()) {
+        let text = format!("{v:.3e}");
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!(
+            "{}e{power}",
+            digits.trim_end_matches('0').trim_end_matches('.')
+        );
+    }
+    let text = format!("{v:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// What stands below the picture.
+fn notes(frames: &[Frame], options: BlockOptions) -> String {
+    let mut out = Vec::new();
+    if options.contacts {
+        out.push(contact_note(frames));
+    }
+    if let Some(vectors) = options.vectors {
+        let longest = arrows::longest(frames, Some(vectors));
+        let (name, unit) = (vectors.column(), vectors.unit());
+        out.push(format!(
+            "longest arrow: {name} {} {unit}",
+            digits(longest, 3)
+        ));
+    }
+    out.join("; ")
+}
+
+/// Where a charge lies.
+fn star(page: &mut Page, [x, y]: [f64; 2]) {
+    for (colour, width) in [("#ffffff", 4.0), ("#d00060", 1.8)] {
+        let style =
+            format!("stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"");
+        for [dx, dy] in [[6.0, 0.0], [0.0, 6.0], [4.2, 4.2], [4.2, -4.2]] {
+            page.line([x - dx, y - dy], [x + dx, y + dy], &style);
+        }
+    }
+}
+
+fn axes(page: &mut Page, window: &Window, corner: [f64; 2], names: [&str; 2]) {
+    let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
+    let scale = |k: usize| Scale {
+        low: window.low[k],
+        high: window.low[k] + window.size[k],
+        log: false,
+    };
+    let (sx, sy) = (scale(0), scale(1));
+    // As many labels as fit: their width depends on their number of digits.
+    let widest = sx
+        .ticks(6)
+        .iter()
+        .map(|t| text_width(&t.1, SIZE))
+        .fold(20.0, f64::max);
+    let bottom = corner[1] + h;
+    for (v, text) in sx.ticks(((w / (1.8 * widest)) as usize).clamp(1, 9)) {
+        let x = window.pixel([v, 0.0], corner)[0];
+        page.line([x, bottom], [x, bottom + 4.0], "stroke=\"#1a1a1a\"");
+        page.text([x, bottom + 18.0], SIZE, Anchor::Middle, &text);
+    }
+    for (v, text) in sy.ticks(((h / 34.0) as usize).clamp(1, 9)) {
+        let y = window.pixel([0.0, v], corner)[1];
+        page.line([corner[0] - 4.0, y], [corner[0], y], "stroke=\"#1a1a1a\"");
+        page.text([corner[0] - 7.0, y + 4.2], SIZE, Anchor::End, &text);
+    }
+    let at = [corner[0] + w / 2.0, bottom + 36.0];
+    page.text(at, SIZE, Anchor::Middle, &label(names[0], "m", &sx));
+    page.upright(
+        [corner[0] - 52.0, corner[1] + h / 2.0],
+        SIZE,
+        &label(names[1], "m", &sy),
+    );
+}
+
+fn outlines(
+    page: &mut Page,
+    frame: &Frame,
+    field: &Chosen,
+    (map, scale): (ColourMap, &Scale),
+    window: &Window,
+    corner: [f64; 2],
+) {
+    let stroke = if frame.blocks() > 400 { 0.35 } else { 0.8 };
+    for (i, value) in field.values.iter().enumerate() {
+        let points: Vec<[f64; 2]> = frame
+            .outline(i)
+            .iter()
+            .map(|p| window.pixel([p[0], p[1]], corner))
+            .collect();
+        if points.iter().flatten().all(|v| v.is_finite()) {
+            let colour = map.at(scale.share(*value));
+            let style = format!(
+                "fill=\"{colour}\" stroke=\"#1a1a1a\" stroke-width=\"{stroke}\" stroke-linejoin=\"round\""
+            );
+            page.polygon(&points, &style);
+        }
+    }
+}
+
+fn force_column(frame: &Frame) -> Option<&Column> {
+    frame
+        .contact_columns
+        .iter()
+        .find(|c| c.components == 2 && c.name.contains("force"))
+}
+
+fn largest_force(frame: &Frame) -> f64 {
+    force_column(frame).map_or(0.0, |c| {
+        c.numbers(Part::Magnitude)
+            .into_iter()
+            .filter(|v| v.is_finite())
+            .fold(0.0, f64::max)
+    })
+}
+
+fn contact_note(frames: &[Frame]) -> String {
+    let count = frames.last().map_or(0, |f| f.contact_points.len());
+    match frames.iter().map(largest_force).fold(0.0, f64::max) {
+        0.0 => format!("{count} contacts"),
+        f => format!("{count} contacts, longest force line {f:.2e} N/m"),
+    }
+}
+
+/// Dots, and a line along each force, the longest a tenth of the picture or less where contacts are dense.
+fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
+    let largest = largest_force(frame);
+    let count = frame.contact_points.len().max(1) as f64;
+    let spacing = (window.size[0] * window.size[1] / count).sqrt();
+    let reach = (0.025 * (window.size[0] + window.size[1])).min(0.7 * spacing) * window.zoom;
+    let thick = (0.12 * spacing * window.zoom).clamp(0.6, 1.6);
+    let line = format!("stroke=\"#d00060\" stroke-width=\"{thick:.2}\" stroke-linecap=\"round\"");
+    let force = force_column(frame).filter(|_| largest > 0.0);
+    for (i, p) in frame.contact_points.iter().enumerate() {
+        let [x, y] = window.pixel([p[0], p[1]], corner);
+        if let Some(column) = force {
+            let (fx, fy) = (
+                column.data[2 * i] / largest * reach,
+                column.data[2 * i + 1] / largest * reach,
+            );
+            page.line([x - fx, y + fy], [x + fx, y - fy], &line);
+        }
+        page.circle(
+            [x, y],
+            1.1 * thick,
+            "fill=\"#d00060\" stroke=\"#ffffff\" stroke-width=\"0.5\"",
+        );
+    }
+}
+
+fn bar(
+    page: &mut Page,
+    (map, scale): (ColourMap, &Scale),
+    field: &Chosen,
+    at: [f64; 2],
+    height: f64,
+) {
+    let parts = 64;
+    let part = height / f64::from(parts);
+    for i in 0..parts {
+        let colour = map.at((f64::from(i) + 0.5) / f64::from(parts));
+        let y = at[1] + height - f64::from(i + 1) * part;
+        // A little taller than its share, or seams show.
+        page.rect(
+            at[0],
+            y,
+            BAR,
+            part + if i > 0 { 0.6 } else { 0.0 },
+            &format!("fill=\"{colour}\""),
+        );
+    }
+    page.rect(
+        at[0],
+        at[1],
+        BAR,
+        height,
+        "fill=\"none\" stroke=\"#1a1a1a\"",
+    );
+    let mut widest = 0.0f64;
+    for (v, text) in scale.ticks(((height / 34.0) as usize).clamp(4, 8)) {
+        widest = widest.max(text_width(&text, SIZE));
+        let y = at[1] + height * (1.0 - scale.share(v));
+        page.line(
+            [at[0] + BAR, y],
+            [at[0] + BAR + 4.0, y],
+            "stroke=\"#1a1a1a\"",
+        );
+        page.text([at[0] + BAR + 7.0, y + 4.2], SIZE, Anchor::Start, &text);
+    }
+    let middle = at[1] + height / 2.0;
+    let room = 2.0 * middle.min(page.height - middle) - 10.0;
+    let text = fitted(&label(&field.name, &field.unit, scale), SIZE, room);
+    page.upright(
+        [at[0] + BAR + widest + 28.0, at[1] + height / 2.0],
+        SIZE,
+        &text,
+    );
+}

@@ -1,0 +1,197 @@
+//! Pictures of frames: block outlines in the plane, cuts through solids in space.
+
+use super::blocks::{self, BlockOptions, Chosen, Words};
+use super::section::{self, middle};
+use super::{PlotError, suffix, write};
+use riprap_record::field::number;
+use riprap_record::field::with_unit;
+use riprap_record::frame::Frame;
+use riprap_record::manifest::Manifest;
+use riprap_record::vtu::{self, PvdEntry};
+use std::path::{Path, PathBuf};
+
+/// Which frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Which {
+    /// The last one.
+    Last,
+    /// By its number, from 1, as in its file name.
+    Index(usize),
+    /// The one nearest to a model time in s.
+    Time(f64),
+}
+
+/// Draws the blocks of one frame coloured by a field (`displacement`, `velocity.x`, `rotation`...).
+///
+/// # Errors
+/// As [`strip`].
+pub fn blocks(
+    folder: &Path,
+    frame: Which,
+    field: &str,
+    options: BlockOptions,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
+    strip(folder, &[frame], field, options, out)
+}
+
+/// Draws several frames with one colour bar: outlines of a run in the plane, cuts of a run in space.
+///
+/// # Errors
+/// Unknown fields (with the nearest name), frames that do not exist, a cut that meets no block, files that cannot be
+/// read or written.
+pub fn strip(
+    folder: &Path,
+    frames: &[Which],
+    field: &str,
+    options: BlockOptions,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
+    drawn(folder, load_frames(folder, frames)?, field, options, out)
+}
+
+/// Draws loaded frames.
+pub(super) fn drawn(
+    folder: &Path,
+    loaded: Vec<Frame>,
+    field: &str,
+    options: BlockOptions,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
+    let manifest = Manifest::read(folder)?;
+    let fields = loaded
+        .iter()
+        .map(|f| blocks::choose(f, field))
+        .collect::<Result<Vec<_>, _>>()?;
+    if let Some(vectors) = options.vectors {
+        for frame in &loaded {
+            blocks::choose(frame, vectors.column())?;
+        }
+    }
+    let picture = section::flattened(loaded, fields, &manifest, options)?;
+    let mut said = picture.suffix;
+    if let Some(factor) = options.exaggeration.filter(|f| *f != 1.0) {
+        said.push(format!("displacements \u{d7} {}", blocks::short(factor)));
+    }
+    let moments = picture
+        .frames
+        .iter()
+        .map(|f| moment(folder, f))
+        .collect::<Result<Vec<_>, _>>()?;
+    if let [only] = &moments[..] {
+        said.push(only.clone());
+    }
+    let suffix = suffix(&manifest, &said.join(", "));
+    let words = Words {
+        title: &manifest.title,
+        suffix: &suffix,
+        moments: &moments,
+        axes: picture.axes,
+        sources: picture.sources,
+    };
+    let page = blocks::draw(&words, &picture.frames, &picture.fields, options)?;
+    let csv = numbers(&picture.frames, &picture.fields, picture.axes);
+    write(&page, &csv, out)
+}
+
+fn numbers(frames: &[Frame], fields: &[Chosen], axes: [&str; 2]) -> String {
+    let name = fields
+        .first()
+        .map_or_else(String::new, |f| with_unit(&f.name, &f.unit));
+    let mut csv = format!(
+        "time [s],block,{} [m],{} [m],\"{name}\",step\n",
+        axes[0], axes[1]
+    );
+    for (frame, field) in frames.iter().zip(fields) {
+        // Removed blocks leave no gap in a frame, so the place in it is not always the block's number.
+        let ids = frame.column("block").filter(|c| c.components == 1);
+        for (i, value) in field.values.iter().enumerate() {
+            let id = ids.map_or(i as f64, |c| c.data[i]);
+            let [x, y] = middle(frame.outline(i));
+            let cells = [frame.time, id, x, y, *value, frame.step as f64];
+            let cells = cells.map(number).join(",");
+            csv.push_str(&cells);
+            csv.push('\n');
+        }
+    }
+    csv
+}
+
+/// The frames of a run folder, at least one.
+pub(super) fn listed(folder: &Path) -> Result<Vec<PvdEntry>, PlotError> {
+    let list = vtu::read_pvd(&folder.join("run.pvd"))?;
+    if list.is_empty() {
+        return Err(PlotError::NoFrames {
+            folder: folder.to_owned(),
+        });
+    }
+    Ok(list)
+}
+
+/// When a frame is, in words. Model time stands still in static phases: where several frames have one time, phase and
+/// step tell them apart.
+pub(super) fn moment(folder: &Path, frame: &Frame) -> Result<String, PlotError> {
+    let list = vtu::read_pvd(&folder.join("run.pvd"))?;
+    let time = format!("t = {} s", blocks::short(frame.time));
+    if list.iter().filter(|e| e.time == frame.time).count() < 2 {
+        return Ok(time);
+    }
+    let mut parts = Vec::new();
+    if frame.time != 0.0 {
+        parts.push(time);
+    }
+    if !frame.phase.is_empty() {
+        parts.push(format!("phase {}", frame.phase));
+    }
+    parts.push(format!("step {}", frame.step));
+    Ok(parts.join(", "))
+}
+
+/// Reads frames of a run folder.
+pub(super) fn load_frames(folder: &Path, frames: &[Which]) -> Result<Vec<Frame>, PlotError> {
+    frames.iter().map(|w| load_frame(folder, *w)).collect()
+}
+
+/// Reads a frame of a run folder.
+///
+/// # Errors
+/// No frames, no such frame, files that cannot be read.
+pub fn load_frame(folder: &Path, which: Which) -> Result<Frame, PlotError> {
+    let list = listed(folder)?;
+    let at = found(&list, which)?;
+    let contacts = vtu::read_pvd(&folder.join("contacts.pvd"))?;
+    let contacts = contacts.get(at).map(|c| folder.join(&c.file));
+    Ok(vtu::read_frame(
+        &folder.join(&list[at].file),
+        contacts.as_deref(),
+    )?)
+}
+
+/// The crack surfaces that belong to a frame; there only with deformable blocks.
+pub(crate) fn crack_surfaces(folder: &Path, which: Which) -> Result<PathBuf, PlotError> {
+    let list = listed(folder)?;
+    let file = &list[found(&list, which)?].file;
+    Ok(folder.join(file.replacen("frame_", "cracks_", 1)))
+}
+
+/// Place of a frame in the list.
+fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
+    Ok(match which {
+        Which::Last => list.len() - 1,
+        Which::Index(index) => match index.checked_sub(1) {
+            Some(i) if i < list.len() => i,
+            Some(_) | None => {
+                return Err(PlotError::NoSuchFrame {
+                    index,
+                    count: list.len(),
+                });
+            }
+        },
+        Which::Time(t) => {
+            let gap = |i: &usize| (list[*i].time - t).abs();
+            (0..list.len())
+                .min_by(|a, b| gap(a).total_cmp(&gap(b)))
+                .unwrap_or(0)
+        }
+    })
+}

@@ -1,0 +1,241 @@
+//! Figures of a run: SVG and PNG, each with the numbers behind it as CSV.
+//!
+//! `out` decides what is written: `a.svg` the SVG, `a.png` the PNG, `a` both; the numbers go into `a_data.csv` in
+//! each case. Every function returns the files it wrote.
+
+mod arrows;
+mod blocks;
+mod chart;
+mod colour;
+mod compare;
+pub mod fits;
+mod frames;
+mod lines;
+mod net;
+pub mod paraview;
+mod planes;
+mod ppv;
+mod rose;
+mod section;
+mod sieve;
+mod signals;
+mod solid;
+mod surface;
+mod svg;
+mod ticks;
+
+pub use blocks::BlockOptions;
+pub use colour::ColourMap;
+pub use compare::{Labels, Line, compare};
+pub(crate) use frames::crack_surfaces;
+pub use frames::{Which, blocks, load_frame, strip};
+pub use lines::{energy, histories};
+pub use net::{Projection, stereonet};
+pub use ppv::ppv;
+pub use rose::rose;
+pub use section::{Normal, Vectors, section};
+pub use sieve::fragments;
+pub use signals::{cavity, spectrum};
+pub use surface::{CraterOptions, crater, heave};
+
+use self::svg::Page;
+use fits::FitError;
+use riprap_record::field::number;
+use riprap_record::field::{FieldError, with_unit};
+use riprap_record::manifest::{Manifest, ManifestError, Source};
+use riprap_record::names::NamesError;
+use riprap_record::table::{Series, TableError};
+use riprap_record::vtu::ReadError;
+use riprap_record::{OutputError, write_whole};
+use std::path::{Path, PathBuf};
+
+/// Why a plot was not made.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// Histories or energies.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// Frames.
+    #[error(transparent)]
+    Frame(#[from] ReadError),
+    /// Names of blocks.
+    #[error(transparent)]
+    Names(#[from] NamesError),
+    /// Not a run folder.
+    #[error(transparent)]
+    Manifest(#[from] ManifestError),
+    /// No such field.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// The disk.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// The run has no frames.
+    #[error("{} has no frames; ask for some in the scene: [[outputs]] with frames = {{ every = \"50 ms\" }}", folder.display())]
+    NoFrames {
+        /// The run folder.
+        folder: PathBuf,
+    },
+    /// No frame of that number.
+    #[error("there is no frame {index}; the run has frames 1 to {count}")]
+    NoSuchFrame {
+        /// What was asked for.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Nothing to draw.
+    #[error("nothing to plot: {what}")]
+    NothingToDraw {
+        /// What is missing.
+        what: String,
+    },
+    /// The run is not of the kind that the picture needs.
+    #[error("cannot draw {picture}: {reason}")]
+    Unsuitable {
+        /// Which picture.
+        picture: &'static str,
+        /// What the run lacks, and what to do.
+        reason: String,
+    },
+    /// Too few or useless numbers for a fit.
+    #[error("cannot fit {what}: {reason}")]
+    Fit {
+        /// What was to be fitted.
+        what: String,
+        /// Why not.
+        reason: FitError,
+    },
+    /// Neither SVG nor PNG.
+    #[error("{}: plots are written as .svg or .png (or both: give a name without an ending)", path.display())]
+    Ending {
+        /// What was asked for.
+        path: PathBuf,
+    },
+    /// The SVG could not be turned into a PNG: a mistake of ours.
+    #[error("could not draw the PNG: {reason}; the SVG can be had with an .svg ending")]
+    Render {
+        /// What the renderer said.
+        reason: String,
+    },
+}
+
+/// The sources of a run, or why the picture cannot be drawn without.
+fn sources<'a>(manifest: &'a Manifest, picture: &'static str) -> Result<&'a [Source], PlotError> {
+    if manifest.sources.is_empty() {
+        let reason = "the manifest of the run lists no sources; it is for blasts".to_owned();
+        return Err(PlotError::Unsuitable { picture, reason });
+    }
+    Ok(&manifest.sources)
+}
+
+/// The source of that name, or the first.
+fn source<'a>(
+    manifest: &'a Manifest,
+    name: Option<&str>,
+    picture: &'static str,
+) -> Result<&'a Source, PlotError> {
+    let all = sources(manifest, picture)?;
+    let Some(name) = name else {
+        return Ok(&all[0]);
+    };
+    all.iter().find(|s| s.name == name).ok_or_else(|| {
+        let known: Vec<&str> = all.iter().map(|s| s.name.as_str()).collect();
+        let reason = format!(
+            "there is no source `{name}`; sources are: {}",
+            known.join(", ")
+        );
+        PlotError::Unsuitable { picture, reason }
+    })
+}
+
+/// The end of a title: after a comma if there is something before it.
+fn suffix(manifest: &Manifest, text: &str) -> String {
+    let comma = if manifest.title.is_empty() || text.is_empty() {
+        ""
+    } else {
+        ", "
+    };
+    format!("{comma}{text}")
+}
+
+/// A number for people, with so many digits that count.
+fn digits(v: f64, count: usize) -> String {
+    if v == 0.0 || !v.is_finite() {
+        return format!("{v}");
+    }
+    let power = v.abs().log10().floor() as i32;
+    let text = if (-4..6).contains(&power) {
+        format!("{v:.*}", (count as i32 - 1 - power).max(0) as usize)
+    } else {
+        format!("{v:.*e}", count - 1)
+    };
+    text.replacen('-', "\u{2212}", 1)
+}
+
+fn table_csv(columns: &[&Series]) -> String {
+    let head: Vec<String> = columns
+        .iter()
+        .map(|c| format!("\"{}\"", with_unit(&c.name, &c.unit).replace('"', "\"\"")))
+        .collect();
+    let mut out = head.join(",");
+    out.push('\n');
+    let rows = columns.iter().map(|c| c.values.len()).max().unwrap_or(0);
+    for i in 0..rows {
+        let cells: Vec<String> = columns
+            .iter()
+            .map(|c| match c.values.get(i) {
+                Some(v) if !v.is_nan() => number(*v),
+                Some(_) | None => String::new(),
+            })
+            .collect();
+        out.push_str(&cells.join(","));
+        out.push('\n');
+    }
+    out
+}
+
+/// A column for [`table_csv`].
+fn column(name: &str, unit: &str, values: Vec<f64>) -> Series {
+    Series {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        values,
+    }
+}
+
+fn write(page: &Page, csv: &str, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+    let ending = out.extension().map(|e| e.to_string_lossy().to_lowercase());
+    let (svg, png) = match ending.as_deref() {
+        None => (
+            Some(out.with_extension("svg")),
+            Some(out.with_extension("png")),
+        ),
+        Some("svg") => (Some(out.to_owned()), None),
+        Some("png") => (None, Some(out.to_owned())),
+        Some(_other) => {
+            return Err(PlotError::Ending {
+                path: out.to_owned(),
+            });
+        }
+    };
+    let text = page.svg();
+    let mut files = Vec::new();
+    if let Some(path) = svg {
+        write_whole(&path, text.as_bytes())?;
+        files.push(path);
+    }
+    if let Some(path) = png {
+        write_whole(&path, &svg::png(&text)?)?;
+        files.push(path);
+    }
+    // Not `a.csv`: a plot called `energy` inside a run folder would overwrite the run's own table.
+    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
+    let path = out.with_file_name(format!("{stem}_data.csv"));
+    write_whole(&path, csv.as_bytes())?;
+    files.push(path);
+    Ok(files)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,295 @@
+//! Flat pictures of frames: cuts through solid blocks, and displacements made larger.
+//!
+//! A cut follows the material: the plane is laid through the blocks as they were before they moved, and what it met is
+//! drawn where it is now. So neighbours stay neighbours, no gap opens where a plane runs along faces, and
+//! displacements can be multiplied.
+
+use super::blocks::{BlockOptions, Chosen};
+use super::frames::{Which, drawn, load_frames};
+use super::solid::{self, Body};
+use super::{PlotError, blocks::short};
+use riprap_geom::Vec3;
+use riprap_record::frame::{Column, Frame};
+use riprap_record::manifest::Manifest;
+use std::path::{Path, PathBuf};
+
+/// Direction that a cut is normal to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Normal {
+    /// The picture shows y to the right and z up.
+    X,
+    /// x to the right, z up.
+    #[default]
+    Y,
+    /// x to the right, y up: a plan.
+    Z,
+}
+
+impl Normal {
+    fn index(self) -> usize {
+        match self {
+            Normal::X => 0,
+            Normal::Y => 1,
+            Normal::Z => 2,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        ["x", "y", "z"][self.index()]
+    }
+
+    /// The axes of the picture.
+    pub(super) fn across(self) -> [usize; 2] {
+        match self {
+            Normal::X => [1, 2],
+            Normal::Y => [0, 2],
+            Normal::Z => [0, 1],
+        }
+    }
+
+    pub(super) fn axes(self) -> [&'static str; 2] {
+        self.across().map(|k| ["x", "y", "z"][k])
+    }
+}
+
+/// What arrows on blocks show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Vectors {
+    /// Displacement.
+    Displacement,
+    /// Velocity.
+    Velocity,
+}
+
+impl Vectors {
+    /// Column of the frame.
+    pub(super) fn column(self) -> &'static str {
+        match self {
+            Vectors::Displacement => "displacement",
+            Vectors::Velocity => "velocity",
+        }
+    }
+
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Vectors::Displacement => "m",
+            Vectors::Velocity => "m/s",
+        }
+    }
+}
+
+/// Draws cuts through frames of a run in space; as [`super::strip`], which takes runs in the plane too.
+///
+/// # Errors
+/// A run in the plane, and as [`super::strip`].
+pub fn section(
+    folder: &Path,
+    frames: &[Which],
+    field: &str,
+    options: BlockOptions,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
+    let loaded = load_frames(folder, frames)?;
+    for frame in &loaded {
+        need_space(frame, "a section")?;
+    }
+    drawn(folder, loaded, field, options, out)
+}
+
+/// Refuses a frame in the plane.
+pub(super) fn need_space(frame: &Frame, picture: &'static str) -> Result<(), PlotError> {
+    if frame.solids.is_some() {
+        return Ok(());
+    }
+    let reason = "the run is in the plane; `blocks` draws its blocks".to_owned();
+    Err(PlotError::Unsuitable { picture, reason })
+}
+
+/// Frames ready to be drawn on paper.
+pub(super) struct Flat {
+    pub(super) frames: Vec<Frame>,
+    pub(super) fields: Vec<Chosen>,
+    pub(super) axes: [&'static str; 2],
+    pub(super) sources: Vec<[f64; 2]>,
+    /// For the title: where the cut lies.
+    pub(super) suffix: Vec<String>,
+}
+
+/// Cuts frames in space; frames in the plane stay as they are, but for an exaggeration.
+pub(super) fn flattened(
+    frames: Vec<Frame>,
+    fields: Vec<Chosen>,
+    manifest: &Manifest,
+    options: BlockOptions,
+) -> Result<Flat, PlotError> {
+    let factor = options.exaggeration.unwrap_or(1.0);
+    if let Some(frame) = frames.first().filter(|_| factor != 1.0) {
+        super::blocks::choose(frame, "displacement")?;
+    }
+    if frames.iter().all(|f| f.solids.is_none()) {
+        let frames = frames
+            .into_iter()
+            .map(|f| if factor == 1.0 { f } else { shifted(f, factor) })
+            .collect();
+        return Ok(Flat {
+            frames,
+            fields,
+            axes: ["x", "y"],
+            sources: Vec::new(),
+            suffix: Vec::new(),
+        });
+    }
+    let normal = options.normal;
+    let k = normal.index();
+    let all: Vec<Vec<Body>> = frames.iter().map(solid::bodies).collect();
+    let (low, high) = reach(all.first().map_or(&[], Vec::as_slice), k);
+    let at = options
+        .at
+        .or_else(|| manifest.sources.first().map(|s| s.centre()[k]))
+        .unwrap_or(0.5 * (low + high));
+    let (mut cuts, mut chosen) = (Vec::new(), Vec::new());
+    for ((frame, bodies), field) in frames.iter().zip(&all).zip(fields) {
+        let (cut, kept) = sliced(frame, bodies, normal, at, factor);
+        chosen.push(Chosen {
+            values: kept.iter().map(|&i| field.values[i]).collect(),
+            ..field
+        });
+        cuts.push(cut);
+    }
+    if cuts.iter().any(|c| c.blocks() == 0) {
+        let what = format!(
+            "the plane {} = {} m meets no block; centres of blocks lie between {} and {} m",
+            normal.name(),
+            short(at),
+            short(low),
+            short(high)
+        );
+        return Err(PlotError::NothingToDraw { what });
+    }
+    let near = 0.02 * (high - low) + 1e-9;
+    let [h, v] = normal.across();
+    let sources = manifest
+        .sources
+        .iter()
+        .map(riprap_record::Source::centre)
+        .filter(|c| (c[k] - at).abs() <= near)
+        .map(|c| [c[h], c[v]])
+        .collect();
+    Ok(Flat {
+        frames: cuts,
+        fields: chosen,
+        axes: normal.axes(),
+        sources,
+        suffix: vec![format!(
+            "section {} = {} m",
+            normal.name(),
+            short(at).replacen('-', "\u{2212}", 1)
+        )],
+    })
+}
+
+/// Range of the centres before they moved.
+fn reach(bodies: &[Body], k: usize) -> (f64, f64) {
+    bodies
+        .iter()
+        .map(|b| b.start()[k])
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v), h.max(v))
+        })
+}
+
+/// The cut as a frame in the plane of the picture, and the blocks that are in it.
+fn sliced(
+    frame: &Frame,
+    bodies: &[Body],
+    normal: Normal,
+    at: f64,
+    factor: f64,
+) -> (Frame, Vec<usize>) {
+    let [h, v] = normal.across();
+    let mut out = Frame {
+        step: frame.step,
+        time: frame.time,
+        phase: frame.phase.clone(),
+        offsets: vec![0],
+        ..Frame::default()
+    };
+    let mut kept = Vec::new();
+    for (i, body) in bodies.iter().enumerate() {
+        let corners = solid::cut(frame, i, body, normal.index(), at);
+        if corners.len() < 3 {
+            continue;
+        }
+        kept.push(i);
+        out.points.extend(corners.iter().map(|c| {
+            let p = body.moved(*c, factor);
+            [p[h], p[v], 0.0]
+        }));
+        out.offsets.push(out.points.len() as u32);
+    }
+    for name in ["block", "displacement", "velocity"] {
+        if let Some(column) = frame.column(name) {
+            out.block_columns.push(picked(column, &kept, [h, v]));
+        }
+    }
+    (out, kept)
+}
+
+/// A column of the blocks of the cut; of vectors the two parts in its plane.
+fn picked(column: &Column, kept: &[usize], [h, v]: [usize; 2]) -> Column {
+    if column.components < 3 {
+        let n = column.components;
+        let data = kept.iter().flat_map(|&i| &column.data[n * i..n * (i + 1)]);
+        return Column {
+            data: data.copied().collect(),
+            ..column.clone()
+        };
+    }
+    let data: Vec<[f64; 2]> = kept
+        .iter()
+        .map(|&i| [column.data[3 * i + h], column.data[3 * i + v]])
+        .collect();
+    Column::vector(&column.name, &column.unit, &data)
+}
+
+/// A frame in the plane with displacements and rotations multiplied.
+fn shifted(mut frame: Frame, factor: f64) -> Frame {
+    let bodies = solid::bodies(&frame);
+    for (i, body) in bodies.iter().enumerate() {
+        let [x, y] = middle(frame.outline(i));
+        let body = Body {
+            now: Vec3::new(x, y, 0.0),
+            ..*body
+        };
+        let range = frame.offsets[i] as usize..frame.offsets[i + 1] as usize;
+        for p in &mut frame.points[range] {
+            *p = body.moved(body.unmoved(Vec3::from(*p)), factor).to_array();
+        }
+    }
+    frame
+}
+
+/// Centroid of an outline in the plane.
+pub(super) fn middle(outline: &[[f64; 3]]) -> [f64; 2] {
+    // Centroid by triangles from the first vertex, which keeps its digits far from the origin.
+    let [ox, oy, _] = outline.first().copied().unwrap_or_default();
+    let (mut area, mut x, mut y) = (0.0, 0.0, 0.0);
+    for pair in outline.windows(2) {
+        let (ax, ay, bx, by) = (
+            pair[0][0] - ox,
+            pair[0][1] - oy,
+            pair[1][0] - ox,
+            pair[1][1] - oy,
+        );
+        let cross = ax * by - bx * ay;
+        area += cross;
+        x += cross * (ax + bx) / 3.0;
+        y += cross * (ay + by) / 3.0;
+    }
+    if area == 0.0 {
+        [ox, oy]
+    } else {
+        [ox + x / area, oy + y / area]
+    }
+}

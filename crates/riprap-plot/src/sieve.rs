@@ -1,0 +1,261 @@
+//! The fragment-size curve.
+
+use super::chart::{self, Abscissa, Curve, Mark, Panel};
+use super::{PlotError, column, digits, suffix, table_csv, write};
+use crate::fits::{RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
+use riprap_record::manifest::Manifest;
+use riprap_record::table::{Series, Table};
+use riprap_record::write_whole;
+use std::path::{Path, PathBuf};
+
+const PICTURE: &str = "fragment sizes";
+/// Sieves that the fits look at, evenly spaced in the logarithm of the size.
+const SIEVES: usize = 30;
+/// Points of a drawn fit.
+const POINTS: usize = 200;
+
+/// Fragments by size.
+struct Sizes {
+    /// Ascending, m.
+    size: Vec<f64>,
+    /// Share of the volume in fragments up to that size.
+    passing: Vec<f64>,
+}
+
+impl Sizes {
+    /// From volumes (areas in the plane): the size is the edge of the cube (square) of the same volume (area).
+    fn of(amounts: &[f64], flat: bool) -> Self {
+        let mut amounts: Vec<f64> = amounts.iter().copied().filter(|v| *v > 0.0).collect();
+        amounts.sort_by(f64::total_cmp);
+        let all: f64 = amounts.iter().sum();
+        let mut sum = 0.0;
+        let (mut size, mut passing): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+        for v in amounts {
+            sum += v;
+            let x = if flat { v.sqrt() } else { libm::cbrt(v) };
+            // Fragments of one size pass together.
+            if size.last().is_some_and(|s| x <= s * (1.0 + 1e-9)) {
+                if let Some(last) = passing.last_mut() {
+                    *last = sum / all;
+                }
+            } else {
+                size.push(x);
+                passing.push(sum / all);
+            }
+        }
+        Sizes { size, passing }
+    }
+
+    /// Share of the volume in fragments up to a size.
+    fn at(&self, x: f64) -> f64 {
+        let k = self.size.partition_point(|s| *s <= x);
+        k.checked_sub(1).map_or(0.0, |k| self.passing[k])
+    }
+
+    /// The size that a share passes: linear in the logarithm of the size between fragments. A share below that of the
+    /// smallest fragments is their size.
+    fn quantile(&self, share: f64) -> f64 {
+        let k = self.passing.partition_point(|p| *p < share);
+        let Some(k) = (k < self.size.len()).then_some(k) else {
+            return self.size.last().copied().unwrap_or(f64::NAN);
+        };
+        let Some(below) = k.checked_sub(1) else {
+            return self.size[0];
+        };
+        let (p0, p1) = (self.passing[below], self.passing[k]);
+        let part = (share - p0) / (p1 - p0);
+        self.size[below] * libm::pow(self.size[k] / self.size[below], part)
+    }
+
+    /// Sieves from the smallest to the largest size.
+    fn sieves(&self, count: usize) -> Vec<f64> {
+        let (Some(&low), Some(&high)) = (self.size.first(), self.size.last()) else {
+            return Vec::new();
+        };
+        let step = libm::log(high / low) / (count - 1) as f64;
+        let mut all: Vec<f64> = (0..count)
+            .map(|k| low * libm::exp(step * k as f64))
+            .collect();
+        // Not a hair below the largest.
+        if let Some(last) = all.last_mut() {
+            *last = high;
+        }
+        all
+    }
+}
+
+/// Draws the fragment-size curve of `fragments.csv`, with x50 and x80 and fitted Rosin-Rammler and Swebrec curves.
+///
+/// The size of a fragment is the edge of the cube of its volume; in the plane the side of the square of its area. Fits
+/// are by least squares of the share passing 30 sieves between the smallest and the largest fragment, evenly spaced in the logarithm; their
+/// numbers are also in `NAME_fit.csv`. With fewer than four different sizes there are no fits.
+///
+/// # Errors
+/// A run without `fragments.csv`, a table without fragments, files that cannot be read or written.
+pub fn fragments(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+    let manifest = Manifest::read(folder)?;
+    let path = folder.join("fragments.csv");
+    if !path.exists() {
+        let reason = "the run has no fragments.csv: it has no joints that hold blocks together, has not ended a phase, or was \
+             written by an earlier riprap"
+            .to_owned();
+        return Err(PlotError::Unsuitable {
+            picture: PICTURE,
+            reason,
+        });
+    }
+    let table = Table::read(&path)?;
+    let flat = table.columns.iter().any(|c| c.name == "area_m2");
+    let amounts = &table
+        .column(if flat { "area_m2" } else { "volume_m3" })?
+        .values;
+    let sizes = Sizes::of(amounts, flat);
+    if sizes.size.is_empty() {
+        let what = format!("{} lists no fragments", path.display());
+        return Err(PlotError::NothingToDraw { what });
+    }
+    let count = amounts.iter().filter(|v| **v > 0.0).count();
+    let sieves = sizes.sieves(SIEVES);
+    let passing: Vec<f64> = sieves.iter().map(|x| sizes.at(*x)).collect();
+    let fits = if sizes.size.len() < 4 {
+        None
+    } else {
+        rosin_rammler_fit(&sieves, &passing)
+            .ok()
+            .zip(swebrec_fit(&sieves, &passing).ok())
+    };
+    let title = suffix(&manifest, &format!("{count} fragments"));
+    let panel = panel(&sizes, fits.as_ref());
+    let page = chart::draw((&manifest.title, &title), ("", ""), &[panel]);
+    let at = |f: &dyn Fn(f64) -> f64| sizes.size.iter().map(|x| f(*x)).collect();
+    let mut columns = vec![
+        column("size", "m", sizes.size.clone()),
+        column("passing", "-", sizes.passing.clone()),
+    ];
+    if let Some((rr, sw)) = &fits {
+        columns.push(column("Rosin-Rammler", "-", at(&|x| rr.at(x))));
+        columns.push(column("Swebrec", "-", at(&|x| sw.at(x))));
+    }
+    let mut files = write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)?;
+    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
+    let path = out.with_file_name(format!("{stem}_fit.csv"));
+    let text = numbers(&sizes, fits.as_ref());
+    write_whole(
+        &path,
+        table_csv(&text.iter().collect::<Vec<_>>()).as_bytes(),
+    )?;
+    files.push(path);
+    Ok(files)
+}
+
+/// One row: sizes as counted, and the fits where there are any.
+fn numbers(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Series> {
+    let one = |name: &str, unit: &str, v: f64| column(name, unit, vec![v]);
+    let mut out = vec![
+        one("x20", "m", sizes.quantile(0.2)),
+        one("x50", "m", sizes.quantile(0.5)),
+        one("x80", "m", sizes.quantile(0.8)),
+        one(
+            "largest",
+            "m",
+            sizes.size.last().copied().unwrap_or(f64::NAN),
+        ),
+    ];
+    if let Some((rr, sw)) = fits {
+        out.extend([
+            one("Rosin-Rammler x50", "m", rr.x50),
+            one("Rosin-Rammler x80", "m", rr.size(0.8)),
+            one("Rosin-Rammler n", "-", rr.n),
+            one("Rosin-Rammler R2", "-", rr.r2),
+            one("Swebrec x50", "m", sw.x50),
+            one("Swebrec x80", "m", sw.size(0.8)),
+            one("Swebrec xmax", "m", sw.xmax),
+            one("Swebrec b", "-", sw.b),
+            one("Swebrec R2", "-", sw.r2),
+        ]);
+    }
+    out
+}
+
+fn panel(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
+    let percent = |p: &f64| 100.0 * p;
+    // From size to size as [`Sizes::quantile`] goes: x50 and x80 lie on the curve. The smallest pass all at once.
+    let (mut x, mut y) = (vec![sizes.size[0]], vec![0.0]);
+    x.extend(&sizes.size);
+    y.extend(sizes.passing.iter().map(percent));
+    let mut curves = vec![Curve {
+        name: "volume passing".to_owned(),
+        x,
+        y,
+        mark: Mark::Line,
+    }];
+    let (x50, x80) = (sizes.quantile(0.5), sizes.quantile(0.8));
+    let mut notes = vec![
+        format!("x50 = {} m", digits(x50, 3)),
+        format!("x80 = {} m", digits(x80, 3)),
+    ];
+    let fine = sizes.sieves(POINTS);
+    if let Some((rr, sw)) = fits {
+        let line = |name: &str, mark, f: &dyn Fn(f64) -> f64| Curve {
+            name: name.to_owned(),
+            x: fine.clone(),
+            y: fine.iter().map(|x| percent(&f(*x))).collect(),
+            mark,
+        };
+        curves.push(line("Rosin-Rammler", Mark::Line, &|x| rr.at(x)));
+        curves.push(line("Swebrec", Mark::Line, &|x| sw.at(x)));
+        notes.extend([
+            String::new(),
+            "Rosin-Rammler:".to_owned(),
+            format!("x50 = {} m, n = {}", digits(rr.x50, 3), digits(rr.n, 3)),
+            format!("R\u{b2} = {:.3}", rr.r2),
+            String::new(),
+            "Swebrec:".to_owned(),
+            format!("x50 = {} m, b = {}", digits(sw.x50, 3), digits(sw.b, 3)),
+            format!("xmax = {} m", digits(sw.xmax, 3)),
+            format!("R\u{b2} = {:.3}", sw.r2),
+        ]);
+    } else {
+        notes.push("too few sizes for a fit".to_owned());
+    }
+    let low = sizes.size.first().copied().unwrap_or(f64::NAN);
+    for (name, share, size) in [("x50", 50.0, x50), ("x80", 80.0, x80)] {
+        curves.push(Curve {
+            name: name.to_owned(),
+            x: vec![low, size, size],
+            y: vec![share, share, 0.0],
+            mark: Mark::Dashed,
+        });
+    }
+    Panel {
+        name: "volume passing".to_owned(),
+        unit: "%".to_owned(),
+        curves,
+        height: 380.0,
+        x: Some(Abscissa {
+            name: "fragment size".to_owned(),
+            unit: "m".to_owned(),
+            log: true,
+        }),
+        notes,
+        ..Panel::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cumulative_shares() {
+        let s = Sizes::of(&[8.0, 1.0, 1.0, 0.0, f64::NAN], false);
+        assert_eq!(s.size, [1.0, 2.0]);
+        assert_eq!(s.passing, [0.2, 1.0]);
+        assert_eq!((s.at(0.9), s.at(1.5), s.at(2.0)), (0.0, 0.2, 1.0));
+        assert_eq!(s.quantile(0.1), 1.0);
+        // Three eighths of the way from 0.2 to 1.
+        assert!((s.quantile(0.5) - 2f64.powf(0.375)).abs() < 1e-12);
+        assert_eq!(s.quantile(1.0), 2.0);
+        assert_eq!(Sizes::of(&[4.0], true).size, [2.0]);
+    }
+}

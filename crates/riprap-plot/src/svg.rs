@@ -1,0 +1,225 @@
+//! A page of SVG, and its picture as PNG.
+//!
+//! Written by hand: outlines of blocks need filled polygons on equal axes with a colour bar, which the plotting
+//! crates looked at (kuva 0.6, plotters 0.3) do not draw, and once axes are there a line chart is a page more. One hand gives
+//! all plots one look, and bytes that change only when we change them.
+
+use super::PlotError;
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+/// The one font of PNG files, so that they look the same on a machine without fonts. Licence beside it.
+const FONT: &[u8] = include_bytes!("../assets/DejaVuSans-subset.ttf");
+/// Pixels of the PNG per unit of the SVG.
+const SHARPNESS: f32 = 2.0;
+
+/// Advance widths of DejaVu Sans, characters 32 to 126, in thousandths of the size.
+#[rustfmt::skip]
+const WIDTHS: [u16; 95] = [
+    318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636,
+    636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656,
+    557, 863, 748, 787, 603, 787, 695, 635, 611, 732, 684, 989, 685, 611, 685, 390, 337, 390, 838, 500, 500, 613,
+    635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818,
+    592, 592, 525, 636, 337, 636, 838,
+];
+
+/// Width of a text in units of the page.
+pub(super) fn text_width(text: &str, size: f64) -> f64 {
+    let sum: u32 = text
+        .chars()
+        .map(|c| match c {
+            ' '..='~' => u32::from(WIDTHS[c as usize - 32]),
+            '\u{b2}' | '\u{b3}' | '\u{b9}' | '\u{2070}'..='\u{209c}' => 401,
+            _ => 700,
+        })
+        .sum();
+    f64::from(sum) * size / 1000.0
+}
+
+/// Cuts a text so that it fits, with an ellipsis.
+pub(super) fn fitted(text: &str, size: f64, width: f64) -> String {
+    if text_width(text, size) <= width {
+        return text.to_owned();
+    }
+    let mut out: String = text.to_owned();
+    while !out.is_empty() && text_width(&out, size) + size > width {
+        out.pop();
+    }
+    out.push('\u{2026}');
+    out
+}
+
+/// Where a text hangs on its point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// A page; y runs down.
+#[derive(Debug)]
+pub(super) struct Page {
+    pub(super) width: f64,
+    pub(super) height: f64,
+    body: String,
+}
+
+/// Writing into a `String` cannot fail, so the result is dropped in this one place.
+macro_rules! put {
+    ($page:expr, $($arg:tt)*) => { let _ = writeln!($page.body, $($arg)*); };
+}
+
+impl Page {
+    pub(super) fn new(width: f64, height: f64) -> Self {
+        Page {
+            width,
+            height,
+            body: String::new(),
+        }
+    }
+
+    pub(super) fn rect(&mut self, x: f64, y: f64, w: f64, h: f64, style: &str) {
+        put!(
+            self,
+            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\" {style}/>"
+        );
+    }
+
+    pub(super) fn line(&mut self, a: [f64; 2], b: [f64; 2], style: &str) {
+        put!(
+            self,
+            "<line x1=\"{:.2}\" y1=\"{:.2}\" x2=\"{:.2}\" y2=\"{:.2}\" {style}/>",
+            a[0],
+            a[1],
+            b[0],
+            b[1]
+        );
+    }
+
+    pub(super) fn circle(&mut self, c: [f64; 2], r: f64, style: &str) {
+        put!(
+            self,
+            "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"{r:.2}\" {style}/>",
+            c[0],
+            c[1]
+        );
+    }
+
+    pub(super) fn polyline(&mut self, points: &[[f64; 2]], style: &str) {
+        self.points("polyline", points, style);
+    }
+
+    pub(super) fn polygon(&mut self, points: &[[f64; 2]], style: &str) {
+        self.points("polygon", points, style);
+    }
+
+    fn points(&mut self, tag: &str, points: &[[f64; 2]], style: &str) {
+        let mut list = String::new();
+        for p in points {
+            let _ = write!(list, "{:.2},{:.2} ", p[0], p[1]);
+        }
+        put!(self, "<{tag} points=\"{}\" {style}/>", list.trim_end());
+    }
+
+    pub(super) fn text(&mut self, at: [f64; 2], size: f64, anchor: Anchor, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        put!(
+            self,
+            "<text x=\"{:.2}\" y=\"{:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{}</text>",
+            at[0],
+            at[1],
+            riprap_record::vtu::escape(text)
+        );
+    }
+
+    /// Text that reads upwards, centred on its point.
+    pub(super) fn upright(&mut self, at: [f64; 2], size: f64, text: &str) {
+        put!(
+            self,
+            "<text transform=\"translate({:.2},{:.2}) rotate(-90)\" font-size=\"{size}\" text-anchor=\"middle\">{}</text>",
+            at[0],
+            at[1],
+            riprap_record::vtu::escape(text)
+        );
+    }
+
+    /// Everything until [`Page::end_clip`] is cut at this rectangle.
+    pub(super) fn begin_clip(&mut self, id: &str, x: f64, y: f64, w: f64, h: f64) {
+        put!(
+            self,
+            "<clipPath id=\"{id}\"><rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\"/></clipPath>\n\
+             <g clip-path=\"url(#{id})\">"
+        );
+    }
+
+    pub(super) fn end_clip(&mut self) {
+        put!(self, "</g>");
+    }
+
+    /// The file.
+    pub(super) fn svg(&self) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" \
+             font-family=\"'DejaVu Sans', Verdana, Arial, sans-serif\" fill=\"#1a1a1a\">\n\
+             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
+            self.body,
+            w = self.width.round(),
+            h = self.height.round()
+        )
+    }
+}
+
+/// Draws an SVG into a PNG, with the font that comes with riprap.
+///
+/// # Errors
+/// An SVG that resvg refuses, or one too large for memory: our mistake, told as text.
+pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
+    use resvg::{tiny_skia, usvg};
+    let failed = |reason: String| PlotError::Render { reason };
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_font_data(FONT.to_vec());
+    let options = usvg::Options {
+        fontdb: Arc::new(fonts),
+        font_family: "DejaVu Sans".to_owned(),
+        ..usvg::Options::default()
+    };
+    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
+    let size = tree.size();
+    let (w, h) = (size.width() * SHARPNESS, size.height() * SHARPNESS);
+    let mut pixels = tiny_skia::Pixmap::new(w.ceil() as u32, h.ceil() as u32)
+        .ok_or_else(|| failed(format!("a picture of {w} x {h} pixels is too large")))?;
+    let zoom = tiny_skia::Transform::from_scale(SHARPNESS, SHARPNESS);
+    resvg::render(&tree, zoom, &mut pixels.as_mut());
+    pixels.encode_png().map_err(|e| failed(e.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_drawn_without_system_fonts() {
+        let dark = |text: &str| {
+            let mut page = Page::new(200.0, 40.0);
+            page.text([10.0, 25.0], 14.0, Anchor::Start, text);
+            let bytes = png(&page.svg()).unwrap();
+            let map = resvg::tiny_skia::Pixmap::decode_png(&bytes).unwrap();
+            map.pixels().iter().filter(|p| p.red() < 128).count()
+        };
+        assert_eq!(dark(""), 0);
+        assert!(dark("slip [m] <&> 10⁻³ φ °") > 300);
+    }
+
+    #[test]
+    fn widths() {
+        assert!((text_width("0123456789", 10.0) - 63.6).abs() < 0.1);
+        let cut = fitted("a very long title that does not fit at all", 12.0, 100.0);
+        assert!(cut.ends_with('\u{2026}') && text_width(&cut, 12.0) <= 105.0);
+        assert_eq!(fitted("short", 12.0, 100.0), "short");
+    }
+}

@@ -1,0 +1,212 @@
+//! Writing so that a crash or a full disk never leaves a half-written file under its final name.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// Something could not be written (or, for resuming, not be read or truncated). Exit code 3.
+#[derive(Debug, thiserror::Error)]
+#[error("could not write {}: {source}", path.display())]
+pub struct OutputError {
+    /// The file or folder.
+    pub path: PathBuf,
+    /// What the system said.
+    pub source: io::Error,
+}
+
+/// Attaches the path to an io error.
+pub(crate) trait AtPath<T> {
+    fn at(self, path: &Path) -> Result<T, OutputError>;
+}
+
+impl<T> AtPath<T> for io::Result<T> {
+    fn at(self, path: &Path) -> Result<T, OutputError> {
+        self.map_err(|source| OutputError {
+            path: path.to_owned(),
+            source,
+        })
+    }
+}
+
+/// Makes a rename or removal in `folder` durable. Only Unix can sync a folder.
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    if cfg!(unix) {
+        File::open(folder)?.sync_all()?;
+    }
+    Ok(())
+}
+
+/// Replaces `path` by `bytes`: written beside it, synced, renamed. Readers see the old or the new, never a part.
+///
+/// # Errors
+/// The disk.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+    let folder = match path.parent() {
+        Some(p) if !p.as_os_str().is_empty() => p,
+        Some(_) | None => Path::new("."),
+    };
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".tmp");
+    let aside = folder.join(name);
+    let result = (|| {
+        let mut file = File::create(&aside)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        drop(file);
+        fs::rename(&aside, path)?;
+        sync_folder(folder)
+    })();
+    if result.is_err() {
+        // Best effort: the error that matters is the one above.
+        let _ = fs::remove_file(&aside);
+    }
+    result.at(path)
+}
+
+/// A file that only grows, by whole lines.
+#[derive(Debug)]
+pub(crate) struct AppendFile {
+    path: PathBuf,
+    file: File,
+    length: u64,
+}
+
+impl AppendFile {
+    /// Starts an empty file.
+    pub(crate) fn create(path: &Path) -> Result<Self, OutputError> {
+        let file = File::create(path).at(path)?;
+        Ok(AppendFile {
+            path: path.to_owned(),
+            file,
+            length: 0,
+        })
+    }
+
+    /// Opens a file and cuts it back to `length` bytes, which must be the end of a line.
+    pub(crate) fn reopen(path: &Path, length: u64) -> Result<Self, OutputError> {
+        let bad = |text: String| OutputError {
+            path: path.to_owned(),
+            source: io::Error::new(io::ErrorKind::InvalidData, text),
+        };
+        let mut options = OpenOptions::new();
+        options.read(true).write(true);
+        let mut file = if length == 0 {
+            options.create(true).truncate(false).open(path).at(path)?
+        } else {
+            options.open(path).at(path)?
+        };
+        let there = file.metadata().at(path)?.len();
+        if there < length {
+            return Err(bad(format!(
+                "the checkpoint was written when this file had {length} bytes, now it has {there}; \
+                 it was cut or replaced, so the run cannot continue it"
+            )));
+        }
+        if length > 0 {
+            let mut last = [0u8];
+            file.seek(SeekFrom::Start(length - 1)).at(path)?;
+            file.read_exact(&mut last).at(path)?;
+            if last != *b"\n" {
+                return Err(bad(format!(
+                    "byte {length} is not the end of a line, as the checkpoint says it was; \
+                     the file was changed, so the run cannot continue it"
+                )));
+            }
+        }
+        file.set_len(length).at(path)?;
+        file.seek(SeekFrom::Start(length)).at(path)?;
+        Ok(AppendFile {
+            path: path.to_owned(),
+            file,
+            length,
+        })
+    }
+
+    /// Appends one line (without its end). On failure the file is cut back to its last complete line if it lets us.
+    pub(crate) fn line(&mut self, text: &str) -> Result<(), OutputError> {
+        let mut bytes = Vec::with_capacity(text.len() + 1);
+        bytes.extend_from_slice(text.as_bytes());
+        bytes.push(b'\n');
+        if let Err(source) = self.file.write_all(&bytes) {
+            // Best effort: readers skip a part of a line anyway, and the write error is what the user must see.
+            let _ = self.file.set_len(self.length);
+            let _ = self.file.seek(SeekFrom::Start(self.length));
+            return Err(OutputError {
+                path: self.path.clone(),
+                source,
+            });
+        }
+        self.length += bytes.len() as u64;
+        Ok(())
+    }
+
+    /// Bytes written so far.
+    pub(crate) fn len(&self) -> u64 {
+        self.length
+    }
+
+    /// Waits until the disk has it.
+    pub(crate) fn sync(&self) -> Result<(), OutputError> {
+        self.file.sync_data().at(&self.path)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_files_are_replaced() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.json");
+        write_whole(&path, b"one").unwrap();
+        write_whole(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(
+            fs::read_dir(dir.path()).unwrap().count(),
+            1,
+            "nothing left aside"
+        );
+        let error = write_whole(&dir.path().join("no/such/a.json"), b"x").unwrap_err();
+        assert!(error.to_string().contains("a.json"), "{error}");
+    }
+
+    #[test]
+    fn appended_lines_can_be_cut_back() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.csv");
+        let mut f = AppendFile::create(&path).unwrap();
+        f.line("a,b").unwrap();
+        let mark = f.len();
+        f.line("1,2").unwrap();
+        f.sync().unwrap();
+        drop(f);
+        let mut f = AppendFile::reopen(&path, mark).unwrap();
+        f.line("3,4").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "a,b\n3,4\n");
+        assert!(
+            AppendFile::reopen(&path, 99)
+                .unwrap_err()
+                .to_string()
+                .contains("99 bytes")
+        );
+        assert!(
+            AppendFile::reopen(&path, 2)
+                .unwrap_err()
+                .to_string()
+                .contains("end of a line")
+        );
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_an_error() {
+        let full = Path::new("/dev/full");
+        if full.exists() {
+            let mut f = AppendFile::create(full).unwrap();
+            let error = f.line("1,2").unwrap_err();
+            assert_eq!(error.source.kind(), io::ErrorKind::StorageFull);
+            assert_eq!(f.len(), 0);
+        }
+    }
+}

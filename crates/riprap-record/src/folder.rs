@@ -1,0 +1,432 @@
+//! The run folder: created, filled, marked for checkpoints, reopened for resuming.
+//!
+//! `docs/src/run-folder.md` is the contract. A checkpoint stores [`Marks`]; [`RunFolder::reopen`] cuts every file
+//! back to them, so that a resumed run leaves the same bytes as one that was never stopped (`manifest.json` with
+//! its wall times excepted).
+
+use super::checkpoint;
+use super::disk::{AppendFile, AtPath, OutputError, write_whole};
+use super::frame::Frame;
+use super::manifest::{Manifest, ManifestError};
+use super::names::Names;
+use super::vtu;
+use serde::{Deserialize, Serialize};
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+mod files;
+mod series;
+#[cfg(test)]
+mod tests;
+
+pub use files::{block_file, contact_file, crack_file, in_use, tetrahedron_file};
+use files::{clear, frame_files, lock, remove_if_there};
+use series::{Series, append, begin};
+
+/// What to do with a folder that is already there. An empty one is always fine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// Leave anything alone.
+    Refuse,
+    /// An earlier run is replaced; other folders are left alone.
+    ReplaceRun,
+    /// Write into any folder. Files that are not of a run stay where they are.
+    Force,
+}
+
+/// Why a run folder cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum FolderError {
+    /// There is something in it that is not a run.
+    #[error("{} is not empty and not a run folder; choose another folder, or force it to write there", path.display())]
+    Occupied {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// There is a run in it.
+    #[error("{} holds a run already; choose another folder, or ask for it to be replaced", path.display())]
+    Run {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// It is a file.
+    #[error("{} is a file, a run needs a folder", path.display())]
+    NotAFolder {
+        /// The path.
+        path: PathBuf,
+    },
+    /// Another process writes it.
+    #[error("{} is being written by another riprap process; wait for it or choose another folder", path.display())]
+    InUse {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// A frame that the checkpoint names is missing.
+    #[error("{} is missing, but the checkpoint was written after it; the run cannot be continued, start it anew", path.display())]
+    FrameMissing {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The manifest of a run to continue.
+    #[error(transparent)]
+    Manifest(#[from] ManifestError),
+    /// The disk.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}
+
+/// One written frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FrameEntry {
+    /// Number in the file name, from 1.
+    pub index: u32,
+    /// Step count.
+    pub step: u64,
+    /// Model time in s.
+    pub time: f64,
+}
+
+/// How far each file had come: part of every checkpoint.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Marks {
+    /// Step count.
+    pub step: u64,
+    /// Bytes of `histories.csv`; 0 if not begun.
+    pub histories: u64,
+    /// Bytes of `energy.csv`; 0 if not begun.
+    pub energy: u64,
+    /// Bytes of `events.jsonl`.
+    pub events: u64,
+    /// Columns of `histories.csv` after `step` and `time`.
+    pub history_columns: u32,
+    /// Columns of `energy.csv` after `step` and `time`.
+    pub energy_columns: u32,
+    /// Frames written.
+    pub frames: Vec<FrameEntry>,
+}
+
+/// A run folder being written.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    /// Held as long as the folder is written; the system lets go of it when the process dies.
+    _lock: File,
+    histories: Option<Series>,
+    energy: Option<Series>,
+    events: AppendFile,
+    frames: Vec<FrameEntry>,
+}
+
+impl RunFolder {
+    /// The first of `name`, `name-2`, `name-3`, ... that is not taken: `slope.run`, `slope-2.run`.
+    pub fn free_name(wanted: &Path) -> PathBuf {
+        let stem = wanted
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let extension = wanted
+            .extension()
+            .map(|e| format!(".{}", e.to_string_lossy()))
+            .unwrap_or_default();
+        let mut path = wanted.to_owned();
+        let mut n = 2u32;
+        while path.exists() {
+            path = wanted.with_file_name(format!("{stem}-{n}{extension}"));
+            n += 1;
+        }
+        path
+    }
+
+    /// Makes a run folder and writes its first manifest.
+    ///
+    /// # Errors
+    /// A folder that `existing` does not allow, or the disk.
+    pub fn create(
+        path: &Path,
+        existing: Existing,
+        manifest: &Manifest,
+    ) -> Result<Self, FolderError> {
+        if path.exists() && !path.is_dir() {
+            return Err(FolderError::NotAFolder {
+                path: path.to_owned(),
+            });
+        }
+        if path.is_dir() && fs::read_dir(path).at(path)?.next().is_some() {
+            // A manifest of a newer format is still a run that must not be lost.
+            let run = matches!(
+                Manifest::read(path),
+                Ok(_) | Err(ManifestError::Newer { .. })
+            );
+            match (existing, run) {
+                (Existing::Refuse, true) => {
+                    return Err(FolderError::Run {
+                        path: path.to_owned(),
+                    });
+                }
+                (Existing::Refuse | Existing::ReplaceRun, false) => {
+                    return Err(FolderError::Occupied {
+                        path: path.to_owned(),
+                    });
+                }
+                (Existing::ReplaceRun, true) | (Existing::Force, _) => {
+                    drop(lock(path)?);
+                    clear(path)?;
+                }
+            }
+        }
+        fs::create_dir_all(path).at(path)?;
+        let lock = lock(path)?;
+        for sub in ["frames", "checkpoints"] {
+            let folder = path.join(sub);
+            fs::create_dir_all(&folder).at(&folder)?;
+        }
+        manifest.write(path)?;
+        let events = AppendFile::create(&path.join("events.jsonl"))?;
+        let run = RunFolder {
+            path: path.to_owned(),
+            _lock: lock,
+            histories: None,
+            energy: None,
+            events,
+            frames: Vec::new(),
+        };
+        run.write_pvd()?;
+        Ok(run)
+    }
+
+    /// Opens a run folder to continue from a checkpoint: every file is cut back to the checkpoint's marks, frames
+    /// and checkpoints after it are removed.
+    ///
+    /// # Errors
+    /// Files that are shorter than their marks or changed, missing frames, the disk.
+    pub fn reopen(path: &Path, marks: &Marks) -> Result<Self, FolderError> {
+        Manifest::read(path)?;
+        let lock = lock(path)?;
+        for entry in &marks.frames {
+            for file in [block_file(entry.index), contact_file(entry.index)] {
+                let file = path.join(file);
+                if !file.is_file() {
+                    return Err(FolderError::FrameMissing { path: file });
+                }
+            }
+        }
+        let series =
+            |name: &str, bytes: u64, columns: u32| -> Result<Option<Series>, OutputError> {
+                let file = path.join(name);
+                if bytes == 0 {
+                    // The run had not begun this file: it will, and then creates it.
+                    remove_if_there(&file)?;
+                    return Ok(None);
+                }
+                Ok(Some(Series {
+                    file: AppendFile::reopen(&file, bytes)?,
+                    columns: columns as usize,
+                }))
+            };
+        let run = RunFolder {
+            path: path.to_owned(),
+            _lock: lock,
+            histories: series("histories.csv", marks.histories, marks.history_columns)?,
+            energy: series("energy.csv", marks.energy, marks.energy_columns)?,
+            events: AppendFile::reopen(&path.join("events.jsonl"), marks.events)?,
+            frames: marks.frames.clone(),
+        };
+        // The lists first: they must never name a file that is gone.
+        run.write_pvd()?;
+        let kept = |index: u32| marks.frames.iter().any(|f| f.index == index);
+        for (index, file) in frame_files(path)? {
+            if !kept(index) {
+                fs::remove_file(&file).at(&file)?;
+            }
+        }
+        for (step, file) in checkpoint::all(path).at(path)? {
+            if step > marks.step {
+                fs::remove_file(&file).at(&file)?;
+            }
+        }
+        Ok(run)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Frames written so far.
+    pub fn frames(&self) -> &[FrameEntry] {
+        &self.frames
+    }
+
+    /// Replaces `manifest.json`.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_manifest(&self, manifest: &Manifest) -> Result<(), OutputError> {
+        manifest.write(&self.path)
+    }
+
+    /// Writes `scenario.resolved.toml`: the scene with all overrides, runnable as it stands.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_scenario(&self, toml: &str) -> Result<(), OutputError> {
+        write_whole(&self.path.join("scenario.resolved.toml"), toml.as_bytes())
+    }
+
+    /// Writes any further whole file of the run, for example `checks.json` or `sweep.csv`.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_file(&self, name: &str, bytes: &[u8]) -> Result<(), OutputError> {
+        write_whole(&self.path.join(name), bytes)
+    }
+
+    /// Begins `histories.csv` with a head of `(name, unit)`; does nothing in a run continued after that.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn begin_histories<S: AsRef<str>>(
+        &mut self,
+        columns: &[(S, S)],
+    ) -> Result<(), OutputError> {
+        begin(
+            &mut self.histories,
+            &self.path.join("histories.csv"),
+            columns,
+        )
+    }
+
+    /// Begins `energy.csv` with a head of `(name, unit)`; does nothing in a run continued after that.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn begin_energy<S: AsRef<str>>(&mut self, columns: &[(S, S)]) -> Result<(), OutputError> {
+        begin(&mut self.energy, &self.path.join("energy.csv"), columns)
+    }
+
+    /// Appends a row to `histories.csv`; `None` leaves a cell empty (not due at this step).
+    ///
+    /// # Errors
+    /// The disk; a row without [`RunFolder::begin_histories`] or of another length is `InvalidInput`.
+    pub fn history_row(
+        &mut self,
+        step: u64,
+        time: f64,
+        row: &[Option<f64>],
+    ) -> Result<(), OutputError> {
+        append(
+            &mut self.histories,
+            &self.path.join("histories.csv"),
+            step,
+            time,
+            row,
+        )
+    }
+
+    /// Appends a row to `energy.csv`.
+    ///
+    /// # Errors
+    /// As [`RunFolder::history_row`].
+    pub fn energy_row(&mut self, step: u64, time: f64, row: &[f64]) -> Result<(), OutputError> {
+        let row: Vec<Option<f64>> = row.iter().copied().map(Some).collect();
+        append(
+            &mut self.energy,
+            &self.path.join("energy.csv"),
+            step,
+            time,
+            &row,
+        )
+    }
+
+    /// Appends an event, one JSON object, to `events.jsonl`.
+    ///
+    /// # Errors
+    /// The disk, or a value that JSON cannot hold.
+    pub fn event<T: Serialize>(&mut self, event: &T) -> Result<(), OutputError> {
+        let path = self.path.join("events.jsonl");
+        let text = serde_json::to_string(event)
+            .map_err(io::Error::from)
+            .at(&path)?;
+        self.events.line(&text)
+    }
+
+    /// Writes the names of blocks and groups.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_names(&self, names: &Names) -> Result<(), OutputError> {
+        names.write(&self.path)
+    }
+
+    /// Writes a frame (two `.vtu` files) and then names it in the two `.pvd` files.
+    ///
+    /// # Errors
+    /// The disk, or a frame whose parts do not fit together.
+    pub fn frame(&mut self, frame: &Frame) -> Result<&FrameEntry, OutputError> {
+        let index = self.frames.last().map_or(1, |f| f.index + 1);
+        let (blocks, contacts) = (
+            self.path.join(block_file(index)),
+            self.path.join(contact_file(index)),
+        );
+        write_whole(&blocks, &vtu::blocks(frame).at(&blocks)?)?;
+        write_whole(&contacts, &vtu::contacts(frame).at(&contacts)?)?;
+        let cracks = self.path.join(crack_file(index));
+        if let Some(bytes) = vtu::cracks(frame).at(&cracks)? {
+            write_whole(&cracks, &bytes)?;
+        }
+        let tetrahedra = self.path.join(tetrahedron_file(index));
+        if let Some(bytes) = vtu::tetrahedra(frame).at(&tetrahedra)? {
+            write_whole(&tetrahedra, &bytes)?;
+        }
+        self.frames.push(FrameEntry {
+            index,
+            step: frame.step,
+            time: frame.time,
+        });
+        self.write_pvd()?;
+        Ok(&self.frames[self.frames.len() - 1])
+    }
+
+    /// How far each file has come. Store it inside the checkpoint.
+    pub fn marks(&self, step: u64) -> Marks {
+        let bytes = |s: &Option<Series>| s.as_ref().map_or(0, |s| s.file.len());
+        // A table of 2^32 columns does not fit into a file.
+        let columns = |s: &Option<Series>| {
+            s.as_ref()
+                .map_or(0, |s| u32::try_from(s.columns).unwrap_or(u32::MAX))
+        };
+        Marks {
+            step,
+            histories: bytes(&self.histories),
+            energy: bytes(&self.energy),
+            events: self.events.len(),
+            history_columns: columns(&self.histories),
+            energy_columns: columns(&self.energy),
+            frames: self.frames.clone(),
+        }
+    }
+
+    /// Writes a checkpoint, after everything that its marks count has reached the disk, and keeps only it and the
+    /// one before it.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn checkpoint<T: Serialize>(
+        &self,
+        kind: &str,
+        step: u64,
+        state: &T,
+    ) -> Result<PathBuf, OutputError> {
+        for series in [&self.histories, &self.energy].into_iter().flatten() {
+            series.file.sync()?;
+        }
+        self.events.sync()?;
+        checkpoint::write_and_prune(&self.path, kind, step, state)
+    }
+
+    fn write_pvd(&self) -> Result<(), OutputError> {
+        files::write_lists(&self.path, &self.frames)
+    }
+}

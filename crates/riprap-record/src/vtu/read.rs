@@ -1,0 +1,409 @@
+//! The reader of our own `.vtu` files.
+
+use crate::frame::Column;
+use flate2::read::ZlibDecoder;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+/// Deflate cannot expand more than 1032:1.
+const MAX_RATIO: u64 = 1100;
+
+/// Why a VTK file cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// The system would not let us read it.
+    #[error("could not read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// Not a file of ours.
+    #[error("{} is not a VTK file written by riprap", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Cut off or changed.
+    #[error("{} is damaged: {reason}", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+/// Contents of one `.vtu` file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Vtu {
+    /// Model time in s.
+    pub time: f64,
+    /// Step count.
+    pub step: u64,
+    /// Phase name.
+    pub phase: String,
+    /// 2 or 3: vectors of files in the plane have two components.
+    pub dimension: u8,
+    /// Points in m.
+    pub points: Vec<[f64; 3]>,
+    /// Shape `[cells]`: end of each cell's run of points.
+    pub offsets: Vec<u32>,
+    /// Shape `[cells]`: VTK cell types.
+    pub kinds: Vec<u8>,
+    /// VTK's stream of polyhedron faces.
+    pub faces: Vec<i64>,
+    /// Shape `[cells]` or empty: where each cell ends in `faces`, -1 where it is no polyhedron.
+    pub face_ends: Vec<i64>,
+    /// Numbers on cells.
+    pub cell_columns: Vec<Column>,
+    /// Numbers on points.
+    pub point_columns: Vec<Column>,
+}
+
+/// Which arrays of a file to unpack; the others are passed over, which saves most of the time.
+#[derive(Clone, Copy)]
+pub struct Wanted<'a> {
+    /// Points, cells and faces.
+    pub geometry: bool,
+    /// Whether the numbers of this name are wanted.
+    pub column: &'a dyn Fn(&str) -> bool,
+}
+
+impl Wanted<'_> {
+    /// Everything.
+    pub const ALL: Wanted<'static> = Wanted {
+        geometry: true,
+        column: &|_| true,
+    };
+}
+
+/// Reads a `.vtu` file of ours.
+///
+/// # Errors
+/// Missing, foreign or damaged files; never panics.
+pub fn read(path: &Path) -> Result<Vtu, ReadError> {
+    read_some(path, Wanted::ALL)
+}
+
+/// Reads what is wanted of a `.vtu` file of ours.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_some(path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
+    let bytes = std::fs::read(path).map_err(|source| ReadError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    parse_some(&bytes, path, wanted)
+}
+
+/// Reads the bytes of a `.vtu` file; `path` is only for the messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(bytes: &[u8], path: &Path) -> Result<Vtu, ReadError> {
+    parse_some(bytes, path, Wanted::ALL)
+}
+
+fn parse_some(bytes: &[u8], path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
+    let damaged = |reason: String| ReadError::Damaged {
+        path: path.to_owned(),
+        reason,
+    };
+    if !bytes.starts_with(b"<?xml") {
+        return Err(ReadError::Foreign {
+            path: path.to_owned(),
+        });
+    }
+    let mark = b"<AppendedData encoding=\"raw\">\n_";
+    let at = bytes
+        .windows(mark.len())
+        .position(|w| w == mark)
+        .ok_or_else(|| {
+            damaged("it is cut off before its data, or not written by riprap".to_owned())
+        })?;
+    let head =
+        str::from_utf8(&bytes[..at]).map_err(|_| damaged("its head is not text".to_owned()))?;
+    let end = b"\n</AppendedData>\n</VTKFile>\n";
+    let data = bytes[at + mark.len()..]
+        .strip_suffix(end)
+        .ok_or_else(|| damaged("it is cut off: its end is missing".to_owned()))?;
+    let tags = tags(head).ok_or_else(|| damaged("its head is not well-formed XML".to_owned()))?;
+    contents(&tags, data, wanted).map_err(damaged)
+}
+
+fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String> {
+    let file = tags
+        .iter()
+        .find(|t| t.name == "VTKFile")
+        .ok_or("it has no VTKFile element")?;
+    for (key, value) in [
+        ("type", "UnstructuredGrid"),
+        ("byte_order", "LittleEndian"),
+        ("header_type", "UInt64"),
+        ("compressor", "vtkZLibDataCompressor"),
+    ] {
+        if file.attribute(key).as_deref() != Some(value) {
+            return Err(format!("{key} is not {value}"));
+        }
+    }
+    let mut out = Vtu {
+        dimension: 2,
+        ..Vtu::default()
+    };
+    let (mut points, mut cells) = (0, 0);
+    let mut section = "";
+    let mut i = 0;
+    while i < tags.len() {
+        let t = &tags[i];
+        match t.name {
+            "Piece" => {
+                points = t.count("NumberOfPoints")?;
+                cells = t.count("NumberOfCells")?;
+            }
+            "FieldData" | "PointData" | "CellData" | "Points" | "Cells" => section = t.name,
+            "DataArray" | "Array" => {
+                i += 1;
+                if !t.wanted(section, wanted) {
+                    continue;
+                }
+                // The unit, if any, is the element inside.
+                let unit = tags
+                    .get(i)
+                    .filter(|u| u.name == "InformationKey")
+                    .map_or_else(|| "-".to_owned(), |u| unescape(u.text.trim()));
+                array(&mut out, t, section, unit, data, (points, cells))?;
+                continue;
+            }
+            _other => {}
+        }
+        i += 1;
+    }
+    if !wanted.geometry {
+        return Ok(out);
+    }
+    if out.points.len() != points || out.offsets.len() != cells {
+        return Err("it has no points or no cells".to_owned());
+    }
+    let end = out.offsets.last().map_or(0, |o| *o as usize);
+    if !out.offsets.is_sorted() || end != points || out.kinds.len() != cells {
+        return Err("its cells do not fit its points".to_owned());
+    }
+    if !out.face_ends.is_empty() && out.face_ends.len() != cells {
+        return Err("its faces do not fit its cells".to_owned());
+    }
+    Ok(out)
+}
+
+pub(super) fn array(
+    out: &mut Vtu,
+    t: &Tag,
+    section: &str,
+    unit: String,
+    data: &[u8],
+    (points, cells): (usize, usize),
+) -> Result<(), String> {
+    let name = t.attribute("Name").ok_or("an array has no name")?;
+    let bad = || format!("field data `{name}` cannot be read");
+    let load = || unpack(data, t.count("offset")?).map_err(|e| format!("array `{name}`: {e}"));
+    match (section, name.as_str()) {
+        ("FieldData", "TimeValue") => out.time = t.text.trim().parse().map_err(|_| bad())?,
+        ("FieldData", "step") => out.step = t.text.trim().parse().map_err(|_| bad())?,
+        ("FieldData", "dimension") => {
+            out.dimension = t.text.trim().parse().map_err(|_| bad())?;
+        }
+        ("FieldData", "phase") => {
+            let codes: Result<Vec<u8>, _> = t.text.split_whitespace().map(str::parse).collect();
+            let mut codes = codes.map_err(|_| bad())?;
+            codes.pop();
+            out.phase = String::from_utf8(codes).map_err(|_| bad())?;
+        }
+        ("Points", "Points") => {
+            out.points = triples(&numbers(&load()?)?, points, &name)?;
+        }
+        ("Cells", "types") => out.kinds = load()?,
+        ("Cells", "faces") => out.faces = integers(&load()?)?,
+        ("Cells", "faceoffsets") => out.face_ends = integers(&load()?)?,
+        ("Cells", "offsets") => {
+            let bytes = load()?;
+            let (ends, rest) = bytes.as_chunks::<8>();
+            if !rest.is_empty() || ends.len() != cells {
+                return Err("its cells are not complete".to_owned());
+            }
+            out.offsets = ends
+                .iter()
+                .map(|e| u32::try_from(i64::from_le_bytes(*e)))
+                .collect::<Result<_, _>>()
+                .map_err(|_| "a cell ends at an impossible point".to_owned())?;
+        }
+        ("PointData" | "CellData", _) => {
+            let on_points = section == "PointData";
+            let items = if on_points { points } else { cells };
+            let values = numbers(&load()?)?;
+            let column = if t.attribute("NumberOfComponents").as_deref() == Some("3") {
+                let vectors = triples(&values, items, &name)?;
+                if out.dimension == 3 {
+                    Column::vector3(&name, &unit, &vectors)
+                } else {
+                    let flat: Vec<[f64; 2]> = vectors.iter().map(|v| [v[0], v[1]]).collect();
+                    Column::vector(&name, &unit, &flat)
+                }
+            } else if values.len() == items {
+                Column::scalar(&name, &unit, values)
+            } else {
+                return Err(format!(
+                    "array `{name}` has {} numbers for {items} items",
+                    values.len()
+                ));
+            };
+            if on_points {
+                &mut out.point_columns
+            } else {
+                &mut out.cell_columns
+            }
+            .push(column);
+        }
+        // Connectivity is the same in all our files.
+        (_, _) => {}
+    }
+    Ok(())
+}
+
+fn numbers(bytes: &[u8]) -> Result<Vec<f64>, String> {
+    let (values, rest) = bytes.as_chunks::<8>();
+    if !rest.is_empty() {
+        return Err("an array ends inside a number".to_owned());
+    }
+    Ok(values.iter().map(|v| f64::from_le_bytes(*v)).collect())
+}
+
+fn integers(bytes: &[u8]) -> Result<Vec<i64>, String> {
+    let (values, rest) = bytes.as_chunks::<8>();
+    if !rest.is_empty() {
+        return Err("an array ends inside a number".to_owned());
+    }
+    Ok(values.iter().map(|v| i64::from_le_bytes(*v)).collect())
+}
+
+fn triples(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 3]>, String> {
+    let (triples, rest) = values.as_chunks::<3>();
+    if !rest.is_empty() || triples.len() != items {
+        return Err(format!(
+            "array `{name}` has {} numbers for {items} vectors",
+            values.len()
+        ));
+    }
+    Ok(triples.to_vec())
+}
+
+/// One array out of the appended data. Memory: never more than its compressed bytes times [`MAX_RATIO`].
+fn unpack(data: &[u8], offset: usize) -> Result<Vec<u8>, String> {
+    let cut = || "its data are cut off".to_owned();
+    let mut rest = data.get(offset..).ok_or_else(cut)?;
+    let mut word = || -> Result<u64, String> {
+        let (head, tail) = rest.split_first_chunk::<8>().ok_or_else(cut)?;
+        rest = tail;
+        Ok(u64::from_le_bytes(*head))
+    };
+    let (blocks, size, partial) = (word()?, word()?, word()?);
+    if blocks > (data.len() / 8) as u64 {
+        return Err(cut());
+    }
+    let sizes: Vec<u64> = (0..blocks).map(|_| word()).collect::<Result<_, _>>()?;
+    let mut out = Vec::new();
+    for (i, packed) in sizes.iter().enumerate() {
+        let last = i + 1 == sizes.len();
+        let plain = if last && partial != 0 { partial } else { size };
+        let n = usize::try_from(*packed).map_err(|_| cut())?;
+        let bytes = rest.get(..n).ok_or_else(cut)?;
+        rest = &rest[n..];
+        if plain > packed.saturating_mul(MAX_RATIO) {
+            return Err("a block claims an impossible size".to_owned());
+        }
+        let before = out.len() as u64;
+        ZlibDecoder::new(bytes)
+            .take(plain + 1)
+            .read_to_end(&mut out)
+            .map_err(|e| format!("a block does not unpack: {e}"))?;
+        if out.len() as u64 - before != plain {
+            return Err("a block has the wrong size".to_owned());
+        }
+    }
+    Ok(out)
+}
+
+/// One XML tag: its name (`/name` for a closing one), attributes and the text after it.
+#[derive(Debug)]
+pub(super) struct Tag<'a> {
+    pub(super) name: &'a str,
+    attributes: Vec<(&'a str, &'a str)>,
+    text: &'a str,
+}
+
+impl Tag<'_> {
+    /// Whether this array of a section is asked for. Arrays without a name are, so that they are complained about.
+    fn wanted(&self, section: &str, wanted: Wanted<'_>) -> bool {
+        match section {
+            "Points" | "Cells" => wanted.geometry,
+            "PointData" | "CellData" => self
+                .attribute("Name")
+                .is_none_or(|name| (wanted.column)(&name)),
+            _other => true,
+        }
+    }
+
+    pub(super) fn attribute(&self, key: &str) -> Option<String> {
+        self.attributes
+            .iter()
+            .find(|a| a.0 == key)
+            .map(|a| unescape(a.1))
+    }
+
+    fn count(&self, key: &str) -> Result<usize, String> {
+        self.attribute(key)
+            .and_then(|v| v.parse().ok())
+            .ok_or_else(|| format!("`{}` has no usable {key}", self.name))
+    }
+}
+
+/// Takes XML apart, as far as our own files need it: no comments, no CDATA. `None` if it is not well formed.
+pub(super) fn tags(text: &str) -> Option<Vec<Tag<'_>>> {
+    let mut out = Vec::new();
+    let mut rest = text;
+    while let Some(open) = rest.find('<') {
+        rest = &rest[open + 1..];
+        let close = rest.find('>')?;
+        let body = rest[..close].trim_end_matches(['/', '?']);
+        rest = &rest[close + 1..];
+        let text = &rest[..rest.find('<').unwrap_or(rest.len())];
+        let (name, mut more) = body.split_once(char::is_whitespace).unwrap_or((body, ""));
+        let mut attributes = Vec::new();
+        while let Some((key, value)) = more.split_once('=') {
+            let value = value.strip_prefix('"')?;
+            let (value, tail) = value.split_once('"')?;
+            attributes.push((key.trim(), value));
+            more = tail;
+        }
+        if !more.trim().is_empty() {
+            return None;
+        }
+        out.push(Tag {
+            name,
+            attributes,
+            text,
+        });
+    }
+    Some(out)
+}
+
+fn unescape(text: &str) -> String {
+    text.replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&amp;", "&")
+}
+
+#[cfg(test)]
+mod tests;

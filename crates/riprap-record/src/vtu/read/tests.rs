@@ -1,0 +1,164 @@
+//! Round trips, damage of every kind, the golden head.
+
+use super::super::{PvdEntry, blocks, contacts, read_blocks, read_frame, read_pvd, write_pvd};
+use super::*;
+use crate::frame::Frame;
+use proptest::prelude::*;
+use riprap_testkit::{sample, solid_sample};
+
+fn parsed(bytes: &[u8]) -> Result<Vtu, ReadError> {
+    parse(bytes, Path::new("x.vtu"))
+}
+
+#[test]
+fn frame_round_trip() {
+    let dir = tempfile::tempdir().unwrap();
+    let (b, c) = (dir.path().join("b.vtu"), dir.path().join("c.vtu"));
+    let mut odd = sample();
+    odd.phase = "böse <\"&\"> phase".to_owned();
+    odd.block_columns[0].name = "a<b & \"c\"".to_owned();
+    odd.time = 1e-300;
+    for frame in [sample(), Frame::default(), odd, solid_sample()] {
+        std::fs::write(&b, blocks(&frame).unwrap()).unwrap();
+        std::fs::write(&c, contacts(&frame).unwrap()).unwrap();
+        assert_eq!(read_frame(&b, Some(&c)).unwrap(), frame);
+    }
+}
+
+#[test]
+fn several_zlib_blocks() {
+    let n = 5000u32;
+    let frame = Frame {
+        offsets: (0..=n).map(|i| 3 * i).collect(),
+        points: (0..3 * n)
+            .map(|i| [f64::from(i).sin(), f64::from(i).cos(), 0.0])
+            .collect(),
+        block_columns: vec![Column::scalar("id", "-", (0..n).map(f64::from).collect())],
+        ..Frame::default()
+    };
+    let v = parsed(&blocks(&frame).unwrap()).unwrap();
+    assert_eq!(v.points, frame.points);
+    assert_eq!(v.cell_columns, frame.block_columns);
+}
+
+#[test]
+fn every_truncation_is_told_and_no_flip_panics() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("solid.vtu");
+    let bytes = blocks(&solid_sample()).unwrap();
+    for n in 0..bytes.len() {
+        let mut bad = bytes.clone();
+        bad[n] ^= 1 << (n % 8);
+        if parsed(&bad).is_ok() {
+            std::fs::write(&path, &bad).unwrap();
+            let _ = read_frame(&path, None);
+        }
+    }
+    let bytes = blocks(&sample()).unwrap();
+    for n in 0..bytes.len() {
+        assert!(parsed(&bytes[..n]).is_err(), "{n}");
+        for bit in 0..8 {
+            let mut bad = bytes.clone();
+            bad[n] ^= 1 << bit;
+            let _ = parsed(&bad);
+        }
+    }
+}
+
+#[test]
+fn messages_name_the_file_and_the_fault() {
+    let bytes = blocks(&sample()).unwrap();
+    let cut = parsed(&bytes[..bytes.len() - 3]).unwrap_err().to_string();
+    assert!(
+        cut.contains("x.vtu is damaged") && cut.contains("cut off"),
+        "{cut}"
+    );
+    assert!(matches!(
+        parsed(b"solid stl"),
+        Err(ReadError::Foreign { .. })
+    ));
+    let mut huge = bytes;
+    let at = huge.windows(2).position(|w| w == b"\n_").unwrap() + 2;
+    huge[at..at + 8].copy_from_slice(&u64::MAX.to_le_bytes());
+    assert!(parsed(&huge).is_err());
+}
+
+#[test]
+fn a_frame_that_does_not_fit_is_refused() {
+    let mut f = sample();
+    f.block_columns[0].data.pop();
+    assert!(blocks(&f).is_err());
+}
+
+#[test]
+fn pvd_round_trip() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("run.pvd");
+    let entries = vec![
+        PvdEntry {
+            time: 0.0,
+            file: "frames/frame_000000.vtu".to_owned(),
+        },
+        PvdEntry {
+            time: 0.1,
+            file: "frames/a & b.vtu".to_owned(),
+        },
+    ];
+    let text = write_pvd(&entries);
+    std::fs::write(&path, &text).unwrap();
+    assert_eq!(read_pvd(&path).unwrap(), entries);
+    std::fs::write(&path, &text[..text.len() / 2]).unwrap();
+    assert!(read_pvd(&path).is_err());
+    std::fs::write(&path, "hello").unwrap();
+    assert!(read_pvd(&path).is_err());
+}
+
+/// Golden file: the bytes of the head are part of the contract with ParaView.
+#[test]
+fn golden_head() {
+    let bytes = blocks(&sample()).unwrap();
+    let at = bytes.windows(2).position(|w| w == b"\n_").unwrap();
+    let head = str::from_utf8(&bytes[..at]).unwrap();
+    let expected = include_str!("../golden_head.xml");
+    assert_eq!(head.trim(), expected.trim());
+}
+
+proptest! {
+    #[test]
+    fn random_bytes_never_panic(
+        head in "<\\?xml[ -~\n]{0,200}",
+        data in proptest::collection::vec(any::<u8>(), 0..200),
+        real in 0usize..3,
+    ) {
+        let good = blocks(&sample()).unwrap();
+        let at = good.windows(2).position(|w| w == b"\n_").unwrap() + 2;
+        let mut bytes = if real == 0 { head.into_bytes() } else { good[..at].to_vec() };
+        bytes.extend(data);
+        if real == 2 {
+            bytes.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
+        }
+        prop_assert!(parsed(&bytes).is_err());
+    }
+}
+
+#[test]
+fn only_what_is_wanted_is_unpacked() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("b.vtu");
+    let whole = solid_sample();
+    std::fs::write(&path, blocks(&whole).unwrap()).unwrap();
+    let level = Wanted {
+        geometry: false,
+        column: &|name| name == "level",
+    };
+    let some = read_some(&path, level).unwrap();
+    assert_eq!((some.step, some.points.len()), (7, 0));
+    assert_eq!(some.cell_columns, whole.block_columns[1..]);
+    let bare = Wanted {
+        geometry: true,
+        column: &|_| false,
+    };
+    let frame = read_blocks(&path, bare).unwrap();
+    assert!(frame.block_columns.is_empty());
+    assert_eq!((frame.points, frame.solids), (whole.points, whole.solids));
+}

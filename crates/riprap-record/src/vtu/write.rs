@@ -1,0 +1,305 @@
+//! The writer: header text with offsets, then the blocks of compressed bytes.
+
+use crate::frame::{Column, Frame, Surfaces};
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+
+/// Uncompressed bytes per zlib block, as VTK's own writer uses.
+const BLOCK: usize = 1 << 15;
+/// VTK cell types.
+pub(super) const VERTEX: u8 = 1;
+pub(super) const POLYGON: u8 = 7;
+const TETRAHEDRON: u8 = 10;
+pub(super) const HEXAHEDRON: u8 = 12;
+pub(super) const POLYHEDRON: u8 = 42;
+
+/// The blocks of a frame as a `.vtu` file.
+///
+/// # Errors
+/// A frame whose parts do not fit together is `InvalidData`: a mistake of the engine.
+pub fn blocks(frame: &Frame) -> io::Result<Vec<u8>> {
+    check(frame)?;
+    let ends: Vec<i64> = frame
+        .offsets
+        .iter()
+        .skip(1)
+        .map(|o| i64::from(*o))
+        .collect();
+    let kinds = match &frame.solids {
+        None => vec![POLYGON; ends.len()],
+        Some(solids) => solids
+            .faces
+            .windows(2)
+            .map(|f| if f[0] == f[1] { HEXAHEDRON } else { POLYHEDRON })
+            .collect(),
+    };
+    let mesh = Mesh {
+        points: &frame.points,
+        ends: &ends,
+        kinds: &kinds,
+        faces: face_stream(frame),
+        on_cells: &frame.block_columns,
+        on_points: &[],
+    };
+    file(frame, &mesh)
+}
+
+/// The contacts of a frame as a `.vtu` file of vertices.
+///
+/// # Errors
+/// As [`blocks`].
+pub fn contacts(frame: &Frame) -> io::Result<Vec<u8>> {
+    check(frame)?;
+    let ends: Vec<i64> = (1..).take(frame.contact_points.len()).collect();
+    let mesh = Mesh {
+        points: &frame.contact_points,
+        ends: &ends,
+        kinds: &vec![VERTEX; ends.len()],
+        faces: None,
+        on_cells: &[],
+        on_points: &frame.contact_columns,
+    };
+    file(frame, &mesh)
+}
+
+/// The cracks of a frame as a `.vtu` file of polygons; `None` where no block is deformable.
+///
+/// # Errors
+/// Columns that do not fit the polygons are `InvalidData`: a mistake of the engine.
+pub fn cracks(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
+    let cracks = frame.cracks.as_ref();
+    cracks.map(|c| cells(frame, c, POLYGON)).transpose()
+}
+
+/// The tetrahedra of a frame as a `.vtu` file; `None` where they are not asked for.
+///
+/// # Errors
+/// As [`cracks`].
+pub fn tetrahedra(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
+    let list = frame.tetrahedra.as_ref();
+    list.map(|c| cells(frame, c, TETRAHEDRON)).transpose()
+}
+
+fn cells(frame: &Frame, cells: &Surfaces, kind: u8) -> io::Result<Vec<u8>> {
+    let count = cells.ends.len();
+    let last = cells.ends.last().map_or(0, |e| *e as usize);
+    if last != cells.points.len() || cells.columns.iter().any(|c| c.len() != count) {
+        let text = "the lists of cracks or tetrahedra do not fit together";
+        return Err(io::Error::new(io::ErrorKind::InvalidData, text));
+    }
+    let ends: Vec<i64> = cells.ends.iter().map(|e| i64::from(*e)).collect();
+    let mesh = Mesh {
+        points: &cells.points,
+        ends: &ends,
+        kinds: &vec![kind; count],
+        faces: None,
+        on_cells: &cells.columns,
+        on_points: &[],
+    };
+    file(frame, &mesh)
+}
+
+fn check(frame: &Frame) -> io::Result<()> {
+    match frame.fault() {
+        None => Ok(()),
+        Some(text) => Err(io::Error::new(io::ErrorKind::InvalidData, text)),
+    }
+}
+
+struct Mesh<'a> {
+    points: &'a [[f64; 3]],
+    /// Shape `[cells]`: end of each cell's run of points.
+    ends: &'a [i64],
+    /// Shape `[cells]`: VTK cell types.
+    kinds: &'a [u8],
+    /// For polyhedra: VTK's stream of faces and where each cell ends in it (-1 for other cells).
+    faces: Option<(Vec<i64>, Vec<i64>)>,
+    on_cells: &'a [Column],
+    on_points: &'a [Column],
+}
+
+/// Of each polyhedron: number of faces, then for each face its number of corners and their points.
+fn face_stream(frame: &Frame) -> Option<(Vec<i64>, Vec<i64>)> {
+    let solids = frame.solids.as_ref().filter(|s| !s.corners.is_empty())?;
+    let (mut stream, mut ends) = (Vec::new(), Vec::new());
+    for (i, range) in solids.faces.windows(2).enumerate() {
+        if range[0] == range[1] {
+            ends.push(-1);
+            continue;
+        }
+        let faces = solids.of(i);
+        stream.push(faces.len() as i64);
+        for face in faces {
+            stream.push(face.len() as i64);
+            stream.extend(face.iter().map(|&c| i64::from(frame.offsets[i] + c)));
+        }
+        ends.push(stream.len() as i64);
+    }
+    Some((stream, ends))
+}
+
+fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
+    let mut w = Writer {
+        head: String::new(),
+        data: Vec::new(),
+    };
+    w.put("<?xml version=\"1.0\"?>\n");
+    w.put(
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+         header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n<FieldData>\n",
+    );
+    w.put(&format!(
+        "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>\n",
+        frame.time
+    ));
+    w.put(&format!(
+        "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+        frame.step
+    ));
+    let dimension = if frame.solids.is_some() { 3 } else { 2 };
+    w.put(&format!(
+        "<DataArray type=\"Int64\" Name=\"dimension\" NumberOfTuples=\"1\" format=\"ascii\">{dimension}</DataArray>\n"
+    ));
+    let codes: String = frame.phase.bytes().fold(String::new(), |mut s, b| {
+        // Writing into a String cannot fail.
+        let _ = write!(s, "{b} ");
+        s
+    });
+    w.put(&format!(
+        "<Array type=\"String\" Name=\"phase\" NumberOfTuples=\"1\" format=\"ascii\">{codes}0</Array>\n</FieldData>\n"
+    ));
+    w.put(&format!(
+        "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+        mesh.points.len(),
+        mesh.ends.len()
+    ));
+    for (tag, columns) in [("PointData", mesh.on_points), ("CellData", mesh.on_cells)] {
+        w.put(&format!("<{tag}>\n"));
+        for c in columns {
+            w.column(c)?;
+        }
+        w.put(&format!("</{tag}>\n"));
+    }
+    w.put("<Points>\n");
+    let flat: Vec<u8> = mesh
+        .points
+        .iter()
+        .flatten()
+        .flat_map(|x| x.to_le_bytes())
+        .collect();
+    w.array("Float64", "Points", "NumberOfComponents=\"3\"", "m", &flat)?;
+    w.put("</Points>\n<Cells>\n");
+    let ids: Vec<u8> = (0i64..)
+        .take(mesh.points.len())
+        .flat_map(i64::to_le_bytes)
+        .collect();
+    w.array("Int64", "connectivity", "", "-", &ids)?;
+    let integers =
+        |list: &[i64]| -> Vec<u8> { list.iter().flat_map(|e| e.to_le_bytes()).collect() };
+    w.array("Int64", "offsets", "", "-", &integers(mesh.ends))?;
+    w.array("UInt8", "types", "", "-", mesh.kinds)?;
+    if let Some((stream, ends)) = &mesh.faces {
+        w.array("Int64", "faces", "", "-", &integers(stream))?;
+        w.array("Int64", "faceoffsets", "", "-", &integers(ends))?;
+    }
+    w.put("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+    let mut out = w.head.into_bytes();
+    out.extend_from_slice(&w.data);
+    out.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
+    Ok(out)
+}
+
+struct Writer {
+    head: String,
+    data: Vec<u8>,
+}
+
+impl Writer {
+    fn put(&mut self, text: &str) {
+        self.head.push_str(text);
+    }
+
+    fn column(&mut self, c: &Column) -> io::Result<()> {
+        let names = "NumberOfComponents=\"3\" ComponentName0=\"x\" ComponentName1=\"y\" ComponentName2=\"z\"";
+        if c.components == 2 {
+            let padded: Vec<u8> = c
+                .data
+                .as_chunks::<2>()
+                .0
+                .iter()
+                .flat_map(|v| [v[0], v[1], 0.0])
+                .flat_map(f64::to_le_bytes)
+                .collect();
+            self.array("Float64", &c.name, names, &c.unit, &padded)
+        } else {
+            let flat: Vec<u8> = c.data.iter().flat_map(|v| v.to_le_bytes()).collect();
+            let more = if c.components == 3 { names } else { "" };
+            self.array("Float64", &c.name, more, &c.unit, &flat)
+        }
+    }
+
+    fn array(
+        &mut self,
+        kind: &str,
+        name: &str,
+        more: &str,
+        unit: &str,
+        bytes: &[u8],
+    ) -> io::Result<()> {
+        let gap = if more.is_empty() { "" } else { " " };
+        let label = if unit.is_empty() || unit == "-" {
+            String::new()
+        } else {
+            format!(
+                "\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>\n",
+                escape(unit)
+            )
+        };
+        self.put(&format!(
+            "<DataArray type=\"{kind}\" Name=\"{}\"{gap}{more} format=\"appended\" offset=\"{}\">{label}</DataArray>\n",
+            escape(name),
+            self.data.len()
+        ));
+        append(&mut self.data, bytes)
+    }
+}
+
+/// vtkZLibDataCompressor layout: number of blocks, block size, size of a partial last block (0 if full), compressed
+/// sizes; then the blocks.
+fn append(out: &mut Vec<u8>, bytes: &[u8]) -> io::Result<()> {
+    let parts: Vec<Vec<u8>> = bytes
+        .chunks(BLOCK)
+        .map(|chunk| {
+            let mut zlib = ZlibEncoder::new(Vec::new(), Compression::new(5));
+            zlib.write_all(chunk)?;
+            zlib.finish()
+        })
+        .collect::<io::Result<_>>()?;
+    let head = [parts.len(), BLOCK, bytes.len() % BLOCK];
+    for n in head.into_iter().chain(parts.iter().map(Vec::len)) {
+        out.extend_from_slice(&(n as u64).to_le_bytes());
+    }
+    for p in parts {
+        out.extend_from_slice(&p);
+    }
+    Ok(())
+}
+
+/// Text inside XML, attributes included. Control characters, which XML cannot hold, become blanks.
+#[must_use]
+pub fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
