@@ -8,10 +8,11 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::build::BuildError;
+use super::build::error::BuildError;
 use super::patch::Poses;
 use super::setup::{Boundary, BoundaryKind, FaceSet};
 pub use super::state::face::Face;
+use super::state::push::Push;
 use super::world::{SolidClass, World};
 use crate::ledger::Works;
 
@@ -78,28 +79,6 @@ fn is_on(set: &FaceSet, face: &Face, centre: Vec3, tolerance: f64) -> bool {
                 && centre.cmple(*max + Vec3::splat(tolerance)).all()
                 && normal.as_ref().is_none_or(along)
         }
-    }
-}
-
-/// Force (N) and moment (N m) about the centroid on the block of a face.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Push {
-    /// Force, N.
-    pub force: Vec3,
-    /// Moment, N m.
-    pub moment: Vec3,
-}
-
-impl Push {
-    fn add(&mut self, force: Vec3, arm: Vec3) {
-        self.force += force;
-        self.moment += arm.cross(force);
-    }
-
-    /// Power (W) on a block with this velocity and spin.
-    #[must_use]
-    pub fn power(&self, velocity: Vec3, spin: Vec3) -> f64 {
-        self.force.dot(velocity) + self.moment.dot(spin)
     }
 }
 

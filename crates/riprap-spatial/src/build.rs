@@ -1,93 +1,35 @@
 //! From plain data to a world: mass properties, patches between blocks, free faces.
 
 mod classes;
+pub(super) mod error;
 
 pub use classes::ClassTable;
 pub(super) use classes::stiffness;
+pub use error::BuildError;
 
 use std::collections::BTreeMap;
 
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Vec3};
 
-use super::boundary::{self, Face};
-use super::cavity::{self, Cavity, CavityError, Wall};
+use super::boundary;
+use super::cavity;
 use super::deform;
-use super::meet::{self, Cell, Free, Rectangle, Shared};
+use super::meet::{self, Cell};
 use super::meet_solids::meet_solids;
-use super::refine::{self, Origin, RefineError};
+use super::overlap::{Overlap, face, overlap};
+use super::refine;
 use super::setup::{InSitu, Setup, Shape};
-use super::step::Scratch;
+use super::state::cavity::{Cavity, Wall};
+use super::state::face::Face;
+use super::state::lineage::Origin;
+use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
 use crate::exec::Exec;
 use crate::ledger::Works;
 
 /// Largest gap between faces that touch, over the shortest half edge of all blocks.
 pub(super) const GAP: f64 = 1e-6;
-
-/// Why a model cannot be built.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BuildError {
-    /// A stiffness from the material needs moduli that it lacks.
-    #[error("the material `{material}` needs `young` and `poisson` for {need}")]
-    NoModulus {
-        /// Name of the material.
-        material: String,
-        /// What needs them.
-        need: &'static str,
-    },
-    /// A block has no volume.
-    #[error("the block `{block}` has no volume: {reason}")]
-    Shape {
-        /// Name of the block.
-        block: String,
-        /// What is wrong.
-        reason: String,
-    },
-    /// The blocks cannot be split as asked for.
-    #[error("{0}")]
-    Refine(#[from] RefineError),
-    /// A source cannot be built.
-    #[error("{0}")]
-    Source(#[from] CavityError),
-    /// Deformable blocks that touch need a bond law.
-    #[error(
-        "the blocks `{}` and `{}` touch and one of them is deformable, but the interface `{interface}` says nothing \
-         about bonds: give it `brittle_bond`", .blocks[0], .blocks[1]
-    )]
-    NoBond {
-        /// Name of the interface.
-        interface: String,
-        /// Names of the blocks.
-        blocks: [String; 2],
-    },
-    /// A notch that is not on a face.
-    #[error(
-        "a notch finds no shared face of deformable blocks whose centre is in its box, whose lowest corner is \
-         ({}, {}, {}) m: cracks that are there at the start lie on faces between blocks", .at[0], .at[1], .at[2]
-    )]
-    NoFacet {
-        /// Lowest corner of the box, m (global).
-        at: [f64; 3],
-    },
-    /// A support for nodes finds none.
-    #[error(
-        "a support finds no node of a deformable block in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
-         corners, the face centres and the centroid of a block", .at[0], .at[1], .at[2]
-    )]
-    NoNode {
-        /// Lowest corner of the box, m (global).
-        at: [f64; 3],
-    },
-    /// A condition for faces finds none.
-    #[error(
-        "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
-    )]
-    NoFace {
-        /// Name of the boundary.
-        boundary: String,
-    },
-}
 
 impl World {
     /// A world at rest at time zero, with patches and boundaries built; the scratch data come with it.
@@ -305,78 +247,6 @@ impl World {
             self.patches.need_path();
         }
         Ok(())
-    }
-}
-
-/// Two blocks that share a part of a face, in the reference configuration.
-#[derive(Clone, Copy, Debug)]
-pub struct Overlap {
-    /// Blocks i and j.
-    pub blocks: [u32; 2],
-    /// Unit vectors n (from i to j), b and c: right-handed, b and c principal axes of the part.
-    pub frame: [Vec3; 3],
-    /// Axis of the normal, 0 to 2, with b and c the next two axes; 3 for any other direction.
-    pub axis: u8,
-    /// Centre of the part from the centroids of i and j, m.
-    pub arms: [Vec3; 2],
-    /// Area, m².
-    pub area: f64,
-    /// Radii of gyration of the part along b and along c, m.
-    pub gyration: [f64; 2],
-}
-
-/// Axis frame: normal along `axis`, b and c the next two axes.
-#[must_use]
-pub fn axis_frame(axis: usize) -> [Vec3; 3] {
-    [0, 1, 2].map(|k| Vec3::AXES[(axis + k) % 3])
-}
-
-/// The overlap of two cells.
-pub(super) fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
-    let (low, high, axis) = (&cells[shared.low], &cells[shared.high], shared.axis);
-    let [length_b, length_c] = shared.part.size();
-    let to = |cell: &Cell, sign: f64| arm(cell, axis, sign, &shared.part);
-    Overlap {
-        blocks: [low.block, high.block],
-        frame: axis_frame(axis),
-        axis: axis as u8,
-        arms: [to(low, 1.0), to(high, -1.0)],
-        area: length_b * length_c,
-        gyration: [length_b / 12f64.sqrt(), length_c / 12f64.sqrt()],
-    }
-}
-
-/// From the centroid of a cell to the centre of a part of its face.
-fn arm(cell: &Cell, axis: usize, sign: f64, part: &Rectangle) -> Vec3 {
-    let [b, c] = [(axis + 1) % 3, (axis + 2) % 3];
-    let mut arm = Vec3::ZERO;
-    arm[axis] = sign * cell.half[axis];
-    arm[b] = part.centre()[0] - cell.centre[b];
-    arm[c] = part.centre()[1] - cell.centre[c];
-    arm
-}
-
-/// A free face without condition.
-pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
-    let cell = &cells[free.cell];
-    let [length_b, length_c] = free.part.size();
-    let [n, b, c] = axis_frame(free.axis);
-    let sign = if free.upward { 1.0 } else { -1.0 };
-    let frame = if free.upward { [n, b, c] } else { [-n, c, b] };
-    let mut reach = [length_b / 12f64.sqrt(), length_c / 12f64.sqrt()];
-    if !free.upward {
-        reach.swap(0, 1);
-    }
-    Face {
-        block: cell.block,
-        boundary: None,
-        frame,
-        arm: arm(cell, free.axis, sign, &free.part),
-        area: length_b * length_c,
-        reach,
-        stiffness: [0.0; 2],
-        impedance: [0.0; 2],
-        anchor: [Vec3::ZERO; 4],
     }
 }
 

@@ -22,11 +22,11 @@ pub use soft::{renew as renew_soft, state as soft_state};
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::frame;
 
-use super::build::Overlap;
-use super::refine::Origin;
+use super::overlap::Overlap;
 use super::region::Bounds;
 use super::setup::{Coupling, Place, Region, Setup, Venting};
 pub use super::state::cavity::{Cavity, Gas, Soft, Wall};
+use super::state::lineage::Origin;
 use super::world::World;
 use crate::laws::explosive::{Adiabat, ExplosiveError};
 

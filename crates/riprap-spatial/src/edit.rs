@@ -7,18 +7,22 @@
 //! energy of springs, and to the time-centred kinetic energy through new forces, is booked as edit defect: the residual
 //! of the ledger is the same before and after.
 
+pub(super) mod error;
 mod measure;
 mod patches;
 mod split;
 
-use super::boundary::Face;
-use super::build::{self, BuildError};
+pub use error::EditError;
+
+use super::build;
 use super::fields::View;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
 use super::setup::{During, Shape};
 pub use super::state::event::{EditEvent, EditKind};
-use super::step::{self, Damping, NonFinite, Scratch};
+use super::state::face::Face;
+use super::state::scratch::Scratch;
+use super::step::{self, Damping};
 use super::world::World;
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
@@ -37,32 +41,6 @@ pub fn renew_laws(world: &mut World) {
             class.beta = joint.damping * travel;
         }
     }
-}
-
-/// Why an edit failed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum EditError {
-    /// Forces after the edit are not finite.
-    #[error(transparent)]
-    NonFinite(#[from] NonFinite),
-    /// Patches cannot be built.
-    #[error(transparent)]
-    Build(#[from] BuildError),
-    /// Too many blocks.
-    #[error(transparent)]
-    Refine(#[from] RefineError),
-    /// What must not change has changed: our mistake.
-    #[error("{what} changed from {before:e} to {after:e} while block {block} was edited")]
-    Audit {
-        /// What.
-        what: &'static str,
-        /// Name of the block.
-        block: String,
-        /// Before the edit.
-        before: f64,
-        /// After it.
-        after: f64,
-    },
 }
 
 /// Splits the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance`; a second

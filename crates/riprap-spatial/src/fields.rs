@@ -4,7 +4,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::boundary;
 use super::patch::{self, Points, Poses, Resultant, turned_inertia};
-use super::step::Scratch;
+use super::state::scratch::Scratch;
 use super::world::{PatchClass, World, flag};
 use crate::laws::face_joint::{self, Traction};
 use crate::laws::tetrahedron::Strain;

@@ -2,10 +2,12 @@
 
 use riprap_geom::Vec3;
 
-use super::boundary::{self, Face, Push};
+use super::boundary;
 use super::kick::{Acting, Kick};
 use super::lanes::{LANES, Lanes, Width};
-use super::step::{NonFinite, Partial, Scratch};
+use super::state::face::Face;
+use super::state::push::Push;
+use super::state::scratch::{NonFinite, Partial, Scratch};
 use super::sums::{Part, Sums};
 use super::tiles::{Row, Tile, Tiles};
 use super::world::World;

@@ -5,7 +5,7 @@ use super::kick::{self, Kick};
 use super::lanes::{LANES, Lanes, Width};
 use super::patch;
 use super::setup::Kinematics;
-use super::step::{Partial, Scratch};
+use super::state::scratch::{Partial, Scratch};
 use super::sums::Part;
 use super::tiles::{Row, Tile, Tiles};
 use super::world::{Turned, World};

@@ -4,6 +4,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::patch::turned_inertia;
 use super::setup::Motion;
+use super::state::scratch::Scratch;
 use super::world::{SolidClass, Turned, World};
 use crate::dynamics::damping::Damping;
 use crate::ledger::Works;
@@ -220,7 +221,65 @@ impl Kick<'_> {
     }
 }
 
+impl Scratch {
+    /// Forces on block `b`.
+    #[must_use]
+    pub fn acting(&self, b: usize) -> Acting {
+        let damped = !self.drag.is_empty();
+        Acting {
+            force: self.net.force(b),
+            moment: self.net.moment(b),
+            drag: if damped {
+                self.drag.force(b)
+            } else {
+                Vec3::ZERO
+            },
+            drag_moment: if damped {
+                self.drag.moment(b)
+            } else {
+                Vec3::ZERO
+            },
+        }
+    }
+
+    /// The coming kick.
+    #[must_use]
+    pub fn kick<'a>(&self, world: &'a World) -> Kick<'a> {
+        Kick {
+            solids: &world.solids,
+            solid: &world.solid,
+            motion: &world.motion,
+            gravity: world.gravity,
+            time: world.time,
+            damping: self.damping,
+            half: [0.5 * world.pending, 0.5 * self.coming_dt],
+            span: 0.5 * (world.last_dt + self.coming_dt),
+        }
+    }
+
+    /// Velocity change of block `b` in the coming kick.
+    #[must_use]
+    pub fn change(&self, world: &World, b: usize) -> Change {
+        if world.alive[b] && !world.deforms(b) {
+            self.kick(world)
+                .change(b, &world.moving(b), &self.acting(b))
+        } else {
+            Change::default()
+        }
+    }
+}
+
 impl World {
+    /// Motion of block `b` half a step ago.
+    #[must_use]
+    pub fn moving(&self, b: usize) -> Moving<'_> {
+        Moving {
+            velocity: self.bodies.velocity(b),
+            spin: self.bodies.spin(b),
+            turned: self.turned[b].as_deref(),
+        }
+    }
+
     /// 1 for each freedom along, and about, x, y, z that is not prescribed, else 0.
     #[must_use]
     pub fn freedoms(&self, b: usize) -> [Vec3; 2] {

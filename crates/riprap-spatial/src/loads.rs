@@ -2,8 +2,8 @@
 
 use riprap_geom::Vec3;
 
-use super::boundary::Push;
 use super::setup::LoadKind;
+use super::state::push::Push;
 use super::world::World;
 
 /// Sums all loads at the world's present time into `applied` (one entry per block).

@@ -8,9 +8,9 @@ use riprap_geom::face_overlap::{self, face_overlap};
 use riprap_geom::polyhedron::{Polyhedron, frame};
 use riprap_geom::{Mat3, Vec3};
 
-use super::boundary::Face;
-use super::build::{Overlap, axis_frame};
+use super::overlap::{Overlap, axis_frame};
 use super::setup::{BlockSpec, Shape};
+use super::state::face::Face;
 
 /// Largest sine between opposite faces that touch.
 const PARALLEL: f64 = 1e-6;

@@ -9,7 +9,7 @@ use riprap_geom::Vec3;
 
 use super::deform;
 use super::setup::BoundaryKind;
-use super::step::Scratch;
+use super::state::scratch::Scratch;
 use super::world::{PatchClass, World};
 use crate::laws::face_joint::SIGNS;
 

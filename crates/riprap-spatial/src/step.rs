@@ -4,225 +4,20 @@
 //! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
 //! make, [`advance`] applies them and moves the blocks.
 
-use riprap_geom::Vec3;
-
-use super::boundary::Push;
 use super::cavity;
-use super::deform::workspace::Kind;
-use super::deform::{self, Workspace};
+use super::deform;
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
 use super::integrate;
-use super::kick::{self, Acting, Change, Kick};
-use super::lanes::Width;
 use super::loads;
 use super::patch::{self, Poses};
 use super::setup::Kinematics;
-use super::sums::Sums;
-use super::tiles::Tiles;
-use super::wide::Wide;
-use super::world::{PatchClass, Turned, World, flag};
-use crate::exec::Exec;
-use crate::ledger::Works;
-use crate::profile::Profile;
+use super::state::push::Push;
+pub use super::state::scratch::{NonFinite, Scratch};
+use super::world::{Turned, World, flag};
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
-
-/// Everything that can be dropped and rebuilt without changing a result.
-#[derive(Debug)]
-pub struct Scratch {
-    /// Thread pool.
-    pub exec: Exec,
-    /// Stage timers.
-    pub profile: Profile,
-    /// Pieces of the model.
-    pub tiles: Tiles,
-    /// Sums of forces and moments on blocks, without damping and supports.
-    pub net: Sums,
-    /// Sums of contact dashpots; empty without any.
-    pub drag: Sums,
-    /// External loads; empty without any.
-    pub applied: Vec<Push>,
-    /// Pushes of cavities, whose work the cavities book themselves; empty without any.
-    pub pushed: Vec<Push>,
-    /// Length of the step that the kick was found for, s.
-    pub coming_dt: f64,
-    /// Damping that the kick was found with.
-    pub damping: Damping,
-    /// Number of times the patches were laid out; whoever keeps something derived from them looks here.
-    pub rebuilds: u64,
-    /// Of deformable blocks, where there are any.
-    pub deform: Option<Box<Workspace>>,
-    pub(super) slots: [Sums; 2],
-    wide: Vec<Wide>,
-    strong: bool,
-    pub(super) width: Width,
-    /// Works of the half step after the present time, booked by `advance`.
-    pub(super) departure: Works,
-    works: Vec<Works>,
-    pub(super) partial: Vec<Partial>,
-    /// Whether a block has turned beyond the bound of small kinematics.
-    pub(super) turning: bool,
-}
-
-/// Sums of one tile.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Partial {
-    pub(super) arrival: Works,
-    pub(super) departure: Works,
-    pub(super) bad: Option<u32>,
-    pub(super) turning: bool,
-}
-
-/// A block whose state is no longer finite.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the forces on block {block} are not finite")]
-pub struct NonFinite {
-    /// Index of the block.
-    pub block: u32,
-}
-
-impl Scratch {
-    /// Scratch data for a world, as new or as read from a checkpoint.
-    #[must_use]
-    pub fn new(world: &mut World, exec: Exec) -> Self {
-        let mut scratch = Self {
-            exec,
-            profile: Profile::default(),
-            tiles: Tiles::default(),
-            net: Sums::default(),
-            drag: Sums::default(),
-            applied: Vec::new(),
-            pushed: Vec::new(),
-            coming_dt: 0.0,
-            damping: Damping::default(),
-            rebuilds: 0,
-            deform: None,
-            slots: [Sums::default(), Sums::default()],
-            wide: Vec::new(),
-            strong: false,
-            width: Width::detect(),
-            departure: Works::default(),
-            works: Vec::new(),
-            partial: Vec::new(),
-            turning: true,
-        };
-        scratch.rebuild(world, Vec::new());
-        scratch
-    }
-
-    /// Lays out everything anew: blocks or patches have come or gone, or laws have changed.
-    pub fn invalidate(&mut self, world: &mut World) {
-        world.fresh = true;
-        self.rebuild(world, Vec::new());
-    }
-
-    /// As [`Scratch::invalidate`] where deformable blocks of the `new` kinds have been appended or some have gone, and no
-    /// shape or material has changed.
-    pub(super) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = Kind>) {
-        world.fresh = true;
-        let mut old = *self.deform.take().unwrap_or_default();
-        old.kinds.extend(new);
-        self.rebuild(world, old.kinds);
-        if let Some(work) = &mut self.deform {
-            work.alone = old.alone;
-        }
-    }
-
-    /// Uses no wider instructions than `width` from now on; results stay the same bits.
-    pub fn limit_width(&mut self, width: Width) {
-        self.width = Width::detect().min(width);
-    }
-
-    /// Lays everything out; `kinds` of deformable blocks, the first ones, are taken over.
-    fn rebuild(&mut self, world: &World, kinds: Vec<Kind>) {
-        self.tiles = Tiles::new(world);
-        let (blocks, count) = (world.alive.len(), self.tiles.list.len());
-        self.net = Sums::zeros(blocks);
-        self.drag = Sums::default();
-        self.pushed = Vec::new();
-        self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
-        let interfaces = &world.setup.interfaces;
-        let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;
-        let classes = world.classes.iter();
-        self.wide = classes.map(|c| Wide::new(c, joint(c))).collect();
-        self.strong = world.classes.iter().any(|c| joint(c).strength.is_some());
-        self.works = vec![Works::default(); count];
-        self.partial = vec![Partial::default(); count];
-        self.turning = true;
-        let deform = world.deform.as_deref();
-        self.deform =
-            deform.map(|d| Box::new(Workspace::grown(&world.setup, d, kinds, &self.exec)));
-        self.rebuilds += 1;
-    }
-
-    /// Makes room for the sums of dashpots when there are any.
-    fn need_drag(&mut self, world: &World, stiffness_damping: f64) {
-        let damped = stiffness_damping > 0.0 || world.classes.iter().any(|c| c.beta > 0.0);
-        if damped == self.drag.is_empty() {
-            let (n, slots) = if damped {
-                (world.alive.len(), self.tiles.slots)
-            } else {
-                (0, 0)
-            };
-            self.drag = Sums::zeros(n);
-            self.slots[1] = Sums::zeros(slots);
-        }
-    }
-
-    /// Whether nothing but patches and gravity acts on blocks in rows.
-    pub(super) fn plain(&self) -> bool {
-        let d = &self.damping;
-        d.mass == 0.0 && d.rotation.unwrap_or(0.0) == 0.0 && d.local == 0.0
-    }
-
-    /// Forces on block `b`.
-    #[must_use]
-    pub fn acting(&self, b: usize) -> Acting {
-        let damped = !self.drag.is_empty();
-        Acting {
-            force: self.net.force(b),
-            moment: self.net.moment(b),
-            drag: if damped {
-                self.drag.force(b)
-            } else {
-                Vec3::ZERO
-            },
-            drag_moment: if damped {
-                self.drag.moment(b)
-            } else {
-                Vec3::ZERO
-            },
-        }
-    }
-
-    /// The coming kick.
-    #[must_use]
-    pub fn kick<'a>(&self, world: &'a World) -> Kick<'a> {
-        Kick {
-            solids: &world.solids,
-            solid: &world.solid,
-            motion: &world.motion,
-            gravity: world.gravity,
-            time: world.time,
-            damping: self.damping,
-            half: [0.5 * world.pending, 0.5 * self.coming_dt],
-            span: 0.5 * (world.last_dt + self.coming_dt),
-        }
-    }
-
-    /// Velocity change of block `b` in the coming kick.
-    #[must_use]
-    pub fn change(&self, world: &World, b: usize) -> Change {
-        if world.alive[b] && !world.deforms(b) {
-            self.kick(world)
-                .change(b, &world.moving(b), &self.acting(b))
-        } else {
-            Change::default()
-        }
-    }
-}
 
 /// Finds all forces at the present positions and the velocity changes for a step of `dt`.
 ///
@@ -385,16 +180,6 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
 }
 
 impl World {
-    /// Motion of block `b` half a step ago.
-    #[must_use]
-    pub fn moving(&self, b: usize) -> kick::Moving<'_> {
-        kick::Moving {
-            velocity: self.bodies.velocity(b),
-            spin: self.bodies.spin(b),
-            turned: self.turned[b].as_deref(),
-        }
-    }
-
     /// Changes a patch over to finite rotations with the tractions it has.
     fn make_finite(&mut self, p: usize) {
         let (class, ends) = (

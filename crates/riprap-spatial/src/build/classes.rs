@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use riprap_geom::Vec3;
 
-use super::{BuildError, Overlap};
+use super::error::BuildError;
+use crate::overlap::Overlap;
 use crate::setup::{Points, Setup, Stiffness};
 use crate::world::{PatchClass, World};
 

@@ -1,10 +1,10 @@
 //! The stage of the step: ignition, volumes, pressures, work, and the limit of the step.
 
 use super::{Cavity, EARLY, soft, upward};
-use crate::boundary::Push;
 use crate::setup::{Push as Kind, Venting};
 use crate::state::event::EditKind;
-use crate::step::Scratch;
+use crate::state::push::Push;
+use crate::state::scratch::Scratch;
 use crate::world::World;
 
 /// Largest step that cavities allow at the present state, s; the run loop takes the smallest of all limits, every step.

@@ -5,28 +5,18 @@
 
 use riprap_geom::Vec3;
 
-pub use super::anchors::{Anchors, rigid};
+use super::anchors::{Anchors, rigid};
 use super::links::{Link, Sheet};
 use super::relax::Breaks;
 use super::store::{Deform, Facet, Memory, Point, State};
-use super::workspace::{FACETS, Workspace};
-use crate::boundary::Push;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
-use crate::ledger::Works;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
-use crate::step::Scratch;
+use crate::state::push::Push;
+use crate::state::scratch::Scratch;
+use crate::state::workspace::{BondWorks, FACETS, Workspace};
 use crate::world::World;
-
-/// Dissipation of one piece of facets, J.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct BondWorks {
-    /// What the sliders and softening have taken.
-    pub works: Works,
-    /// Whether a point has broken.
-    pub broke: bool,
-}
 
 /// Facets of a piece of work.
 struct Piece<'a> {

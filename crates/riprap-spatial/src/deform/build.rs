@@ -7,16 +7,16 @@ use riprap_geom::polyhedron::Tetrahedra;
 
 use super::hold::Hold;
 use super::store::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
-use super::workspace::{Kind, Workspace, centred};
-use crate::boundary::Face;
-use crate::build::{BuildError, Overlap};
+use crate::build::error::BuildError;
+use crate::deform::shape::{PARALLEL, centred, face_of};
 use crate::dynamics::{Formula, TimeFunction};
+use crate::overlap::Overlap;
 use crate::setup::deform::{BondLaw, NodeHold};
 use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
+use crate::state::face::Face;
+use crate::state::workspace::{Kind, Workspace};
 use crate::world::World;
 
-/// Cosine beyond which two normals are the same.
-const PARALLEL: f64 = 1.0 - 1e-9;
 /// Share of a face's area below which a node of it counts as covered.
 const COVERED: f64 = 1e-9;
 
@@ -242,33 +242,6 @@ pub(super) fn stiffness(
         }
     }
     Ok(compliance.map(|c| 1.0 / c))
-}
-
-/// Face of a kind with the outward normal `n`, the nearest to `at` (m from the centroid) of several.
-#[must_use]
-pub fn face_of(kind: &Kind, n: Vec3, at: Vec3) -> usize {
-    face_with(&kind.mesh, kind.faces.len(), n, at)
-}
-
-/// As [`face_of`], for the first `count` faces of a mesh about its centroid.
-#[must_use]
-pub fn face_with(mesh: &Tetrahedra, count: usize, n: Vec3, at: Vec3) -> usize {
-    let mut best = (0, f64::NEG_INFINITY, f64::INFINITY);
-    for face in 0..count {
-        let mut area = Vec3::ZERO;
-        for triangle in mesh.fan(face) {
-            let [m, a, b] = triangle.map(|k| mesh.nodes[k as usize]);
-            area += (a - m).cross(b - m);
-        }
-        let cosine = area.normalize().dot(n);
-        let centre = mesh.nodes[mesh.nodes.len() - 1 - count + face];
-        let distance = centre.distance_squared(at);
-        let both = cosine > PARALLEL && best.1 > PARALLEL;
-        if (both && distance < best.2) || (!both && cosine > best.1) {
-            best = (face, cosine, distance);
-        }
-    }
-    best.0
 }
 
 /// Gives faces of deformable blocks their conditions, and nodes their supports. Faces that no condition concerns are

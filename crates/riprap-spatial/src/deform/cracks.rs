@@ -3,9 +3,9 @@
 use riprap_geom::Vec3;
 use riprap_geom::face_overlap::face_overlap;
 
-use super::bonds::Anchors;
+use super::anchors::Anchors;
 use super::store::{Deform, Facet, State};
-use super::workspace::centred;
+use crate::deform::shape::centred;
 use crate::fields::View;
 use crate::frame::{Column, Surfaces};
 use crate::world::World;

@@ -13,29 +13,29 @@
 mod apply;
 mod facets;
 mod follow;
+mod plan;
 mod pressed;
 mod select;
 mod stretch;
 pub mod tip;
 mod transfer;
 
+use plan::{Cut, Family};
 use transfer::Handed;
 
 use riprap_geom::Vec3;
-use riprap_geom::polyhedron::cut::Part;
 
 use super::fracture::LOOK;
 use super::stable;
-use super::workspace::Kind;
 use crate::cavity;
-use crate::edit::{EditError, EditEvent, EditKind};
+use crate::edit::error::EditError;
 use crate::fields::View;
 use crate::laws::fracture::Way;
 use crate::refine::RefineError;
-use crate::setup::Shape;
 pub use crate::setup::deform::{Anchoring as Anchor, CutRules as Rules};
 pub use crate::state::cutting::{Cutting, Effort};
 pub use crate::state::event::Note;
+use crate::state::event::{EditEvent, EditKind};
 use crate::step::{self, Scratch};
 use crate::world::World;
 
@@ -43,24 +43,6 @@ use crate::world::World;
 const MAX_BLOCKS: usize = 4_000_000;
 /// Share by which sums may change.
 const EXACT: f64 = 1e-11;
-/// Share by which the shared area may change: crooked faces.
-const AREA: f64 = 1e-3;
-/// Largest ratio of the kinetic energies after and before; a block that would have more is not cut.
-const KINETIC: f64 = 1.005;
-
-/// A block to be cut.
-struct Cut {
-    block: u32,
-    note: Note,
-    /// Parts, about the centroid of the block.
-    parts: Vec<Part>,
-    /// Their shapes in the frame of the model.
-    shapes: Vec<Shape>,
-    /// Their kinds.
-    kinds: Vec<Kind>,
-    /// What they take over.
-    handed: Handed,
-}
 
 /// Lets the present phase cut blocks, or not.
 pub fn allow(world: &mut World, rules: Option<&Rules>) {
@@ -245,21 +227,6 @@ fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, Edi
     world.deform = Some(deform);
     cavity::renew_soft(world, &walls);
     Ok(made)
-}
-
-/// A cut block and its parts.
-struct Family<'a> {
-    cut: &'a Cut,
-    /// Block number of the first part.
-    first: u32,
-    /// Place of the parent in `Deform::bodies`.
-    slot: u32,
-}
-
-impl Family<'_> {
-    fn children(&self) -> std::ops::Range<u32> {
-        self.first..self.first + self.cut.parts.len() as u32
-    }
 }
 
 /// Checks that the parts of each block have its mass and momenta; that they have no more energy of motion is seen to before.

@@ -3,8 +3,8 @@
 use riprap_geom::Mat3;
 
 use super::store::{Body, Deform};
-use super::workspace::{Kind, Workspace};
 use crate::laws::tetrahedron::{Gradient, StartStress, Strain, Symmetric};
+use crate::state::workspace::{Kind, Workspace};
 
 /// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m). With small strain those of a start
 /// stress are constant and not among them.

@@ -7,13 +7,14 @@
 
 use riprap_geom::Mat3;
 
-use super::bonds::{self, Anchors};
+use super::anchors::Anchors;
+use super::bonds;
 use super::relax::Breaks;
 use super::store::{Break, Deform, Facet, State};
-use super::workspace::Workspace;
 use crate::fields::View;
 use crate::laws::bond::{self, Traction};
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::state::workspace::Workspace;
 use crate::step::{self, NonFinite, Scratch};
 use crate::world::World;
 

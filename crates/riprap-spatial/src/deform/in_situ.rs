@@ -10,12 +10,12 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::build::face_of;
+use super::shape::face_of;
 use super::store::{Deform, Point, Start};
-use super::workspace::Kind;
-use crate::build::Overlap;
 use crate::laws::bond::Traction;
+use crate::overlap::Overlap;
 use crate::setup::InSitu;
+use crate::state::workspace::Kind;
 use crate::world::World;
 
 /// Start stresses of a block with the centroid `centre` (m, local).

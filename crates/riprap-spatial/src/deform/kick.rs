@@ -6,23 +6,9 @@
 use riprap_geom::{Mat3, Vec3};
 
 use super::hold::Hold;
-use super::loads::Dashpot;
 use crate::dynamics::damping::Damping;
 use crate::lanes::{LANES, Lanes, Vectors, Width, dot, minus, plus, scaled, vectors, write};
-use crate::ledger::Works;
-
-/// Sums over nodes.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Sums {
-    /// Works of the half step before the present time.
-    pub arrival: Works,
-    /// Works of the half step after it.
-    pub departure: Works,
-    /// Sums of squares of the free part of net forces, of reactions and of external forces, N².
-    pub squares: [f64; 3],
-    /// First node whose net force is not finite.
-    pub bad: Option<u32>,
-}
+use crate::state::workspace::{Dashpot, KickSums};
 
 /// What is the same for all nodes, and lists by node.
 #[derive(Clone, Copy)]
@@ -73,7 +59,7 @@ impl Kick<'_> {
         first: usize,
         net: &mut [[f64; 3]],
         change: &mut [[f64; 3]],
-        sums: &mut Sums,
+        sums: &mut KickSums,
     ) {
         self.width.run(
             #[inline(always)]
@@ -82,7 +68,13 @@ impl Kick<'_> {
     }
 
     #[inline(always)]
-    fn nodes(&self, first: usize, net: &mut [[f64; 3]], change: &mut [[f64; 3]], sums: &mut Sums) {
+    fn nodes(
+        &self,
+        first: usize,
+        net: &mut [[f64; 3]],
+        change: &mut [[f64; 3]],
+        sums: &mut KickSums,
+    ) {
         let mut hold = self.holds.partition_point(|h| (h.node as usize) < first);
         let mut dashpot = self.dashpots.partition_point(|d| (d.node as usize) < first);
         let runs = net.chunks_mut(LANES).zip(change.chunks_mut(LANES));
@@ -116,7 +108,7 @@ impl Kick<'_> {
         node: usize,
         net: &mut [[f64; 3]; LANES],
         change: &mut [[f64; 3]; LANES],
-        sums: &mut Sums,
+        sums: &mut KickSums,
     ) -> bool {
         let all = |v: Vec3| v.to_array().map(Lanes::all);
         let mass = Lanes::at(self.masses, node);
@@ -180,7 +172,7 @@ impl Kick<'_> {
         net: &mut [[f64; 3]],
         change: &mut [[f64; 3]],
         (hold, dashpot): (&mut usize, &mut usize),
-        sums: &mut Sums,
+        sums: &mut KickSums,
     ) {
         for (k, (f, change)) in net.iter_mut().zip(change).enumerate() {
             let node = first + k;
@@ -218,7 +210,7 @@ impl Kick<'_> {
         node: &Acting,
         hold: Option<&Hold>,
         dashpot: Option<&Dashpot>,
-        sums: &mut Sums,
+        sums: &mut KickSums,
     ) -> Vec3 {
         let v = Vec3::from_array(self.rate[node.node]);
         let local = self.damping.local;
@@ -304,7 +296,7 @@ mod tests {
     use super::*;
 
     /// Velocity changes and sums of some nodes with a hold on node 12 and a dashpot on node 30.
-    fn kicked(width: Option<Width>, damping: Damping, loaded: bool) -> (Vec<[f64; 3]>, Sums) {
+    fn kicked(width: Option<Width>, damping: Damping, loaded: bool) -> (Vec<[f64; 3]>, KickSums) {
         let mut seed = 3_u64;
         let mut draw = || {
             seed = seed
@@ -338,7 +330,7 @@ mod tests {
             dashpots: &[dashpot],
             width: width.unwrap_or(Width::Plain),
         };
-        let (mut change, mut sums) = (vec![[0.0; 3]; count], Sums::default());
+        let (mut change, mut sums) = (vec![[0.0; 3]; count], KickSums::default());
         match width {
             Some(_) => kick.run(0, &mut net, &mut change, &mut sums),
             None => kick.singly(0, &mut net, &mut change, (&mut 0, &mut 0), &mut sums),

@@ -3,7 +3,7 @@
 //! [`Facet`] and [`Point`] say everything about a bond; a step of whole bonds needs a fifth of it. A point whose anchors are
 //! single nodes (faces that match) is a [`Link`]; other points are looked up in the full lists.
 
-use super::store::{Anchor, Deform, Facet, Point};
+use crate::state::deform::{Anchor, Deform, Facet, Point};
 
 /// A facet as a step sees it while it is whole.
 #[derive(Clone, Copy, Debug)]

@@ -3,18 +3,9 @@
 use riprap_geom::{Mat3, Vec3};
 
 use super::store::{Deform, Surface};
-use super::workspace::Workspace;
 use crate::setup::{BoundaryKind, Load, LoadKind, Setup};
+use crate::state::workspace::{Dashpot, Kind, Workspace};
 use crate::world::World;
-
-/// Dashpots on a node: the force is minus this matrix times the velocity.
-#[derive(Clone, Copy, Debug)]
-pub struct Dashpot {
-    /// The node.
-    pub node: u32,
-    /// N s/m.
-    pub matrix: Mat3,
-}
 
 /// Dashpots of viscous faces (Lysmer & Kuhlemeyer 1969), by node: `A (rho c_P n n^T + rho c_S (1 - n n^T))`.
 ///
@@ -180,7 +171,7 @@ fn on_block(
 }
 
 /// Nodes and weights of the tetrahedron that holds a point (from the centroid, m), or comes nearest to it.
-fn holder(kind: &super::workspace::Kind, at: Vec3) -> [(u32, f64); 4] {
+fn holder(kind: &Kind, at: Vec3) -> [(u32, f64); 4] {
     let mesh = &kind.mesh;
     let mut best = ([(0, 0.0); 4], f64::NEG_INFINITY);
     for (tet, g) in mesh.tets.iter().zip(&mesh.gradients) {

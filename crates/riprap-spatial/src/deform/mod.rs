@@ -27,10 +27,11 @@ pub mod phase;
 pub mod picture;
 pub mod read;
 pub mod relax;
+pub mod shape;
 pub mod stable;
 pub mod step;
 mod turn;
-pub mod workspace;
+mod workspace;
 
+pub use super::state::workspace::Workspace;
 pub use super::state::{deform as store, deform::Deform, hold};
-pub use workspace::Workspace;

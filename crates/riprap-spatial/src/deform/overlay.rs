@@ -4,10 +4,10 @@ use riprap_geom::Vec3;
 use riprap_geom::face_overlay::{self, Fan};
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::build::{face_of, face_with};
 use super::store::{Anchor, Deform, Point};
-use super::workspace::{Kind, centred};
-use crate::build::Overlap;
+use crate::deform::shape::{centred, face_of, face_with};
+use crate::overlap::Overlap;
+use crate::state::workspace::Kind;
 use crate::world::World;
 
 /// Share of the overlap below which faces share nothing.

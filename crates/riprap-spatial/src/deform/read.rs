@@ -2,12 +2,13 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::bonds::{self, Anchors};
+use super::anchors::Anchors;
+use super::bonds;
 use super::store::{Body, Deform, Facet};
-use super::workspace::{Kind, Workspace};
 use crate::fields::View;
 use crate::laws::bond;
 use crate::laws::tetrahedron::Gradient;
+use crate::state::workspace::{Kind, Workspace};
 
 /// A deformable block with all that is known of it.
 #[derive(Clone, Copy)]

@@ -7,8 +7,8 @@
 //! whichever are larger.
 
 use super::store::{Deform, Facet};
-use super::workspace::{Kind, Workspace};
 pub use crate::state::relax::{Breaks, Relax, Seen, Way};
+use crate::state::workspace::{Kind, Workspace};
 use riprap_geom::Vec3;
 
 /// Iterations between two looks at convergence and damping.

@@ -3,13 +3,13 @@
 
 pub mod alone;
 
-use super::bonds::Anchors;
+use super::anchors::Anchors;
 use super::elements;
 use super::store::Deform;
-use super::workspace::Workspace;
 use crate::exec::Exec;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::{StartStress, Strain};
+use crate::state::workspace::Workspace;
 use crate::world::{Bodies, Turned, World};
 use riprap_geom::Vec3;
 

@@ -7,13 +7,13 @@
 use riprap_geom::Vec3;
 
 use super::elements;
-use super::kick::{Kick, Sums};
+use super::kick::Kick;
 use super::store::{Body, Deform};
-use super::workspace::{BODIES, Workspace};
 use crate::exec::Divide;
 use crate::lanes::Width;
 use crate::ledger::Works;
-use crate::step::{NonFinite, Scratch};
+use crate::state::scratch::{NonFinite, Scratch};
+use crate::state::workspace::{BODIES, KickSums, Workspace};
 use crate::world::World;
 
 /// What is the same for all bodies.
@@ -29,7 +29,7 @@ struct Piece<'a> {
     first: usize,
     net: &'a mut [[f64; 3]],
     change: &'a mut [[f64; 3]],
-    partial: &'a mut [Sums],
+    partial: &'a mut [KickSums],
 }
 
 impl Divide for Piece<'_> {
@@ -157,7 +157,7 @@ impl Context<'_> {
             #[inline(always)]
             || self.elements(bodies, first, net),
         );
-        let mut sums = Sums::default();
+        let mut sums = KickSums::default();
         let mut number = first;
         for run in bodies.chunk_by(|a, b| a.alive == b.alive) {
             let nodes = run[0].first as usize..run[run.len() - 1].nodes().end;

@@ -8,10 +8,10 @@
 use riprap_geom::{Mat3, Vec3};
 
 use super::store::{Body, Deform, Facet};
-use super::workspace::{BODIES, Workspace};
 use crate::exec::{Divide, Exec};
 use crate::lanes::{LANES, Lanes, Vectors, Width, cross, dot, minus, plus, scaled};
 use crate::laws::tetrahedron::Strain;
+use crate::state::workspace::{BODIES, Workspace};
 use crate::world::World;
 
 /// Rounds of the iteration for the rotation; it converges quadratically.

@@ -1,50 +1,17 @@
-//! Everything of the deformable blocks that can be dropped and rebuilt without changing a result.
+//! Lays out the workspace of deformable blocks.
 
-use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
-use riprap_geom::{Mat3, Vec3};
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::Tetrahedra;
 
 use super::links::Links;
-use super::store::{Deform, Masses};
+use super::shape::centred;
 use crate::exec::Exec;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
-use crate::ledger::Works;
 use crate::setup::{Setup, Shape};
-
-/// Bodies per piece of work.
-pub const BODIES: usize = 64;
-/// Facets per piece of work.
-pub const FACETS: usize = 256;
-
-/// Shape, elements and masses of congruent bodies of one material.
-#[derive(Debug)]
-pub struct Kind {
-    /// Nodes and tetrahedra about the centroid.
-    pub mesh: Tetrahedra,
-    /// Its faces: corners, anticlockwise seen from outside.
-    pub faces: Vec<Vec<u32>>,
-    /// The tetrahedra, eight at a time.
-    pub groups: Groups,
-    /// Dense small-strain stiffness where several bodies share the kind.
-    pub stiffness: Option<Stiffness>,
-    /// Elasticity.
-    pub law: Elastic,
-    /// Lumped masses of the nodes, kg.
-    pub lumped: Vec<f64>,
-    /// Masses with the true moment of inertia, kg; `None` in phases with lumped ones.
-    inertial: Option<Vec<f64>>,
-    /// Row sums of the stiffness matrix, N/m; empty outside relaxing phases.
-    pub row_sums: Vec<f64>,
-    /// Place in `Workspace::slopes`.
-    first_slope: usize,
-}
+use crate::state::deform::{Deform, Masses};
+use crate::state::workspace::{BODIES, BondWorks, FACETS, KickSums, Kind, Workspace};
 
 impl Kind {
-    /// Masses of the nodes in the phase that it was made for, kg.
-    #[must_use]
-    pub fn masses(&self) -> &[f64] {
-        self.inertial.as_deref().unwrap_or(&self.lumped)
-    }
-
     /// The kind that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
     pub(super) fn new(
         setup: &Setup,
@@ -82,73 +49,6 @@ impl Kind {
     }
 }
 
-/// Scratch data of the deformable blocks.
-#[derive(Debug, Default)]
-pub struct Workspace {
-    /// Shapes and elements, as `Deform::kinds`.
-    pub kinds: Vec<Kind>,
-    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m, one kind after another.
-    slopes: Vec<Vec3>,
-    /// What a step reads of bonds.
-    pub links: Links,
-    /// Masses of the nodes, kg. *Shape* `[n_nodes]`.
-    pub masses: Vec<f64>,
-    /// Force of each point on A, N.
-    pub slots: Vec<[f64; 3]>,
-    /// External loads on nodes without gravity, N; empty without any.
-    pub loads: Vec<[f64; 3]>,
-    /// What cavities push nodes with, N, whose work the cavities book; empty without any.
-    pub pushes: Vec<[f64; 3]>,
-    /// Rotations of the bodies with large strain; empty without any.
-    pub turns: Vec<Mat3>,
-    /// Start stresses of the bodies; empty without any.
-    pub starts: Vec<StartStress>,
-    /// Forces of the start stresses of small-strain bodies on nodes, N; empty without any.
-    pub start_forces: Vec<[f64; 3]>,
-    /// Net forces on nodes without damping and supports, N.
-    pub net: Vec<[f64; 3]>,
-    /// Velocity change of the coming kick, m/s.
-    pub change: Vec<[f64; 3]>,
-    /// Fictitious masses of the nodes, kg; empty outside relaxing phases.
-    pub fictitious: Vec<f64>,
-    /// Dashpots on nodes of viscous faces, by node.
-    pub dashpots: Vec<super::loads::Dashpot>,
-    /// Works of the coming half step.
-    pub departure: Works,
-    /// Norms of the net forces along free directions, of the reactions and of the external forces, N.
-    pub norms: [f64; 3],
-    /// Whether a point broke in the last evaluation.
-    pub broke: bool,
-    /// Squares of the highest frequencies of the bodies, each alone, 1/s²; empty where nothing has been cut in the phase or it
-    /// relaxes.
-    pub alone: Vec<f64>,
-    /// What the last cut had to make.
-    pub effort: super::cut::Effort,
-    pub(super) partial: Vec<super::kick::Sums>,
-    /// Squares of the speeds of the centroids of bodies after the last step, m²/s².
-    pub(super) speeds: Vec<f64>,
-    pub(super) bond_works: Vec<super::bonds::BondWorks>,
-}
-
-/// A convex solid with its centroid at the origin, and that centroid.
-#[must_use]
-pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
-    match shape {
-        Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
-        Shape::Polyhedron(solid) => {
-            let mut body = Polyhedron {
-                vertices: solid.vertices.clone(),
-                faces: solid.faces.clone(),
-            };
-            let centroid = body.moments().centroid;
-            for v in &mut body.vertices {
-                *v -= centroid;
-            }
-            (body, centroid)
-        }
-    }
-}
-
 impl Workspace {
     /// Lays out everything for the bodies and bonds there are.
     #[must_use]
@@ -180,9 +80,9 @@ impl Workspace {
             work.fictitious = super::relax::masses(deform, &work.kinds);
         }
         let pieces = deform.bodies.len().div_ceil(BODIES);
-        work.partial = vec![super::kick::Sums::default(); pieces];
+        work.partial = vec![KickSums::default(); pieces];
         let pieces = deform.facets.len().div_ceil(FACETS);
-        work.bond_works = vec![super::bonds::BondWorks::default(); pieces];
+        work.bond_works = vec![BondWorks::default(); pieces];
         work
     }
 
@@ -223,26 +123,6 @@ impl Workspace {
                 super::loads::add(f, (now - lumped) * force);
             }
         }
-    }
-
-    /// Start stress of body number `k`.
-    #[must_use]
-    pub fn start_of(&self, k: usize) -> &StartStress {
-        static NONE: StartStress = StartStress::none();
-        self.starts.get(k).unwrap_or(&NONE)
-    }
-
-    /// What displacements of the nodes of a body are multiplied with in its mean displacement gradient, 1/m.
-    #[must_use]
-    pub fn slopes(&self, body: &super::store::Body) -> &[Vec3] {
-        let first = self.kind(body).first_slope;
-        &self.slopes[first..first + body.count as usize]
-    }
-
-    /// Kind of a body.
-    #[must_use]
-    pub fn kind(&self, body: &super::store::Body) -> &Kind {
-        &self.kinds[body.kind as usize]
     }
 }
 

@@ -2,11 +2,11 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::boundary::Face;
 use crate::fields::View;
 use crate::laws::face_joint::{SIGNS, Traction};
 use crate::patch::{self, Poses};
 use crate::setup::Points;
+use crate::state::face::Face;
 use crate::world::{PatchClass, World, flag};
 
 /// A patch whose block is about to be split.

@@ -4,17 +4,19 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use riprap_geom::{Mat3, Vec3};
 
+use super::error::EditError;
 use super::patches::{self, Old};
-use super::{EditError, EditEvent, EditKind};
-use crate::boundary::Face;
 use crate::build::{self, ClassTable};
-use crate::cavity::Wall;
 use crate::fields::View;
 use crate::laws::face_joint::SIGNS;
 use crate::meet::{self, Cell};
+use crate::overlap;
 use crate::patch::turned_inertia;
 use crate::refine;
 use crate::setup::{BoundaryKind, Shape};
+use crate::state::cavity::Wall;
+use crate::state::event::{EditEvent, EditKind};
+use crate::state::face::Face;
 use crate::world::{Turned, World};
 
 /// What must stay the same may change by this share: a few roundings.
@@ -105,7 +107,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         if !blocks.iter().any(|b| plan.is_new(*b)) {
             continue;
         }
-        let overlap = build::overlap(&cells, s);
+        let overlap = overlap::overlap(&cells, s);
         let owner = |k: usize| charges.get(&blocks[k]).copied();
         if let Some((side, cavity)) = [(1, owner(0)), (0, owner(1))]
             .into_iter()
@@ -138,7 +140,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     for f in &free {
         let block = cells[f.cell].block;
         if plan.is_new(block) {
-            let mut face = build::face(&cells, f);
+            let mut face = overlap::face(&cells, f);
             inherit(world, &mut face, &parents, plan.root(world, block));
             world.faces.push(face);
         }

@@ -3,10 +3,10 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::cut::Part;
 
-use super::{Cut, Family};
+use super::plan::{Cut, Family};
 use crate::deform::store::{Body, Deform, Start};
-use crate::refine::Origin;
 use crate::setup::BlockSpec;
+use crate::state::lineage::Origin;
 use crate::world::{SolidClass, World};
 
 /// Appends the parts of all families to the lists of the world, their nodes to those of `deform`.

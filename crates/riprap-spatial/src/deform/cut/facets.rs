@@ -7,22 +7,25 @@ use riprap_geom::face_overlay::{self, Fan, JointPoint};
 use riprap_geom::polyhedron::cut::FaceOrigin;
 use riprap_geom::polyhedron::{Tetrahedra, frame};
 
+use super::plan::Family;
 use super::pressed::Pressed;
 use super::stretch::Stretch;
-use super::{AREA, Family};
-use crate::build::BuildError;
-use crate::deform::bonds::Anchors;
-use crate::deform::build::{face_with, place, stiffness};
+use crate::build::error::BuildError;
+use crate::deform::anchors::Anchors;
+use crate::deform::build::{place, stiffness};
 use crate::deform::fracture::LOOK;
 use crate::deform::in_situ::levers;
+use crate::deform::shape::{centred, face_with};
 use crate::deform::store::{Anchor, Body, Deform, Facet, Memory, Point, Surface};
-use crate::deform::workspace::{Workspace, centred};
-use crate::edit::EditError;
+use crate::edit::error::EditError;
 use crate::exec::Exec;
+use crate::state::workspace::Workspace;
 use crate::world::World;
 
 /// Share of a face below which faces share nothing.
 const SLIVER: f64 = 1e-9;
+/// Share by which the shared area may change: crooked faces.
+const AREA: f64 = 1e-3;
 
 /// A face of a block now, with its nodes in the lists of the model (numbers of its own for rigid blocks).
 struct Piece {

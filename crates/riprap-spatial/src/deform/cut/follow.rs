@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use riprap_geom::polyhedron::cut::Part;
 
-use super::Family;
-use crate::deform::workspace::centred;
+use super::plan::Family;
+use crate::deform::shape::centred;
 use crate::setup::{Load, LoadKind, Setup};
 
 /// Lets groups, supports, boundaries, sources and loads follow. A force at a point goes to the part that holds it, one without a point

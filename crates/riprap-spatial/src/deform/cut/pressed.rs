@@ -5,9 +5,9 @@ use riprap_geom::{Mat3, Vec3};
 
 use crate::deform::elements::matrix;
 use crate::deform::store::{Body, Deform};
-use crate::deform::workspace::Workspace;
 use crate::laws::tetrahedron::Strain;
 use crate::laws::transfer::WELL_INSIDE;
+use crate::state::workspace::Workspace;
 
 /// A weight above this is inside.
 const INSIDE: f64 = -1e-9;

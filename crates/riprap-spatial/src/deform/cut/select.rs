@@ -3,19 +3,25 @@
 use riprap_geom::polyhedron::cut::{self, FaceOrigin, Limits, Part, Planes};
 use riprap_geom::{Mat3, Vec3};
 
+use super::plan::Cut;
 use super::tip::{self, Tip};
-use super::{Anchor, Cut, KINETIC, Note, Rules, transfer};
+use super::transfer;
 use crate::deform::build::stiffness;
+use crate::deform::shape::centred;
 use crate::deform::store::{Body, Deform};
-use crate::deform::workspace::{BODIES, Kind, Workspace, centred};
 use crate::fields::View;
 use crate::laws::fracture::{self, Rock};
 use crate::laws::tetrahedron::{Symmetric, row_sums};
+use crate::setup::deform::{Anchoring as Anchor, CutRules as Rules};
 use crate::setup::{Shape, Solid};
+use crate::state::event::Note;
+use crate::state::workspace::{BODIES, Kind, Workspace};
 use crate::world::World;
 
 /// The parts together must have the volume of the block up to this share.
 const SAME_VOLUME: f64 = 1e-11;
+/// Largest ratio of the kinetic energies after and before; a block that would have more is not cut.
+const KINETIC: f64 = 1.005;
 /// A face of a part lies on a plane up to this share of the size of the part: snapping makes faces crooked.
 const ON_PLANE: f64 = 1e-2;
 

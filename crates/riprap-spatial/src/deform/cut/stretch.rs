@@ -2,7 +2,7 @@
 
 use riprap_geom::Vec3;
 
-use crate::deform::bonds::Anchors;
+use crate::deform::anchors::Anchors;
 use crate::deform::store::{Deform, Facet, Memory, Point};
 use crate::world::World;
 

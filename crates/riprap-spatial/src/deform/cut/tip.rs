@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
-use super::Anchor;
 use crate::deform::cracks::outline;
+use crate::deform::shape::centred;
 use crate::deform::store::Deform;
-use crate::deform::workspace::centred;
 use crate::fields::View;
+use crate::setup::deform::Anchoring as Anchor;
 use crate::world::World;
 
 /// Distance below which a point is on a face, over the edge of a cube of the mean volume: above what snapping moves a plane by.

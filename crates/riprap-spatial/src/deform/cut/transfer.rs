@@ -5,9 +5,9 @@ use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::polyhedron::cut::Part;
 
 use crate::deform::store::{Body, Deform, Start};
-use crate::deform::workspace::{Kind, Workspace};
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Symmetric};
 use crate::laws::transfer::{self, LinearStress, Motion, PointLocation};
+use crate::state::workspace::{Kind, Workspace};
 
 /// What the parts of a block take over from it.
 pub(super) struct Handed {

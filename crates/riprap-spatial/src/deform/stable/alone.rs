@@ -9,11 +9,11 @@
 
 use super::MARGIN;
 use crate::deform::store::{Anchor, Body, Deform, RIGID};
-use crate::deform::workspace::Workspace;
 use crate::exec::Exec;
 use crate::lanes::Lanes;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::Stiffness;
+use crate::state::workspace::Workspace;
 
 /// Most steps of Lanczos's method: the value is then known to better than the margin.
 const STEPS: usize = 24;

@@ -1,0 +1,68 @@
+//! Why a model cannot be built.
+
+use crate::cavity::CavityError;
+use crate::refine::RefineError;
+
+/// Why a model cannot be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// A stiffness from the material needs moduli that it lacks.
+    #[error("the material `{material}` needs `young` and `poisson` for {need}")]
+    NoModulus {
+        /// Name of the material.
+        material: String,
+        /// What needs them.
+        need: &'static str,
+    },
+    /// A block has no volume.
+    #[error("the block `{block}` has no volume: {reason}")]
+    Shape {
+        /// Name of the block.
+        block: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The blocks cannot be split as asked for.
+    #[error("{0}")]
+    Refine(#[from] RefineError),
+    /// A source cannot be built.
+    #[error("{0}")]
+    Source(#[from] CavityError),
+    /// Deformable blocks that touch need a bond law.
+    #[error(
+        "the blocks `{}` and `{}` touch and one of them is deformable, but the interface `{interface}` says nothing \
+         about bonds: give it `brittle_bond`", .blocks[0], .blocks[1]
+    )]
+    NoBond {
+        /// Name of the interface.
+        interface: String,
+        /// Names of the blocks.
+        blocks: [String; 2],
+    },
+    /// A notch that is not on a face.
+    #[error(
+        "a notch finds no shared face of deformable blocks whose centre is in its box, whose lowest corner is \
+         ({}, {}, {}) m: cracks that are there at the start lie on faces between blocks", .at[0], .at[1], .at[2]
+    )]
+    NoFacet {
+        /// Lowest corner of the box, m (global).
+        at: [f64; 3],
+    },
+    /// A support for nodes finds none.
+    #[error(
+        "a support finds no node of a deformable block in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
+         corners, the face centres and the centroid of a block", .at[0], .at[1], .at[2]
+    )]
+    NoNode {
+        /// Lowest corner of the box, m (global).
+        at: [f64; 3],
+    },
+    /// A condition for faces finds none.
+    #[error(
+        "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
+    )]
+    NoFace {
+        /// Name of the boundary.
+        boundary: String,
+    },
+}

@@ -1,0 +1,56 @@
+//! Shapes of deformable blocks about their centroids, and their faces.
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
+
+use crate::setup::Shape;
+use crate::state::workspace::Kind;
+
+/// Cosine beyond which two normals are the same.
+pub(super) const PARALLEL: f64 = 1.0 - 1e-9;
+
+/// A convex solid with its centroid at the origin, and that centroid.
+#[must_use]
+pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
+    match shape {
+        Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
+        Shape::Polyhedron(solid) => {
+            let mut body = Polyhedron {
+                vertices: solid.vertices.clone(),
+                faces: solid.faces.clone(),
+            };
+            let centroid = body.moments().centroid;
+            for v in &mut body.vertices {
+                *v -= centroid;
+            }
+            (body, centroid)
+        }
+    }
+}
+
+/// Face of a kind with the outward normal `n`, the nearest to `at` (m from the centroid) of several.
+#[must_use]
+pub fn face_of(kind: &Kind, n: Vec3, at: Vec3) -> usize {
+    face_with(&kind.mesh, kind.faces.len(), n, at)
+}
+
+/// As [`face_of`], for the first `count` faces of a mesh about its centroid.
+#[must_use]
+pub fn face_with(mesh: &Tetrahedra, count: usize, n: Vec3, at: Vec3) -> usize {
+    let mut best = (0, f64::NEG_INFINITY, f64::INFINITY);
+    for face in 0..count {
+        let mut area = Vec3::ZERO;
+        for triangle in mesh.fan(face) {
+            let [m, a, b] = triangle.map(|k| mesh.nodes[k as usize]);
+            area += (a - m).cross(b - m);
+        }
+        let cosine = area.normalize().dot(n);
+        let centre = mesh.nodes[mesh.nodes.len() - 1 - count + face];
+        let distance = centre.distance_squared(at);
+        let both = cosine > PARALLEL && best.1 > PARALLEL;
+        if (both && distance < best.2) || (!both && cosine > best.1) {
+            best = (face, cosine, distance);
+        }
+    }
+    best.0
+}

@@ -1,0 +1,97 @@
+//! Lays out what a step works with: pieces of the model, constants of classes, room for sums.
+
+use super::state::scratch::{Partial, Scratch};
+use super::state::sums::Sums;
+use super::state::workspace::{Kind, Workspace};
+use super::state::world::{PatchClass, World};
+use super::tiles::Tiles;
+use super::wide::Wide;
+use crate::dynamics::damping::Damping;
+use crate::exec::Exec;
+use crate::lanes::Width;
+use crate::ledger::Works;
+use crate::profile::Profile;
+
+impl Scratch {
+    /// Scratch data for a world, as new or as read from a checkpoint.
+    #[must_use]
+    pub fn new(world: &mut World, exec: Exec) -> Self {
+        let mut scratch = Self {
+            exec,
+            profile: Profile::default(),
+            tiles: Tiles::default(),
+            net: Sums::default(),
+            drag: Sums::default(),
+            applied: Vec::new(),
+            pushed: Vec::new(),
+            coming_dt: 0.0,
+            damping: Damping::default(),
+            rebuilds: 0,
+            deform: None,
+            slots: [Sums::default(), Sums::default()],
+            wide: Vec::new(),
+            strong: false,
+            width: Width::detect(),
+            departure: Works::default(),
+            works: Vec::new(),
+            partial: Vec::new(),
+            turning: true,
+        };
+        scratch.rebuild(world, Vec::new());
+        scratch
+    }
+
+    /// Lays out everything anew: blocks or patches have come or gone, or laws have changed.
+    pub fn invalidate(&mut self, world: &mut World) {
+        world.fresh = true;
+        self.rebuild(world, Vec::new());
+    }
+
+    /// As [`Scratch::invalidate`] where deformable blocks of the `new` kinds have been appended or some have gone, and no
+    /// shape or material has changed.
+    pub(crate) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = Kind>) {
+        world.fresh = true;
+        let mut old = *self.deform.take().unwrap_or_default();
+        old.kinds.extend(new);
+        self.rebuild(world, old.kinds);
+        if let Some(work) = &mut self.deform {
+            work.alone = old.alone;
+        }
+    }
+
+    /// Lays everything out; `kinds` of deformable blocks, the first ones, are taken over.
+    fn rebuild(&mut self, world: &World, kinds: Vec<Kind>) {
+        self.tiles = Tiles::new(world);
+        let (blocks, count) = (world.alive.len(), self.tiles.list.len());
+        self.net = Sums::zeros(blocks);
+        self.drag = Sums::default();
+        self.pushed = Vec::new();
+        self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
+        let interfaces = &world.setup.interfaces;
+        let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;
+        let classes = world.classes.iter();
+        self.wide = classes.map(|c| Wide::new(c, joint(c))).collect();
+        self.strong = world.classes.iter().any(|c| joint(c).strength.is_some());
+        self.works = vec![Works::default(); count];
+        self.partial = vec![Partial::default(); count];
+        self.turning = true;
+        let deform = world.deform.as_deref();
+        self.deform =
+            deform.map(|d| Box::new(Workspace::grown(&world.setup, d, kinds, &self.exec)));
+        self.rebuilds += 1;
+    }
+
+    /// Makes room for the sums of dashpots when there are any.
+    pub(super) fn need_drag(&mut self, world: &World, stiffness_damping: f64) {
+        let damped = stiffness_damping > 0.0 || world.classes.iter().any(|c| c.beta > 0.0);
+        if damped == self.drag.is_empty() {
+            let (n, slots) = if damped {
+                (world.alive.len(), self.tiles.slots)
+            } else {
+                (0, 0)
+            };
+            self.drag = Sums::zeros(n);
+            self.slots[1] = Sums::zeros(slots);
+        }
+    }
+}

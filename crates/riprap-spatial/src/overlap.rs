@@ -1,0 +1,78 @@
+//! Shared and free parts of faces, in the reference configuration.
+
+use riprap_geom::Vec3;
+
+use super::meet::{Cell, Free, Rectangle, Shared};
+use super::state::face::Face;
+
+/// Two blocks that share a part of a face, in the reference configuration.
+#[derive(Clone, Copy, Debug)]
+pub struct Overlap {
+    /// Blocks i and j.
+    pub blocks: [u32; 2],
+    /// Unit vectors n (from i to j), b and c: right-handed, b and c principal axes of the part.
+    pub frame: [Vec3; 3],
+    /// Axis of the normal, 0 to 2, with b and c the next two axes; 3 for any other direction.
+    pub axis: u8,
+    /// Centre of the part from the centroids of i and j, m.
+    pub arms: [Vec3; 2],
+    /// Area, m².
+    pub area: f64,
+    /// Radii of gyration of the part along b and along c, m.
+    pub gyration: [f64; 2],
+}
+
+/// Axis frame: normal along `axis`, b and c the next two axes.
+#[must_use]
+pub fn axis_frame(axis: usize) -> [Vec3; 3] {
+    [0, 1, 2].map(|k| Vec3::AXES[(axis + k) % 3])
+}
+
+/// The overlap of two cells.
+pub(super) fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
+    let (low, high, axis) = (&cells[shared.low], &cells[shared.high], shared.axis);
+    let [length_b, length_c] = shared.part.size();
+    let to = |cell: &Cell, sign: f64| arm(cell, axis, sign, &shared.part);
+    Overlap {
+        blocks: [low.block, high.block],
+        frame: axis_frame(axis),
+        axis: axis as u8,
+        arms: [to(low, 1.0), to(high, -1.0)],
+        area: length_b * length_c,
+        gyration: [length_b / 12f64.sqrt(), length_c / 12f64.sqrt()],
+    }
+}
+
+/// From the centroid of a cell to the centre of a part of its face.
+fn arm(cell: &Cell, axis: usize, sign: f64, part: &Rectangle) -> Vec3 {
+    let [b, c] = [(axis + 1) % 3, (axis + 2) % 3];
+    let mut arm = Vec3::ZERO;
+    arm[axis] = sign * cell.half[axis];
+    arm[b] = part.centre()[0] - cell.centre[b];
+    arm[c] = part.centre()[1] - cell.centre[c];
+    arm
+}
+
+/// A free face without condition.
+pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
+    let cell = &cells[free.cell];
+    let [length_b, length_c] = free.part.size();
+    let [n, b, c] = axis_frame(free.axis);
+    let sign = if free.upward { 1.0 } else { -1.0 };
+    let frame = if free.upward { [n, b, c] } else { [-n, c, b] };
+    let mut reach = [length_b / 12f64.sqrt(), length_c / 12f64.sqrt()];
+    if !free.upward {
+        reach.swap(0, 1);
+    }
+    Face {
+        block: cell.block,
+        boundary: None,
+        frame,
+        arm: arm(cell, free.axis, sign, &free.part),
+        area: length_b * length_c,
+        reach,
+        stiffness: [0.0; 2],
+        impedance: [0.0; 2],
+        anchor: [Vec3::ZERO; 4],
+    }
+}

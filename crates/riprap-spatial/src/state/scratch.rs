@@ -1,0 +1,79 @@
+//! Everything of a spatial model that can be dropped and laid out anew without changing a result.
+
+use super::push::Push;
+use super::sums::Sums;
+use super::workspace::Workspace;
+use crate::dynamics::damping::Damping;
+use crate::exec::Exec;
+use crate::lanes::Width;
+use crate::ledger::Works;
+use crate::profile::Profile;
+use crate::tiles::Tiles;
+use crate::wide::Wide;
+
+/// What a step works with.
+#[derive(Debug)]
+pub struct Scratch {
+    /// Thread pool.
+    pub exec: Exec,
+    /// Stage timers.
+    pub profile: Profile,
+    /// Pieces of the model.
+    pub tiles: Tiles,
+    /// Sums of forces and moments on blocks, without damping and supports.
+    pub net: Sums,
+    /// Sums of contact dashpots; empty without any.
+    pub drag: Sums,
+    /// External loads; empty without any.
+    pub applied: Vec<Push>,
+    /// Pushes of cavities, whose work the cavities book themselves; empty without any.
+    pub pushed: Vec<Push>,
+    /// Length of the step that the kick was found for, s.
+    pub coming_dt: f64,
+    /// Damping that the kick was found with.
+    pub damping: Damping,
+    /// Number of times the patches were laid out; whoever keeps something derived from them looks here.
+    pub rebuilds: u64,
+    /// Of deformable blocks, where there are any.
+    pub deform: Option<Box<Workspace>>,
+    pub(crate) slots: [Sums; 2],
+    pub(crate) wide: Vec<Wide>,
+    pub(crate) strong: bool,
+    pub(crate) width: Width,
+    /// Works of the half step after the present time, booked by `advance`.
+    pub(crate) departure: Works,
+    pub(crate) works: Vec<Works>,
+    pub(crate) partial: Vec<Partial>,
+    /// Whether a block has turned beyond the bound of small kinematics.
+    pub(crate) turning: bool,
+}
+
+/// Sums of one tile.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Partial {
+    pub(crate) arrival: Works,
+    pub(crate) departure: Works,
+    pub(crate) bad: Option<u32>,
+    pub(crate) turning: bool,
+}
+
+/// A block whose state is no longer finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the forces on block {block} are not finite")]
+pub struct NonFinite {
+    /// Index of the block.
+    pub block: u32,
+}
+
+impl Scratch {
+    /// Uses no wider instructions than `width` from now on; results stay the same bits.
+    pub fn limit_width(&mut self, width: Width) {
+        self.width = Width::detect().min(width);
+    }
+
+    /// Whether nothing but patches and gravity acts on blocks in rows.
+    pub(crate) fn plain(&self) -> bool {
+        let d = &self.damping;
+        d.mass == 0.0 && d.rotation.unwrap_or(0.0) == 0.0 && d.local == 0.0
+    }
+}
