@@ -5,7 +5,6 @@
 
 pub mod model;
 pub mod run;
-pub mod scenario;
 
 pub use riprap_core::{dynamics, exec, lanes, laws, ledger, profile};
 pub use riprap_geom as geom;
@@ -13,4 +12,5 @@ pub use riprap_geom::{Vec2, Vec3};
 pub use riprap_planar as planar;
 pub use riprap_plot as plot;
 pub use riprap_record as record;
+pub use riprap_scenario as scenario;
 pub use riprap_spatial as spatial;

@@ -15,7 +15,7 @@ use riprap::scenario::{load, parse};
 
 fn files(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/scenarios")
+        .join("../riprap-scenario/tests/scenarios")
         .join(folder);
     let mut files: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap()
@@ -35,7 +35,7 @@ fn built(path: &Path) -> Result<Model, Diagnostics> {
     build(&parsed, "default", kind.fields())
 }
 
-/// Line and expected text of every `#^` comment; see `tests/scenarios/README.md`.
+/// Line and expected text of every `#^` comment; see `riprap-scenario/tests/scenarios/README.md`.
 fn expectations(text: &str) -> Vec<(usize, String)> {
     let mut above = 0;
     let mut wanted = Vec::new();
@@ -208,7 +208,7 @@ proptest! {
     /// Whatever numbers stand in a scenario: an answer, soon.
     #[test]
     fn silly_numbers_get_an_answer(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 1..4)) {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenarios/good/everything.toml");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../riprap-scenario/tests/scenarios/good/everything.toml");
         let mut text = fs::read_to_string(path).unwrap();
         for (place, value) in changes {
             let numbers: Vec<(usize, usize)> = numbers(&text);

@@ -15,7 +15,7 @@ const GRAIN: &str = "[[blocks]]\nname = \"grain\"\nmaterial = \"rock\"\n";
 /// Builds a text whose files are in `tests/data`.
 fn built(text: String, fields: &[FieldInfo]) -> Result<Model, Diagnostics> {
     let mut parsed = parse(Source::new("t.toml", text))?;
-    parsed.folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    parsed.folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../riprap-scenario/tests/data");
     build(&parsed, "default", fields)
 }
 

@@ -1,4 +1,4 @@
-//! Small scenarios, good and bad, through `build`. Files are in `tests/scenarios/bad-model`.
+//! Small scenarios, good and bad, through `build`. Files are in `riprap-scenario/tests/scenarios/bad-model`.
 
 use super::*;
 use crate::planar::readings::INFOS;

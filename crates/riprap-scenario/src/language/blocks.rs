@@ -1,0 +1,347 @@
+//! Blocks and generators of blocks.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point;
+use super::files::{Polygons, Traces};
+use super::joints::{JointPlanes, JointSet};
+use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron};
+use crate::quantity::{
+    Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, PositiveLength, Quantity, Spin,
+    Vector, Velocity,
+};
+
+/// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
+/// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
+/// `grid`, `polyhedron` or `mesh`, which `cut` may divide.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Block {
+    /// Name of the block, once in the file. Blocks of a generator or of `copies` are called
+    /// name.1, name.2, ... and form the group `name`.
+    pub name: Name,
+    /// Further groups to which the block or all generated blocks belong.
+    #[serde(default)]
+    pub groups: Vec<Name>,
+    /// Name of the material, from `[materials]`.
+    pub material: Name,
+    /// A polygon by its corners, in the file or from a CSV file.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub polygon: Option<Polygon>,
+    /// Polygons of a drawing or a tessellation, each a block.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `mesh`"))]
+    pub polygons: Option<Polygons>,
+    /// A rectangle with sides along x and y.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub rectangle: Option<Rectangle>,
+    /// A regular polygon.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub regular: Option<Regular>,
+    /// A wall of rectangular blocks.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub wall: Option<Wall>,
+    /// A circular arch of wedge-shaped blocks.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub arch: Option<Arch>,
+    /// Joints that divide: in the plane a region, in space every block of the shape beside it (`brick`,
+    /// `grid`, `polyhedron` or `mesh`).
+    pub cut: Option<Cut>,
+    /// A region divided into random cells.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub voronoi: Option<Voronoi>,
+    /// Random convex polygons, apart from each other, to be poured.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    pub pour: Option<Pour>,
+    /// A box with faces normal to the axes.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use a polygon, for example `rectangle`"))]
+    pub brick: Option<Brick>,
+    /// A region filled with equal bricks.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `wall`, `cut` or `voronoi`"))]
+    pub grid: Option<Grid>,
+    /// A convex polyhedron.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `polygon`"))]
+    pub polyhedron: Option<Polyhedron>,
+    /// Cells of a mesh of Gmsh, a tessellation of Neper or surfaces in STL.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `voronoi` or `cut`"))]
+    pub mesh: Option<Mesh>,
+    /// How the blocks deform. Default rigid.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "leave it out: blocks of the plane are rigid"))]
+    pub mechanics: Option<Mechanics>,
+    /// Repeats a single shape at equal steps.
+    pub copies: Option<Copies>,
+    /// Turns the shape after it was made.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "give the corners of a `polyhedron` in their final places"))]
+    pub rotate: Option<Rotate>,
+    /// Moves the shape after it was made and turned, m. Default no shift.
+    pub shift: Option<Vector<Length>>,
+    /// Velocity of the centroid at the start, m/s. Default at rest.
+    pub velocity: Option<Vector<Velocity>>,
+    /// Spin at the start, rad/s: in the plane anticlockwise, in space right-handed about x, y, z.
+    /// Default 0 rad/s.
+    pub spin: Option<Axial<Spin>>,
+}
+
+/// The one geometry of a block, for a `match` without loose ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Geometry<'a> {
+    /// `polygon`
+    Polygon(&'a Polygon),
+    /// `polygons`
+    Polygons(&'a Polygons),
+    /// `rectangle`
+    Rectangle(&'a Rectangle),
+    /// `regular`
+    Regular(&'a Regular),
+    /// `wall`
+    Wall(&'a Wall),
+    /// `arch`
+    Arch(&'a Arch),
+    /// `cut`
+    Cut(&'a Cut),
+    /// `voronoi`
+    Voronoi(&'a Voronoi),
+    /// `pour`
+    Pour(&'a Pour),
+    /// `brick`
+    Brick(&'a Brick),
+    /// `grid`
+    Grid(&'a Grid),
+    /// `polyhedron`
+    Polyhedron(&'a Polyhedron),
+    /// `mesh`
+    Mesh(&'a Mesh),
+}
+
+impl Geometry<'_> {
+    /// Whether it makes several blocks.
+    pub fn is_many(self) -> bool {
+        match self {
+            Geometry::Polygon(_)
+            | Geometry::Rectangle(_)
+            | Geometry::Regular(_)
+            | Geometry::Brick(_)
+            | Geometry::Polyhedron(_) => false,
+            Geometry::Wall(_)
+            | Geometry::Arch(_)
+            | Geometry::Cut(_)
+            | Geometry::Voronoi(_)
+            | Geometry::Pour(_)
+            | Geometry::Polygons(_)
+            | Geometry::Grid(_)
+            | Geometry::Mesh(_) => true,
+        }
+    }
+}
+
+impl Block {
+    /// All geometry keys that were given; after a check without errors exactly one.
+    pub fn geometries(&self) -> Vec<(&'static str, Geometry<'_>)> {
+        [
+            self.polygon
+                .as_ref()
+                .map(|g| ("polygon", Geometry::Polygon(g))),
+            self.polygons
+                .as_ref()
+                .map(|g| ("polygons", Geometry::Polygons(g))),
+            self.rectangle
+                .as_ref()
+                .map(|g| ("rectangle", Geometry::Rectangle(g))),
+            self.regular
+                .as_ref()
+                .map(|g| ("regular", Geometry::Regular(g))),
+            self.wall.as_ref().map(|g| ("wall", Geometry::Wall(g))),
+            self.arch.as_ref().map(|g| ("arch", Geometry::Arch(g))),
+            // In space it is no shape of its own.
+            self.cut
+                .as_ref()
+                .filter(|cut| cut.region.is_some())
+                .map(|g| ("cut", Geometry::Cut(g))),
+            self.voronoi
+                .as_ref()
+                .map(|g| ("voronoi", Geometry::Voronoi(g))),
+            self.pour.as_ref().map(|g| ("pour", Geometry::Pour(g))),
+            self.brick.as_ref().map(|g| ("brick", Geometry::Brick(g))),
+            self.grid.as_ref().map(|g| ("grid", Geometry::Grid(g))),
+            self.polyhedron
+                .as_ref()
+                .map(|g| ("polyhedron", Geometry::Polyhedron(g))),
+            self.mesh.as_ref().map(|g| ("mesh", Geometry::Mesh(g))),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    /// Whether it makes blocks called name.1, name.2, ... instead of one called name.
+    pub fn is_generator(&self) -> bool {
+        self.geometry().is_some_and(Geometry::is_many)
+            || self.copies.is_some()
+            || self.cut.is_some()
+    }
+
+    /// The geometry, if exactly one was given.
+    pub fn geometry(&self) -> Option<Geometry<'_>> {
+        match self.geometries()[..] {
+            [(_, geometry)] => Some(geometry),
+            _ => None,
+        }
+    }
+}
+
+/// Corners of a polygon, in either sense of rotation. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Polygon {
+    /// Corners [x, y], m, in order along the boundary; the last is joined to the first.
+    Points(Vec<Point>),
+    /// Path of a CSV file, seen from the scenario file, with columns `x_m` and `y_m`.
+    Csv(Name),
+}
+
+/// A rectangle with sides along x and y. Give `corner` or `centre`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rectangle {
+    /// Width and height, m.
+    pub size: [Quantity<PositiveLength>; 2],
+    /// Lower left corner [x, y], m.
+    pub corner: Option<Point>,
+    /// Centre [x, y], m.
+    pub centre: Option<Point>,
+}
+
+/// A regular polygon standing on an edge.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Regular {
+    /// Number of sides, 3 to 1000.
+    pub sides: u32,
+    /// Distance of the corners from the centre, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Centre [x, y], m.
+    pub centre: Point,
+}
+
+/// A wall of rectangular blocks.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wall {
+    /// Lower left corner of the wall [x, y], m.
+    pub corner: Point,
+    /// Width and height of one block, m.
+    pub block: [Quantity<PositiveLength>; 2],
+    /// Number of rows, at least 1.
+    pub courses: u32,
+    /// Number of whole blocks in a row, at least 1.
+    pub per_course: u32,
+    /// How the rows stand on each other. Default `running`.
+    pub bond: Option<WallBond>,
+    /// Whether every second row of a `running` wall is closed by half blocks at its ends.
+    /// Default false.
+    #[serde(default)]
+    pub half_blocks: bool,
+}
+
+/// How rows of a wall stand on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WallBond {
+    /// Every second row is shifted by half a block.
+    Running,
+    /// Blocks stand exactly on each other.
+    Stack,
+}
+
+/// A circular arch.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Arch {
+    /// Centre of the circle [x, y], m.
+    pub centre: Point,
+    /// Radius of the centre line, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Thickness of the ring, m; less than twice the radius.
+    pub thickness: Quantity<PositiveLength>,
+    /// Angle from the crown to a springing: 90 deg is a half circle.
+    pub half_angle: Quantity<HalfAngle>,
+    /// Number of blocks (voussoirs), at least 1.
+    pub voussoirs: u32,
+}
+
+/// Joints that divide a region of the plane, or blocks in space: sets of them, or one by one.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cut {
+    /// Corners of the region [x, y], m.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "give the shape beside `cut`: `brick`, `grid`, `polyhedron` or `mesh`"))]
+    pub region: Option<Vec<Point>>,
+    /// The sets of joints.
+    #[serde(default)]
+    pub joint_sets: Vec<JointSet>,
+    /// Joints one by one, as they were mapped.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `joints`"))]
+    pub traces: Option<Traces>,
+    /// Joints one by one: planes, or disks. They cut before the sets do.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `traces`"))]
+    pub joints: Option<JointPlanes>,
+    /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
+    pub seed: Option<u64>,
+    /// Blocks with a shorter edge are reported as slivers and healed where possible, m. In space a joint does not
+    /// cut a block of which a thinner part would come off. Default: only reported, at 1/50 of the median edge.
+    pub smallest_edge: Option<Quantity<NotNegativeLength>>,
+}
+
+/// A region divided into random (Voronoi) cells.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Voronoi {
+    /// Corners of the region [x, y], m.
+    pub region: Vec<Point>,
+    /// Side of a square with the mean area of a cell, m.
+    pub cell_size: Quantity<PositiveLength>,
+    /// Seed of the random numbers: the same seed gives the same cells. Default 1.
+    pub seed: Option<u64>,
+    /// Rounds of moving each seed point to the centroid of its cell: more rounds, more regular
+    /// cells. Default 2.
+    pub relax: Option<u32>,
+    /// Shorter edges are reported and healed where possible, m. Default: only reported.
+    pub smallest_edge: Option<Quantity<NotNegativeLength>>,
+}
+
+/// Random convex polygons without overlap in a rectangle.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pour {
+    /// Lower left and upper right corner of the rectangle, m.
+    pub region: [Point; 2],
+    /// Number of blocks, at least 1.
+    pub count: u32,
+    /// Smallest and largest diameter of a block, m.
+    pub size: [Quantity<PositiveLength>; 2],
+    /// Smallest and largest number of corners, each 3 to 100. Default [4, 7].
+    pub vertices: Option<[u32; 2]>,
+    /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
+    pub seed: Option<u64>,
+}
+
+/// Repeats a single shape.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Copies {
+    /// Number of blocks in all, at least 1.
+    pub count: u32,
+    /// From one block to the next, m.
+    pub step: Vector<Length>,
+}
+
+/// Turns a shape.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rotate {
+    /// Angle, anticlockwise.
+    pub angle: Quantity<Angle>,
+    /// Point that stays in place [x, y], m. Default: the centroid of the shape (of all blocks of
+    /// a generator).
+    pub about: Option<Point>,
+}

@@ -1,0 +1,122 @@
+//! Numbers that a run must reproduce, and the search for a limit.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::outputs::Moment;
+use crate::quantity::{
+    Any, Direction, Length, Name, Names, NotNegativePlain, NotNegativeTime, NumberOrKey, Quantity,
+    Table, Vector,
+};
+use crate::time_function::CsvFunction;
+
+/// Search for the value of a key at which the scene begins to fail.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bisect {
+    /// Key with dots, for example `interfaces.default.friction_angle`.
+    pub key: Name,
+    /// One end of the interval, with the unit of the key.
+    pub low: Quantity<Any>,
+    /// Other end of the interval.
+    pub high: Quantity<Any>,
+    /// Width of the interval at which the search stops.
+    pub tolerance: Quantity<Any>,
+    /// What counts as failure, evaluated at the end of the run.
+    pub fails_when: Criterion,
+}
+
+/// A field compared with a limit. Exactly one of `above` and `below`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Criterion {
+    /// Field, for example `model.max_displacement`.
+    pub field: Name,
+    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
+    /// model.
+    pub of: Option<Names>,
+    /// Instead of a block: the point, m, that lies in it at the start.
+    pub at_point: Option<Vector<Length>>,
+    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
+    /// axis; in space a vector such as `[0, 0, 1]`.
+    pub along: Option<Direction>,
+    /// How values over the whole run become one number. Default: the value at the end.
+    pub reduce: Option<Reduce>,
+    /// Fails if the number is larger.
+    pub above: Option<Quantity<Any>>,
+    /// Fails if the number is smaller.
+    pub below: Option<Quantity<Any>>,
+}
+
+/// A number that the run must reproduce. Exactly one of `value`, `formula`, `csv`, `between`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Check {
+    /// What is checked, in words; printed by `riprap verify`.
+    pub name: Name,
+    /// Field, for example `block.displacement`; `riprap fields` lists them.
+    pub field: Name,
+    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
+    /// model.
+    pub of: Option<Names>,
+    /// Instead of a block: the point, m, that lies in it at the start.
+    pub at_point: Option<Vector<Length>>,
+    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
+    /// axis; in space a vector such as `[0, 0, 1]`.
+    pub along: Option<Direction>,
+    /// Moment of the check: a time, `"start"` or `"end"`. Default `"end"`. Not with `over`.
+    pub at: Option<Moment>,
+    /// First and last time of an interval, s. Default the whole run, if `reduce` is given.
+    pub over: Option<[Quantity<NotNegativeTime>; 2]>,
+    /// How values over an interval become one number. Needed with `over`.
+    pub reduce: Option<Reduce>,
+    /// Limit for `first_above` and `share_above`, in the unit of the field.
+    pub threshold: Option<Quantity<Any>>,
+    /// Expected number, in the unit of the field.
+    pub value: Option<Quantity<Any>>,
+    /// Expected number as a formula, result in SI units. Names: `t` (s), `pi`, `deg`, and those
+    /// of `let`. Example: `"0.5*g*t^2"`.
+    pub formula: Option<Name>,
+    /// Expected numbers from a column of a CSV file.
+    pub csv: Option<CsvFunction>,
+    /// Lowest and highest allowed number, in the unit of the field.
+    pub between: Option<[Quantity<Any>; 2]>,
+    /// Names for the formula: a number, a value with unit, or a key of the scenario whose SI
+    /// value is taken, for example `{ phi = "interfaces.default.friction_angle", g = 9.81 }`.
+    #[serde(default, rename = "let")]
+    pub names: Table<Quantity<NumberOrKey>>,
+    /// Allowed difference as a share of the expected number. With `absolute`, either is enough.
+    pub relative: Option<Quantity<NotNegativePlain>>,
+    /// Allowed difference, in the unit of the field.
+    pub absolute: Option<Quantity<Any>>,
+    /// Only in cases of a sweep where these keys have one of these values.
+    #[serde(default)]
+    #[schemars(with = "std::collections::BTreeMap<String, Vec<serde_json::Value>>")]
+    pub when: Table<Vec<toml::Value>>,
+    /// Only in these variants. Default all.
+    #[serde(default)]
+    pub only: Vec<Name>,
+    /// Reason why this check is known to fail: it is run and shown, but does not count as failed.
+    pub known: Option<Name>,
+    /// The quantity is exact or conserved: the check can't be marked `known`. Default false.
+    #[serde(default)]
+    pub exact: bool,
+}
+
+/// How values over an interval become one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reduce {
+    /// Largest value.
+    Max,
+    /// Smallest value.
+    Min,
+    /// Mean over time.
+    Mean,
+    /// Largest less smallest value.
+    Range,
+    /// First time at which the value is above `threshold`, s.
+    FirstAbove,
+    /// Share of the time during which the value is above `threshold`.
+    ShareAbove,
+}

@@ -1,0 +1,187 @@
+//! Conditions on free faces, and the stress at the start.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point3;
+use super::loads::MotionComponents;
+use super::solids::{BoxRegion, Empty};
+use crate::quantity::{
+    Density, Length, Name, NotNegativePlain, Plain, Pressure, PressureGradient, Quantity, Spin,
+    Velocity,
+};
+use crate::time_function::TimeFunction;
+use crate::words::{OneWord, WordOr, words};
+
+/// A condition on free faces: faces, or parts of them, on which no other block lies. At most one of
+/// `held`, `roller`, `moved`, `viscous`, `pressure`, `traction`; of several conditions for one face
+/// the last counts.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Boundary {
+    /// Name for messages. Default the plane or the blocks.
+    pub name: Option<Name>,
+    /// Which faces.
+    pub on: Faces,
+    /// Holds the faces, along the normal and along the face, through the stiffness of the half
+    /// blocks behind them. Write `held = {}`.
+    pub held: Option<Empty>,
+    /// Holds the faces along their normal only: a roller or a plane of symmetry. Write
+    /// `roller = {}`.
+    pub roller: Option<Empty>,
+    /// Moves the faces as prescribed, through the stiffness of the half blocks behind them.
+    pub moved: Option<Moved>,
+    /// Absorbs waves (Lysmer and Kuhlemeyer).
+    pub viscous: Option<Viscous>,
+    /// A pressure that pushes into the blocks.
+    pub pressure: Option<FacePressure>,
+    /// A force per area with a fixed direction.
+    pub traction: Option<FaceTraction>,
+    /// Whether the in-situ stress acts on these faces from outside, so that the start is in
+    /// equilibrium. Default true for `held`, `roller`, `moved` and `viscous` if there is
+    /// `[in_situ]`, else false.
+    pub in_situ: Option<bool>,
+}
+
+/// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`, `surface`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Faces {
+    /// The faces on a plane: a side of the whole model, or a normal and an offset.
+    pub plane: Option<WordOr<Side, FacePlane>>,
+    /// Faces of one block, or of all blocks of a generator.
+    pub block: Option<Name>,
+    /// Faces of several blocks.
+    pub blocks: Option<Vec<Name>>,
+    /// Faces of all blocks of a group.
+    pub group: Option<Name>,
+    /// Faces whose centre lies in a box.
+    #[serde(rename = "box")]
+    pub region: Option<BoxRegion>,
+    /// The faces of a physical surface of a mesh of Gmsh, by its name.
+    pub surface: Option<Name>,
+    /// Only faces that look to this side. Default all. Not with `plane` or `surface`.
+    pub side: Option<OneWord<Side>>,
+}
+
+words! {
+    /// A side of the model or of a block.
+    Side {
+        XMin = "x-min": "The side with the lowest x.",
+        XMax = "x-max": "The side with the highest x.",
+        YMin = "y-min": "The side with the lowest y.",
+        YMax = "y-max": "The side with the highest y.",
+        ZMin = "z-min": "The lower side.",
+        ZMax = "z-max": "The upper side.",
+    }
+}
+
+/// A plane by its outward normal.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FacePlane {
+    /// Outward normal [x, y, z] of the faces, of any length.
+    pub normal: [Quantity<Plain>; 3],
+    /// A point of the plane [x, y, z], m.
+    pub at: Point3,
+}
+
+/// Prescribed motion of faces.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Moved {
+    /// Velocity along x, y, z over time; a direction that is not given is free.
+    pub velocity: MotionComponents<Velocity, Spin>,
+}
+
+/// An absorbing face.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Viscous {
+    /// Whether the dashpot stands behind the half block between centroid and face, which reflects
+    /// less. Default true.
+    pub half_cell: Option<bool>,
+}
+
+/// A pressure on faces.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FacePressure {
+    /// Pressure into the blocks, Pa; at the height `datum` if there is a gradient.
+    pub value: Quantity<Pressure>,
+    /// What is added for each metre of depth below `datum`, Pa/m. Default 0 Pa/m.
+    pub gradient: Option<Quantity<PressureGradient>>,
+    /// Height at which `value` holds, m. Default 0 m.
+    pub datum: Option<Quantity<Length>>,
+    /// Factor over time. Default constant 1.
+    pub time: Option<TimeFunction<Plain>>,
+}
+
+/// A traction on faces.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FaceTraction {
+    /// Force per area [x, y, z], Pa.
+    pub value: [Quantity<Pressure>; 3],
+    /// Factor over time. Default constant 1.
+    pub time: Option<TimeFunction<Plain>>,
+}
+
+/// Stress that all joints carry at the start. Exactly one form; the sign stands in its name.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InSitu {
+    /// The weight of the rock above, and a share of it sideways.
+    GravityK0(GravityK0),
+    /// Principal stresses along the axes; compression is positive.
+    Compressive(Compressive),
+    /// All components; tension is positive.
+    TensionPositive(TensionPositive),
+}
+
+/// Stress from gravity: vertical density times g times depth, horizontal `k0` times that.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GravityK0 {
+    /// Height of the ground surface, m. Default the top of the model.
+    pub surface: Option<Quantity<Length>>,
+    /// Horizontal over vertical stress; zero or more. 1/3 belongs to Poisson's ratio 0.25.
+    pub k0: Quantity<NotNegativePlain>,
+    /// Density of the rock, kg/m3. Default that of the material; needed with several densities.
+    pub density: Option<Quantity<Density>>,
+}
+
+/// Stress along the axes, compression positive.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Compressive {
+    /// Height at which the stresses hold, m. Default the top of the model.
+    pub surface: Option<Quantity<Length>>,
+    /// Vertical stress, Pa. Default 0 Pa.
+    pub vertical: Option<Quantity<Pressure>>,
+    /// Its growth with depth, Pa/m. Default 0 Pa/m.
+    pub vertical_gradient: Option<Quantity<PressureGradient>>,
+    /// Stress along x, Pa. Default `k0` times `vertical`.
+    pub x: Option<Quantity<Pressure>>,
+    /// Its growth with depth, Pa/m. Default `k0` times `vertical_gradient`.
+    pub x_gradient: Option<Quantity<PressureGradient>>,
+    /// Stress along y, Pa. Default `k0` times `vertical`.
+    pub y: Option<Quantity<Pressure>>,
+    /// Its growth with depth, Pa/m. Default `k0` times `vertical_gradient`.
+    pub y_gradient: Option<Quantity<PressureGradient>>,
+    /// Horizontal over vertical stress where a horizontal one is not given; zero or more.
+    /// Default 0.
+    pub k0: Option<Quantity<NotNegativePlain>>,
+}
+
+/// Stress by its six components, tension positive.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TensionPositive {
+    /// Height at which the stresses hold, m. Default the top of the model.
+    pub surface: Option<Quantity<Length>>,
+    /// Stress [xx, yy, zz, yz, zx, xy], Pa.
+    pub stress: [Quantity<Pressure>; 6],
+    /// Change for each metre of depth [xx, yy, zz, yz, zx, xy], Pa/m. Default none.
+    pub gradient: Option<[Quantity<PressureGradient>; 6]>,
+}

@@ -1,0 +1,289 @@
+//! Laws of contact between materials, and how phases change them.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::quantity::{
+    FractureEnergy, FrictionAngle, Modulus, Name, NotNegativePlain, Poisson, PositiveLength,
+    Quantity, Speed, StiffnessPerArea, Strength,
+};
+
+/// The law of contact between two materials.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Interface {
+    /// The two materials that meet, for example `["rock", "steel"]`. Required, except in
+    /// `default`, where it is forbidden.
+    pub between: Option<[Name; 2]>,
+    /// Normal law of found contacts. Default `distance_potential`.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "joints are elastic up to their strength; leave it out"))]
+    pub law: Option<NormalLaw>,
+    /// How `penetration_potential` treats a reflex (inward) corner. Default `min`.
+    #[schemars(extend("x-space" = "planar"))]
+    pub reflex: Option<Reflex>,
+    /// Where the stiffness of joints comes from. Default `material`, without
+    /// `normal_stiffness`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "give `normal_stiffness`, or the elastic constants of the materials"))]
+    pub stiffness: Option<StiffnessRule>,
+    /// Normal stiffness per area of contact, Pa/m; greater than zero. Default in `[space.planar]`
+    /// 10 (K + 4G/3)/L from `young` and `poisson` of the materials, L the median block size; in
+    /// `[space.spatial]` by `stiffness`.
+    pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Shear stiffness per area of contact, Pa/m; greater than zero. Default half the normal one.
+    pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Whether joints neither open nor slide. Default false: Mohr-Coulomb with a tension cut-off.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `bond` with a high strength"))]
+    #[serde(default)]
+    pub elastic: bool,
+    /// Angle of friction, at least 0 and less than 90 deg. Give this or `friction_coefficient`.
+    pub friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Tangent of the friction angle, zero or more. Give this or `friction_angle`.
+    pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
+    /// Cohesion, Pa; zero or more. Default 0 Pa.
+    pub cohesion: Option<Quantity<Strength>>,
+    /// Tensile strength of joints, Pa; zero or more. Default 0 Pa.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    pub tension: Option<Quantity<Strength>>,
+    /// Angle of friction of joints that have failed. Default `friction_angle`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Cohesion of joints that have failed, Pa; zero or more. Default 0 Pa.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    pub residual_cohesion: Option<Quantity<Strength>>,
+    /// Angle of dilation of joints that slide, at least 0 and less than 90 deg. Default 0 deg.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub dilation_angle: Option<Quantity<FrictionAngle>>,
+    /// Slip at which dilation ends, m. Needed with `dilation_angle`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub dilation_end: Option<Quantity<PositiveLength>>,
+    /// What fails as one. Default `point`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub failure: Option<Failure>,
+    /// Where the four points of a joint lie. Default `gauss`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub points: Option<Points>,
+    /// Law of friction. Default `shear_spring`.
+    #[schemars(extend("x-space" = "planar"))]
+    pub friction_law: Option<FrictionLaw>,
+    /// Slip speed below which `clipped` friction grows linearly, m/s. Needed by `clipped` only.
+    #[schemars(extend("x-space" = "planar"))]
+    pub clip_speed: Option<Quantity<Speed>>,
+    /// Damping; zero or more. In `[space.planar]` a share of critical damping, default 0.2. In
+    /// `[space.spatial]` dashpots beside the springs of closed joints, with the time constant
+    /// `damping_ratio` times distance of the centroids over c_P; default 0.1, which needs `young`
+    /// and `poisson`.
+    pub damping_ratio: Option<Quantity<NotNegativePlain>>,
+    /// Points of a joint on which its dashpots act along it; across it they act on all closed points. Those of
+    /// `damping.stiffness` of a phase do likewise. Default `sticking`.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub dashpots: Option<Dashpots>,
+    /// Joins blocks that share an edge at the start with patches that can break.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "give `tension`, `cohesion`, ... of the interface itself: blocks that share a face are joined"))]
+    pub bond: Option<Bond>,
+    /// Bonds between deformable blocks, and between a deformable and a rigid one. Strengths that the interface itself
+    /// does not give are also those of its joints between rigid blocks.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `bond`"))]
+    pub brittle_bond: Option<BrittleBond>,
+}
+
+/// Springs over the shared part of two faces that break by Mohr-Coulomb with a tension cut-off; what is broken is a contact with
+/// friction.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BrittleBond {
+    /// Thickness L of the interface, m: springs E/L and G/L per area. One for all facets; 0.01 of the smallest block
+    /// adds 1 % of compliance.
+    pub thickness: Quantity<PositiveLength>,
+    /// Young's modulus of the interface, Pa. Default those of the two materials in series.
+    pub young: Option<Quantity<Modulus>>,
+    /// Poisson's ratio of the interface, greater than -1 and less than 0.5. Needed with `young`.
+    pub poisson: Option<Quantity<Poisson>>,
+    /// Whether bonds never break. Default false.
+    #[serde(default)]
+    pub elastic: bool,
+    /// Tensile strength, Pa; zero or more. Needed unless `elastic`.
+    pub tension: Option<Quantity<Strength>>,
+    /// Cohesion, Pa; zero or more. Needed unless `elastic`.
+    pub cohesion: Option<Quantity<Strength>>,
+    /// Angle of friction, at least 0 and less than 90 deg. Needed unless `elastic`.
+    pub friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Angle of friction of broken bonds. Default `friction_angle`.
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Lets bonds soften: the work of separation is then that of the material and not of the mesh.
+    pub cohesive: Option<Cohesive>,
+    /// What fails as one. Default `spring`; `cohesive` goes with `spring` only.
+    pub failure: Option<BondFailure>,
+}
+
+/// Energies of separation of softening bonds.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cohesive {
+    /// Fracture energy of opening, J/m2 = N/m; above tension^2 thickness/(2 E), below which the bond cannot resolve it.
+    pub mode_1: Quantity<FractureEnergy>,
+    /// Fracture energy of sliding, J/m2 = N/m; above cohesion^2 thickness/(2 G).
+    pub mode_2: Quantity<FractureEnergy>,
+    /// Curve from the peak to nothing. Default `linear`.
+    pub softening: Option<Softening>,
+}
+
+/// Softening curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Softening {
+    /// A straight line.
+    Linear,
+    /// Measured on concrete (Munjiza): steep first, with a long tail.
+    Munjiza,
+}
+
+/// What fails as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BondFailure {
+    /// Each spring by its own traction (the source).
+    Spring,
+    /// A facet by the mean traction of its springs.
+    Facet,
+    /// A facet by the mean of the average stresses of its two blocks: does not depend on the size of the facet.
+    BlockStress,
+}
+
+/// Where the stiffness of joints comes from: the elastic half blocks on both sides in series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StiffnessRule {
+    /// Constrained modulus M/d and shear 2G/d, d the distance of the centroids: right wave speeds.
+    Material,
+    /// Young's modulus E/d and shear 2G/d: right settlement under uniaxial stress, for static
+    /// questions.
+    Uniaxial,
+}
+
+/// What fails as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Failure {
+    /// Each of the four points of a joint by itself.
+    Point,
+    /// The whole joint, by the sum of its forces and its torsion.
+    Face,
+}
+
+/// Where the four points of a joint lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Points {
+    /// Gauss points: exact bending and torsion.
+    Gauss,
+    /// Centres of the four quarters, as the source paper has them.
+    Quarter,
+}
+
+/// Points of a joint on which its dashpots act along it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Dashpots {
+    /// Closed points that do not slide: blocks slide with friction alone.
+    Sticking,
+    /// All closed points, as in the source paper: they hold sliding blocks back.
+    Closed,
+}
+
+/// Normal law of a found contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NormalLaw {
+    /// Potential of the true distance to the boundary; conserves energy.
+    DistancePotential,
+    /// Mutual penetration potentials, as in the source paper.
+    PenetrationPotential,
+}
+
+/// Reading of the penetration depth at a reflex (inward) corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reflex {
+    /// The smaller of the distances to the two edge lines.
+    Min,
+    /// The larger of the distances to the two edge lines.
+    Max,
+    /// The true distance to the corner.
+    True,
+}
+
+/// Law of friction of found contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FrictionLaw {
+    /// Shear spring with a Coulomb slider: a block can stand still on a slope.
+    ShearSpring,
+    /// Full friction against the direction of slip, as in the source paper.
+    RateSign,
+    /// Like `rate_sign`, but growing linearly up to `clip_speed`.
+    Clipped,
+}
+
+/// Patches along edges that two blocks share at the start.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bond {
+    /// Normal stiffness per area, Pa/m; greater than zero. Default that of the contact.
+    pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Shear stiffness per area, Pa/m; greater than zero. Default that of the contact.
+    pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Tensile strength, Pa; zero or more.
+    pub tension: Quantity<Strength>,
+    /// Cohesion, Pa; zero or more.
+    pub cohesion: Quantity<Strength>,
+    /// Angle of friction while unbroken, at least 0 and less than 90 deg. Default that of the
+    /// contact.
+    pub friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Angle of friction once broken. Default `friction_angle`.
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Cohesion left once broken, Pa; zero or more. Default 0 Pa.
+    pub residual_cohesion: Option<Quantity<Strength>>,
+    /// Damping as a share of critical damping; zero or more. Default 0.2.
+    pub damping_ratio: Option<Quantity<NotNegativePlain>>,
+    /// Points along a shared edge at which the law is evaluated, 1 to 5. Default 2.
+    pub points: Option<u8>,
+}
+
+/// Keys of an interface that change when a phase begins; all others stay.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InterfaceChange {
+    /// Normal law of found contacts.
+    #[schemars(extend("x-space" = "planar"))]
+    pub law: Option<NormalLaw>,
+    /// How `penetration_potential` treats a reflex (inward) corner.
+    #[schemars(extend("x-space" = "planar"))]
+    pub reflex: Option<Reflex>,
+    /// Normal stiffness per area of contact, Pa/m; greater than zero.
+    pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Shear stiffness per area of contact, Pa/m; greater than zero.
+    pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Angle of friction, at least 0 and less than 90 deg.
+    pub friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Tangent of the friction angle, zero or more.
+    pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
+    /// Cohesion, Pa; zero or more.
+    pub cohesion: Option<Quantity<Strength>>,
+    /// Tensile strength, Pa; zero or more.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub tension: Option<Quantity<Strength>>,
+    /// Angle of friction of joints that have failed.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Cohesion of joints that have failed, Pa; zero or more.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub residual_cohesion: Option<Quantity<Strength>>,
+    /// Law of friction.
+    #[schemars(extend("x-space" = "planar"))]
+    pub friction_law: Option<FrictionLaw>,
+    /// Slip speed below which `clipped` friction grows linearly, m/s.
+    #[schemars(extend("x-space" = "planar"))]
+    pub clip_speed: Option<Quantity<Speed>>,
+    /// Damping, as in the interface itself; zero or more.
+    pub damping_ratio: Option<Quantity<NotNegativePlain>>,
+}

@@ -1,0 +1,167 @@
+//! Supports and loads: what holds, moves and pushes blocks.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point;
+use super::solids::BoxRegion;
+use crate::quantity::{
+    Acceleration, Axial, ForcePerLength, Kind, Length, MomentPerLength, Name, Plain, Pressure,
+    Quantity, Spin, SpinAcceleration, Vector, Velocity,
+};
+use crate::time_function::TimeFunction;
+
+/// Which blocks. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Target {
+    /// One block by name, or all blocks of a generator.
+    Block(Name),
+    /// All blocks of a group.
+    Group(Name),
+    /// Several blocks by name.
+    Blocks(Vec<Name>),
+    /// The blocks whose centroid lies in a box at the start.
+    Box(BoxRegion),
+    /// The nodes of deformable blocks that lie in a box at the start, its surface included: corners of the blocks,
+    /// centres of their faces, their centroids. For supports in `[space.spatial]` only.
+    Nodes(BoxRegion),
+}
+
+/// Blocks that are held or moved. Exactly one of `fixed` and `motion`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Support {
+    /// Which blocks.
+    pub on: Target,
+    /// Holds the blocks; `fixed = {}` holds all directions.
+    pub fixed: Option<Fixed>,
+    /// Moves the blocks as prescribed.
+    pub motion: Option<Motion>,
+}
+
+/// Directions that are held.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fixed {
+    /// Whether the block is held along x. Default true.
+    #[serde(default = "yes")]
+    pub x: bool,
+    /// Whether the block is held along y. Default true.
+    #[serde(default = "yes")]
+    pub y: bool,
+    /// Whether the block is held along z. Default true.
+    #[schemars(extend("x-space" = "spatial"))]
+    #[serde(default = "yes")]
+    pub z: bool,
+    /// Whether the block is kept from turning. Default true.
+    #[serde(default = "yes")]
+    pub rotation: bool,
+    /// Whether it is kept from turning about x. Default as `rotation`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    pub rotation_x: Option<bool>,
+    /// Whether it is kept from turning about y. Default as `rotation`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    pub rotation_y: Option<bool>,
+    /// Whether it is kept from turning about z. Default as `rotation`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    pub rotation_z: Option<bool>,
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// Prescribed motion. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Motion {
+    /// Velocity over time.
+    Velocity(MotionComponents<Velocity, Spin>),
+    /// Acceleration over time, starting from the velocity at the start (shaking). In
+    /// `[space.spatial]` the blocks do not turn.
+    Acceleration(MotionComponents<Acceleration, SpinAcceleration>),
+}
+
+/// Components of a prescribed motion; a component that is not given is free.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, bound(deserialize = "L: Kind, R: Kind"))]
+pub struct MotionComponents<L: Kind, R: Kind> {
+    /// Along x.
+    pub x: Option<TimeFunction<L>>,
+    /// Along y.
+    pub y: Option<TimeFunction<L>>,
+    /// Along z.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub z: Option<TimeFunction<L>>,
+    /// Turning, anticlockwise.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use `spin_x`, `spin_y`, `spin_z`"))]
+    pub spin: Option<TimeFunction<R>>,
+    /// Turning about x, right-handed; for `velocity` only.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    pub spin_x: Option<TimeFunction<R>>,
+    /// Turning about y, right-handed; for `velocity` only.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    pub spin_y: Option<TimeFunction<R>>,
+    /// Turning about z, right-handed; for `velocity` only.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    pub spin_z: Option<TimeFunction<R>>,
+}
+
+/// A load. Exactly one of `point`, `edge`, `moment`, `body`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Load {
+    /// Which blocks.
+    pub on: Target,
+    /// A force at a point.
+    pub point: Option<PointLoad>,
+    /// A pressure or traction along a part of the boundary, for example water in a joint.
+    #[schemars(extend("x-space" = "planar", "x-instead" = "use [[boundaries]] with `pressure` or `traction`"))]
+    pub edge: Option<EdgeLoad>,
+    /// A moment: in the plane per metre of thickness, N (= N m/m), anticlockwise; in space about
+    /// x, y, z, N m, right-handed.
+    pub moment: Option<Axial<MomentPerLength>>,
+    /// A force on the mass, given as an acceleration.
+    pub body: Option<BodyLoad>,
+    /// Factor over time, a number without unit. Default constant 1.
+    pub time: Option<TimeFunction<Plain>>,
+}
+
+/// A force at a point.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointLoad {
+    /// Force: in the plane per metre of thickness, N/m; in space N.
+    pub force: Vector<ForcePerLength>,
+    /// Where it acts at the start, m; the point travels with the block. Default the centroid.
+    pub at: Option<Vector<Length>>,
+    /// Whether the direction turns with the block. Default false.
+    #[schemars(extend("x-space" = "planar"))]
+    #[serde(default)]
+    pub follows: bool,
+}
+
+/// A pressure or traction between two points of the boundary. Exactly one of `pressure` and
+/// `traction`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EdgeLoad {
+    /// First point on the boundary at the start [x, y], m.
+    pub from: Point,
+    /// Second point, on the same edge, at the start [x, y], m.
+    pub to: Point,
+    /// Pressure at `from` and at `to`, linear between, Pa; positive pushes into the block and
+    /// follows the edge.
+    pub pressure: Option<[Quantity<Pressure>; 2]>,
+    /// Force per area [x, y], Pa; keeps its direction.
+    pub traction: Option<[Quantity<Pressure>; 2]>,
+}
+
+/// A force on the mass.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodyLoad {
+    /// Force per mass, m/s2.
+    pub acceleration: Vector<Acceleration>,
+}

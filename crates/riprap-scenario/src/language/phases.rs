@@ -1,0 +1,221 @@
+//! The parts of a run.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::interfaces::InterfaceChange;
+use super::solids::StrainMeasure;
+use crate::quantity::{
+    Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositiveLength, PositivePlain,
+    PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
+};
+
+/// A part of the run.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Phase {
+    /// Name of the phase, once in the file.
+    pub name: Name,
+    /// How the phase is calculated. Default `dynamic`.
+    pub kind: Option<PhaseKind>,
+    /// When the phase ends: the first condition that is reached.
+    pub until: Until,
+    /// Time step, s. Default automatic: `safety` times the stable one.
+    pub time_step: Option<Quantity<TimeStep>>,
+    /// Share of the stable time step that is used when `time_step` is not given, greater than 0
+    /// and at most 1. Default 0.2 in `[space.planar]` and 0.5 in `[space.spatial]`.
+    pub safety: Option<Quantity<Share>>,
+    /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
+    pub damping: Option<Damping>,
+    /// Groups or blocks that are taken away when the phase begins.
+    #[serde(default)]
+    pub remove: Vec<Name>,
+    /// Groups or blocks that are fixed when the phase begins.
+    #[serde(default)]
+    pub fix: Vec<Name>,
+    /// Groups or blocks whose supports are taken away when the phase begins.
+    #[serde(default)]
+    pub release: Vec<Name>,
+    /// Gravity from this phase on, m/s2; in `[space.spatial]` a vector or the one value that points
+    /// down. Default unchanged.
+    pub gravity: Option<Down<Acceleration>>,
+    /// Time over which gravity grows from its old value (zero in the first phase), s.
+    /// Default 0 s: at once.
+    pub gravity_ramp: Option<Quantity<NotNegativeTime>>,
+    /// What is set to zero when the phase begins.
+    #[serde(default)]
+    pub reset: Vec<Reset>,
+    /// Interfaces that change from this phase on, by name.
+    #[serde(default)]
+    pub interfaces: Table<InterfaceChange>,
+    /// Whether bonds of deformable blocks may break. Default true.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub breaking: Option<bool>,
+    /// Measure of strain of all deformable blocks from this phase on. Default: that of the blocks, or of the phase before.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub strain: Option<StrainMeasure>,
+    /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and driven
+    /// nodes follow it, and each step is relaxed to `until.unbalanced`. Default 1.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub load_steps: Option<u64>,
+    /// Iterations after which a load step of deformable blocks that does not converge ends a `static` phase. Default
+    /// 200000.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub iterations: Option<u64>,
+    /// Other rules for a `static` phase of deformable blocks than the robust ones: those of Han, Liu & Li (2010). Default:
+    /// adaptive damping, equilibrium by forces, breaking event by event.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub relaxation: Option<Relaxation>,
+    /// Lets deformable blocks be cut where they are about to break. Default: none is cut.
+    #[schemars(extend("x-space" = "spatial"))]
+    pub cut: Option<Cutting>,
+}
+
+/// How a static phase of deformable blocks relaxes, where it is not by default.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Relaxation {
+    /// Constant damping c of `v' = ((2 - c) v + 2 r/m)/(2 + c)`, at least 0 and less than 1. Default adaptive.
+    pub damping: Option<Quantity<ShareBelowOne>>,
+    /// Equilibrium where the elastic energy changes by less than this share in 25 iterations, whatever the forces. Default:
+    /// by the forces (`until.unbalanced`).
+    pub energy: Option<Quantity<PositivePlain>>,
+    /// When bonds break. Default `most`.
+    pub breaks: Option<RelaxationBreaks>,
+}
+
+/// When bonds break in a static phase.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RelaxationBreaks {
+    /// At an equilibrium what is used most, with what is used nearly as much; then a new equilibrium.
+    Most,
+    /// At an equilibrium everything beyond its strength.
+    All,
+    /// In every iteration every spring beyond its strength; only with `failure = "spring"`.
+    Always,
+}
+
+/// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged, in `dynamic` ones
+/// every ten steps. The strength is
+/// that of the bonds within the material.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cutting {
+    /// Planes per cut, 1 to 7. Default 3: four parts.
+    pub planes: Option<u64>,
+    /// What decides. Default `larger`.
+    pub criterion: Option<CutCriterion>,
+    /// How much before the tensile strength a block is cut, Pa; zero or more. Default 0 Pa.
+    pub margin_tension: Option<Quantity<Strength>>,
+    /// How much before the shear strength a block is cut, Pa; zero or more. Default 0 Pa.
+    pub margin_shear: Option<Quantity<Strength>>,
+    /// How often a block and its parts may be cut: (planes + 1)^generations parts at most, which must not be above 4096.
+    /// Default 1.
+    pub generations: Option<u64>,
+    /// Edge of a cube as large as the smallest part that may be made, m. Default none.
+    pub smallest: Option<Quantity<PositiveLength>>,
+    /// Where the planes lie. Default `spacing`.
+    pub anchor: Option<CutAnchor>,
+    /// With `anchor = "tip"`: whether only facets between parts of one block break. Default false.
+    #[serde(default)]
+    pub only_cut: bool,
+    /// Axis that lies in all planes of cuts, for plane strain across it. Default: the direction of the middle principal
+    /// stress.
+    pub along: Option<CutAxis>,
+    /// Corners nearer than this share of the spacing of the planes to a plane are on it, at least 0 and less than 1. Default
+    /// 0.03.
+    pub snap: Option<Quantity<ShareBelowOne>>,
+    /// Most times that blocks are cut in the phase. Default: no limit.
+    pub stages: Option<u64>,
+    /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block, at least
+    /// 0 and less than 1. Default 0.1.
+    pub step_floor: Option<Quantity<ShareBelowOne>>,
+}
+
+/// When a block is cut, by its average stress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CutCriterion {
+    /// Tension where s1 + 3 s3 < 0 (compression positive), Mohr-Coulomb elsewhere: the source.
+    Source,
+    /// Griffith, in tension and compression.
+    Griffith,
+    /// Mohr-Coulomb.
+    MohrCoulomb,
+    /// Tension and Mohr-Coulomb, whichever is used more.
+    Larger,
+}
+
+/// Where the planes of a cut lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CutAnchor {
+    /// At equal distances.
+    Spacing,
+    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
+    Tip,
+}
+
+/// An axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CutAxis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}
+
+/// How a phase is calculated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PhaseKind {
+    /// Towards rest, with automatic damping (dynamic relaxation); time has no meaning.
+    Static,
+    /// Motion in time.
+    Dynamic,
+}
+
+/// End of a phase; at least one condition, the first that is reached counts.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Until {
+    /// Duration of the phase in model time, s.
+    pub time: Option<Quantity<PositiveTime>>,
+    /// Ratio of unbalanced to applied forces, for example 1e-5; greater than zero.
+    pub unbalanced: Option<Quantity<PositivePlain>>,
+    /// Kinetic energy of all blocks, J; in the plane per metre of thickness, J/m.
+    pub kinetic: Option<Quantity<EnergyPerLength>>,
+    /// Number of steps, at least 1.
+    pub steps: Option<u64>,
+}
+
+/// Damping of the motion of blocks.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Damping {
+    /// Force against the velocity, proportional to mass, 1/s; zero or more. Default 0 1/s.
+    pub mass: Option<Quantity<Rate>>,
+    /// The same for turning: moment against the spin, proportional to inertia, 1/s. Default as
+    /// `mass`.
+    #[schemars(extend("x-space" = "spatial", "x-instead" = "`mass` damps turning too"))]
+    pub rotation: Option<Quantity<Rate>>,
+    /// Proportional to contact stiffness, s; zero or more. Default 0 s.
+    pub stiffness: Option<Quantity<NotNegativeTime>>,
+    /// Share of the unbalanced force taken off, against the motion; at least 0, less than 1.
+    /// Default 0. For static questions.
+    pub local: Option<Quantity<ShareBelowOne>>,
+}
+
+/// What a phase can set to zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reset {
+    /// Velocities and spins of all blocks.
+    Velocities,
+    /// Displacements and rotations of all blocks as outputs report them.
+    Displacements,
+}

@@ -1,0 +1,208 @@
+//! Shapes of blocks in space, and places there.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Point3;
+use crate::quantity::{Angle, Edges, Length, Name, Plain, PositiveLength, Quantity, Span, Vector};
+
+/// A box with faces normal to the axes. Give `corner` or `centre`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Brick {
+    /// Lengths of the edges along x, y, z, m.
+    pub size: [Quantity<PositiveLength>; 3],
+    /// Corner with the lowest coordinates [x, y, z], m.
+    pub corner: Option<Point3>,
+    /// Centre [x, y, z], m.
+    pub centre: Option<Point3>,
+}
+
+/// A region filled with equal bricks. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Grid {
+    /// A box of bricks; x runs fastest, then y, then z.
+    Box(GridBox),
+    /// A box or a disk divided into convex cells: a turned lattice, or random ones.
+    Cells(GridCells),
+}
+
+/// A box divided into the Voronoi cells of points: of a square lattice with `turned` or `site`, random ones otherwise. Along an edge
+/// of the box that is about as long as a cell there is one layer, so that the cells of a plate are prisms.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GridCells {
+    /// Lengths of the edges of the whole box along x, y, z, m.
+    pub size: [Quantity<PositiveLength>; 3],
+    /// Edge of a cell, about, m.
+    pub cell: Quantity<PositiveLength>,
+    /// Corner with the lowest coordinates [x, y, z], m. Default the origin.
+    pub corner: Option<Point3>,
+    /// Angle by which the rows of a square lattice are turned about z.
+    pub turned: Option<Quantity<Angle>>,
+    /// Centre [x, y, z] of one cell of the lattice, m. Default the middle of the box.
+    pub site: Option<Point3>,
+    /// Seed of the random points. Default 1.
+    pub seed: Option<u64>,
+    /// Lloyd iterations that make random cells more equal, at most 1000. Default 10.
+    pub relax: Option<u64>,
+    /// Takes a prism of this many equal sides about z (3 to 1000) that touches the sides of the box instead of the whole box: with many
+    /// sides a disk. One side is the face `y-max`; x and y edges of the box must be equal. Default the box.
+    pub sides: Option<u64>,
+}
+
+/// A box of bricks. The size must be whole cells.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GridBox {
+    /// Lengths of the edges of the whole box along x, y, z, m.
+    pub size: [Quantity<PositiveLength>; 3],
+    /// Edge of a cubic cell, or the three edges of a cell, m.
+    pub cell: Edges<PositiveLength>,
+    /// Corner with the lowest coordinates [x, y, z], m. Default the origin, without `centre`.
+    pub corner: Option<Point3>,
+    /// Centre of the box [x, y, z], m.
+    pub centre: Option<Point3>,
+}
+
+/// A convex polyhedron: corners with faces, corners alone (their convex hull), or a file. Exactly
+/// one of `vertices` and `obj`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Polyhedron {
+    /// Corners [x, y, z], m.
+    pub vertices: Option<Vec<Point3>>,
+    /// Corners of each face by their place in `vertices`, from 0, in order along its boundary.
+    /// Default: the faces of the convex hull.
+    pub faces: Option<Vec<Vec<u32>>>,
+    /// Path of an OBJ file, seen from the scenario file; coordinates in metres.
+    pub obj: Option<Name>,
+}
+
+/// Cells of a file, each a block. Exactly one of `msh`, `tess` and `stl`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary), seen from the scenario file: its volume elements of first
+    /// order (tetrahedra, hexahedra, prisms, pyramids). Physical volumes become groups of their blocks, physical surfaces
+    /// groups of the blocks that have a face in them and sets of faces for boundaries (`on.surface`).
+    pub msh: Option<Name>,
+    /// Path of a tessellation of Neper in three dimensions, seen from the scenario file.
+    pub tess: Option<Name>,
+    /// Path of an STL file (text or binary), seen from the scenario file: each connected part that is closed and convex is
+    /// a block.
+    pub stl: Option<Name>,
+    /// What the length 1 in the file stands for, m. Default 1 m.
+    pub unit: Option<Quantity<PositiveLength>>,
+    /// Name of the physical volume whose elements are taken (`msh`). Default all.
+    pub volume: Option<Name>,
+}
+
+/// How blocks deform. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Mechanics {
+    /// They do not: all deformation is in the joints. Write `rigid = {}`.
+    Rigid(Empty),
+    /// Each block is divided into tetrahedra and joined to its neighbours by bonds
+    /// (`brittle_bond` of the interface). Write `deformable = {}`.
+    Deformable(Box<Deformable>),
+}
+
+/// Deformable blocks.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Deformable {
+    /// Measure of strain. Default `small`.
+    pub strain: Option<StrainMeasure>,
+    /// Displacement of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m), for
+    /// example `["1e-4*x", "0", "0"]`. Default none.
+    pub displacement: Option<[Name; 3]>,
+    /// Velocity of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m/s), added
+    /// to `velocity` and `spin` of the block. Default none.
+    pub velocity: Option<[Name; 3]>,
+}
+
+/// Measure of strain of tetrahedra.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StrainMeasure {
+    /// Small strain and rotation (linear); a block that turns freely swells.
+    Small,
+    /// Green's strain with St. Venant-Kirchhoff's law: any rotation.
+    TotalLagrangian,
+}
+
+/// A table without keys: `{}`.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Empty {}
+
+/// A box with sides along the axes.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoxRegion {
+    /// Corner with the lowest coordinates, m.
+    pub min: Vector<Length>,
+    /// Corner with the highest coordinates, m.
+    pub max: Vector<Length>,
+}
+
+/// A crack along faces of deformable blocks that is there at the start: a contact without strength, whose friction is that of
+/// broken bonds.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Notch {
+    /// What lies in this box, its surface included.
+    #[serde(rename = "box")]
+    pub region: BoxRegion,
+    /// What is broken there. Default `facets`.
+    pub breaks: Option<NotchBreaks>,
+}
+
+/// What a notch breaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NotchBreaks {
+    /// The shared parts of faces whose centre lies in the box: the crack ends with them.
+    Facets,
+    /// Single springs in the box, those at the tip of the crack included, which belong to the next facets: about a third
+    /// of a block longer.
+    Springs,
+}
+
+/// A straight piece of a line.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Segment {
+    /// One end [x, y, z], m; of a hole the side of the collar.
+    pub from: Point3,
+    /// Other end [x, y, z], m; of a hole the toe.
+    pub to: Point3,
+}
+
+/// A plane.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plane {
+    /// A point of it [x, y, z], m.
+    pub at: Point3,
+    /// Its normal [x, y, z], of any length.
+    pub normal: [Quantity<Plain>; 3],
+}
+
+/// A ball.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ball {
+    /// Centre [x, y, z], m.
+    pub centre: Point3,
+    /// Radius, m.
+    pub radius: Quantity<PositiveLength>,
+}
+
+/// Place of a point in the text.
+pub fn span_of(point: &Point3) -> Span {
+    point[0].span.start..point[2].span.end
+}

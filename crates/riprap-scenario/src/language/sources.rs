@@ -1,0 +1,282 @@
+//! Charges and other cavities that push on the rock around them, and the splitting of blocks.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
+
+use super::Point3;
+use super::outputs::Every;
+use super::solids::{Ball, BoxRegion, Empty, Plane, Segment};
+use crate::quantity::{
+    Density, Length, Mass, Name, NotNegativePlain, NotNegativeTime, PositiveLength, PositivePlain,
+    PositiveRate, Pressure, Quantity, Share, Span, SpecificEnergy, Speed, Strength, Vector,
+};
+use crate::time_function::TimeFunction;
+use crate::words::{WordOr, words};
+
+/// A cavity that pushes on the faces around it. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Source {
+    /// Detonation gas, in balance with the volume of the cavity (two-stage adiabat).
+    GasCavity(Box<GasCavity>),
+    /// A pressure over time that does not depend on the volume of the cavity.
+    PressureCavity(Box<PressureCavity>),
+}
+
+/// A charge of explosive. The blocks that it touches are removed at the start, after splitting; the
+/// faces that they shared with others are pushed. Exactly one of `centre`, `line`, `group`,
+/// `pattern`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GasCavity {
+    /// Centre of a concentrated charge [x, y, z], m.
+    pub centre: Option<Point3>,
+    /// Axis of an elongated charge.
+    pub line: Option<Segment>,
+    /// All blocks of a group, or one block.
+    pub group: Option<Name>,
+    /// Many holes from a CSV file; the sources are called name.1, name.2, ...
+    pub pattern: Option<Pattern>,
+    /// Mass of the charge, kg. Needed, except with `pattern`.
+    pub mass: Option<Quantity<Mass>>,
+    /// The explosive: a name from `[explosives]`, or its constants.
+    pub explosive: WordOr<Name, Explosive>,
+    /// How the volume of the charge and that of the removed blocks are matched. Default `fitted`
+    /// with `centre`, else `{ scaled = 0.6667 }`.
+    pub coupling: Option<WordOr<CouplingWord, CouplingScale>>,
+    /// Time at which it goes off, s. Default 0 s. With `pattern` it is added to the delays of the
+    /// file.
+    pub delay: Option<Quantity<NotNegativeTime>>,
+    /// How the gas escapes. Default: it stays in.
+    pub venting: Option<Venting>,
+}
+
+impl GasCavity {
+    /// Whether the cells of the grid are to fit the charge.
+    pub fn is_fitted(&self) -> bool {
+        let word = match &self.coupling {
+            None => CouplingWord::Fitted,
+            Some(WordOr::Word(word, _)) => *word,
+            Some(WordOr::Table(..)) => return false,
+        };
+        self.centre.is_some() && word == CouplingWord::Fitted
+    }
+}
+
+/// An explosive, with the constants of its two-stage adiabat.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Explosive {
+    /// Density of the charge, kg/m3.
+    pub density: Quantity<Density>,
+    /// Velocity of detonation, m/s.
+    pub detonation_velocity: Quantity<Speed>,
+    /// Heat of explosion, J/kg.
+    pub heat_of_explosion: Quantity<SpecificEnergy>,
+    /// Exponent of the adiabat above the transition pressure. Default 3.
+    pub gamma: Option<Quantity<PositivePlain>>,
+    /// Exponent below the transition pressure. Default 4/3.
+    pub gamma_low: Option<Quantity<PositivePlain>>,
+}
+
+words! {
+    /// How the volume of a charge and that of the removed blocks are matched, as a word.
+    CouplingWord {
+        Fitted = "fitted": "The cells of the grid are changed so that the finest ones around the charge have its volume; for `centre` inside a grid that is split around it.",
+        Coupled = "coupled": "The gas starts with the volume of the charge, whatever the blocks are.",
+        Decoupled = "decoupled": "The gas starts expanded to the volume of the removed blocks.",
+    }
+}
+
+/// How the volume of a charge and that of the removed blocks are matched, by a factor.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CouplingScale {
+    /// Faces count with the factor (volume of the charge / volume of the blocks) to this power: 2/3
+    /// keeps the force on the wall, 1/2 the elastic plateau, 1 keeps pressure times volume.
+    pub scaled: Quantity<NotNegativePlain>,
+}
+
+/// How gas escapes. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Venting {
+    /// At once, when the blocks above the charge have risen by this height on average, m.
+    Heave(Quantity<PositiveLength>),
+    /// From a time after the detonation on.
+    Time(VentingTime),
+}
+
+/// Gas escapes over a span of time.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VentingTime {
+    /// Time after the detonation at which it begins, s.
+    pub start: Quantity<NotNegativeTime>,
+    /// Time over which the pressure falls to zero, s. Default 0 s: at once.
+    pub span: Option<Quantity<NotNegativeTime>>,
+}
+
+/// Holes of a blast from a CSV file.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pattern {
+    /// Path of the CSV file, seen from the scenario file. Columns, each with its unit behind an
+    /// underscore (`collar_x_m`, `delay_ms`): `collar_x`, `collar_y`, `collar_z`, `toe_x`, `toe_y`,
+    /// `toe_z`, `delay`; `charge` (mass) or `diameter` of the hole; optional `stemming` (length
+    /// without explosive below the collar).
+    pub csv: Name,
+}
+
+/// A cavity with a given pressure. Exactly one of `centre`, `line`, `group`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PressureCavity {
+    /// Centre [x, y, z], m: the blocks that touch it are removed.
+    pub centre: Option<Point3>,
+    /// Axis: the blocks that touch it are removed.
+    pub line: Option<Segment>,
+    /// All blocks of a group, or one block.
+    pub group: Option<Name>,
+    /// Pressure over the time since `delay`, Pa.
+    pub pressure: TimeFunction<Pressure>,
+    /// Time at which it begins, s. Default 0 s.
+    pub delay: Option<Quantity<NotNegativeTime>>,
+}
+
+/// Splits bricks into eight, again and again, around something. Neighbours never differ by more
+/// than one level: more blocks are split where that needs it.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Refine {
+    /// Where, and how often.
+    pub octree: Octree,
+    /// Splits while the model runs, where a criterion is met. Default: before the first step,
+    /// everywhere in the place.
+    pub during: Option<During>,
+}
+
+/// Where blocks are split, and how often.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Octree {
+    /// What blocks must touch to be split: the name of a source, a point [x, y, z], or a place.
+    pub around: Around,
+    /// How often a block is split: each level halves the edges. 0 (not at all) to 12. Default around a charge
+    /// with fitted coupling: the number for which the cell changes least.
+    pub levels: Option<u8>,
+}
+
+/// A place in space. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// A piece of a line.
+    Line(Segment),
+    /// A plane.
+    Plane(Plane),
+    /// A ball.
+    Ball(Ball),
+    /// A box.
+    Box(BoxRegion),
+    /// Everywhere: `all = {}`.
+    All(Empty),
+}
+
+/// The name of a source, a point, or a place.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Around {
+    /// A source.
+    Source(Name),
+    /// A point.
+    Point(Vector<Length>),
+    /// Another place.
+    Place(Box<Place>, Span),
+}
+
+impl Around {
+    /// Where it stands.
+    pub fn span(&self) -> &Span {
+        match self {
+            Around::Source(name) => &name.span,
+            Around::Point(point) => &point.span,
+            Around::Place(_, span) => span,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Around {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        enum Read {
+            Word(String),
+            Point(Vec<Quantity<Length>>),
+            Place(Box<Place>),
+        }
+        struct AroundVisitor;
+        impl<'de> Visitor<'de> for AroundVisitor {
+            type Value = Read;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a source, a point or a place")
+            }
+            fn visit_str<E>(self, value: &str) -> Result<Read, E> {
+                Ok(Read::Word(value.to_owned()))
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Read, A::Error> {
+                let mut items = Vec::new();
+                while let Some(item) = seq.next_element()? {
+                    items.push(item);
+                }
+                Ok(Read::Point(items))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Read, A::Error> {
+                let place = Place::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(Read::Place(Box::new(place)))
+            }
+        }
+        impl<'de> Deserialize<'de> for Read {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                deserializer.deserialize_any(AroundVisitor)
+            }
+        }
+        let whole = toml::Spanned::<Read>::deserialize(deserializer)?;
+        let span = whole.span();
+        Ok(match whole.into_inner() {
+            Read::Word(text) => Around::Source(Name { text, span }),
+            Read::Point(items) => Around::Point(Vector::list(items, span)),
+            Read::Place(place) => Around::Place(place, span),
+        })
+    }
+}
+
+impl JsonSchema for Around {
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed("Around")
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [
+            { "type": "string" },
+            generator.subschema_for::<Vector<Length>>(),
+            generator.subschema_for::<Place>(),
+        ] })
+    }
+}
+
+/// Criterion of splitting while the model runs. Exactly one of `stress`, `strain_rate`, `broken`.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct During {
+    /// Splits where the largest magnitude of a principal stress is above this, Pa.
+    pub stress: Option<Quantity<Strength>>,
+    /// Splits where the relative velocity across a joint over the distance of the centroids is
+    /// above this, 1/s.
+    pub strain_rate: Option<Quantity<PositiveRate>>,
+    /// Splits where more than this share of the points of a block's joints has failed.
+    pub broken: Option<Quantity<Share>>,
+    /// How often it is looked at, in steps: for example `"50 steps"`. Default 50 steps.
+    pub every: Option<Every>,
+}

@@ -1,0 +1,92 @@
+//! The space of a scene and its materials.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::outputs::Period;
+use super::solids::BoxRegion;
+use crate::quantity::{
+    Acceleration, Angle, Density, Down, Modulus, Name, NotNegativeLength, Poisson, PositiveAngle,
+    Quantity,
+};
+
+/// The space in which the blocks move. Exactly one form.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Space {
+    /// Two dimensions: polygons of unit thickness, x to the right, y up; forces per metre.
+    Planar(Planar),
+    /// Three dimensions: bricks and convex polyhedra, x east, y north, z up.
+    Spatial(Spatial),
+}
+
+/// Two dimensions.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Planar {
+    /// Acceleration of gravity [x, y], m/s2; usually `["0 m/s2", "-9.81 m/s2"]`.
+    pub gravity: [Quantity<Acceleration>; 2],
+    /// The gravity vector is turned clockwise by this angle: a tilting table. Default 0 deg.
+    pub tilt: Option<Quantity<Angle>>,
+    /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
+    /// block, or what the weight of the whole model could press in (up to 1 % of the block).
+    pub allow_overlap: Option<Quantity<NotNegativeLength>>,
+}
+
+/// Three dimensions.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spatial {
+    /// Acceleration of gravity, m/s2: one value that points down (against z), usually
+    /// `"9.81 m/s2"`, or a vector.
+    pub gravity: Down<Acceleration>,
+    /// How blocks turn. Default `automatic`.
+    pub kinematics: Option<Kinematics>,
+    /// Angle at which a block changes over to finite rotations, rad. For `automatic` only.
+    /// Default 0.01 rad.
+    pub rotation_bound: Option<Quantity<PositiveAngle>>,
+    /// Periods of the model along x, y, z: a length, or `"none"`. Blocks at opposite ends are
+    /// neighbours. Default none.
+    pub periodic: Option<[Period; 3]>,
+    /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
+    /// block.
+    pub allow_overlap: Option<Quantity<NotNegativeLength>>,
+}
+
+/// How blocks turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Kinematics {
+    /// Small displacements until a block has turned by `rotation_bound`; from then on finite
+    /// rotations for it and the patches it touches.
+    Automatic,
+    /// Small displacements at all times: lever arms stay as they were.
+    Small,
+    /// Finite rotations from the start.
+    Finite,
+}
+
+/// A named set of blocks, besides the groups that blocks name themselves. `box`, `blocks` or both.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Group {
+    /// The blocks whose centroid lies in this box at the start.
+    #[serde(rename = "box")]
+    pub region: Option<BoxRegion>,
+    /// Blocks by name.
+    #[serde(default)]
+    pub blocks: Vec<Name>,
+}
+
+/// A material.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Mass per volume, kg/m3; greater than zero. Not the unit weight in kN/m3.
+    pub density: Quantity<Density>,
+    /// Young's modulus, Pa. Used for stiffnesses that are not given; in `[space.spatial]` also for
+    /// held, moved and viscous boundaries and for the damping of joints.
+    pub young: Option<Quantity<Modulus>>,
+    /// Poisson's ratio, greater than -1 and less than 0.5. Used as `young` is.
+    pub poisson: Option<Quantity<Poisson>>,
+}

@@ -1,0 +1,44 @@
+//! What the user said: the TOML scenario with units and spans. No physics, no hidden defaults.
+//!
+//! ```text
+//! file --load--> text --overrides--> text --parse--> Parsed { Scenario, Source, warnings }
+//!                                      |
+//!            syntax, validate (schema, units, ranges), rules (one of, references)
+//!                                      v
+//!                                 Diagnostics (all that is wrong, each with its place)
+//! ```
+//!
+//! The structs in [`language`] are the language; the JSON schema made from them drives the
+//! validation, `riprap explain KEY` and the reference page. Values keep their place in the file.
+//! Geometry, mechanics and files that a scenario names are the business of `model`.
+
+pub mod csv_columns;
+pub mod diagnostic;
+pub mod foreign;
+pub mod language;
+pub mod load;
+pub mod moments;
+pub mod msh;
+pub mod names;
+pub mod overrides;
+pub mod path;
+pub mod quantity;
+mod references;
+mod rules;
+pub mod schema;
+pub mod time_function;
+pub mod units;
+mod validate;
+mod values;
+pub mod vectors;
+pub mod words;
+
+pub use csv_columns::{Columns, csv_columns};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity, Source};
+pub use language::Scenario;
+pub use load::{Parsed, load, parse};
+pub use overrides::{Case, apply_overrides, cases};
+pub use quantity::{Name, Names, Quantity, Span, Table};
+pub use rules::target_span;
+pub use schema::{explain_key, keys, markdown, schema_text};
+pub use time_function::TimeFunction;

@@ -1,0 +1,322 @@
+//! Rules of blocks and their shapes.
+
+use super::{MAX_BLOCKS, Rules};
+use crate::language::{
+    Block, BoxRegion, Copies, Cut, Geometry, Grid, Group, Polygon, Polyhedron, span_of,
+};
+use crate::quantity::Span;
+use crate::values::short;
+use crate::vectors::InSpace;
+
+impl Rules {
+    pub(super) fn block(&mut self, block: &Block) {
+        let span = &block.name.span;
+        let of = format!("block `{}`", short(block.name.as_str()));
+        self.name(&block.name, "a block");
+        let given = block.geometries();
+        let all: &[&str] = match self.space {
+            InSpace::Planar => &[
+                "polygon",
+                "polygons",
+                "rectangle",
+                "regular",
+                "wall",
+                "arch",
+                "cut",
+                "voronoi",
+                "pour",
+            ],
+            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh"],
+        };
+        let flags: Vec<(&str, bool)> = all
+            .iter()
+            .map(|key| {
+                let cut = *key == "cut" && block.cut.is_some();
+                (*key, cut || given.iter().any(|(other, _)| other == key))
+            })
+            .collect();
+        // A shape of the other space was refused already.
+        if given.iter().all(|(key, _)| all.contains(key)) {
+            self.one_of(span, &of, &flags);
+        }
+        if let Some(cut) = &block.cut {
+            self.cut(span, &of, cut);
+            if block.copies.is_some() {
+                let message = format!("{of}: what is cut cannot be copied");
+                let help = "`copies` is for single shapes; write another [[blocks]] with `shift`";
+                self.error("key.forbidden", span, message, help);
+            }
+        }
+        for (key, geometry) in given {
+            self.geometry(span, &of, geometry);
+            if let Some(Copies { count, .. }) = &block.copies {
+                self.count(span, &of, "copies.count", u64::from(*count), 1, MAX_BLOCKS);
+                if geometry.is_many() && block.cut.is_none() {
+                    let message = format!("{of}: `{key}` cannot be copied");
+                    let help =
+                        "`copies` is for single shapes; write another [[blocks]] with `shift`";
+                    self.error("key.forbidden", span, message, help);
+                }
+            }
+        }
+    }
+
+    pub(super) fn geometry(&mut self, span: &Span, of: &str, geometry: Geometry<'_>) {
+        match geometry {
+            Geometry::Polygon(Polygon::Points(points)) => self.corners(span, of, points.len()),
+            Geometry::Polygon(Polygon::Csv(_)) => {}
+            Geometry::Brick(brick) => self.one_of(
+                span,
+                &format!("the brick of {of}"),
+                &[
+                    ("corner", brick.corner.is_some()),
+                    ("centre", brick.centre.is_some()),
+                ],
+            ),
+            Geometry::Grid(Grid::Box(grid)) => {
+                if let (Some(_), Some(centre)) = (&grid.corner, &grid.centre) {
+                    let message = format!("the grid of {of} has `corner` and `centre`");
+                    self.error("key.one_of", &span_of(centre), message, "keep one of them");
+                }
+            }
+            Geometry::Grid(Grid::Cells(cells)) => {
+                let random = [
+                    ("seed", cells.seed.is_some()),
+                    ("relax", cells.relax.is_some()),
+                ];
+                let lattice = cells.turned.is_some() || cells.site.is_some();
+                for (word, _) in random.into_iter().filter(|(_, given)| lattice && *given) {
+                    let message =
+                        format!("the cells of {of} have `turned` or `site`, and `{word}`");
+                    let help =
+                        "`turned` and `site` make a lattice, `seed` and `relax` random cells";
+                    self.error("key.one_of", span, message, help);
+                }
+                if let Some(relax) = cells.relax {
+                    self.count(span, of, "relax", relax, 0, 1000);
+                }
+                if let Some(sides) = cells.sides {
+                    self.count(span, of, "sides", sides, 3, 1000);
+                    let [x, y, _] = &cells.size;
+                    if self.values_sound && x.si() != y.si() {
+                        let message =
+                            format!("the cells of {of} have `sides` and a box that is not square");
+                        let help = "give `size` equal lengths along x and y";
+                        self.error("value.order", &y.span, message, help);
+                    }
+                }
+            }
+            Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
+            Geometry::Mesh(mesh) => {
+                let of = format!("the mesh of {of}");
+                let given = [
+                    ("msh", mesh.msh.is_some()),
+                    ("tess", mesh.tess.is_some()),
+                    ("stl", mesh.stl.is_some()),
+                ];
+                self.one_of(span, &of, &given);
+                if let (Some(volume), None) = (&mesh.volume, &mesh.msh) {
+                    let message = format!("{of} has `volume` without `msh`");
+                    self.error("key.forbidden", &volume.span, message, "leave it out");
+                }
+            }
+            Geometry::Polygons(polygons) => {
+                let of = format!("the polygons of {of}");
+                let given = [
+                    ("dxf", polygons.dxf.is_some()),
+                    ("tess", polygons.tess.is_some()),
+                ];
+                self.one_of(span, &of, &given);
+                let layers = polygons.layers.as_ref().and_then(|layers| layers.first());
+                let sagitta = polygons.sagitta.as_ref().map(|sagitta| &sagitta.span);
+                if polygons.dxf.is_none() {
+                    self.of_drawing(&of, layers.map(|l| &l.span), sagitta);
+                }
+            }
+            Geometry::Rectangle(shape) => self.one_of(
+                span,
+                &format!("the rectangle of {of}"),
+                &[
+                    ("corner", shape.corner.is_some()),
+                    ("centre", shape.centre.is_some()),
+                ],
+            ),
+            Geometry::Regular(shape) => {
+                self.count(span, of, "sides", u64::from(shape.sides), 3, 1000);
+            }
+            Geometry::Wall(wall) => {
+                let (rows, columns) = (u64::from(wall.courses), u64::from(wall.per_course));
+                self.count(span, of, "courses", rows, 1, MAX_BLOCKS);
+                self.count(span, of, "per_course", columns, 1, MAX_BLOCKS);
+                self.count(
+                    span,
+                    of,
+                    "courses x per_course",
+                    rows * columns,
+                    0,
+                    MAX_BLOCKS,
+                );
+            }
+            Geometry::Arch(arch) => {
+                self.count(span, of, "voussoirs", u64::from(arch.voussoirs), 1, 100_000);
+                if self.values_sound && arch.thickness.si() >= 2.0 * arch.radius.si() {
+                    let message = format!("the arch of {of} is thicker than its diameter");
+                    let help = "thickness must be less than twice the radius of the centre line";
+                    self.error("value.order", &arch.thickness.span, message, help);
+                }
+            }
+            // With the other keys of the block, as in space it is no shape.
+            Geometry::Cut(_) => {}
+            Geometry::Voronoi(voronoi) => {
+                self.corners(span, of, voronoi.region.len());
+                self.count(
+                    span,
+                    of,
+                    "relax",
+                    u64::from(voronoi.relax.unwrap_or(0)),
+                    0,
+                    1000,
+                );
+            }
+            Geometry::Pour(pour) => {
+                self.count(span, of, "count", u64::from(pour.count), 1, MAX_BLOCKS);
+                let [low, high] = pour.vertices.unwrap_or([4, 7]);
+                self.count(span, of, "vertices", u64::from(low), 3, 100);
+                self.count(span, of, "vertices", u64::from(high), u64::from(low), 100);
+                self.in_order(
+                    &pour.size[0],
+                    &pour.size[1],
+                    true,
+                    "`size` is [smallest, largest]",
+                );
+                for axis in 0..2 {
+                    let [low, high] = [&pour.region[0][axis], &pour.region[1][axis]];
+                    let help = "`region` is [lower left corner, upper right corner]";
+                    self.in_order(low, high, false, help);
+                }
+            }
+        }
+    }
+
+    fn polyhedron(&mut self, span: &Span, of: &str, shape: &Polyhedron) {
+        self.one_of(
+            span,
+            &format!("the polyhedron of {of}"),
+            &[
+                ("vertices", shape.vertices.is_some()),
+                ("obj", shape.obj.is_some()),
+            ],
+        );
+        let count = shape.vertices.as_ref().map_or(4, Vec::len);
+        if count < 4 {
+            let message = format!("the polyhedron of {of} has {count} corners");
+            let help = "a polyhedron has at least four corners";
+            self.error("polyhedron.corners", span, message, help);
+        }
+        let Some(faces) = &shape.faces else { return };
+        if shape.vertices.is_none() {
+            let message = format!("the polyhedron of {of} has `faces` without `vertices`");
+            self.error("key.missing", span, message, "give the corners too");
+            return;
+        }
+        for (number, face) in faces.iter().enumerate() {
+            if face.len() < 3 {
+                let message = format!("face {number} of {of} has {} corners", face.len());
+                let help = "a face has at least three corners";
+                self.error("polyhedron.face", span, message, help);
+            }
+            if let Some(corner) = face.iter().find(|corner| **corner as usize >= count) {
+                let message = format!("face {number} of {of} names corner {corner}");
+                let help = format!("corners are counted from 0 to {}", count - 1);
+                self.error("polyhedron.face", span, message, &help);
+            }
+        }
+    }
+
+    /// A box whose corners must be in order.
+    pub(super) fn region(&mut self, region: &BoxRegion) {
+        for (low, high) in region.min.items.iter().zip(&region.max.items) {
+            self.in_order(
+                low,
+                high,
+                true,
+                "`box` is { min = [lowest], max = [highest] }",
+            );
+        }
+    }
+
+    pub(super) fn group(&mut self, group: &Group) {
+        if let Some(region) = &group.region {
+            self.region(region);
+        }
+    }
+
+    pub(super) fn corners(&mut self, span: &Span, of: &str, count: usize) {
+        if count < 3 {
+            let message = format!("the polygon of {of} has {count} corners");
+            self.error(
+                "polygon.corners",
+                span,
+                message,
+                "a polygon has at least three corners",
+            );
+        }
+    }
+
+    /// Keys that only a drawing has.
+    fn of_drawing(&mut self, of: &str, layers: Option<&Span>, sagitta: Option<&Span>) {
+        for (key, span) in [("layers", layers), ("sagitta", sagitta)] {
+            if let Some(span) = span {
+                let message = format!("{of}: `{key}` belongs to `dxf`");
+                self.error("key.forbidden", span, message, "leave it out");
+            }
+        }
+    }
+
+    fn cut(&mut self, span: &Span, of: &str, cut: &Cut) {
+        match (self.space, &cut.region) {
+            (InSpace::Planar, Some(region)) => self.corners(span, of, region.len()),
+            (InSpace::Planar, None) => {
+                let message = format!("the cut of {of} has no `region`");
+                let help = "give the corners of what is cut: region = [[\"0 m\", \"0 m\"], ...]";
+                self.error("key.missing", span, message, help);
+            }
+            // Refused already where there is one.
+            (InSpace::Spatial, _) => {}
+        }
+        if cut.joint_sets.is_empty() && cut.traces.is_none() && cut.joints.is_none() {
+            let message = format!("{of} is cut by no joints");
+            let help = match self.space {
+                InSpace::Planar => "add joint_sets = [{ dip = \"60 deg\", spacing = \"1 m\" }]",
+                InSpace::Spatial => {
+                    "add joint_sets = [{ dip = \"60 deg\", dip_direction = \"90 deg\", spacing = \"1 m\" }]"
+                }
+            };
+            self.error("key.missing", span, message, help);
+        }
+        if let Some(traces) = &cut.traces {
+            let of = format!("the traces of {of}");
+            let given = [("csv", traces.csv.is_some()), ("dxf", traces.dxf.is_some())];
+            self.one_of(span, &of, &given);
+            if traces.dxf.is_none() {
+                let layers = traces.layers.as_ref().and_then(|layers| layers.first());
+                let sagitta = traces.sagitta.as_ref().map(|sagitta| &sagitta.span);
+                self.of_drawing(&of, layers.map(|l| &l.span), sagitta);
+            }
+        }
+        for set in &cut.joint_sets {
+            if self.space == InSpace::Spatial && set.dip_direction.is_none() {
+                let message = "a joint set in space needs `dip_direction`".to_owned();
+                let help = "write for example dip_direction = \"90 deg\": dipping to the east (x)";
+                self.error("key.missing", &set.dip.span, message, help);
+            }
+            let partial = set.persistence.as_ref().filter(|share| share.si() < 1.0);
+            if let (Some(share), None) = (partial, &set.trace_length) {
+                let message =
+                    "a joint set with persistence below 1 needs `trace_length`".to_owned();
+                let help = "write for example trace_length = \"5 m\"";
+                self.error("key.missing", &share.span, message, help);
+            }
+        }
+    }
+}

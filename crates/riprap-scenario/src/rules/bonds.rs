@@ -1,0 +1,201 @@
+//! Rules of deformable blocks and their bonds.
+
+use super::Rules;
+use crate::diagnostic::{Diagnostic, list};
+use crate::language::{
+    Block, BondFailure, BrittleBond, CutAnchor, Cutting, Load, Mechanics, Phase, PhaseKind,
+    Scenario, Support, Target,
+};
+use crate::quantity::{Quantity, Span};
+
+/// Most parts that a block may be cut into.
+const MOST_PARTS: u64 = 4096;
+
+impl Rules {
+    /// A deformable block needs elastic constants, and formulas that make sense.
+    pub(super) fn deformable(&mut self, block: &Block, scenario: &Scenario) {
+        let Some(Mechanics::Deformable(said)) = &block.mechanics else {
+            return;
+        };
+        let material = scenario.materials.get(block.material.as_str());
+        if let Some(material) = material
+            && (material.young.is_none() || material.poisson.is_none())
+        {
+            let message = format!("the deformable block `{}` has no elasticity", block.name);
+            let help = format!("give materials.{} `young` and `poisson`", block.material);
+            self.error("key.missing", &block.material.span, message, &help);
+        }
+        for field in [&said.displacement, &said.velocity].into_iter().flatten() {
+            for formula in field {
+                self.formula(formula, &["x", "y", "z"]);
+            }
+        }
+    }
+
+    /// Bonds of an interface.
+    pub(super) fn bond(
+        &mut self,
+        span: &Span,
+        of: &str,
+        bond: &BrittleBond,
+        materials: &[(f64, f64)],
+    ) {
+        let of = format!("{of}.brittle_bond");
+        let strengths = [
+            ("tension", bond.tension.is_some()),
+            ("cohesion", bond.cohesion.is_some()),
+            ("friction_angle", bond.friction_angle.is_some()),
+        ];
+        if bond.elastic {
+            let given: Vec<&str> = strengths.iter().filter(|s| s.1).map(|s| s.0).collect();
+            if !given.is_empty() {
+                let message = format!("{of} is elastic and has {}", list(&given));
+                let note = Diagnostic::warning("key.unused", message).at(span.clone());
+                let help = "an elastic bond never breaks: these keys have no effect";
+                self.found.push(note.help(help));
+            }
+            return;
+        }
+        let lacking: Vec<&str> = strengths.iter().filter(|s| !s.1).map(|s| s.0).collect();
+        if !lacking.is_empty() {
+            let message = format!("{of} lacks {}", list(&lacking));
+            let help = "give its strength, for example tension = \"2 MPa\", cohesion = \"10 MPa\", \
+                        friction_angle = \"30 deg\"; or elastic = true";
+            self.error("key.missing", span, message, help);
+            return;
+        }
+        if bond.young.is_some() != bond.poisson.is_some() {
+            let message = format!("{of} has only one of `young` and `poisson`");
+            let help = "give both, or neither: then they are those of the two materials";
+            self.error("key.missing", &bond.thickness.span, message, help);
+        }
+        if self.values_sound {
+            self.cut_off(&of, bond);
+            self.toughness(&of, bond, materials);
+        }
+    }
+
+    /// Beyond the tip of the cone a bond in tension would have no shear strength.
+    fn cut_off(&mut self, of: &str, bond: &BrittleBond) {
+        let (Some(tension), Some(cohesion), Some(angle)) =
+            (&bond.tension, &bond.cohesion, &bond.friction_angle)
+        else {
+            return;
+        };
+        if tension.si() * libm::tan(angle.si()) > cohesion.si() * (1.0 + 1e-12) {
+            let message = format!(
+                "the tensile strength of {of} lies beyond the tip of the Mohr-Coulomb cone, {:.4} MPa",
+                1e-6 * cohesion.si() / libm::tan(angle.si())
+            );
+            let help = "tension is cut off below cohesion / tan(friction_angle): lower `tension`, or raise `cohesion`";
+            self.error("value.tip", &tension.span, message, help);
+        }
+    }
+
+    /// Softening must need more energy than the bond holds when it begins.
+    fn toughness(&mut self, of: &str, bond: &BrittleBond, materials: &[(f64, f64)]) {
+        let Some(cohesive) = &bond.cohesive else {
+            return;
+        };
+        if let Some(failure) = bond.failure.filter(|f| *f != BondFailure::Spring) {
+            let word = match failure {
+                BondFailure::Facet => "facet",
+                BondFailure::BlockStress => "block_stress",
+                BondFailure::Spring => "spring",
+            };
+            let message = format!("{of} has `cohesive` and failure = \"{word}\"");
+            let help = "bonds that soften do so spring by spring: leave out `failure`";
+            self.error("key.one_of", &cohesive.mode_1.span, message, help);
+        }
+        let own = bond.young.as_ref().zip(bond.poisson.as_ref());
+        let own = own.map(|(e, nu)| vec![(e.si(), nu.si())]);
+        let softest = own.unwrap_or_else(|| materials.to_vec());
+        let young = softest.iter().map(|m| m.0).fold(f64::INFINITY, f64::min);
+        let shear = softest.iter().map(|m| 0.5 * m.0 / (1.0 + m.1));
+        let shear = shear.fold(f64::INFINITY, f64::min);
+        for (key, energy, strength, modulus) in [
+            ("mode_1", &cohesive.mode_1, &bond.tension, young),
+            ("mode_2", &cohesive.mode_2, &bond.cohesion, shear),
+        ] {
+            let Some(strength) = strength.as_ref().map(Quantity::si) else {
+                continue;
+            };
+            let least = strength * strength * bond.thickness.si() / (2.0 * modulus);
+            if modulus.is_finite() && energy.si() <= least {
+                let message = format!(
+                    "`{key}` of {of} is below what its springs hold when softening begins, {least:.4} J/m2"
+                );
+                let help = "raise it, or make `thickness` smaller: the least is strength^2 \
+                            thickness / (2 modulus)";
+                self.error("value.range", &energy.span, message, help);
+            }
+        }
+    }
+
+    /// Nodes can be held and driven, not loaded.
+    pub(super) fn nodes(&mut self, support: &Support) {
+        if let Target::Nodes(region) = &support.on {
+            self.region(region);
+        }
+    }
+
+    /// See [`Rules::nodes`].
+    pub(super) fn loaded(&mut self, load: &Load) {
+        if let Target::Nodes(region) = &load.on {
+            let message = "a load acts on blocks, not on single nodes".to_owned();
+            let help = "use point = { force = [...], at = [...] } on the block: the nodes around the point take it";
+            self.error("key.forbidden", &region.min.span, message, help);
+        }
+    }
+
+    /// Keys of phases that only deformable blocks have.
+    pub(super) fn relaxing(&mut self, phase: &Phase) {
+        let of = format!("phase `{}`", phase.name);
+        if let Some(steps) = phase.load_steps {
+            self.count(&phase.name.span, &of, "load_steps", steps, 1, 1_000_000);
+            if phase.until.time.is_none() {
+                let message = format!("{of} has `load_steps` and no `until.time`");
+                let help = "say how much time passes in these steps: until = { time = \"1 s\" }";
+                self.error("key.missing", &phase.name.span, message, help);
+            }
+        }
+        if let Some(most) = phase.iterations {
+            self.count(&phase.name.span, &of, "iterations", most, 1, u64::MAX);
+        }
+        if let Some(cut) = &phase.cut {
+            self.cutting(&phase.name.span, &of, cut);
+        }
+        let relaxes = phase.kind == Some(PhaseKind::Static);
+        if !relaxes && (phase.load_steps.is_some() || phase.iterations.is_some()) {
+            let message = format!("{of} is dynamic: `load_steps` and `iterations` have no effect");
+            let note = Diagnostic::warning("key.unused", message).at(phase.name.span.clone());
+            self.found
+                .push(note.help("they belong to kind = \"static\""));
+        }
+    }
+
+    /// Limits of cutting that would explode the number of blocks.
+    fn cutting(&mut self, span: &Span, of: &str, cut: &Cutting) {
+        let of = format!("{of}.cut");
+        let (planes, generations) = (cut.planes.unwrap_or(3), cut.generations.unwrap_or(1));
+        self.count(span, &of, "planes", planes, 1, 7);
+        self.count(span, &of, "generations", generations, 1, 12);
+        let parts = (planes + 1).checked_pow(generations.min(64) as u32);
+        if (1..=7).contains(&planes) && parts.is_none_or(|parts| parts > MOST_PARTS) {
+            let message = format!(
+                "{of}: {planes} planes in {generations} generations make {}^{generations} parts of one block",
+                planes + 1
+            );
+            let help = "(planes + 1)^generations may be 4096 at most: take fewer `planes` or `generations`";
+            self.error("value.range", span, message, help);
+        }
+        if let Some(stages) = cut.stages {
+            self.count(span, &of, "stages", stages, 1, u64::MAX);
+        }
+        if cut.only_cut && cut.anchor != Some(CutAnchor::Tip) {
+            let message = format!("`only_cut` of {of} has no effect");
+            let note = Diagnostic::warning("key.unused", message).at(span.clone());
+            self.found.push(note.help("it belongs to anchor = \"tip\""));
+        }
+    }
+}

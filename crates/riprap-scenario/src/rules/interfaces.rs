@@ -1,0 +1,127 @@
+//! Rules of interfaces.
+
+use super::Rules;
+use crate::diagnostic::Diagnostic;
+use crate::language::{FrictionLaw, Interface, NormalLaw, Scenario};
+use crate::quantity::{Name, Span};
+use crate::vectors::InSpace;
+
+impl Rules {
+    pub(super) fn interface(&mut self, name: &Name, interface: &Interface, scenario: &Scenario) {
+        let span = &name.span;
+        let of = format!("interfaces.{name}");
+        match (&interface.between, name.as_str() == "default") {
+            (Some([first, _]), true) => {
+                let message = "interfaces.default cannot have `between`".to_owned();
+                let help = "it is used by all pairs that no other interface names; call this \
+                            interface otherwise";
+                self.error("key.forbidden", &first.span, message, help);
+            }
+            (None, false) => {
+                let message = format!("the key `between` is missing in {of}");
+                self.error(
+                    "key.missing",
+                    span,
+                    message,
+                    "say which materials meet: between = [\"rock\", \"steel\"]",
+                );
+            }
+            (Some(_), false) | (None, true) => {}
+        }
+        match self.space {
+            InSpace::Planar => self.contact(span, &of, interface, scenario),
+            InSpace::Spatial => self.joint(span, &of, interface, scenario),
+        }
+    }
+
+    fn contact(&mut self, span: &Span, of: &str, interface: &Interface, scenario: &Scenario) {
+        self.friction(span, of, interface);
+        self.friction_law(
+            span,
+            of,
+            interface.friction_law,
+            interface.clip_speed.is_some(),
+        );
+        if interface.reflex.is_some() && interface.law != Some(NormalLaw::PenetrationPotential) {
+            let message = format!("`reflex` in {of} has no effect");
+            let help = "it belongs to law = \"penetration_potential\"";
+            self.found.push(
+                Diagnostic::warning("key.unused", message)
+                    .at(span.clone())
+                    .help(help),
+            );
+        }
+        if interface.normal_stiffness.is_none() {
+            let lacking = scenario.materials.iter().find(|(material, properties)| {
+                let meant = match &interface.between {
+                    Some(pair) => pair.iter().any(|one| one.text == material.text),
+                    None => true,
+                };
+                meant && (properties.young.is_none() || properties.poisson.is_none())
+            });
+            if let Some((material, _)) = lacking {
+                let message = format!("{of} has no normal stiffness");
+                let help = format!(
+                    "write for example normal_stiffness = \"10 GPa/m\", or give materials.{material} \
+                     `young` and `poisson`, from which it is estimated"
+                );
+                self.error("key.missing", span, message, &help);
+            }
+        }
+        if let Some(points) = interface.bond.as_ref().and_then(|bond| bond.points) {
+            self.count(
+                span,
+                &format!("{of}.bond"),
+                "points",
+                u64::from(points),
+                1,
+                8,
+            );
+        }
+    }
+
+    /// Exactly one way to give friction.
+    pub(super) fn friction(&mut self, span: &Span, of: &str, interface: &Interface) {
+        self.one_of(
+            span,
+            of,
+            &[
+                ("friction_angle", interface.friction_angle.is_some()),
+                (
+                    "friction_coefficient",
+                    interface.friction_coefficient.is_some(),
+                ),
+            ],
+        );
+    }
+
+    pub(super) fn friction_law(
+        &mut self,
+        span: &Span,
+        of: &str,
+        law: Option<FrictionLaw>,
+        speed: bool,
+    ) {
+        match (law == Some(FrictionLaw::Clipped), speed) {
+            (true, false) => {
+                let message = format!("the key `clip_speed` is missing in {of}");
+                self.error(
+                    "key.missing",
+                    span,
+                    message,
+                    "write for example clip_speed = \"1 mm/s\"",
+                );
+            }
+            (false, true) => {
+                let message = format!("`clip_speed` in {of} has no effect");
+                let help = "it belongs to friction_law = \"clipped\"";
+                self.found.push(
+                    Diagnostic::warning("key.unused", message)
+                        .at(span.clone())
+                        .help(help),
+                );
+            }
+            (true, true) | (false, false) => {}
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Rules of joints in `[space.spatial]`.
+
+use super::Rules;
+use crate::diagnostic::{Diagnostic, list};
+use crate::language::{Interface, Scenario};
+use crate::quantity::{Quantity, Span};
+
+impl Rules {
+    pub(super) fn joint(
+        &mut self,
+        span: &Span,
+        of: &str,
+        interface: &Interface,
+        scenario: &Scenario,
+    ) {
+        if interface.elastic {
+            self.no_strength(span, of, interface);
+        } else if interface.brittle_bond.is_none()
+            || interface.friction_angle.is_some()
+            || interface.friction_coefficient.is_some()
+        {
+            self.friction(span, of, interface);
+        }
+        if let Some(bond) = &interface.brittle_bond {
+            let meant = |name: &str| {
+                let between = interface.between.as_ref();
+                between.is_none_or(|pair| pair.iter().any(|one| one.as_str() == name))
+            };
+            let materials: Vec<(f64, f64)> = scenario
+                .materials
+                .iter()
+                .filter(|(name, _)| meant(name.as_str()))
+                .filter_map(|(_, m)| Some((m.young.as_ref()?.si(), m.poisson.as_ref()?.si())))
+                .collect();
+            self.bond(span, of, bond, &materials);
+        }
+        if let (Some(_), Some(given)) = (&interface.stiffness, &interface.normal_stiffness) {
+            let message = format!("{of} has `stiffness` and `normal_stiffness`");
+            self.error("key.one_of", &given.span, message, "keep one of them");
+        }
+        if let (None, Some(shear)) = (&interface.normal_stiffness, &interface.shear_stiffness) {
+            let message = format!("{of} has `shear_stiffness` without `normal_stiffness`");
+            let help = "give both, or neither: then they come from the materials";
+            self.error("key.missing", &shear.span, message, help);
+        }
+        match (&interface.dilation_angle, &interface.dilation_end) {
+            (Some(angle), None) if angle.si() > 0.0 => {
+                let message = format!("the key `dilation_end` is missing in {of}");
+                let help = "say after which slip the joint dilates no more: for example \
+                            dilation_end = \"5 mm\"";
+                self.error("key.missing", &angle.span, message, help);
+            }
+            (None, Some(end)) => {
+                let message = format!("`dilation_end` in {of} has no effect");
+                self.found.push(
+                    Diagnostic::warning("key.unused", message)
+                        .at(end.span.clone())
+                        .help("it belongs to `dilation_angle`"),
+                );
+            }
+            (Some(_), _) | (None, None) => {}
+        }
+        self.tension(of, interface);
+        self.elastic_constants(span, of, interface, scenario);
+    }
+
+    /// An elastic joint has no strength; a scene may have one all the same, for its variants.
+    fn no_strength(&mut self, span: &Span, of: &str, interface: &Interface) {
+        let given: Vec<&str> = [
+            ("friction_angle", interface.friction_angle.is_some()),
+            (
+                "friction_coefficient",
+                interface.friction_coefficient.is_some(),
+            ),
+            ("cohesion", interface.cohesion.is_some()),
+            ("tension", interface.tension.is_some()),
+            (
+                "residual_friction_angle",
+                interface.residual_friction_angle.is_some(),
+            ),
+            ("residual_cohesion", interface.residual_cohesion.is_some()),
+            ("dilation_angle", interface.dilation_angle.is_some()),
+            ("failure", interface.failure.is_some()),
+            ("dashpots", interface.dashpots.is_some()),
+        ]
+        .into_iter()
+        .filter(|(_, there)| *there)
+        .map(|(key, _)| key)
+        .collect();
+        if !given.is_empty() {
+            let message = format!("{of} is elastic and has {}", list(&given));
+            let help = "an elastic joint neither opens nor slides: these keys have no effect";
+            let note = Diagnostic::warning("key.unused", message).at(span.clone());
+            self.found.push(note.help(help));
+        }
+    }
+
+    /// Beyond the tip of the cone a joint would have no shear strength at all.
+    fn tension(&mut self, of: &str, interface: &Interface) {
+        let Some(tension) = interface.tension.as_ref().filter(|_| self.values_sound) else {
+            return;
+        };
+        let friction = match (&interface.friction_angle, &interface.friction_coefficient) {
+            (Some(angle), _) => libm::tan(angle.si()),
+            (None, Some(coefficient)) => coefficient.si(),
+            (None, None) => return,
+        };
+        let cohesion = interface.cohesion.as_ref().map_or(0.0, Quantity::si);
+        if tension.si() * friction > cohesion * (1.0 + 1e-12) {
+            let message = format!(
+                "the tensile strength of {of} lies beyond the tip of the Mohr-Coulomb cone"
+            );
+            let help = "above cohesion / tan(friction_angle) a joint in tension has no shear \
+                        strength; lower `tension` or raise `cohesion`";
+            self.found.push(
+                Diagnostic::warning("value.tip", message)
+                    .at(tension.span.clone())
+                    .help(help),
+            );
+        }
+    }
+
+    /// Stiffness from the material and damping need elastic constants.
+    fn elastic_constants(
+        &mut self,
+        span: &Span,
+        of: &str,
+        interface: &Interface,
+        scenario: &Scenario,
+    ) {
+        let stiffness = interface.normal_stiffness.is_none();
+        let ratio = interface.damping_ratio.as_ref().map_or(0.1, Quantity::si);
+        if !stiffness && ratio <= 0.0 {
+            return;
+        }
+        let lacking = scenario.materials.iter().find(|(material, properties)| {
+            let meant = match &interface.between {
+                Some(pair) => pair.iter().any(|one| one.text == material.text),
+                None => true,
+            };
+            meant && (properties.young.is_none() || properties.poisson.is_none())
+        });
+        let Some((material, _)) = lacking else { return };
+        let (message, help) = if stiffness {
+            (
+                format!("{of} has no normal stiffness"),
+                format!(
+                    "give materials.{material} `young` and `poisson`, from which it follows, or \
+                     write for example normal_stiffness = \"10 GPa/m\""
+                ),
+            )
+        } else {
+            (
+                format!("the damping of {of} needs the wave speed of `{material}`"),
+                format!(
+                    "give materials.{material} `young` and `poisson`, or write damping_ratio = 0"
+                ),
+            )
+        };
+        self.error("key.missing", span, message, &help);
+    }
+}

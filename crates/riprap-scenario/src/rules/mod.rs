@@ -1,0 +1,263 @@
+//! What the schema cannot say about one table: exactly one of several keys, keys that need each
+//! other, numbers that must be in order. References between tables are in [`super::references`].
+
+mod blocks;
+mod bonds;
+mod checks;
+mod ground;
+mod interfaces;
+mod joints;
+mod motion;
+mod sources;
+
+use toml::de::DeTable;
+
+use super::diagnostic::{Diagnostic, list};
+use super::language::{Output, Scenario, Space, Target};
+use super::quantity::{Kind, Name, Quantity, Span};
+use super::references;
+use super::units::Dim;
+use super::vectors::InSpace;
+use riprap_core::dynamics::Formula;
+
+/// Most blocks that one generator may make.
+const MAX_BLOCKS: u64 = 1_000_000;
+
+/// What is wrong beyond keys and values. `values_sound`: no quantity was refused, so that numbers
+/// may be compared.
+pub(super) fn check(
+    scenario: &Scenario,
+    root: &DeTable<'_>,
+    values_sound: bool,
+) -> Vec<Diagnostic> {
+    let mut rules = Rules {
+        found: Vec::new(),
+        space: match scenario.space {
+            Space::Planar(_) => InSpace::Planar,
+            Space::Spatial(_) => InSpace::Spatial,
+        },
+        values_sound,
+    };
+    rules.head(scenario, root);
+    rules.scenario(scenario);
+    references::check(scenario, root, &mut rules.found);
+    rules.found
+}
+
+struct Rules {
+    found: Vec<Diagnostic>,
+    space: InSpace,
+    values_sound: bool,
+}
+
+impl Rules {
+    fn error(&mut self, code: &'static str, span: &Span, message: String, help: &str) {
+        self.found
+            .push(Diagnostic::error(code, message).at(span.clone()).help(help));
+    }
+
+    /// Exactly one of the keys must be there.
+    fn one_of(&mut self, span: &Span, of: &str, keys: &[(&str, bool)]) {
+        let given: Vec<&str> = keys
+            .iter()
+            .filter(|(_, there)| *there)
+            .map(|(k, _)| *k)
+            .collect();
+        let all: Vec<&str> = keys.iter().map(|(key, _)| *key).collect();
+        match given.len() {
+            1 => {}
+            0 => {
+                let help = format!("give one of {}", list(&all));
+                let message = format!("{of} needs one of {}", list(&all));
+                self.error("key.one_of", span, message, &help);
+            }
+            _ => {
+                let message = format!("{of} has {}: only one is possible", list(&given));
+                self.error(
+                    "key.one_of",
+                    span,
+                    message,
+                    "keep one and remove the others",
+                );
+            }
+        }
+    }
+
+    /// A whole number of things must lie in a range.
+    fn count(&mut self, span: &Span, of: &str, key: &str, value: u64, low: u64, high: u64) {
+        if value < low || value > high {
+            let message = format!("`{key}` of {of} is {value}");
+            self.error(
+                "value.range",
+                span,
+                message,
+                &format!("from {low} to {high} is possible"),
+            );
+        }
+    }
+
+    fn head(&mut self, scenario: &Scenario, root: &DeTable<'_>) {
+        let place = |key: &str| root.get(key).map_or(0..0, toml::Spanned::span);
+        if scenario.riprap != 1 {
+            let message = format!("language version {} is not known", scenario.riprap);
+            self.error("version", &place("riprap"), message, "write riprap = 1");
+        }
+        if scenario.title.trim().is_empty() {
+            let help = "say in one line what the scene shows";
+            self.error(
+                "title",
+                &place("title"),
+                "the title is empty".to_owned(),
+                help,
+            );
+        }
+    }
+
+    fn scenario(&mut self, scenario: &Scenario) {
+        if scenario.materials.is_empty() {
+            self.found.push(
+                Diagnostic::error("model.empty", "there is no material")
+                    .help("add [materials.rock] with density = \"2600 kg/m3\""),
+            );
+        }
+        if scenario.blocks.is_empty() {
+            let shape = match self.space {
+                InSpace::Planar => "rectangle",
+                InSpace::Spatial => "brick",
+            };
+            let help = format!("add [[blocks]] with name, material and a shape such as {shape}");
+            self.found.push(
+                Diagnostic::error("model.empty", "the model is empty: there are no blocks")
+                    .help(help),
+            );
+        }
+        if scenario.phases.is_empty() {
+            self.found.push(
+                Diagnostic::error("model.empty", "there is no phase: nothing would happen")
+                    .help("add [[phases]] with name and until = { time = \"1 s\" }"),
+            );
+        }
+        if scenario.interfaces.get("default").is_none() {
+            self.found.push(
+                Diagnostic::error("key.missing", "there is no [interfaces.default]").help(
+                    "add [interfaces.default] with friction_angle and normal_stiffness; it is \
+                     used by all pairs of materials that no other interface names",
+                ),
+            );
+        }
+        for (name, interface) in scenario.interfaces.iter() {
+            self.interface(name, interface, scenario);
+        }
+        for block in &scenario.blocks {
+            self.block(block);
+            self.deformable(block, scenario);
+        }
+        for (_, group) in scenario.groups.iter() {
+            self.group(group);
+        }
+        self.ground(scenario);
+        self.sources(scenario);
+        for notch in &scenario.notches {
+            self.region(&notch.region);
+        }
+        for support in &scenario.supports {
+            self.support(support);
+        }
+        for load in &scenario.loads {
+            self.load(load);
+        }
+        for phase in &scenario.phases {
+            self.phase(phase);
+        }
+        for output in &scenario.outputs {
+            if let Output::History(history) = output {
+                self.name(&history.name, "a history");
+                let at = (history.of.as_ref(), history.at_point.as_ref());
+                self.of_or_point(at, &history.name.span);
+            }
+        }
+        if let Some(bisect) = &scenario.bisect {
+            let [low, high, width] =
+                [&bisect.low, &bisect.high, &bisect.tolerance].map(Quantity::si);
+            if self.values_sound && (low == high || width <= 0.0) {
+                let span = &bisect.tolerance.span;
+                let message = "there is nothing to search between these ends".to_owned();
+                let help = "`low` and `high` must differ and `tolerance` be greater than zero";
+                self.error("value.order", span, message, help);
+            }
+            if self.values_sound {
+                self.same_dimension(&[&bisect.low, &bisect.high, &bisect.tolerance], "bisect");
+            }
+            self.criterion(&bisect.fails_when);
+        }
+        for check in &scenario.checks {
+            self.check(check);
+        }
+    }
+
+    fn name(&mut self, name: &Name, of: &str) {
+        let length = name.text.chars().count();
+        if name.text.trim().is_empty() || length > 200 || name.text.chars().any(char::is_control) {
+            let message = format!("the name of {of} is empty, too long or has control characters");
+            self.error("name.form", &name.span, message, "give a short name");
+        }
+    }
+
+    /// The first value must not be larger (or must be smaller) than the second.
+    fn in_order<K: Kind>(
+        &mut self,
+        low: &Quantity<K>,
+        high: &Quantity<K>,
+        may_be_equal: bool,
+        help: &str,
+    ) {
+        let (first, second) = (low.si(), high.si());
+        if self.values_sound && (first > second || (first == second && !may_be_equal)) {
+            let than = if may_be_equal {
+                "is larger than"
+            } else {
+                "is not less than"
+            };
+            let message = format!("\"{}\" {than} \"{}\"", low.raw, high.raw);
+            self.error("value.order", &high.span, message, help);
+        }
+    }
+
+    fn formula(&mut self, formula: &Name, known: &[&str]) {
+        if let Err(error) = Formula::new(formula.as_str(), known) {
+            let help = "for example \"0.5*g*t^2\"; functions: sin, cos, tan, sqrt, exp, ln, abs, \
+                        ...; `pi` and `deg` are known, angles are in radians";
+            self.error("formula", &formula.span, error.to_string(), help);
+        }
+    }
+
+    fn same_dimension<K: Kind>(&mut self, quantities: &[&Quantity<K>], of: &str) {
+        let mut first: Option<Dim> = None;
+        for quantity in quantities {
+            let Ok((_, Some(dim))) = quantity.read() else {
+                continue;
+            };
+            if first.is_some_and(|first| first != dim) {
+                let message = format!("the values of `{of}` have different dimensions");
+                self.error(
+                    "unit.dimension",
+                    &quantity.span,
+                    message,
+                    "give them all the same kind of unit",
+                );
+                return;
+            }
+            first = Some(dim);
+        }
+    }
+}
+
+/// The place of a target.
+#[must_use]
+pub fn target_span(target: &Target) -> Span {
+    match target {
+        Target::Block(name) | Target::Group(name) => name.span.clone(),
+        Target::Blocks(names) => names.first().map_or(0..0, |name| name.span.clone()),
+        Target::Box(region) | Target::Nodes(region) => region.min.span.clone(),
+    }
+}

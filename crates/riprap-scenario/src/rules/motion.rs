@@ -1,0 +1,180 @@
+//! Rules of supports, loads and phases.
+
+use super::{Rules, target_span};
+use crate::diagnostic::Diagnostic;
+use crate::language::{
+    EdgeLoad, FrictionLaw, Load, Motion, MotionComponents, Phase, Support, Target,
+};
+use crate::quantity::{Kind, Quantity, Span};
+use crate::time_function::TimeFunction;
+use crate::values::short;
+use crate::vectors::InSpace;
+
+impl Rules {
+    pub(super) fn support(&mut self, support: &Support) {
+        let span = target_span(&support.on);
+        let keys = [
+            ("fixed", support.fixed.is_some()),
+            ("motion", support.motion.is_some()),
+        ];
+        self.one_of(&span, "a support", &keys);
+        if let Target::Box(region) = &support.on {
+            self.region(region);
+        }
+        self.nodes(support);
+        let any = match &support.motion {
+            Some(Motion::Velocity(motion)) => self.components(&span, motion),
+            Some(Motion::Acceleration(motion)) => {
+                let turns = [&motion.spin_x, &motion.spin_y, &motion.spin_z];
+                if turns.iter().any(|spin| spin.is_some()) {
+                    let message = "an acceleration in [space.spatial] does not turn".to_owned();
+                    let help = "prescribe the spin by a `velocity`, or leave it out";
+                    self.error("key.forbidden", &span, message, help);
+                }
+                self.components(&span, motion)
+            }
+            None => true,
+        };
+        if !any {
+            let axes = match self.space {
+                InSpace::Planar => "`x`, `y`, `spin`",
+                InSpace::Spatial => "`x`, `y`, `z`, `spin_x`, `spin_y`, `spin_z`",
+            };
+            let message = format!("a motion needs at least one of {axes}");
+            let help = "write for example x = { constant = \"0.1 m/s\" }";
+            self.error("key.one_of", &span, message, help);
+        }
+    }
+
+    /// Looks at all components of a motion; whether there are any.
+    pub(super) fn components<L: Kind, R: Kind>(
+        &mut self,
+        span: &Span,
+        motion: &MotionComponents<L, R>,
+    ) -> bool {
+        let linear = [&motion.x, &motion.y, &motion.z];
+        let turning = [&motion.spin, &motion.spin_x, &motion.spin_y, &motion.spin_z];
+        for function in linear {
+            self.time_function(span, function.as_ref());
+        }
+        for function in turning {
+            self.time_function(span, function.as_ref());
+        }
+        linear.iter().any(|f| f.is_some()) || turning.iter().any(|f| f.is_some())
+    }
+
+    pub(super) fn time_function<K: Kind>(
+        &mut self,
+        span: &Span,
+        function: Option<&TimeFunction<K>>,
+    ) {
+        match function {
+            Some(TimeFunction::Formula(formula)) => self.formula(formula, &["t"]),
+            Some(TimeFunction::Ramp(ramp)) => {
+                let start = ramp.start.as_ref().map_or(0.0, Quantity::si);
+                self.end_after(start, ramp.end.si(), &ramp.end.span);
+            }
+            Some(TimeFunction::Pulse(pulse)) => {
+                let start = pulse.start.as_ref().map_or(0.0, Quantity::si);
+                self.end_after(start, pulse.end.si(), &pulse.end.span);
+            }
+            Some(TimeFunction::Duvall(duvall)) => {
+                if self.values_sound && duvall.rise.si() <= duvall.decay.si() {
+                    let message = "`rise` is not above `decay`".to_owned();
+                    let help =
+                        "`rise` is the rate of the fast exponential, `decay` of the slow one";
+                    self.error("value.order", &duvall.rise.span, message, help);
+                }
+            }
+            Some(TimeFunction::Csv(csv)) => {
+                if csv.file.as_str().is_empty() {
+                    self.error(
+                        "name.form",
+                        span,
+                        "the CSV file has no name".to_owned(),
+                        "give a path",
+                    );
+                }
+            }
+            Some(TimeFunction::Constant(_) | TimeFunction::Sine(_) | TimeFunction::Triangle(_))
+            | None => {}
+        }
+    }
+
+    pub(super) fn end_after(&mut self, start: f64, end: f64, span: &Span) {
+        if self.values_sound && end <= start {
+            let message = "`end` does not come after `start`".to_owned();
+            self.error(
+                "value.order",
+                span,
+                message,
+                "`start` is 0 s if it is not given",
+            );
+        }
+    }
+
+    pub(super) fn load(&mut self, load: &Load) {
+        let span = target_span(&load.on);
+        self.one_of(
+            &span,
+            "a load",
+            &[
+                ("point", load.point.is_some()),
+                ("edge", load.edge.is_some()),
+                ("moment", load.moment.is_some()),
+                ("body", load.body.is_some()),
+            ],
+        );
+        if let Some(EdgeLoad {
+            pressure, traction, ..
+        }) = &load.edge
+        {
+            let keys = [
+                ("pressure", pressure.is_some()),
+                ("traction", traction.is_some()),
+            ];
+            self.one_of(&span, "an edge load", &keys);
+        }
+        self.time_function(&span, load.time.as_ref());
+        self.loaded(load);
+    }
+
+    pub(super) fn phase(&mut self, phase: &Phase) {
+        let span = &phase.name.span;
+        let of = format!("phase `{}`", short(phase.name.as_str()));
+        self.name(&phase.name, "a phase");
+        let until = &phase.until;
+        if until.time.is_none()
+            && until.unbalanced.is_none()
+            && until.kinetic.is_none()
+            && until.steps.is_none()
+        {
+            let message = format!("{of} never ends");
+            let help = "give `until` at least one of `time`, `unbalanced`, `kinetic`, `steps`";
+            self.error("key.one_of", span, message, help);
+        }
+        if until.steps == Some(0) {
+            let message = format!("{of} has no steps");
+            self.error("value.range", span, message, "`steps` is at least 1");
+        }
+        if let (Some(_), Some(safety)) = (&phase.time_step, &phase.safety) {
+            self.found.push(
+                Diagnostic::warning("key.unused", format!("`safety` of {of} has no effect"))
+                    .at(safety.span.clone())
+                    .help("it belongs to the automatic time step; here `time_step` is given"),
+            );
+        }
+        self.relaxing(phase);
+        for (name, change) in phase.interfaces.iter() {
+            let of = format!("phases.{}.interfaces.{name}", phase.name);
+            if let (Some(_), Some(second)) = (&change.friction_angle, &change.friction_coefficient)
+            {
+                let message = format!("{of} has `friction_angle` and `friction_coefficient`");
+                self.error("key.one_of", &second.span, message, "keep one of them");
+            }
+            if change.friction_law == Some(FrictionLaw::Clipped) && change.clip_speed.is_none() {
+                self.friction_law(&name.span, &of, change.friction_law, false);
+            }
+        }
+    }
+}
