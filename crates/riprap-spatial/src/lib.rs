@@ -8,6 +8,7 @@ pub mod deform;
 pub mod edit;
 pub mod fields;
 pub mod forces;
+pub mod found;
 mod fragments;
 mod gather;
 mod integrate;

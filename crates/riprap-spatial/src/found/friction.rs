@@ -1,0 +1,366 @@
+//! From the sums over the surface to forces: pressure, dashpots, friction along the surface and against spinning about it.
+//!
+//! The contact carries a shear force and a torsion about its normal as springs on its area. Both slide together when they reach the
+//! ellipse `|F_s|²/F_max² + M_t²/(F_max r_m)² = 1` with `F_max = mu N + c A_c` and the mean radius
+//! `r_m = int p |x - x_c| dS / int p dS`, which gives the exact stopping time of a spinning plate. Dashpots across the contact and against rocking act on the
+//! pressure, those along it only while it sticks.
+//!
+//! Source: limit surface of Howe and Cutkosky (1996); mean radius of Coulomb friction under a given pressure.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use super::piece::{self, Frame, Polygon};
+use super::surface::Sums;
+
+/// Below this share of |S_F| over the integral of the depth, opposite pressures cancel and there is no one normal.
+const CANCELLED: f64 = 0.05;
+/// Overlaps less deep than this, times the radius of the smaller block, have no direction that can be trusted.
+const LOST: f64 = 1e-14;
+/// No pressure has a mean radius below this, times its radius of gyration (a uniform line has 0.866): sticking below it is certain.
+const LEAST_MEAN_RADIUS: f64 = 0.86;
+
+/// Parameters of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ContactLaw {
+    /// Normal stiffness kn, Pa/m: force over area and depth of a flat contact.
+    pub normal_stiffness: f64,
+    /// Shear stiffness ks, Pa/m.
+    pub shear_stiffness: f64,
+    /// Tangent of the friction angle.
+    pub friction: f64,
+    /// Cohesion on the contact area, Pa.
+    pub cohesion: f64,
+    /// Share of critical damping.
+    pub damping_ratio: f64,
+}
+
+/// What a contact remembers from step to step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Memory {
+    /// Shear force on B, N.
+    pub shear: Vec3,
+    /// Torsion on B about the normal, N m.
+    pub torsion: f64,
+    /// Unit normal of the last step, from A to B; zero before the first.
+    pub normal: Vec3,
+    /// Area of the last step, m².
+    pub area: f64,
+    /// Polar second moment of the area of the last step, m⁴.
+    pub polar: f64,
+    /// Whether it slid in the last step.
+    pub sliding: bool,
+}
+
+impl Memory {
+    /// Energy in the shear springs, J.
+    #[must_use]
+    pub fn stored(&self, law: &ContactLaw) -> f64 {
+        let share = |squared: f64, amount: f64| {
+            if amount > 0.0 {
+                squared / (2.0 * law.shear_stiffness * amount)
+            } else {
+                0.0
+            }
+        };
+        share(self.shear.length_squared(), self.area)
+            + share(self.torsion * self.torsion, self.polar)
+    }
+}
+
+/// Motion of a block.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Velocity of its centroid, m/s.
+    pub velocity: Vec3,
+    /// Spin, rad/s.
+    pub spin: Vec3,
+    /// 1 over its mass, 1/kg; 0 for a block that no contact can move.
+    pub inverse_mass: f64,
+}
+
+/// Force and moment on B; A gets the opposite force at the same point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// Force on B, N.
+    pub force: Vec3,
+    /// Moment on A about its centroid, N m.
+    pub moment_a: Vec3,
+    /// Moment on B about its centroid, N m.
+    pub moment_b: Vec3,
+}
+
+/// The answer of a contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reply {
+    /// Everything together.
+    pub wrench: Wrench,
+    /// The pressure alone.
+    pub elastic: Wrench,
+    /// Normal force, N: pressure and dashpot, never negative.
+    pub normal: f64,
+    /// Shear force on B, N: spring and dashpot.
+    pub shear: Vec3,
+    /// Heat of friction in this step, J.
+    pub friction: f64,
+    /// Change of the energy in the shear springs in this step, J.
+    pub stored: f64,
+    /// Power of all dashpots at the velocities given, W; never positive but for round-off.
+    pub damping: f64,
+    /// Where the resultant acts, m.
+    pub point: Vec3,
+    /// Area across the normal, m².
+    pub area: f64,
+    /// Polar second moment of the area about the point, m⁴.
+    pub polar: f64,
+}
+
+/// Lever arms and geometry of a contact at this instant.
+struct Contact {
+    /// Unit normal from A to B.
+    normal: Vec3,
+    /// Elastic normal force, N.
+    elastic: f64,
+    /// Point from the origin of the planes, m.
+    point: Vec3,
+    area: f64,
+    polar: f64,
+    /// Squared radius of gyration of the pressure, m².
+    gyration: f64,
+}
+
+/// What the law is asked.
+pub struct Question<'a> {
+    /// Sums over the surface.
+    pub sums: &'a Sums,
+    /// Its largest piece, for the mean radius.
+    pub largest: (&'a Polygon, &'a Frame),
+    /// Origin of the planes in space, m.
+    pub origin: Vec3,
+    /// Centroids of A and B, m.
+    pub centres: [Vec3; 2],
+    /// Motion of A and B, half a step ago.
+    pub motion: [Motion; 2],
+    /// Radius of the smaller block, m.
+    pub radius: f64,
+    /// Time since the last evaluation, s; 0 when nothing has moved: then the memory stays as it is.
+    pub dt: f64,
+}
+
+/// Velocities across and along the contact.
+struct Relative {
+    normal: f64,
+    along: Vec3,
+    twist: f64,
+    rock: Vec3,
+}
+
+/// Forces of a contact; `memory` goes on to this instant.
+///
+/// The friction of a step is the work on the shear springs less the change of what they store; springs that a shrinking
+/// contact loses take their share with them, which is friction too.
+pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
+    let k = 2.0 * law.normal_stiffness;
+    let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
+    let Some(c) = contact(law, q) else {
+        let lost = memory.stored(law);
+        *memory = Memory::default();
+        return Reply {
+            wrench: elastic,
+            elastic,
+            friction: lost,
+            stored: -lost,
+            point: q.origin,
+            ..Reply::default()
+        };
+    };
+    let at = q.origin + c.point;
+    let arms = q.centres.map(|centre| at - centre);
+    let [a, b] = q.motion;
+    let v = relative(&c, [a, b], arms);
+    let inverse = a.inverse_mass + b.inverse_mass;
+    let mass = if inverse > 0.0 { 1.0 / inverse } else { 0.0 };
+    let dashpot = |stiffness: f64| 2.0 * law.damping_ratio * (stiffness * c.area * mass).sqrt();
+
+    let across = dashpot(law.normal_stiffness);
+    let normal = (c.elastic - across * v.normal).max(0.0);
+    let rocking = shorten(
+        -(across * c.polar / (2.0 * c.area)) * v.rock,
+        normal * c.gyration.sqrt(),
+    );
+    let mut limit = Limit {
+        force: law.friction * normal + law.cohesion * c.area,
+        radius: LEAST_MEAN_RADIUS * c.gyration.sqrt(),
+        exact: false,
+    };
+    let before = memory.stored(law);
+    let mut work = 0.0;
+    if q.dt > 0.0 || memory.normal == Vec3::ZERO {
+        let turning = 0.5 * (a.spin + b.spin).dot(c.normal) * q.dt;
+        work = advance(law, memory, &c, &v, turning, q, &mut limit);
+    }
+    let (mut shear, mut torsion) = (memory.shear, memory.torsion);
+    if !memory.sliding {
+        let along = dashpot(law.shear_stiffness);
+        shear -= along * v.along;
+        torsion -= along * c.polar / c.area * v.twist;
+        let excess = limit.excess(shear, torsion, &c, q.largest);
+        if excess > 1.0 {
+            shear /= excess;
+            torsion /= excess;
+        }
+    }
+    let stored = memory.stored(law);
+    let extra = (normal - c.elastic) * c.normal + shear;
+    let couple = rocking + torsion * c.normal;
+    Reply {
+        wrench: Wrench {
+            force: elastic.force + extra,
+            moment_a: elastic.moment_a - (arms[0].cross(extra) + couple),
+            moment_b: elastic.moment_b + (arms[1].cross(extra) + couple),
+        },
+        elastic,
+        normal,
+        shear,
+        friction: work - (stored - before),
+        stored: stored - before,
+        damping: (normal - c.elastic) * v.normal
+            + rocking.dot(v.rock)
+            + (shear - memory.shear).dot(v.along)
+            + (torsion - memory.torsion) * v.twist,
+        point: at,
+        area: c.area,
+        polar: c.polar,
+    }
+}
+
+fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {
+    let velocity = (b.velocity + b.spin.cross(arms[1])) - (a.velocity + a.spin.cross(arms[0]));
+    let spin = b.spin - a.spin;
+    let (normal, twist) = (velocity.dot(c.normal), spin.dot(c.normal));
+    Relative {
+        normal,
+        along: velocity - normal * c.normal,
+        twist,
+        rock: spin - twist * c.normal,
+    }
+}
+
+/// Turns, shrinks and loads the shear springs and lets them slide; returns the work done on them, J.
+fn advance(
+    law: &ContactLaw,
+    memory: &mut Memory,
+    c: &Contact,
+    v: &Relative,
+    turning: f64,
+    q: &Question,
+    limit: &mut Limit,
+) -> f64 {
+    // The normal has turned, and the contact about it with the mean spin of both blocks.
+    let length = memory.shear.length();
+    let mut shear = memory.shear + memory.normal.cross(c.normal).cross(memory.shear);
+    shear += turning * c.normal.cross(shear);
+    shear -= shear.dot(c.normal) * c.normal;
+    let now = shear.length();
+    if now > 0.0 {
+        shear *= length / now;
+    }
+    let torsion = memory.torsion;
+    // Springs of a part that has opened are gone; a part that has closed adds unloaded ones. (Scaling up as well would make energy.)
+    let shrunk = |old: f64, new: f64| if new < old { new / old } else { 1.0 };
+    memory.shear =
+        shear * shrunk(memory.area, c.area) - law.shear_stiffness * c.area * q.dt * v.along;
+    memory.torsion =
+        torsion * shrunk(memory.polar, c.polar) - law.shear_stiffness * c.polar * q.dt * v.twist;
+    let excess = limit.excess(memory.shear, memory.torsion, c, q.largest);
+    memory.sliding = excess > 1.0;
+    if memory.sliding {
+        memory.shear /= excess;
+        memory.torsion /= excess;
+    }
+    memory.normal = c.normal;
+    memory.area = c.area;
+    memory.polar = c.polar;
+    let force = 0.5 * (shear + memory.shear);
+    let couple = 0.5 * (torsion + memory.torsion);
+    -(force.dot(v.along) + couple * v.twist) * q.dt
+}
+
+/// The ellipse of sliding.
+struct Limit {
+    /// Largest shear force, N.
+    force: f64,
+    /// Mean radius of the pressure, m: at first a bound from below.
+    radius: f64,
+    exact: bool,
+}
+
+impl Limit {
+    /// How far outside the ellipse: more than 1 slides. The exact radius is only found where the bound does not decide.
+    fn excess(
+        &mut self,
+        shear: Vec3,
+        torsion: f64,
+        c: &Contact,
+        (polygon, frame): (&Polygon, &Frame),
+    ) -> f64 {
+        // A NaN lets nothing through.
+        if self.force.is_nan() || self.force <= 0.0 {
+            return f64::INFINITY;
+        }
+        let ratio = |radius: f64| {
+            let (f, m) = (shear.length() / self.force, torsion / (self.force * radius));
+            (f * f + m * m).sqrt()
+        };
+        let bound = ratio(self.radius);
+        if bound <= 1.0 || self.exact {
+            return bound;
+        }
+        let arm = c.point - frame.foot;
+        self.radius = piece::mean_radius(polygon, frame.axes.map(|axis| arm.dot(axis)));
+        self.exact = true;
+        ratio(self.radius)
+    }
+}
+
+fn wrench(q: &Question, force: Vec3, moment: Vec3) -> Wrench {
+    Wrench {
+        force,
+        moment_a: -(moment + (q.origin - q.centres[0]).cross(force)),
+        moment_b: moment + (q.origin - q.centres[1]).cross(force),
+    }
+}
+
+/// `None` where the surface has no one normal: opposite pressures that cancel, or a touch lost in round-off.
+fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
+    let s = q.sums;
+    let length = s.force.length();
+    if length < CANCELLED * s.weight || s.depth < LOST * q.radius {
+        return None;
+    }
+    let area = s.vector_area.length();
+    let point = s.weight_first / s.weight;
+    let polar = s.area_second - 2.0 * point.dot(s.area_first) + point.length_squared() * s.area;
+    let gyration = s.weight_second / s.weight - point.length_squared();
+    // Written so that a NaN is no contact either.
+    if !(area > 0.0 && polar > 0.0 && gyration > 0.0) {
+        return None;
+    }
+    Some(Contact {
+        normal: s.force / length,
+        elastic: 2.0 * law.normal_stiffness * length,
+        point,
+        area,
+        polar,
+        gyration,
+    })
+}
+
+fn shorten(v: Vec3, longest: f64) -> Vec3 {
+    let length = v.length();
+    if length > longest {
+        v * (longest / length)
+    } else {
+        v
+    }
+}

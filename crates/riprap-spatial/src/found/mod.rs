@@ -1,0 +1,30 @@
+//! Contact of convex blocks that is found anew in each step: the equal-pressure law.
+//!
+//! Two convex blocks A and B overlap in `O`. With `phi` the depth of a point below the faces of its own block, the contact
+//! stores `U = 2 kn int_O min(phi_A, phi_B) dV` and acts as a pressure `2 kn phi` on the one surface `S` where both depths
+//! are equal. `S` consists of plane pieces, one for each pair of faces (f of A, g of B) that are the nearest ones there.
+//! Only planes are needed: no overlap polyhedron is ever made.
+//!
+//! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
+//! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow.
+//!
+//! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
+//! of a convex block instead of a field on tetrahedra.
+
+pub mod friction;
+pub mod peak;
+pub mod piece;
+pub mod planes;
+pub mod shape;
+pub mod surface;
+
+pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
+pub use peak::{Peak, peak};
+pub use planes::Planes;
+pub use shape::{Body, Pose, Shape, ShapeError, turn};
+pub use surface::{Found, Pair, Sums, Walker};
+
+#[cfg(test)]
+mod kit;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,395 @@
+//! One plane piece of the surface of equal pressure: its polygon and the integrals over it.
+//!
+//! Piece (f, g) lies where the depths below face f of A and below face g of B are equal, `(n_f - n_g) . x = d_f - d_g`. It is
+//! cut by `phi_f >= 0` and by `phi_f <= phi_k` for every other listed k of A, `phi_g <= phi_k` for every other listed k of B.
+//! Every edge carries the number of the plane that made it, which names the piece beyond it.
+
+use riprap_geom::Vec3;
+
+use super::planes::Planes;
+
+/// Label of an edge of the square that a piece starts from: none may be left at the end.
+pub const OPEN: u16 = u16::MAX;
+/// Label of an edge on the boundary of the overlap, where the depth is 0: nothing lies beyond it.
+pub const BOUNDARY: u16 = u16::MAX - 1;
+/// Normals that differ by less are parallel: their faces share no piece.
+pub const PARALLEL: f64 = 2e-7;
+/// Half the side of the starting square over the radius of the smaller block; every piece lies within one radius of its centre.
+const SQUARE: f64 = 2.2;
+/// An edge whose line passes nearer by a point than this, times its length, makes no triangle with it.
+const THROUGH: f64 = 1e-14;
+/// A plane farther from the origin than this, times the radius of the smaller block, has no point in it.
+const OUT_OF_REACH: f64 = 1.0 + 1e-9;
+
+/// Plane of a piece with two axes in it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Unit normal, from A to B.
+    pub normal: Vec3,
+    /// Foot of the origin on the plane, m.
+    pub foot: Vec3,
+    /// Axes in the plane.
+    pub axes: [Vec3; 2],
+}
+
+impl Frame {
+    /// The plane where the depths below planes `f` and `g` are equal; `None` for parallel ones and where it is out of `reach`.
+    #[must_use]
+    pub fn between(planes: &Planes, f: usize, g: usize, reach: f64) -> Option<Self> {
+        let difference = planes.normal(f) - planes.normal(g);
+        let squared = difference.length_squared();
+        if squared < PARALLEL * PARALLEL {
+            return None;
+        }
+        let length = squared.sqrt();
+        let normal = difference / length;
+        let height = (planes.d[f] - planes.d[g]) / length;
+        if height.abs() > OUT_OF_REACH * reach {
+            return None;
+        }
+        let size = normal.abs();
+        let axis = if size.x <= size.y && size.x <= size.z {
+            Vec3::X
+        } else if size.y <= size.z {
+            Vec3::Y
+        } else {
+            Vec3::Z
+        };
+        let first = axis.cross(normal).normalize();
+        Some(Self {
+            normal,
+            foot: height * normal,
+            axes: [first, normal.cross(first)],
+        })
+    }
+
+    /// Point with plane coordinates s, t, m.
+    #[must_use]
+    pub fn point(&self, s: f64, t: f64) -> Vec3 {
+        self.foot + s * self.axes[0] + t * self.axes[1]
+    }
+}
+
+/// A convex polygon in the plane of a piece. Edge `i` runs from corner `i` to the next one.
+#[derive(Clone, Debug, Default)]
+pub struct Polygon {
+    /// First coordinate of each corner, m.
+    pub s: Vec<f64>,
+    /// Second coordinate, m.
+    pub t: Vec<f64>,
+    /// Depth at each corner, m.
+    pub depth: Vec<f64>,
+    /// Plane that made the edge which starts at each corner.
+    pub label: Vec<u16>,
+    /// The depth is `p[0] - p[1] s - p[2] t`.
+    pub slope: [f64; 3],
+}
+
+impl Polygon {
+    fn clear(&mut self) {
+        self.s.clear();
+        self.t.clear();
+        self.label.clear();
+    }
+
+    #[inline]
+    fn push(&mut self, s: f64, t: f64, label: u16) {
+        self.s.push(s);
+        self.t.push(t);
+        self.label.push(label);
+    }
+
+    /// Number of corners.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.s.len()
+    }
+
+    /// Whether nothing is left of it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.s.is_empty()
+    }
+
+    /// Takes over the corners of another one.
+    pub fn copy(&mut self, other: &Self) {
+        self.s.clone_from(&other.s);
+        self.t.clone_from(&other.t);
+        self.depth.clone_from(&other.depth);
+        self.label.clone_from(&other.label);
+        self.slope = other.slope;
+    }
+}
+
+/// Room for making pieces; kept, so that a piece takes no memory.
+#[derive(Clone, Debug, Default)]
+pub struct Cutter {
+    /// The piece made last.
+    pub polygon: Polygon,
+    spare: Polygon,
+    beyond: Vec<f64>,
+    u: Vec<f64>,
+    v: Vec<f64>,
+    w: Vec<f64>,
+}
+
+impl Cutter {
+    /// Makes piece (f, g) in the plane of `frame`; whether anything is left. `tied(k)` says that plane k does not cut.
+    pub fn make(
+        &mut self,
+        planes: &Planes,
+        frame: &Frame,
+        [f, g]: [usize; 2],
+        radius: f64,
+        tied: impl Fn(usize) -> bool,
+    ) -> bool {
+        self.project(planes, frame);
+        let r = SQUARE * radius;
+        self.polygon.clear();
+        for (s, t) in [(-r, -r), (r, -r), (r, r), (-r, r)] {
+            self.polygon.push(s, t, OPEN);
+        }
+        if !self.cut(self.u[f], self.v[f], self.w[f], BOUNDARY) {
+            return false;
+        }
+        for k in 0..planes.len() {
+            let own = if k < planes.split { f } else { g };
+            if k == own || tied(k) {
+                continue;
+            }
+            let (a, b) = (self.u[k] - self.u[own], self.v[k] - self.v[own]);
+            if !self.cut(a, b, self.w[k] - self.w[own], k as u16) {
+                return false;
+            }
+        }
+        let (u, v, w) = (self.u[f], self.v[f], self.w[f]);
+        let polygon = &mut self.polygon;
+        polygon.slope = [w, u, v];
+        polygon.depth.clear();
+        for (s, t) in polygon.s.iter().zip(&polygon.t) {
+            polygon.depth.push(w - u * s - v * t);
+        }
+        polygon.len() >= 3
+    }
+
+    /// All planes in the coordinates of the frame: `u s + v t <= w`.
+    fn project(&mut self, planes: &Planes, frame: &Frame) {
+        let n = planes.len();
+        self.u.resize(n, 0.0);
+        self.v.resize(n, 0.0);
+        self.w.resize(n, 0.0);
+        let ([e, h], c) = (frame.axes, frame.foot);
+        let (x, y, z, d) = (
+            &planes.x[..n],
+            &planes.y[..n],
+            &planes.z[..n],
+            &planes.d[..n],
+        );
+        let (u, v, w) = (&mut self.u[..n], &mut self.v[..n], &mut self.w[..n]);
+        for k in 0..n {
+            u[k] = (x[k] * e.x + y[k] * e.y) + z[k] * e.z;
+            v[k] = (x[k] * h.x + y[k] * h.y) + z[k] * h.z;
+            w[k] = d[k] - ((x[k] * c.x + y[k] * c.y) + z[k] * c.z);
+        }
+    }
+
+    /// Keeps what lies where `a s + b t <= c`; whether anything does.
+    fn cut(&mut self, a: f64, b: f64, c: f64, label: u16) -> bool {
+        let n = self.polygon.len();
+        self.beyond.clear();
+        let (mut inside, mut outside) = (false, false);
+        for (s, t) in self.polygon.s.iter().zip(&self.polygon.t) {
+            let q = (a * s + b * t) - c;
+            inside |= q <= 0.0;
+            outside |= q > 0.0;
+            self.beyond.push(q);
+        }
+        if !outside {
+            return inside;
+        }
+        if !inside {
+            return false;
+        }
+        let (from, to, q) = (&self.polygon, &mut self.spare, &self.beyond);
+        to.clear();
+        for i in 0..n {
+            let next = if i + 1 < n { i + 1 } else { 0 };
+            if q[i] <= 0.0 {
+                to.push(from.s[i], from.t[i], from.label[i]);
+            }
+            if (q[i] <= 0.0) != (q[next] <= 0.0) {
+                // From the start of the edge, so that every width of the kernel finds the same bits.
+                let share = q[i] / (q[i] - q[next]);
+                let s = from.s[i] + share * (from.s[next] - from.s[i]);
+                let t = from.t[i] + share * (from.t[next] - from.t[i]);
+                to.push(s, t, if q[i] <= 0.0 { label } else { from.label[i] });
+            }
+        }
+        std::mem::swap(&mut self.polygon, &mut self.spare);
+        self.polygon.len() >= 3
+    }
+}
+
+/// Integrals over a piece, about the foot of its frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Integrals {
+    /// Of the depth, m³.
+    pub depth: f64,
+    /// Of depth times s and t, m⁴.
+    pub depth_first: [f64; 2],
+    /// Of depth times s² + t², m⁵.
+    pub depth_second: f64,
+    /// Area, m².
+    pub area: f64,
+    /// Of s and t, m³.
+    pub area_first: [f64; 2],
+    /// Of s² + t², m⁴.
+    pub area_second: f64,
+}
+
+/// Integrals over a polygon with a depth that is linear in it: exact sums over a fan of triangles from corner 0.
+#[must_use]
+pub fn integrate(polygon: &Polygon) -> Integrals {
+    let mut sum = Integrals::default();
+    let corner = |i: usize| (polygon.s[i], polygon.t[i], polygon.depth[i]);
+    let (s0, t0, p0) = corner(0);
+    for i in 1..polygon.len() - 1 {
+        let ((s1, t1, p1), (s2, t2, p2)) = (corner(i), corner(i + 1));
+        let twice = (s1 - s0) * (t2 - t0) - (s2 - s0) * (t1 - t0);
+        let (sp, ss, st) = (p0 + p1 + p2, s0 + s1 + s2, t0 + t1 + t2);
+        let sps = p0 * s0 + p1 * s1 + p2 * s2;
+        let spt = p0 * t0 + p1 * t1 + p2 * t2;
+        let (q0, q1, q2) = (s0 * s0 + t0 * t0, s1 * s1 + t1 * t1, s2 * s2 + t2 * t2);
+        let sq = q0 + q1 + q2;
+        let spq = p0 * q0 + p1 * q1 + p2 * q2;
+        let squares = ss * ss + st * st;
+        sum.depth += twice * sp / 6.0;
+        sum.depth_first[0] += twice * (sp * ss + sps) / 24.0;
+        sum.depth_first[1] += twice * (sp * st + spt) / 24.0;
+        sum.depth_second +=
+            twice * (sp * squares + 2.0 * (ss * sps + st * spt) + sp * sq + 2.0 * spq) / 120.0;
+        sum.area += 0.5 * twice;
+        sum.area_first[0] += twice * ss / 6.0;
+        sum.area_first[1] += twice * st / 6.0;
+        sum.area_second += twice * (squares + sq) / 24.0;
+    }
+    sum
+}
+
+/// Mean distance of the pressure from the point `at` (plane coordinates), m: `int p |x - at| dS / int p dS`, exact.
+///
+/// Edge by edge: the triangle from the point to an edge at distance h has, with `R² = h² + s²` along the edge,
+/// `int p r dA = h int R (p_c / 3 + (p - p_c) / 4) ds`.
+#[must_use]
+pub fn mean_radius(polygon: &Polygon, at: [f64; 2]) -> f64 {
+    let [w, u, v] = polygon.slope;
+    let centre = w - u * at[0] - v * at[1];
+    let (mut above, mut below) = (0.0, 0.0);
+    let n = polygon.len();
+    for i in 0..n {
+        let next = if i + 1 < n { i + 1 } else { 0 };
+        let (x, y) = (polygon.s[i] - at[0], polygon.t[i] - at[1]);
+        let (dx, dy) = (
+            polygon.s[next] - polygon.s[i],
+            polygon.t[next] - polygon.t[i],
+        );
+        let length = (dx * dx + dy * dy).sqrt();
+        if length <= 0.0 {
+            continue;
+        }
+        let h = (x * dy - y * dx) / length;
+        if h.abs() < THROUGH * length {
+            continue;
+        }
+        let from = (x * dx + y * dy) / length;
+        let to = from + length;
+        let (p, q) = (polygon.depth[i], polygon.depth[next]);
+        let rise = (q - p) / length;
+        let base = p - rise * from;
+        let primitive = |s: f64| {
+            let r = (h * h + s * s).sqrt();
+            let whole = 0.5 * (s * r + h * h * libm::asinh(s / h.abs()));
+            (whole, r * r * r / 3.0)
+        };
+        let ((k0, k1), (l0, l1)) = (primitive(from), primitive(to));
+        let (k0, k1) = (l0 - k0, l1 - k1);
+        above += h * (centre * k0 / 3.0 + ((base - centre) * k0 + rise * k1) / 4.0);
+        below += h * length * (centre / 2.0 + (0.5 * (p + q) - centre) / 3.0);
+    }
+    above / below
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against Gauss points on a fine grid of the unit square: depth 1 + 2 s + 3 t.
+    #[test]
+    fn integrals_of_a_square() {
+        let polygon = Polygon {
+            s: vec![0.0, 1.0, 1.0, 0.0],
+            t: vec![0.0, 0.0, 1.0, 1.0],
+            depth: vec![1.0, 3.0, 6.0, 4.0],
+            label: vec![0; 4],
+            slope: [1.0, -2.0, -3.0],
+        };
+        let i = integrate(&polygon);
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} {b}");
+        near(i.area, 1.0);
+        near(i.area_first[0], 0.5);
+        near(i.area_second, 2.0 / 3.0);
+        near(i.depth, 3.5);
+        near(i.depth_first[0], 0.5 + 2.0 / 3.0 + 0.75);
+        near(i.depth_first[1], 0.5 + 0.5 + 1.0);
+        // int (1 + 2s + 3t)(s^2 + t^2): 2/3 + 2 (1/4 + 1/6) + 3 (1/6 + 1/4).
+        near(i.depth_second, 2.0 / 3.0 + 5.0 * 5.0 / 12.0);
+    }
+
+    /// Under uniform pressure, rectangles 1:1, 2:1 and 10:1 over their radius of gyration.
+    #[test]
+    fn mean_radius_of_rectangles() {
+        for (a, exact) in [(1.0, 0.9372), (2.0, 0.9190), (10.0, 0.8727)] {
+            let polygon = Polygon {
+                s: vec![0.0, a, a, 0.0],
+                t: vec![0.0, 0.0, 1.0, 1.0],
+                depth: vec![1.0; 4],
+                label: vec![0; 4],
+                slope: [1.0, 0.0, 0.0],
+            };
+            let gyration = ((a * a + 1.0) / 12.0).sqrt();
+            let ratio = mean_radius(&polygon, [0.5 * a, 0.5]) / gyration;
+            assert!((ratio - exact).abs() < 5e-5, "{ratio}");
+        }
+    }
+
+    /// A pressure that grows along the rectangle, against a sum over small squares.
+    #[test]
+    fn mean_radius_under_a_slope() {
+        let polygon = Polygon {
+            s: vec![0.0, 2.0, 2.0, 0.0],
+            t: vec![0.0, 0.0, 1.0, 1.0],
+            depth: vec![1.0, 7.0, 7.0, 1.0],
+            label: vec![0; 4],
+            slope: [1.0, -3.0, 0.0],
+        };
+        let (mut above, mut below) = (0.0, 0.0);
+        let n = 400;
+        for i in 0..2 * n {
+            for k in 0..n {
+                let (s, t) = (
+                    (f64::from(i) + 0.5) / f64::from(n),
+                    (f64::from(k) + 0.5) / f64::from(n),
+                );
+                let p = 1.0 + 3.0 * s;
+                above += p * ((s - 1.2) * (s - 1.2) + (t - 0.4) * (t - 0.4)).sqrt();
+                below += p;
+            }
+        }
+        let found = mean_radius(&polygon, [1.2, 0.4]);
+        assert!(
+            (found - above / below).abs() < 1e-5,
+            "{found} {}",
+            above / below
+        );
+    }
+}

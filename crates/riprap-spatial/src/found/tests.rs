@@ -1,0 +1,253 @@
+//! The law against closed forms, against all pairs of all faces, and along closed paths.
+
+use riprap_geom::{Quat, Vec3};
+
+use super::kit::{Chance, KINDS, Placed, overlapping};
+use super::piece::{Cutter, Frame, integrate};
+use super::planes::{Planes, origin};
+use super::{Pose, Shape, Sums, Walker};
+
+/// Depth integral with normal, moment and weight over all pieces of all pairs of faces, with no lists and no walk.
+fn brute(placed: &Placed) -> (Vec3, Vec3, f64) {
+    let [a, b] = placed.bodies();
+    let mut planes = Planes::default();
+    planes.gather_all([&a, &b], origin(&a, &b));
+    let radius = a.shape.radius.min(b.shape.radius);
+    let mut cutter = Cutter::default();
+    let (mut force, mut moment, mut weight) = (Vec3::ZERO, Vec3::ZERO, 0.0);
+    for f in 0..planes.split {
+        for g in planes.split..planes.len() {
+            let Some(frame) = Frame::between(&planes, f, g, radius) else {
+                continue;
+            };
+            if !cutter.make(&planes, &frame, [f, g], radius, |_| false) {
+                continue;
+            }
+            let i = integrate(&cutter.polygon);
+            let [e, h] = frame.axes;
+            let first = frame.foot * i.depth + e * i.depth_first[0] + h * i.depth_first[1];
+            force += i.depth * frame.normal;
+            moment += first.cross(frame.normal);
+            weight += i.depth;
+        }
+    }
+    (force, moment, weight)
+}
+
+#[test]
+fn the_walk_finds_what_all_pairs_of_faces_find() {
+    let mut walker = Walker::default();
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        let mut chance = Chance::new(seed as u64 + 1);
+        let mut pieces = 0;
+        for _ in 0..1500 {
+            let depth = 0.0005 * 60.0_f64.powf(chance.unit());
+            let (shapes, poses) = overlapping(kind, depth, &mut chance);
+            let placed = Placed::new([&shapes[0], &shapes[1]], poses);
+            let sums = placed.touch(&mut walker);
+            let (force, moment, weight) = brute(&placed);
+            let scale = weight * shapes[0].radius;
+            assert!((sums.weight - weight).abs() < 1e-11 * weight, "{kind:?}");
+            assert!((sums.force - force).length() < 1e-11 * weight, "{kind:?}");
+            assert!((sums.moment - moment).length() < 1e-11 * scale, "{kind:?}");
+            assert_eq!(sums.unlabelled, 0);
+            pieces += sums.pieces;
+        }
+        println!("{kind:?}: {:.2} pieces a pair", f64::from(pieces) / 1500.0);
+    }
+}
+
+fn brick(x: f64, y: f64, z: f64) -> Shape {
+    Shape::brick(0.5 * Vec3::new(x, y, z)).unwrap()
+}
+
+/// Sums of a pair of which the first lies still at the origin.
+fn pressed(a: &Shape, b: &Shape, position: Vec3, rotation: Quat) -> Sums {
+    let poses = [Pose::at(Vec3::ZERO), Pose { position, rotation }];
+    Placed::new([a, b], poses).touch(&mut Walker::default())
+}
+
+fn near(found: f64, exact: f64, relative: f64) {
+    assert!(
+        (found - exact).abs() <= relative * exact.abs(),
+        "{found:e} instead of {exact:e}"
+    );
+}
+
+const DEPTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+
+/// Force over kn is twice the integral of the depth along the normal.
+#[test]
+fn rectangle_on_a_face() {
+    let floor = brick(4.0, 4.0, 1.0);
+    for (a, b) in [(1.0, 0.7), (0.8, 0.8), (2.0, 0.3)] {
+        for d in DEPTHS {
+            let at = Vec3::new(0.3, -0.2, 1.0 - d);
+            let sums = pressed(&floor, &brick(a, b, 1.0), at, Quat::from_rotation_z(0.4));
+            let exact = a * b * d - (a + b) * d * d / 2.0 + d * d * d / 3.0;
+            near(2.0 * sums.force.z, exact, 1e-9);
+            assert!(sums.force.truncate().length() < 1e-13);
+            near(sums.vector_area.z, a * b, 1e-9);
+            near(sums.depth, d, 1e-9);
+        }
+    }
+}
+
+#[test]
+fn equal_faces() {
+    let block = brick(1.0, 0.7, 1.0);
+    for d in DEPTHS {
+        let sums = pressed(&block, &block, Vec3::new(0.0, 0.0, 1.0 - d), Quat::IDENTITY);
+        near(
+            2.0 * sums.force.z,
+            0.7 * d - 1.7 * d * d / 2.0 + d * d * d / 3.0,
+            1e-9,
+        );
+        assert!(sums.force.truncate().length() < 1e-14);
+    }
+}
+
+#[test]
+fn right_angled_edge_on_a_face() {
+    let floor = brick(4.0, 4.0, 1.0);
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    for d in DEPTHS {
+        let at = Vec3::new(0.0, 0.0, 0.5 + half - d);
+        let sums = pressed(
+            &floor,
+            &brick(1.0, 1.0, 1.0),
+            at,
+            Quat::from_rotation_x(std::f64::consts::FRAC_PI_4),
+        );
+        let (tan, rho) = (1.0, half / (1.0 + half));
+        let exact = 2.0 * rho * tan * d * d - 4.0 / 3.0 * rho * rho * tan * d * d * d;
+        near(2.0 * sums.force.z, exact, 1e-9);
+    }
+}
+
+#[test]
+fn corner_of_a_cube_on_a_face() {
+    let floor = brick(4.0, 4.0, 1.0);
+    let upright = Quat::from_rotation_arc(Vec3::ONE.normalize(), Vec3::Z);
+    for d in DEPTHS {
+        let at = Vec3::new(0.1, 0.2, 0.5 + 0.75_f64.sqrt() - d);
+        let sums = pressed(&floor, &brick(1.0, 1.0, 1.0), at, upright);
+        near(
+            2.0 * sums.force.z,
+            (3.0 - 3.0_f64.sqrt()) / 2.0 * d * d * d,
+            1e-9,
+        );
+        near(
+            sums.vector_area.length(),
+            0.75 * 12.0_f64.sqrt() * d * d,
+            1e-9,
+        );
+    }
+}
+
+#[test]
+fn crossed_right_angled_edges() {
+    let block = brick(2.0, 2.0, 2.0);
+    let tilt = Quat::from_rotation_x(std::f64::consts::FRAC_PI_4);
+    let across = Quat::from_rotation_z(std::f64::consts::FRAC_PI_2) * tilt;
+    for d in DEPTHS {
+        let poses = [
+            Pose {
+                position: Vec3::ZERO,
+                rotation: tilt,
+            },
+            Pose {
+                position: Vec3::new(0.0, 0.0, 8.0_f64.sqrt() - d),
+                rotation: across,
+            },
+        ];
+        let sums = Placed::new([&block, &block], poses).touch(&mut Walker::default());
+        near(2.0 * sums.force.z, 2.0_f64.sqrt() / 3.0 * d * d * d, 1e-9);
+        near(sums.vector_area.length(), 2.0 * d * d, 1e-9);
+    }
+}
+
+/// A thin slab pushes back until it is pressed in to its whole thickness.
+#[test]
+fn thin_slab() {
+    let (floor, slab) = (brick(4.0, 4.0, 2.0), brick(1.0, 1.0, 0.05));
+    for share in [0.1, 0.25, 0.5, 0.6, 0.8, 0.9, 0.999] {
+        let d = 0.05 * share;
+        let at = Vec3::new(0.0, 0.0, 1.025 - d);
+        let sums = pressed(&floor, &slab, at, Quat::IDENTITY);
+        let ratio = 2.0 * sums.force.z / d;
+        assert!(ratio > 0.94 && ratio < 1.0, "{ratio} at {share}");
+    }
+}
+
+#[test]
+fn far_apart_sizes_lose_no_digits() {
+    let small = brick(1.0, 1.0, 1.0);
+    for (size, allowed) in [(20.0, 1e-8), (2000.0, 1e-6), (20_000.0, 1e-5)] {
+        let d = 1e-6;
+        let large = brick(size, size, size);
+        let at = Vec3::new(0.13 * size, -0.27 * size, 0.5 * size + 0.5 - d);
+        let sums = pressed(&large, &small, at, Quat::IDENTITY);
+        near(2.0 * sums.force.z, d - d * d, allowed);
+    }
+}
+
+#[test]
+fn exchanged_blocks_feel_opposite_forces() {
+    let mut walker = Walker::default();
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        let mut chance = Chance::new(seed as u64 + 20);
+        for _ in 0..100 {
+            let (shapes, poses) = overlapping(kind, 0.01, &mut chance);
+            let sums = Placed::new([&shapes[0], &shapes[1]], poses).touch(&mut walker);
+            let other =
+                Placed::new([&shapes[1], &shapes[0]], [poses[1], poses[0]]).touch(&mut walker);
+            // Round-off of a coordinate on the whole surface.
+            let allowed = 1e-14 * sums.area;
+            assert!((sums.force + other.force).length() < allowed);
+            assert!((sums.moment + other.moment).length() < allowed);
+        }
+    }
+}
+
+/// Work of the elastic wrench round closed paths in all six freedoms: none, to the error of the quadrature.
+#[test]
+fn no_work_is_done_round_closed_paths() {
+    let mut walker = Walker::default();
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        let mut chance = Chance::new(seed as u64 + 40);
+        for _ in 0..6 {
+            let (shapes, poses) = overlapping(kind, 0.02, &mut chance);
+            let amplitude: Vec<f64> = (0..12).map(|_| chance.between(-0.004, 0.004)).collect();
+            let (mut sum, mut size) = (0.0, 0.0);
+            let intervals = 2000;
+            let step = std::f64::consts::TAU / f64::from(intervals);
+            for n in 0..intervals {
+                for gauss in [-0.5, 0.5] {
+                    let tau = (f64::from(n) + 0.5 + gauss / 3.0_f64.sqrt()) * step;
+                    let (s, c) = libm::sincos(tau);
+                    let at = |k: usize| amplitude[k] * (c - 1.0) + amplitude[k + 6] * s;
+                    let rate = |k: usize| -amplitude[k] * s + amplitude[k + 6] * c;
+                    let [rx, ry] = [Quat::from_rotation_x(at(3)), Quat::from_rotation_y(at(4))];
+                    let rotation = rx * ry * Quat::from_rotation_z(at(5)) * poses[1].rotation;
+                    let spin = rate(3) * Vec3::X
+                        + rx * (rate(4) * Vec3::Y)
+                        + rx * (ry * (rate(5) * Vec3::Z));
+                    let position = poses[1].position + Vec3::new(at(0), at(1), at(2));
+                    let moved = [poses[0], Pose { position, rotation }];
+                    let placed = Placed::new([&shapes[0], &shapes[1]], moved);
+                    let super::Found::Touching(sums) = placed.find_all(&mut walker) else {
+                        continue;
+                    };
+                    let moment = sums.moment + (placed.origin() - position).cross(sums.force);
+                    let work =
+                        sums.force.dot(Vec3::new(rate(0), rate(1), rate(2))) + moment.dot(spin);
+                    sum += work;
+                    size += work.abs();
+                }
+            }
+            assert!(size > 0.0);
+            assert!(sum.abs() < 1e-9 * size, "{kind:?}: {:e}", sum.abs() / size);
+        }
+    }
+}
