@@ -4,6 +4,7 @@
 //! partial sums are added in chunk order, so that results are the same bits for any thread count.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 
@@ -121,6 +122,48 @@ impl Exec {
                 pool.install(|| split(0, a, b, first, partials, &f, true));
             }
             _ => split(0, a, b, first, partials, &f, false),
+        }
+    }
+
+    /// Calls `f(first_index, chunk)` for each chunk of a slice.
+    pub fn chunks<A: Send>(&self, items: &mut [A], f: impl Fn(usize, &mut [A]) + Sync) {
+        match &self.pool {
+            Some(pool) if items.len() > CHUNK => pool.install(|| {
+                items
+                    .par_chunks_mut(CHUNK)
+                    .enumerate()
+                    .for_each(|(k, chunk)| f(k * CHUNK, chunk));
+            }),
+            _ => items
+                .chunks_mut(CHUNK)
+                .enumerate()
+                .for_each(|(k, chunk)| f(k * CHUNK, chunk)),
+        }
+    }
+
+    /// Calls `f(items, partial)` for the runs of [`CHUNK`] of `count` items, with one `partial` per run.
+    ///
+    /// # Panics
+    /// When there are fewer partials than runs.
+    pub fn ranges<P: Send>(
+        &self,
+        count: usize,
+        partials: &mut [P],
+        f: impl Fn(Range<usize>, &mut P) + Sync,
+    ) {
+        let partials = &mut partials[..count.div_ceil(CHUNK)];
+        let range = |k: usize| k * CHUNK..count.min((k + 1) * CHUNK);
+        match &self.pool {
+            Some(pool) if count > CHUNK => pool.install(|| {
+                partials
+                    .par_iter_mut()
+                    .enumerate()
+                    .for_each(|(k, p)| f(range(k), p));
+            }),
+            _ => partials
+                .iter_mut()
+                .enumerate()
+                .for_each(|(k, p)| f(range(k), p)),
         }
     }
 

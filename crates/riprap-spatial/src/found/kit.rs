@@ -30,6 +30,11 @@ impl Chance {
         low + (high - low) * self.unit()
     }
 
+    /// A whole number from 0 to `n - 1`.
+    pub fn below(&mut self, n: usize) -> usize {
+        ((self.unit() * n as f64) as usize).min(n - 1)
+    }
+
     pub fn direction(&mut self) -> Vec3 {
         loop {
             let v = Vec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - Vec3::ONE;

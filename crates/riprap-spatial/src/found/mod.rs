@@ -6,21 +6,26 @@
 //! Only planes are needed: no overlap polyhedron is ever made.
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
-//! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow.
+//! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow;
+//! `search` and `grid` know which pairs can touch before the next look, and with which faces.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
 pub mod friction;
+pub mod grid;
 pub mod peak;
 pub mod piece;
 pub mod planes;
+pub mod search;
 pub mod shape;
 pub mod surface;
 
 pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
+pub use grid::Role;
 pub use peak::{Peak, peak};
 pub use planes::Planes;
+pub use search::{Blocks, Candidate, Candidates, Search};
 pub use shape::{Body, Pose, Shape, ShapeError, turn};
 pub use surface::{Found, Pair, Sums, Walker};
 

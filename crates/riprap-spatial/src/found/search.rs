@@ -1,0 +1,383 @@
+//! Which pairs of blocks can touch, and with which of their faces: the candidate list.
+//!
+//! The list is a function of [`Search`] alone (poses and margins at the last rebuild), so that it can be dropped and made
+//! again at any time. It holds while no point of any block has moved by more than the block's margin. Then
+//!
+//! - a pair whose distance was more than the sum `m` of its two margins cannot touch: it is no candidate;
+//! - a face that lay wholly beyond a plane of the other block by more than `m` cannot touch the overlap: a point of it
+//!   that is in the other block now was within `m` of the same point of that block then. Such a face is left out. The
+//!   ball about a point of the overlap that reaches to the nearest plane lies in the overlap and touches that plane there,
+//!   so a face that does not touch the overlap is nearest nowhere in it, and leaving it out changes no depth. Provided
+//!   that **all** listed faces cut: faces that are no neighbours in the whole block can be neighbours once the one
+//!   between them is left out.
+//!
+//! This says nothing of blocks that are apart: their listed planes alone can have a point in common far away from both.
+//! Whether two blocks touch is asked of all their planes ([`super::peak`]).
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use super::grid::{Box3, Grid, Role};
+use super::peak::{Peak, peak};
+use super::planes::{self, Planes};
+use super::shape::{Body, Pose, Shape, turn};
+use crate::exec::{CHUNK, Exec};
+
+/// Margin of a block over its size (the smaller of its radius and twice the median radius).
+const MARGIN: f64 = 0.04;
+/// Margin of the fastest blocks over their size.
+const FAST_MARGIN: f64 = 0.4;
+/// Faces are left out beyond this times the sum of the margins: more than 1, so that blocks that have just parted are
+/// still judged rightly by the faces listed.
+const REACH: f64 = 1.5;
+/// Faces that are parallel within this (difference of the normals) at least are looked at for ties.
+const PARALLEL: f64 = 1e-2;
+/// What rounding may add to a way travelled.
+const ROUNDING: f64 = 1e-9;
+
+/// Blocks as the search sees them.
+#[derive(Clone, Copy, Debug)]
+pub struct Blocks<'a> {
+    /// Shapes, shared by equal blocks.
+    pub shapes: &'a [Shape],
+    /// Index into `shapes`, per block.
+    pub shape: &'a [u32],
+    /// Who can meet whom, per block.
+    pub roles: &'a [Role],
+}
+
+impl<'a> Blocks<'a> {
+    /// Shape of block `b`.
+    #[must_use]
+    pub fn shape(&self, b: usize) -> &'a Shape {
+        &self.shapes[self.shape[b] as usize]
+    }
+}
+
+/// What the candidate list is made of; state, kept in checkpoints.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Search {
+    /// Poses at the last rebuild.
+    pub pose: Vec<Pose>,
+    /// How far a point of each block may move until the next rebuild, m.
+    pub margin: Vec<f64>,
+}
+
+impl Search {
+    /// Takes over the present poses. `speed` bounds the speed of the points of a block (m/s); the margin of a block grows
+    /// with the way that it will go in `lookahead` (s), within bounds, so that one fast block does not force all others to
+    /// be looked at anew every few steps.
+    pub fn renew(
+        &mut self,
+        blocks: &Blocks,
+        pose: impl Fn(usize) -> Pose,
+        speed: impl Fn(usize) -> f64,
+        lookahead: f64,
+    ) {
+        let count = blocks.roles.len();
+        let mut radii: Vec<f64> = (0..count)
+            .filter(|&b| blocks.roles[b] != Role::Absent)
+            .map(|b| blocks.shape(b).radius)
+            .collect();
+        let middle = radii.len() / 2;
+        let median = if radii.is_empty() {
+            0.0
+        } else {
+            *radii.select_nth_unstable_by(middle, f64::total_cmp).1
+        };
+        self.pose.clear();
+        self.pose.extend((0..count).map(pose));
+        self.margin.clear();
+        self.margin.extend((0..count).map(|b| {
+            let size = blocks.shape(b).radius.min(2.0 * median);
+            (speed(b) * lookahead)
+                .min(FAST_MARGIN * size)
+                .max(MARGIN * size)
+        }));
+    }
+
+    /// Whether block `b` at `pose` has left its margin.
+    #[must_use]
+    pub fn left(&self, b: usize, radius: f64, pose: &Pose) -> bool {
+        let way = moved(&self.pose[b], pose, radius);
+        way > self.margin[b] || way.is_nan()
+    }
+}
+
+/// Bound of the way between two poses for the points of a block of this radius (m), m.
+///
+/// A turn by the angle a changes the quaternion by 2 sin(a/4) and moves a point at the radius by 2 R sin(a/2).
+#[must_use]
+pub fn moved(from: &Pose, to: &Pose, radius: f64) -> f64 {
+    let turned = (to.rotation - from.rotation)
+        .length_squared()
+        .min((to.rotation + from.rotation).length_squared());
+    (to.position - from.position).length() + 2.0 * turned.sqrt() * radius
+}
+
+/// A pair that can touch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Candidate {
+    /// First block; the smaller number.
+    pub i: u32,
+    /// Second block.
+    pub j: u32,
+    /// Numbers of listed faces of both.
+    counts: [u16; 2],
+    start: usize,
+    /// Whether a face of one can become coplanar with one of the other that looks the same way.
+    pub ties: bool,
+}
+
+impl Candidate {
+    /// The faces of `i` and of `j` that can take part, ascending.
+    #[must_use]
+    pub fn faces<'a>(&self, lists: &'a [u16]) -> [&'a [u16]; 2] {
+        let [m, n] = self.counts.map(usize::from);
+        let (of_i, rest) = lists[self.start..].split_at(m);
+        [of_i, &rest[..n]]
+    }
+}
+
+/// The candidate list; scratch that keeps its room.
+#[derive(Clone, Debug, Default)]
+pub struct Candidates {
+    /// Pairs that can touch, sorted by (i, j).
+    pub pairs: Vec<Candidate>,
+    /// Faces of all pairs.
+    pub lists: Vec<u16>,
+    /// Way that the points of each block have gone at most since the list was made, m.
+    pub travelled: Vec<f64>,
+    /// Per pair: while the ways of both together are not above this, it cannot touch, m.
+    pub asleep_until: Vec<f64>,
+    grid: Grid,
+    boxes: Vec<Box3>,
+    room: Vec<Room>,
+    outside: Vec<bool>,
+}
+
+impl Candidates {
+    /// Makes the list from `search`. `excluded(i, j)` rules pairs out, e.g. those that a living patch joins.
+    pub fn rebuild(
+        &mut self,
+        blocks: &Blocks,
+        search: &Search,
+        excluded: impl Fn(u32, u32) -> bool + Sync,
+        exec: &Exec,
+    ) {
+        self.find_boxes(blocks, search, exec);
+        let close = self
+            .grid
+            .close_pairs(&self.boxes, blocks.roles, excluded, exec);
+        let runs = close.len().div_ceil(CHUNK);
+        if self.room.len() < runs {
+            self.room.resize_with(runs, Room::default);
+        }
+        exec.ranges(close.len(), &mut self.room, |range, room| {
+            room.pairs.clear();
+            room.lists.clear();
+            for &[i, j] in &close[range] {
+                room.add(blocks, search, i, j);
+            }
+        });
+        self.pairs.clear();
+        self.lists.clear();
+        for room in &self.room[..runs] {
+            let start = self.lists.len();
+            self.pairs.extend(room.pairs.iter().map(|pair| Candidate {
+                start: start + pair.start,
+                ..*pair
+            }));
+            self.lists.extend_from_slice(&room.lists);
+        }
+        self.travelled.clear();
+        self.travelled.resize(blocks.roles.len(), 0.0);
+        self.asleep_until.clear();
+        self.asleep_until
+            .resize(self.pairs.len(), f64::NEG_INFINITY);
+    }
+
+    /// Whether a block has left its margin, so that poses must be taken over and the list made anew.
+    pub fn outdated(
+        &mut self,
+        blocks: &Blocks,
+        search: &Search,
+        pose: impl Fn(usize) -> Pose + Sync,
+        exec: &Exec,
+    ) -> bool {
+        let count = blocks.roles.len();
+        if search.pose.len() != count {
+            return true;
+        }
+        self.outside.resize(count.div_ceil(CHUNK), false);
+        exec.ranges(count, &mut self.outside, |mut range, outside| {
+            *outside = range.any(|b| {
+                blocks.roles[b] != Role::Absent && search.left(b, blocks.shape(b).radius, &pose(b))
+            });
+        });
+        self.outside.contains(&true)
+    }
+
+    /// Whether pair `k` has been found apart and has not gone far enough since to touch.
+    #[must_use]
+    pub fn asleep(&self, k: usize) -> bool {
+        let pair = &self.pairs[k];
+        self.travelled[pair.i as usize] + self.travelled[pair.j as usize] <= self.asleep_until[k]
+    }
+
+    /// Up to which sum of ways a pair that is apart by `gap` (m) now cannot touch, for `asleep_until`.
+    #[must_use]
+    pub fn sleep(&self, pair: &Candidate, gap: f64) -> f64 {
+        let way = self.travelled[pair.i as usize] + self.travelled[pair.j as usize];
+        way + gap - ROUNDING * (way + gap)
+    }
+
+    /// The states of the pairs in `self`, in their order, from those of the last list (sorted by pair). Pairs that are new
+    /// get `fresh`; states of pairs that are no longer here go to `lost`.
+    pub fn carry<S>(
+        &self,
+        old: impl IntoIterator<Item = ([u32; 2], S)>,
+        fresh: impl Fn(&Candidate) -> S,
+        mut lost: impl FnMut([u32; 2], S),
+    ) -> Vec<S> {
+        let mut old = old.into_iter().peekable();
+        let mut states = Vec::with_capacity(self.pairs.len());
+        for pair in &self.pairs {
+            let key = [pair.i, pair.j];
+            while let Some((gone, state)) = old.next_if(|(other, _)| *other < key) {
+                lost(gone, state);
+            }
+            states.push(match old.next_if(|(other, _)| *other == key) {
+                Some((_, state)) => state,
+                None => fresh(pair),
+            });
+        }
+        old.for_each(|(gone, state)| lost(gone, state));
+        states
+    }
+
+    /// Boxes of all blocks, grown by their margins.
+    fn find_boxes(&mut self, blocks: &Blocks, search: &Search, exec: &Exec) {
+        let count = blocks.roles.len();
+        self.boxes.resize(count, Box3::EMPTY);
+        exec.chunks(&mut self.boxes, |first, boxes| {
+            for (b, grown) in (first..).zip(boxes) {
+                *grown = match blocks.roles[b] {
+                    Role::Absent => Box3::EMPTY,
+                    Role::Target | Role::Seeker => {
+                        grown_box(blocks.shape(b), &search.pose[b], search.margin[b])
+                    }
+                };
+            }
+        });
+    }
+}
+
+/// Box of a block at a pose, grown by its margin.
+fn grown_box(shape: &Shape, pose: &Pose, margin: f64) -> Box3 {
+    let turn = riprap_geom::Mat3::from_quat(pose.rotation);
+    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    for vertex in &shape.vertices {
+        let at = turn * *vertex;
+        low = low.min(at);
+        high = high.max(at);
+    }
+    let grow = Vec3::splat(margin);
+    Box3 {
+        low: pose.position + (low - grow),
+        high: pose.position + (high + grow),
+    }
+}
+
+/// Workspace of a run of pairs, and what it found.
+#[derive(Clone, Debug, Default)]
+struct Room {
+    normals: [Vec<Vec3>; 2],
+    planes: Planes,
+    /// Corners of each block about the origin of the pair, m.
+    corners: [Vec<Vec3>; 2],
+    /// How far each corner of a block is beyond each plane of the other, m; planes of the other, then corners.
+    beyond: Vec<f64>,
+    pairs: Vec<Candidate>,
+    lists: Vec<u16>,
+}
+
+impl Room {
+    /// Adds the pair if it can touch.
+    fn add(&mut self, blocks: &Blocks, search: &Search, i: u32, j: u32) {
+        let ends = [i as usize, j as usize];
+        let margins = ends.map(|b| search.margin[b]);
+        let gap = margins[0] + margins[1];
+        let shapes = ends.map(|b| blocks.shape(b));
+        let turns = [0, 1].map(|s: usize| {
+            self.normals[s].clear();
+            turn(
+                shapes[s],
+                search.pose[ends[s]].rotation,
+                &mut self.normals[s],
+            )
+        });
+        let bodies = [0, 1].map(|s: usize| Body {
+            shape: shapes[s],
+            normals: &self.normals[s],
+            turn: turns[s],
+            position: search.pose[ends[s]].position,
+        });
+        let origin = planes::origin(&bodies[0], &bodies[1]);
+        self.planes.gather_all([&bodies[0], &bodies[1]], origin);
+        for (body, corners) in bodies.iter().zip(&mut self.corners) {
+            let shift = body.position - origin;
+            corners.clear();
+            corners.extend(body.shape.vertices.iter().map(|v| body.turn * *v + shift));
+        }
+        let far = 4.0 * (shapes[0].radius + shapes[1].radius);
+        if matches!(peak(&self.planes, far), Peak::Apart { gap: found, .. } if found > gap) {
+            return;
+        }
+        let start = self.lists.len();
+        self.list(0, shapes[0], REACH * gap);
+        let middle = self.lists.len();
+        self.list(1, shapes[1], REACH * gap);
+        let counts = [middle - start, self.lists.len() - middle].map(|n| n as u16);
+        // No more than this can the blocks turn against each other before the next rebuild.
+        let turning = margins[0] / shapes[0].radius + margins[1] / shapes[1].radius;
+        let parallel = turning.max(PARALLEL);
+        let (of_i, of_j) = self.lists[start..].split_at(middle - start);
+        let ties = of_i.iter().any(|&f| {
+            let n = self.normals[0][f as usize];
+            let near = |&g: &u16| (self.normals[1][g as usize] - n).length_squared();
+            of_j.iter().any(|g| near(g) < parallel * parallel)
+        });
+        self.pairs.push(Candidate {
+            i,
+            j,
+            counts,
+            start,
+            ties,
+        });
+    }
+
+    /// Appends the faces of block `side` that no plane of the other block has wholly beyond it by more than `reach`.
+    fn list(&mut self, side: usize, shape: &Shape, reach: f64) {
+        let planes = match side {
+            0 => self.planes.split..self.planes.len(),
+            _ => 0..self.planes.split,
+        };
+        let corners = &self.corners[side];
+        self.beyond.clear();
+        for k in planes {
+            let (n, d) = (self.planes.normal(k), self.planes.d[k]);
+            self.beyond.extend(corners.iter().map(|v| n.dot(*v) - d));
+        }
+        for face in 0..shape.faces() {
+            let outline = shape.outline(face);
+            let wholly = |row: &[f64]| outline.iter().all(|&v| row[v as usize] > reach);
+            if !self.beyond.chunks(corners.len()).any(wholly) {
+                self.lists.push(face as u16);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
