@@ -6,8 +6,8 @@
 mod bench;
 mod browser;
 mod licences;
+mod modules;
 mod python;
-mod rooms;
 mod shell;
 mod source_tree;
 mod steps;
@@ -29,13 +29,14 @@ Tasks:
   verify-all [SCENE]...
                    run every scene, the long ones too, and write docs/src/verification.md;
                    with names: run these and replace their rows
+  arrows CRATE     print each module of a crate with the modules it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   wheel            build the Python package: a release wheel in target/wheels
   docs             build the API documentation (and the book, where mdbook is installed)
 
 Examples:
   cargo xtask test
-  cargo xtask test rooms fmt clippy
+  cargo xtask test modules fmt clippy
 ";
 
 fn main() -> ExitCode {
@@ -51,6 +52,13 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         ["verify-all", scenes @ ..] => verify::all(&root, scenes),
+        ["arrows", name] => match modules::print_arrows(&root, name) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(why) => {
+                eprintln!("{why}");
+                ExitCode::FAILURE
+            }
+        },
         ["bench"] => bench::run(&root),
         ["wheel"] => match python::wheel(&root) {
             Ok(path) => {

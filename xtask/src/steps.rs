@@ -5,7 +5,7 @@ use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use crate::shell::{Counts, cargo};
-use crate::{browser, licences, python, rooms, shell, tidy, verify, vtk};
+use crate::{browser, licences, modules, python, shell, tidy, verify, vtk};
 
 /// How a step ended, if it could run at all.
 pub enum Outcome {
@@ -25,9 +25,9 @@ pub struct Step {
 /// All steps.
 pub const STEPS: &[Step] = &[
     Step {
-        name: "rooms",
-        about: "who may use whom in crates/riprap/src",
-        run: rooms_step,
+        name: "modules",
+        about: "which crate uses which, circles of modules, forbidden words",
+        run: modules_step,
     },
     Step {
         name: "tidy",
@@ -165,8 +165,8 @@ fn one_check(failures: u64) -> Outcome {
     })
 }
 
-fn rooms_step(root: &Path) -> Result<Outcome, String> {
-    rooms::check(root).map(one_check)
+fn modules_step(root: &Path) -> Result<Outcome, String> {
+    modules::check(root).map(one_check)
 }
 
 fn tidy_step(root: &Path) -> Result<Outcome, String> {
