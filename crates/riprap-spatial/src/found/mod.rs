@@ -7,13 +7,14 @@
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
 //! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow;
-//! `search` and `grid` know which pairs can touch before the next look, and with which faces.
+//! `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
 pub mod friction;
 pub mod grid;
+pub mod limits;
 pub mod peak;
 pub mod piece;
 pub mod planes;

@@ -96,10 +96,10 @@ impl Search {
         }));
     }
 
-    /// Whether block `b` at `pose` has left its margin.
+    /// Whether block `b` at `pose` will have left its margin when it has gone the way `next` (m) further.
     #[must_use]
-    pub fn left(&self, b: usize, radius: f64, pose: &Pose) -> bool {
-        let way = moved(&self.pose[b], pose, radius);
+    pub fn leaves(&self, b: usize, radius: f64, pose: &Pose, next: f64) -> bool {
+        let way = moved(&self.pose[b], pose, radius) + next;
         way > self.margin[b] || way.is_nan()
     }
 }
@@ -116,7 +116,7 @@ pub fn moved(from: &Pose, to: &Pose, radius: f64) -> f64 {
 }
 
 /// A pair that can touch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// First block; the smaller number.
     pub i: u32,
@@ -127,6 +127,8 @@ pub struct Candidate {
     start: usize,
     /// Whether a face of one can become coplanar with one of the other that looks the same way.
     pub ties: bool,
+    /// Bound of the area that the contact can have before the list is made anew, across its normal, m².
+    pub area: f64,
 }
 
 impl Candidate {
@@ -146,6 +148,8 @@ pub struct Candidates {
     pub pairs: Vec<Candidate>,
     /// Faces of all pairs.
     pub lists: Vec<u16>,
+    /// The smallest inradius of each block and of those that it can touch, m.
+    pub reach: Vec<f64>,
     /// Way that the points of each block have gone at most since the list was made, m.
     pub travelled: Vec<f64>,
     /// Per pair: while the ways of both together are not above this, it cannot touch, m.
@@ -166,9 +170,8 @@ impl Candidates {
         exec: &Exec,
     ) {
         self.find_boxes(blocks, search, exec);
-        let close = self
-            .grid
-            .close_pairs(&self.boxes, blocks.roles, excluded, exec);
+        let boxes = &self.boxes;
+        let close = self.grid.close_pairs(boxes, blocks.roles, excluded, exec);
         let runs = close.len().div_ceil(CHUNK);
         if self.room.len() < runs {
             self.room.resize_with(runs, Room::default);
@@ -176,8 +179,8 @@ impl Candidates {
         exec.ranges(close.len(), &mut self.room, |range, room| {
             room.pairs.clear();
             room.lists.clear();
-            for &[i, j] in &close[range] {
-                room.add(blocks, search, i, j);
+            for &pair in &close[range] {
+                room.add(blocks, search, pair.map(|b| &boxes[b as usize]), pair);
             }
         });
         self.pairs.clear();
@@ -190,6 +193,16 @@ impl Candidates {
             }));
             self.lists.extend_from_slice(&room.lists);
         }
+        self.reach.clear();
+        self.reach
+            .extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
+        for pair in &self.pairs {
+            let ends = [pair.i, pair.j].map(|b| b as usize);
+            let reach = ends.map(|b| blocks.shape(b).inradius);
+            for b in ends {
+                self.reach[b] = self.reach[b].min(reach[0]).min(reach[1]);
+            }
+        }
         self.travelled.clear();
         self.travelled.resize(blocks.roles.len(), 0.0);
         self.asleep_until.clear();
@@ -197,12 +210,22 @@ impl Candidates {
             .resize(self.pairs.len(), f64::NEG_INFINITY);
     }
 
-    /// Whether a block has left its margin, so that poses must be taken over and the list made anew.
+    /// The common part of the boxes of a pair, each grown by its margin: all that they can share before the list is made
+    /// anew lies there. `None` if there is none, by round-off.
+    #[must_use]
+    pub fn common_box(&self, pair: &Candidate) -> Option<Box3> {
+        common(&self.boxes[pair.i as usize], &self.boxes[pair.j as usize])
+    }
+
+    /// Whether a block has left its margin or will in the coming step, so that poses must be taken over and the list made
+    /// anew. `next` bounds the way of the points of a block in that step, m: so the list names whoever it may run into
+    /// before it does.
     pub fn outdated(
         &mut self,
         blocks: &Blocks,
         search: &Search,
         pose: impl Fn(usize) -> Pose + Sync,
+        next: impl Fn(usize) -> f64 + Sync,
         exec: &Exec,
     ) -> bool {
         let count = blocks.roles.len();
@@ -212,7 +235,8 @@ impl Candidates {
         self.outside.resize(count.div_ceil(CHUNK), false);
         exec.ranges(count, &mut self.outside, |mut range, outside| {
             *outside = range.any(|b| {
-                blocks.roles[b] != Role::Absent && search.left(b, blocks.shape(b).radius, &pose(b))
+                blocks.roles[b] != Role::Absent
+                    && search.leaves(b, blocks.shape(b).radius, &pose(b), next(b))
             });
         });
         self.outside.contains(&true)
@@ -273,6 +297,18 @@ impl Candidates {
     }
 }
 
+/// What two boxes have in common.
+fn common(a: &Box3, b: &Box3) -> Option<Box3> {
+    let (low, high) = (a.low.max(b.low), a.high.min(b.high));
+    low.cmple(high).all().then_some(Box3 { low, high })
+}
+
+/// Largest area that something in a box can show to any direction, m².
+fn section(common: &Box3) -> f64 {
+    let size = common.high - common.low;
+    Vec3::new(size.y * size.z, size.z * size.x, size.x * size.y).length()
+}
+
 /// Box of a block at a pose, grown by its margin.
 fn grown_box(shape: &Shape, pose: &Pose, margin: f64) -> Box3 {
     let turn = riprap_geom::Mat3::from_quat(pose.rotation);
@@ -304,7 +340,7 @@ struct Room {
 
 impl Room {
     /// Adds the pair if it can touch.
-    fn add(&mut self, blocks: &Blocks, search: &Search, i: u32, j: u32) {
+    fn add(&mut self, blocks: &Blocks, search: &Search, boxes: [&Box3; 2], [i, j]: [u32; 2]) {
         let ends = [i as usize, j as usize];
         let margins = ends.map(|b| search.margin[b]);
         let gap = margins[0] + margins[1];
@@ -331,9 +367,14 @@ impl Room {
             corners.extend(body.shape.vertices.iter().map(|v| body.turn * *v + shift));
         }
         let far = 4.0 * (shapes[0].radius + shapes[1].radius);
-        if matches!(peak(&self.planes, far), Peak::Apart { gap: found, .. } if found > gap) {
-            return;
-        }
+        let axis = match peak(&self.planes, far) {
+            Peak::Apart { gap: found, .. } if found > gap => return,
+            Peak::Apart { axis, .. } => axis,
+            Peak::Overlap { start, .. } => start.map_or(Vec3::ZERO, |[f, g]| {
+                let normal = |k: u16| self.planes.normal(usize::from(k));
+                (normal(f) - normal(g)).normalize_or_zero()
+            }),
+        };
         let start = self.lists.len();
         self.list(0, shapes[0], REACH * gap);
         let middle = self.lists.len();
@@ -348,12 +389,28 @@ impl Room {
             let near = |&g: &u16| (self.normals[1][g as usize] - n).length_squared();
             of_j.iter().any(|g| near(g) < parallel * parallel)
         });
+        // The area vector of the surface of equal pressure is that of the part of either block's surface that is inside the
+        // other: no more than what the listed faces show to each other.
+        let shown = |s: usize, faces: &[u16], axis: Vec3| -> f64 {
+            let show = |&f: &u16| {
+                let f = f as usize;
+                shapes[s].areas[f] * self.normals[s][f].dot(axis).max(0.0)
+            };
+            faces.iter().map(show).sum()
+        };
+        let within = common(boxes[0], boxes[1]).map_or(0.0, |common| section(&common));
+        let area = if axis == Vec3::ZERO {
+            within
+        } else {
+            within.min(shown(0, of_i, axis)).min(shown(1, of_j, -axis))
+        };
         self.pairs.push(Candidate {
             i,
             j,
             counts,
             start,
             ties,
+            area,
         });
     }
 
