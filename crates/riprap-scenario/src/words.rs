@@ -31,27 +31,13 @@ impl Word for Name {
     }
 }
 
-/// Declares an enum whose variants are words, with their meaning once for code, schema and docs.
-macro_rules! words {
-    ($(#[$doc:meta])* $name:ident { $($variant:ident = $word:literal: $meaning:literal,)* }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum $name {
-            $(#[doc = $meaning] $variant,)*
-        }
-        impl $crate::words::Word for $name {
-            const NAME: &'static str = stringify!($name);
-            const WORDS: &'static [(&'static str, &'static str)] = &[$(($word, $meaning)),*];
-            fn read(text: &str, _: &$crate::quantity::Span) -> Option<Self> {
-                match text {
-                    $($word => Some($name::$variant),)*
-                    _ => None,
-                }
-            }
-        }
-    };
+impl<W: riprap_keys::Words> Word for W {
+    const NAME: &'static str = <W as riprap_keys::Words>::NAME;
+    const WORDS: &'static [(&'static str, &'static str)] = <W as riprap_keys::Words>::WORDS;
+    fn read(text: &str, _: &Span) -> Option<Self> {
+        W::named(text)
+    }
 }
-pub(crate) use words;
 
 /// A word or a table.
 #[derive(Debug, Clone, PartialEq)]

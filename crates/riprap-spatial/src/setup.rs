@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::dynamics::TimeFunction;
 pub use crate::laws::explosive::Explosive;
 pub use crate::laws::face_joint::Strength;
+pub use crate::laws::parameters::{Dashpots, Failure, Points};
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -201,19 +202,6 @@ pub struct JointLaw {
     pub dashpots: Dashpots,
 }
 
-/// Points on which the dashpots along a patch act; those across it act on all closed points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Dashpots {
-    /// Closed points that do not slide: a sliding point carries its friction and nothing else.
-    ///
-    /// Deviation: the source has them on all closed points. There they add `beta ks v` to the friction, which grows with
-    /// the speed and stops what should slide.
-    #[default]
-    Sticking,
-    /// All closed points, as in the source.
-    Closed,
-}
-
 /// Stiffness of a patch per area.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Stiffness {
@@ -229,24 +217,6 @@ pub enum Stiffness {
         /// Shear, Pa/m.
         shear: f64,
     },
-}
-
-/// What fails as one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Failure {
-    /// Each point by itself.
-    Point,
-    /// The whole face: by the sums of its points' forces, and by its torsion moment.
-    Face,
-}
-
-/// Where the four points of a patch lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Points {
-    /// Centres of the four quarters (a quarter of the edge from the middle), as the source has them.
-    Quarter,
-    /// Gauss points, exact for bending and torsion.
-    Gauss,
 }
 
 /// Fixes or drives some blocks.

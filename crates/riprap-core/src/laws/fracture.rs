@@ -8,6 +8,7 @@
 //! of (13) has `(s1 - s3)²`; (14) has `s1 - s3`; (16) is `psi = pi/4 - phi/2`; the margins of (17) both make cutting
 //! earlier; [`Criterion::Larger`] looks at the tensile strength also where `s1 + 3 s3 > 0`.
 
+use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 use super::tetrahedron::{Gradient, Symmetric};
@@ -43,14 +44,20 @@ pub struct Margins {
     pub shear: f64,
 }
 
-/// Which criterion decides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// When a block is cut, by its average stress.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
 pub enum Criterion {
-    /// (17): tension where `s1 + 3 s3 < 0`, Mohr-Coulomb elsewhere.
+    /// Tension where s1 + 3 s3 < 0 (compression positive), Mohr-Coulomb elsewhere: the source.
+    ///
+    /// Equation (17).
     Source,
-    /// Griffith's (13), in tension and compression.
+    /// Griffith, in tension and compression.
+    ///
+    /// Equation (13).
     Griffith,
-    /// Mohr-Coulomb, (15).
+    /// Mohr-Coulomb.
+    ///
+    /// Equation (15).
     MohrCoulomb,
     /// Tension and Mohr-Coulomb, whichever is used more.
     Larger,

@@ -1,5 +1,6 @@
 //! Parameters of the contact and bond laws, SI.
 
+use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 /// Normal law of a found contact.
@@ -14,14 +15,16 @@ pub enum NormalLaw {
     },
 }
 
-/// Depth of a point behind a reflex corner, for the penetration-potential law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// Reading of the penetration depth at a reflex (inward) corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
 pub enum Reflex {
-    /// The smaller of the distances to the two edge lines (uniform with convex corners).
+    /// The smaller of the distances to the two edge lines.
+    ///
+    /// Uniform with convex corners.
     Min,
-    /// The larger of the two.
+    /// The larger of the distances to the two edge lines.
     Max,
-    /// The true distance to the boundary.
+    /// The true distance to the corner.
     True,
 }
 
@@ -79,4 +82,49 @@ pub struct BondLaw {
     pub damping_ratio: f64,
     /// Number of points along the edge (Gauss points), 1 to 5.
     pub points: u8,
+}
+
+/// What fails as one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+pub enum Failure {
+    /// Each of the four points of a joint by itself.
+    Point,
+    /// The whole joint, by the sum of its forces and its torsion.
+    Face,
+}
+
+/// Where the four points of a joint lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+pub enum Points {
+    /// Gauss points: exact bending and torsion.
+    Gauss,
+    /// Centres of the four quarters, as the source paper has them.
+    Quarter,
+}
+
+/// Points of a joint on which its dashpots act along it.
+///
+/// Those across it act on all closed points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum Dashpots {
+    /// Closed points that do not slide: blocks slide with friction alone.
+    ///
+    /// Deviation: the source has them on all closed points. There they add `beta ks v` to the friction, which grows with
+    /// the speed and stops what should slide.
+    #[default]
+    Sticking,
+    /// All closed points, as in the source paper: they hold sliding blocks back.
+    Closed,
+}
+
+/// What fails as one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum BondFailure {
+    /// Each spring by its own traction (the source).
+    #[default]
+    Spring,
+    /// A facet by the mean traction of its springs.
+    Facet,
+    /// A facet by the mean of the average stresses of its two blocks: does not depend on the size of the facet.
+    BlockStress,
 }

@@ -1,5 +1,6 @@
 //! Conditions on free faces, and the stress at the start.
 
+use riprap_keys::Words;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -11,7 +12,7 @@ use crate::quantity::{
     Velocity,
 };
 use crate::time_function::TimeFunction;
-use crate::words::{OneWord, WordOr, words};
+use crate::words::{OneWord, WordOr};
 
 /// A condition on free faces: faces, or parts of them, on which no other block lies. At most one of
 /// `held`, `roller`, `moved`, `viscous`, `pressure`, `traction`; of several conditions for one face
@@ -64,16 +65,27 @@ pub struct Faces {
     pub side: Option<OneWord<Side>>,
 }
 
-words! {
-    /// A side of the model or of a block.
-    Side {
-        XMin = "x-min": "The side with the lowest x.",
-        XMax = "x-max": "The side with the highest x.",
-        YMin = "y-min": "The side with the lowest y.",
-        YMax = "y-max": "The side with the highest y.",
-        ZMin = "z-min": "The lower side.",
-        ZMax = "z-max": "The upper side.",
-    }
+/// A side of the model or of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+pub enum Side {
+    /// The side with the lowest x.
+    #[word("x-min")]
+    XMin,
+    /// The side with the highest x.
+    #[word("x-max")]
+    XMax,
+    /// The side with the lowest y.
+    #[word("y-min")]
+    YMin,
+    /// The side with the highest y.
+    #[word("y-max")]
+    YMax,
+    /// The lower side.
+    #[word("z-min")]
+    ZMin,
+    /// The upper side.
+    #[word("z-max")]
+    ZMax,
 }
 
 /// A plane by its outward normal.

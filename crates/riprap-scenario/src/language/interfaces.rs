@@ -7,6 +7,8 @@ use crate::quantity::{
     FractureEnergy, FrictionAngle, Modulus, Name, NotNegativePlain, Poisson, PositiveLength,
     Quantity, Speed, StiffnessPerArea, Strength,
 };
+use riprap_core::laws::bond::Softening;
+use riprap_core::laws::parameters::{BondFailure, Dashpots, Failure, Points, Reflex};
 
 /// The law of contact between two materials.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -127,28 +129,6 @@ pub struct Cohesive {
     pub softening: Option<Softening>,
 }
 
-/// Softening curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Softening {
-    /// A straight line.
-    Linear,
-    /// Measured on concrete (Munjiza): steep first, with a long tail.
-    Munjiza,
-}
-
-/// What fails as one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum BondFailure {
-    /// Each spring by its own traction (the source).
-    Spring,
-    /// A facet by the mean traction of its springs.
-    Facet,
-    /// A facet by the mean of the average stresses of its two blocks: does not depend on the size of the facet.
-    BlockStress,
-}
-
 /// Where the stiffness of joints comes from: the elastic half blocks on both sides in series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -160,36 +140,6 @@ pub enum StiffnessRule {
     Uniaxial,
 }
 
-/// What fails as one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Failure {
-    /// Each of the four points of a joint by itself.
-    Point,
-    /// The whole joint, by the sum of its forces and its torsion.
-    Face,
-}
-
-/// Where the four points of a joint lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Points {
-    /// Gauss points: exact bending and torsion.
-    Gauss,
-    /// Centres of the four quarters, as the source paper has them.
-    Quarter,
-}
-
-/// Points of a joint on which its dashpots act along it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Dashpots {
-    /// Closed points that do not slide: blocks slide with friction alone.
-    Sticking,
-    /// All closed points, as in the source paper: they hold sliding blocks back.
-    Closed,
-}
-
 /// Normal law of a found contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -198,18 +148,6 @@ pub enum NormalLaw {
     DistancePotential,
     /// Mutual penetration potentials, as in the source paper.
     PenetrationPotential,
-}
-
-/// Reading of the penetration depth at a reflex (inward) corner.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Reflex {
-    /// The smaller of the distances to the two edge lines.
-    Min,
-    /// The larger of the distances to the two edge lines.
-    Max,
-    /// The true distance to the corner.
-    True,
 }
 
 /// Law of friction of found contacts.

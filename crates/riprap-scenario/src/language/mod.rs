@@ -35,21 +35,17 @@ pub use ground::{
     Side, TensionPositive, Viscous,
 };
 pub use interfaces::{
-    Bond, BondFailure, BrittleBond, Cohesive, Dashpots, Failure, FrictionLaw, Interface,
-    InterfaceChange, NormalLaw, Points, Reflex, Softening, StiffnessRule,
+    Bond, BrittleBond, Cohesive, FrictionLaw, Interface, InterfaceChange, NormalLaw, StiffnessRule,
 };
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
-pub use phases::{
-    CutAnchor, CutAxis, CutCriterion, Cutting, Damping, Phase, PhaseKind, Relaxation,
-    RelaxationBreaks, Reset, Until,
-};
+pub use phases::{CutAnchor, CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
-    NotchBreaks, Plane, Polyhedron, Segment, StrainMeasure, span_of,
+    NotchBreaks, Plane, Polyhedron, Segment, span_of,
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,

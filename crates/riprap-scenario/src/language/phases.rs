@@ -4,11 +4,13 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
-use super::solids::StrainMeasure;
 use crate::quantity::{
     Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositiveLength, PositivePlain,
     PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
 };
+use riprap_core::dynamics::relaxation::{Breaks, PhaseKind};
+use riprap_core::laws::fracture::Criterion;
+use riprap_core::laws::tetrahedron::Strain;
 
 /// A part of the run.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -53,7 +55,7 @@ pub struct Phase {
     pub breaking: Option<bool>,
     /// Measure of strain of all deformable blocks from this phase on. Default: that of the blocks, or of the phase before.
     #[schemars(extend("x-space" = "spatial"))]
-    pub strain: Option<StrainMeasure>,
+    pub strain: Option<Strain>,
     /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and driven
     /// nodes follow it, and each step is relaxed to `until.unbalanced`. Default 1.
     #[schemars(extend("x-space" = "spatial"))]
@@ -81,19 +83,7 @@ pub struct Relaxation {
     /// by the forces (`until.unbalanced`).
     pub energy: Option<Quantity<PositivePlain>>,
     /// When bonds break. Default `most`.
-    pub breaks: Option<RelaxationBreaks>,
-}
-
-/// When bonds break in a static phase.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum RelaxationBreaks {
-    /// At an equilibrium what is used most, with what is used nearly as much; then a new equilibrium.
-    Most,
-    /// At an equilibrium everything beyond its strength.
-    All,
-    /// In every iteration every spring beyond its strength; only with `failure = "spring"`.
-    Always,
+    pub breaks: Option<Breaks>,
 }
 
 /// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged, in `dynamic` ones
@@ -105,7 +95,7 @@ pub struct Cutting {
     /// Planes per cut, 1 to 7. Default 3: four parts.
     pub planes: Option<u64>,
     /// What decides. Default `larger`.
-    pub criterion: Option<CutCriterion>,
+    pub criterion: Option<Criterion>,
     /// How much before the tensile strength a block is cut, Pa; zero or more. Default 0 Pa.
     pub margin_tension: Option<Quantity<Strength>>,
     /// How much before the shear strength a block is cut, Pa; zero or more. Default 0 Pa.
@@ -133,20 +123,6 @@ pub struct Cutting {
     pub step_floor: Option<Quantity<ShareBelowOne>>,
 }
 
-/// When a block is cut, by its average stress.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum CutCriterion {
-    /// Tension where s1 + 3 s3 < 0 (compression positive), Mohr-Coulomb elsewhere: the source.
-    Source,
-    /// Griffith, in tension and compression.
-    Griffith,
-    /// Mohr-Coulomb.
-    MohrCoulomb,
-    /// Tension and Mohr-Coulomb, whichever is used more.
-    Larger,
-}
-
 /// Where the planes of a cut lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -167,16 +143,6 @@ pub enum CutAxis {
     Y,
     /// z.
     Z,
-}
-
-/// How a phase is calculated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum PhaseKind {
-    /// Towards rest, with automatic damping (dynamic relaxation); time has no meaning.
-    Static,
-    /// Motion in time.
-    Dynamic,
 }
 
 /// End of a phase; at least one condition, the first that is reached counts.

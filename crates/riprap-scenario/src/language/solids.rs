@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::Point3;
 use crate::quantity::{Angle, Edges, Length, Name, Plain, PositiveLength, Quantity, Span, Vector};
+use riprap_core::laws::tetrahedron::Strain;
 
 /// A box with faces normal to the axes. Give `corner` or `centre`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -115,23 +116,13 @@ pub enum Mechanics {
 #[serde(deny_unknown_fields)]
 pub struct Deformable {
     /// Measure of strain. Default `small`.
-    pub strain: Option<StrainMeasure>,
+    pub strain: Option<Strain>,
     /// Displacement of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m), for
     /// example `["1e-4*x", "0", "0"]`. Default none.
     pub displacement: Option<[Name; 3]>,
     /// Velocity of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m/s), added
     /// to `velocity` and `spin` of the block. Default none.
     pub velocity: Option<[Name; 3]>,
-}
-
-/// Measure of strain of tetrahedra.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum StrainMeasure {
-    /// Small strain and rotation (linear); a block that turns freely swells.
-    Small,
-    /// Green's strain with St. Venant-Kirchhoff's law: any rotation.
-    TotalLagrangian,
 }
 
 /// A table without keys: `{}`.

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use riprap_keys::Words;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
@@ -16,7 +17,7 @@ use crate::quantity::{
     PositiveRate, Pressure, Quantity, Share, Span, SpecificEnergy, Speed, Strength, Vector,
 };
 use crate::time_function::TimeFunction;
-use crate::words::{WordOr, words};
+use crate::words::WordOr;
 
 /// A cavity that pushes on the faces around it. Exactly one form.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -84,13 +85,15 @@ pub struct Explosive {
     pub gamma_low: Option<Quantity<PositivePlain>>,
 }
 
-words! {
-    /// How the volume of a charge and that of the removed blocks are matched, as a word.
-    CouplingWord {
-        Fitted = "fitted": "The cells of the grid are changed so that the finest ones around the charge have its volume; for `centre` inside a grid that is split around it.",
-        Coupled = "coupled": "The gas starts with the volume of the charge, whatever the blocks are.",
-        Decoupled = "decoupled": "The gas starts expanded to the volume of the removed blocks.",
-    }
+/// How the volume of a charge and that of the removed blocks are matched, as a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+pub enum CouplingWord {
+    /// The cells of the grid are changed so that the finest ones around the charge have its volume; for `centre` inside a grid that is split around it.
+    Fitted,
+    /// The gas starts with the volume of the charge, whatever the blocks are.
+    Coupled,
+    /// The gas starts expanded to the volume of the removed blocks.
+    Decoupled,
 }
 
 /// How the volume of a charge and that of the removed blocks are matched, by a factor.

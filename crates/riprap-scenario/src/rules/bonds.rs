@@ -1,12 +1,15 @@
 //! Rules of deformable blocks and their bonds.
 
+use riprap_keys::Words;
+
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
 use crate::language::{
-    Block, BondFailure, BrittleBond, CutAnchor, Cutting, Load, Mechanics, Phase, PhaseKind,
-    Scenario, Support, Target,
+    Block, BrittleBond, CutAnchor, Cutting, Load, Mechanics, Phase, Scenario, Support, Target,
 };
 use crate::quantity::{Quantity, Span};
+use riprap_core::dynamics::relaxation::PhaseKind;
+use riprap_core::laws::parameters::BondFailure;
 
 /// Most parts that a block may be cut into.
 const MOST_PARTS: u64 = 4096;
@@ -98,11 +101,7 @@ impl Rules {
             return;
         };
         if let Some(failure) = bond.failure.filter(|f| *f != BondFailure::Spring) {
-            let word = match failure {
-                BondFailure::Facet => "facet",
-                BondFailure::BlockStress => "block_stress",
-                BondFailure::Spring => "spring",
-            };
+            let word = failure.word();
             let message = format!("{of} has `cohesive` and failure = \"{word}\"");
             let help = "bonds that soften do so spring by spring: leave out `failure`";
             self.error("key.one_of", &cohesive.mode_1.span, message, help);

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::dynamics::{Formula, TimeFunction};
 pub use crate::laws::bond::{Cohesive, Softening, Strength};
 use crate::laws::fracture::{Criterion, Margins};
+pub use crate::laws::parameters::BondFailure;
 pub use crate::laws::tetrahedron::Strain;
 
 /// Deformable blocks, their bonds and what holds single nodes.
@@ -67,18 +68,6 @@ pub struct BondLaw {
     pub cohesive: Option<Cohesive>,
     /// What fails as one.
     pub failure: BondFailure,
-}
-
-/// What fails as one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum BondFailure {
-    /// Each spring by its own traction (the source).
-    #[default]
-    Spring,
-    /// A facet by its mean traction.
-    Facet,
-    /// A facet by the mean of the average stresses of its two blocks.
-    BlockStress,
 }
 
 /// Rules of cutting in a phase.

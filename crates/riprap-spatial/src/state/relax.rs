@@ -2,28 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How a phase relaxes; the default is what this file describes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Way {
-    /// A constant c, 0 to 2, instead of the adaptive damping.
-    pub damping: Option<f64>,
-    /// Converged when the elastic energy changes by less than this share between two looks, instead of by the forces.
-    pub energy: Option<f64>,
-    /// When bonds break.
-    pub breaks: Breaks,
-}
-
-/// When bonds break in a relaxing phase.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Breaks {
-    /// At an equilibrium, what is used most.
-    #[default]
-    Most,
-    /// At an equilibrium, everything beyond its strength.
-    All,
-    /// In every iteration, every spring beyond its strength.
-    Always,
-}
+pub use crate::dynamics::relaxation::{Breaks, Way};
 
 /// State of a relaxing phase.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -95,7 +95,7 @@ impl Builder<'_> {
     ) -> Option<ContactLaw> {
         let key = |word: &str| format!("interfaces.{name}.{word}");
         let law = interface.law.unwrap_or(NormalLaw::DistancePotential);
-        let reflex = interface.reflex.unwrap_or(language::Reflex::Min);
+        let reflex = interface.reflex.unwrap_or(Reflex::Min);
         let from = if interface.law.is_some() {
             Provenance::Given
         } else {
@@ -360,16 +360,10 @@ impl Builder<'_> {
     }
 }
 
-fn normal_law(law: NormalLaw, reflex: language::Reflex) -> setup::NormalLaw {
+fn normal_law(law: NormalLaw, reflex: Reflex) -> setup::NormalLaw {
     match law {
         NormalLaw::DistancePotential => setup::NormalLaw::DistancePotential,
-        NormalLaw::PenetrationPotential => setup::NormalLaw::PenetrationPotential {
-            reflex: match reflex {
-                language::Reflex::Min => Reflex::Min,
-                language::Reflex::Max => Reflex::Max,
-                language::Reflex::True => Reflex::True,
-            },
-        },
+        NormalLaw::PenetrationPotential => setup::NormalLaw::PenetrationPotential { reflex },
     }
 }
 
@@ -388,7 +382,7 @@ pub(super) fn changed(law: &ContactLaw, change: &InterfaceChange) -> ContactLaw 
         (Some(NormalLaw::PenetrationPotential), reflex, _) | (None, reflex @ Some(_), Some(_)) => {
             normal_law(
                 NormalLaw::PenetrationPotential,
-                reflex.unwrap_or(language::Reflex::Min),
+                reflex.unwrap_or(Reflex::Min),
             )
         }
         (None, Some(_), None) | (None, None, _) => law.normal,

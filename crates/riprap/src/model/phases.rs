@@ -8,18 +8,17 @@ use super::solid::changed_joint;
 use crate::laws::fracture::{Criterion, Margins};
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{
-    Breaks, Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing,
-    TimeStep, Until, Way,
+    Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep,
+    Until, Way,
 };
-use crate::scenario::language::{
-    self, CutAnchor, CutAxis, CutCriterion, Output, RelaxationBreaks, Reset,
-};
+use crate::scenario::language::{self, CutAnchor, CutAxis, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::JointLaw;
-use crate::spatial::setup::deform::{Anchoring, Strain};
+use crate::spatial::setup::deform::Anchoring;
 use riprap_geom::Vec3;
+use riprap_keys::Words;
 
 /// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
 const RELAXED: f64 = 1e-6;
@@ -43,16 +42,13 @@ impl Builder<'_> {
 
     fn phase(&mut self, said: &language::Phase, laws: &mut Laws) -> Phase {
         let key = |word: &str| format!("phases.{}.{word}", said.name);
-        let (kind, word) = match said.kind {
-            Some(language::PhaseKind::Static) => (PhaseKind::Static, "static"),
-            Some(language::PhaseKind::Dynamic) | None => (PhaseKind::Dynamic, "dynamic"),
-        };
+        let kind = said.kind.unwrap_or(PhaseKind::Dynamic);
         let from = if said.kind.is_some() {
             Provenance::Given
         } else {
             Provenance::Default
         };
-        self.explain(key("kind"), word, from, "");
+        self.explain(key("kind"), kind.word(), from, "");
         let time_step = match &said.time_step {
             Some(given) => {
                 self.explain(
@@ -162,7 +158,7 @@ impl Builder<'_> {
             given(said.breaking.is_some()),
             "",
         );
-        let relaxes = said.kind == Some(language::PhaseKind::Static) && self.all_free_deform();
+        let relaxes = said.kind == Some(PhaseKind::Static) && self.all_free_deform();
         let relax = relaxes.then(|| {
             let tolerance = said.until.unbalanced.as_ref().map(Quantity::si);
             let iterations = said.iterations.unwrap_or(MOST_ITERATIONS);
@@ -179,13 +175,9 @@ impl Builder<'_> {
             .cut
             .as_ref()
             .map(|cut| self.cutting(&said.name.text, cut));
-        let strain = said.strain.map(|strain| match strain {
-            language::StrainMeasure::Small => Strain::Small,
-            language::StrainMeasure::TotalLagrangian => Strain::Large,
-        });
         Some(Deforming {
             breaking,
-            strain,
+            strain: said.strain,
             relax,
             cut,
         })
@@ -217,12 +209,7 @@ impl Builder<'_> {
         };
         Cutting {
             planes: planes as u32,
-            criterion: match said.criterion {
-                Some(CutCriterion::Source) => Criterion::Source,
-                Some(CutCriterion::Griffith) => Criterion::Griffith,
-                Some(CutCriterion::MohrCoulomb) => Criterion::MohrCoulomb,
-                Some(CutCriterion::Larger) | None => Criterion::Larger,
-            },
+            criterion: said.criterion.unwrap_or(Criterion::Larger),
             margins,
             generations: generations as u8,
             smallest: said.smallest.as_ref().map_or(0.0, Quantity::si),
@@ -319,10 +306,6 @@ fn way(said: &language::Relaxation) -> Way {
     Way {
         damping: said.damping.as_ref().map(Quantity::si),
         energy: said.energy.as_ref().map(Quantity::si),
-        breaks: match said.breaks {
-            Some(RelaxationBreaks::Most) | None => Breaks::Most,
-            Some(RelaxationBreaks::All) => Breaks::All,
-            Some(RelaxationBreaks::Always) => Breaks::Always,
-        },
+        breaks: said.breaks.unwrap_or_default(),
     }
 }

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 pub use crate::dynamics::damping::Damping;
+pub use crate::dynamics::relaxation::{Breaks, PhaseKind, Way};
 use crate::planar::setup::ContactLaw;
-pub use crate::spatial::deform::relax::{Breaks, Way};
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
 
@@ -101,15 +101,6 @@ impl Phase {
             || self.zero_velocities
             || self.deform.is_some()
     }
-}
-
-/// Kind of phase.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum PhaseKind {
-    /// Dynamic relaxation: settles to rest; its time is not physical.
-    Static,
-    /// True dynamics.
-    Dynamic,
 }
 
 /// Stop criteria of a phase.

@@ -13,16 +13,17 @@
 //! Deviations: damage is driven by the slip of the slider, because with the whole `e_s` friction would count twice
 //! at the peak; D itself is remembered, not kappa, because the length of the curve changes with the direction.
 
+use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 use super::{Springs, State, Strength, Traction, from_rest, slider};
 
-/// Shape of the softening curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// Softening curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
 pub enum Softening {
-    /// A straight line from the peak.
+    /// A straight line.
     Linear,
-    /// Measured on concrete: steep first, with a long tail.
+    /// Measured on concrete (Munjiza): steep first, with a long tail.
     Munjiza,
 }
 

@@ -2,6 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 use crate::lanes::Lanes;
@@ -37,12 +38,15 @@ impl Elastic {
     }
 }
 
-/// Measure of strain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// Measure of strain of tetrahedra.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
 pub enum Strain {
-    /// Symmetric part of the displacement gradient.
+    /// Small strain and rotation (linear); a block that turns freely swells.
+    ///
+    /// The symmetric part of the displacement gradient.
     Small,
-    /// Green-Lagrange strain.
+    /// Green's strain with St. Venant-Kirchhoff's law: any rotation.
+    #[word("total_lagrangian")]
     Large,
 }
 

@@ -6,8 +6,9 @@ use crate::model::explain::Provenance;
 use crate::scenario::language::{self, Mechanics, Support, Target};
 use crate::scenario::{Diagnostic, Name, Quantity, target_span};
 use crate::spatial::setup::deform::{
-    BondFailure, BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Softening, Strain, Strength,
+    BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Softening, Strain, Strength,
 };
+use riprap_keys::Words;
 
 impl Builder<'_> {
     /// Enters the blocks of one table, numbers `first` and following, if they are deformable.
@@ -15,15 +16,14 @@ impl Builder<'_> {
         let Some(Mechanics::Deformable(said)) = &block.mechanics else {
             return;
         };
-        let (strain, word, from) = match said.strain {
-            Some(language::StrainMeasure::TotalLagrangian) => {
-                (Strain::Large, "total_lagrangian", Provenance::Given)
-            }
-            Some(language::StrainMeasure::Small) => (Strain::Small, "small", Provenance::Given),
-            None => (Strain::Small, "small", Provenance::Default),
+        let strain = said.strain.unwrap_or(Strain::Small);
+        let from = if said.strain.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
         };
         let key = format!("blocks.{}.mechanics.deformable.strain", block.name);
-        self.explain(key, word, from, "");
+        self.explain(key, strain.word(), from, "");
         let mut field = |names: &Option<[Name; 3]>| {
             [0, 1, 2].map(|k: usize| {
                 let text = &names.as_ref()?[k];
@@ -64,18 +64,14 @@ impl Builder<'_> {
             let young = young.si();
             [young, 0.5 * young / (1.0 + poisson.si())]
         });
-        let (failure, word) = match said.failure {
-            Some(language::BondFailure::Facet) => (BondFailure::Facet, "facet"),
-            Some(language::BondFailure::BlockStress) => (BondFailure::BlockStress, "block_stress"),
-            Some(language::BondFailure::Spring) | None => (BondFailure::Spring, "spring"),
-        };
+        let failure = said.failure.unwrap_or_default();
         let from = if said.failure.is_some() {
             Provenance::Given
         } else {
             Provenance::Default
         };
         if !said.elastic {
-            self.explain(key("failure"), word, from, "");
+            self.explain(key("failure"), failure.word(), from, "");
         }
         let strength = (!said.elastic).then(|| {
             let si = |q: Option<f64>| q.unwrap_or(0.0);
@@ -91,16 +87,13 @@ impl Builder<'_> {
         });
         let cohesive = said.cohesive.as_ref().zip(strength);
         let cohesive = cohesive.map(|(said, strength)| {
-            let (softening, word) = match said.softening {
-                Some(language::Softening::Munjiza) => (Softening::Munjiza, "munjiza"),
-                Some(language::Softening::Linear) | None => (Softening::Linear, "linear"),
-            };
+            let softening = said.softening.unwrap_or(Softening::Linear);
             let from = if said.softening.is_some() {
                 Provenance::Given
             } else {
                 Provenance::Default
             };
-            self.explain(key("cohesive.softening"), word, from, "");
+            self.explain(key("cohesive.softening"), softening.word(), from, "");
             Cohesive {
                 strength,
                 energy: [said.mode_1.si(), said.mode_2.si()],

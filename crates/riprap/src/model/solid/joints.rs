@@ -5,7 +5,8 @@ use crate::model::explain::{Provenance, with_unit};
 use crate::scenario::language::{self, InterfaceChange, StiffnessRule};
 use crate::scenario::quantity::Kind;
 use crate::scenario::{Diagnostic, Quantity};
-use crate::spatial::setup::{Dashpots, Failure, Interface, JointLaw, Points, Stiffness, Strength};
+use crate::spatial::setup::{Failure, Interface, JointLaw, Points, Stiffness, Strength};
+use riprap_keys::Words;
 
 /// Default of `damping_ratio`: the value with which the source's blasts were calibrated.
 const DAMPING: f64 = 0.1;
@@ -51,24 +52,18 @@ impl Builder<'_> {
         } else {
             Some(self.strength(name, said))
         };
-        let (failure, word) = match said.failure {
-            Some(language::Failure::Face) => (Failure::Face, "face"),
-            Some(language::Failure::Point) | None => (Failure::Point, "point"),
-        };
+        let failure = said.failure.unwrap_or(Failure::Point);
         if strength.is_some() {
-            self.explain(key("failure"), word, from(said.failure.is_some()), "");
+            let given = from(said.failure.is_some());
+            self.explain(key("failure"), failure.word(), given, "");
         }
-        let (points, word) = match said.points {
-            Some(language::Points::Quarter) => (Points::Quarter, "quarter"),
-            Some(language::Points::Gauss) | None => (Points::Gauss, "gauss"),
-        };
-        self.explain(key("points"), word, from(said.points.is_some()), "");
-        let (dashpots, word) = match said.dashpots {
-            Some(language::Dashpots::Closed) => (Dashpots::Closed, "closed"),
-            Some(language::Dashpots::Sticking) | None => (Dashpots::Sticking, "sticking"),
-        };
+        let points = said.points.unwrap_or(Points::Gauss);
+        let given = from(said.points.is_some());
+        self.explain(key("points"), points.word(), given, "");
+        let dashpots = said.dashpots.unwrap_or_default();
         if strength.is_some() {
-            self.explain(key("dashpots"), word, from(said.dashpots.is_some()), "");
+            let given = from(said.dashpots.is_some());
+            self.explain(key("dashpots"), dashpots.word(), given, "");
         }
         JointLaw {
             stiffness,
