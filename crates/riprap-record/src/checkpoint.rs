@@ -13,13 +13,15 @@ use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::cmp::Ordering;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 const MAGIC: &[u8; 8] = b"RIPRAPCK";
-/// Version of the container. The meaning of the payload is the business of its kind.
-pub const FORMAT_VERSION: u32 = 1;
+/// Version of the container and of the layout of what the engines put into it; raised whenever a state gains, loses or moves a
+/// number. Another version is refused: states have no names in them, and would be read as something else.
+pub const FORMAT_VERSION: u32 = 2;
 const KIND_BYTES: usize = 16;
 const SUM_AT: usize = 8 + 4 + KIND_BYTES + 8 + 8;
 const HEAD: usize = SUM_AT + 32;
@@ -45,10 +47,21 @@ pub enum CheckpointError {
     },
     /// Made by a later riprap.
     #[error(
-        "checkpoint {} has format version {found}, this riprap reads up to {FORMAT_VERSION}; resume with the riprap that wrote it or a newer one",
+        "checkpoint {} has format version {found}, this riprap reads {FORMAT_VERSION}; resume with the riprap that wrote it or a newer one",
         path.display()
     )]
     Newer {
+        /// The file.
+        path: PathBuf,
+        /// Its format version.
+        found: u32,
+    },
+    /// Made by an earlier riprap.
+    #[error(
+        "checkpoint {} has format version {found}, this riprap reads {FORMAT_VERSION}; resume with the riprap that wrote it, or run the scene anew",
+        path.display()
+    )]
+    Older {
         /// The file.
         path: PathBuf,
         /// Its format version.
@@ -228,11 +241,11 @@ pub fn decode<T: DeserializeOwned>(
     // The version comes before the length: a newer format may have another head.
     if let Some(version) = number::<4>(bytes, 8) {
         let found = u32::from_le_bytes(version);
-        if found != FORMAT_VERSION {
-            return Err(CheckpointError::Newer {
-                path: path(),
-                found,
-            });
+        let path = path();
+        match found.cmp(&FORMAT_VERSION) {
+            Ordering::Equal => {}
+            Ordering::Greater => return Err(CheckpointError::Newer { path, found }),
+            Ordering::Less => return Err(CheckpointError::Older { path, found }),
         }
     }
     let (Some(claimed), Some(packed)) = (

@@ -10,9 +10,10 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::build::error::BuildError;
 use super::patch::Poses;
+use super::push::traction::{Spot, traction};
 use super::setup::{Boundary, BoundaryKind, FaceSet};
 pub use super::state::face::Face;
-use super::state::push::Push;
+use super::state::push::Wrench;
 use super::world::{SolidClass, World};
 use crate::ledger::Works;
 
@@ -86,9 +87,9 @@ fn is_on(set: &FaceSet, face: &Face, centre: Vec3, tolerance: f64) -> bool {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Pushes {
     /// Springs: held, moved and viscous faces.
-    pub spring: Push,
+    pub spring: Wrench,
     /// Tractions with a given value.
-    pub dead: Push,
+    pub dead: Wrench,
 }
 
 /// Dashpots on one block: force and moment are minus this matrix times velocity and spin.
@@ -117,7 +118,7 @@ impl Dashpots {
     /// What the dashpots do to a block in the coming kick over `span` (s), with the mean of the velocities before
     /// and after: `(M + span C / 2) dv = span (F - C v)`.
     #[must_use]
-    pub fn push(&self, solid: &SolidClass, rate: [Vec3; 2], other: &Push, span: f64) -> Push {
+    pub fn push(&self, solid: &SolidClass, rate: [Vec3; 2], other: &Wrench, span: f64) -> Wrench {
         let rate: [f64; 6] = six(rate);
         let times = |v: &[f64; 6]| {
             self.matrix
@@ -135,7 +136,7 @@ impl Dashpots {
         let change = solve(a, std::array::from_fn(|k| span * (force[k] - drag[k])));
         let mean = std::array::from_fn(|k| rate[k] + 0.5 * change[k]);
         let t = times(&mean);
-        Push {
+        Wrench {
             force: -Vec3::new(t[0], t[1], t[2]),
             moment: -Vec3::new(t[3], t[4], t[5]),
         }
@@ -271,31 +272,24 @@ impl<'a> Context<'a> {
     #[inline]
     fn forces(&self, boundary: &Boundary, face: &Face, p: usize, pull: Vec3) -> [Vec3; 2] {
         let b = face.block as usize;
-        let (normal, share) = (face.frame[0], 0.25 * face.area);
-        let height = || self.reference[b].z + face.place(p).z;
-        let mut dead = match (boundary.in_situ, self.in_situ) {
-            (true, Some(in_situ)) => in_situ.at(height()) * normal,
-            _ => Vec3::ZERO,
+        let (start, share) = (face.frame[0], 0.25 * face.area);
+        let height = self.reference[b].z + face.place(p).z;
+        let turned = self.poses.turned[b].as_ref();
+        let spot = Spot {
+            start,
+            normal: turned.map_or(start, |t| t.attitude * start),
+            stress_at: height,
+            pressure_at: height,
         };
-        let mut spring = Vec3::ZERO;
-        match &boundary.kind {
-            BoundaryKind::Traction {
-                traction,
-                pressure,
-                gradient,
-                datum,
-                time,
-            } => {
-                let turned = self.poses.turned[b].as_ref();
-                let inward = -turned.map_or(normal, |t| t.attitude * normal);
-                let pressure = pressure + gradient * (datum - height());
-                dead += time.at(self.time) * (*traction + pressure * inward);
+        let dead = traction(boundary, self.in_situ, &spot, self.time);
+        let spring = match &boundary.kind {
+            BoundaryKind::Viscous { half_cell: false } | BoundaryKind::Traction { .. } => {
+                Vec3::ZERO
             }
-            BoundaryKind::Viscous { half_cell: false } => {}
             BoundaryKind::Viscous { half_cell: true }
             | BoundaryKind::Held { .. }
-            | BoundaryKind::Moved { .. } => spring = -pull,
-        }
+            | BoundaryKind::Moved { .. } => -pull,
+        };
         [spring, dead].map(|t| share * t)
     }
 

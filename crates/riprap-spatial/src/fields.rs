@@ -188,7 +188,9 @@ impl View<'_> {
             all += solid.mass * world.gravity.length();
             all += self
                 .scratch
-                .applied
+                .pushes
+                .loads
+                .blocks
                 .get(b)
                 .map_or(0.0, |l| l.force.length());
         }

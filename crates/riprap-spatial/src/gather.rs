@@ -6,7 +6,7 @@ use super::boundary;
 use super::kick::{Acting, Kick};
 use super::lanes::{LANES, Lanes, Width};
 use super::state::face::Face;
-use super::state::push::Push;
+use super::state::push::{Pushes, Wrench};
 use super::state::scratch::{NonFinite, Partial, Scratch};
 use super::sums::{Part, Sums};
 use super::tiles::{Row, Tile, Tiles};
@@ -56,8 +56,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         kick,
         tiles: &scratch.tiles,
         slots: &scratch.slots,
-        applied: &scratch.applied,
-        pushed: &scratch.pushed,
+        pushes: &scratch.pushes,
         plain: scratch.plain(),
         width: scratch.width,
     };
@@ -88,8 +87,7 @@ struct Gathering<'a> {
     kick: Kick<'a>,
     tiles: &'a Tiles,
     slots: &'a [Sums; 2],
-    applied: &'a [Push],
-    pushed: &'a [Push],
+    pushes: &'a Pushes,
     /// Whether blocks in rows need nothing but gravity.
     plain: bool,
     width: Width,
@@ -233,9 +231,9 @@ impl Gathering<'_> {
         net: &mut [Part; 2],
         partial: &mut Partial,
     ) {
-        let mut load = self.applied.get(b).copied().unwrap_or_default();
+        let mut load = self.pushes.loads.blocks.get(b).copied().unwrap_or_default();
         let mut dashpots = None;
-        let mut other = self.pushed.get(b).copied().unwrap_or_default();
+        let mut other = self.pushes.own.blocks.get(b).copied().unwrap_or_default();
         for face in faces {
             let pushes = self.boundary.act(face, &mut partial.arrival, &mut dashpots);
             for (sum, push) in [(&mut other, pushes.spring), (&mut load, pushes.dead)] {
@@ -253,7 +251,7 @@ impl Gathering<'_> {
         let (v, w) = (moving.velocity, moving.spin);
         let dashpot = dashpots.map(|d| {
             let (force, moment) = net[0].get(b - base);
-            let acting = Push { force, moment };
+            let acting = Wrench { force, moment };
             d.push(self.kick.solid_of(b), [v, w], &acting, self.kick.span)
         });
         if let Some(dashpot) = &dashpot {

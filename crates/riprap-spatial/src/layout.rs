@@ -1,5 +1,6 @@
 //! Lays out what a step works with: pieces of the model, constants of classes, room for sums.
 
+use super::state::push::Pushes;
 use super::state::scratch::{Partial, Scratch};
 use super::state::sums::Sums;
 use super::state::workspace::{Kind, Workspace};
@@ -22,8 +23,7 @@ impl Scratch {
             tiles: Tiles::default(),
             net: Sums::default(),
             drag: Sums::default(),
-            applied: Vec::new(),
-            pushed: Vec::new(),
+            pushes: Pushes::default(),
             coming_dt: 0.0,
             damping: Damping::default(),
             rebuilds: 0,
@@ -65,7 +65,7 @@ impl Scratch {
         let (blocks, count) = (world.alive.len(), self.tiles.list.len());
         self.net = Sums::zeros(blocks);
         self.drag = Sums::default();
-        self.pushed = Vec::new();
+        self.pushes = Pushes::default();
         self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
         let interfaces = &world.setup.interfaces;
         let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;

@@ -1,5 +1,6 @@
 //! The 3D engine: rigid blocks joined by face patches, boundaries, gas cavities, splitting.
 
+pub mod anchor;
 pub mod boundary;
 pub mod build;
 pub mod cavity;
@@ -14,13 +15,13 @@ mod gather;
 mod integrate;
 pub mod kick;
 mod layout;
-pub mod loads;
 pub mod meet;
 pub mod meet_solids;
 pub mod overlap;
 pub mod patch;
 pub mod peaks;
 pub mod picture;
+pub mod push;
 pub mod readings;
 pub mod refine;
 pub mod region;

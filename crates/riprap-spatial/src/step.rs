@@ -9,10 +9,9 @@ use super::deform;
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
 use super::integrate;
-use super::loads;
 use super::patch::{self, Poses};
+use super::push;
 use super::setup::Kinematics;
-use super::state::push::Push;
 pub use super::state::scratch::{NonFinite, Scratch};
 use super::world::{Turned, World, flag};
 
@@ -35,9 +34,10 @@ pub fn evaluate(
     scratch.damping = *damping;
     scratch.coming_dt = dt;
     profile.stage("loads", || {
-        if !world.setup.loads.is_empty() {
-            scratch.applied.resize(world.alive.len(), Push::default());
-            loads::apply(world, &mut scratch.applied);
+        push::begin(scratch);
+        push::loads::apply(world, scratch.deform.as_deref(), &mut scratch.pushes.loads);
+        if let Some(deform) = &world.deform {
+            push::surface::apply(world, deform, &mut scratch.pushes.loads);
         }
     });
     profile.stage("kinematics", || change_over(world, scratch));

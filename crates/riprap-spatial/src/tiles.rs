@@ -164,17 +164,7 @@ impl Tiles {
     pub fn make_rows(&mut self, world: &World) {
         self.rows.clear();
         self.special.clear();
-        let mut pushed = vec![false; world.alive.len()];
-        let loads = world.setup.loads.iter().flat_map(|l| &l.blocks);
-        let walls = world.cavities.iter().flat_map(|c| &c.walls);
-        for b in loads.copied().chain(walls.map(|w| w.block)) {
-            pushed[b as usize] = true;
-        }
-        for facet in world.deform.iter().flat_map(|d| &d.facets) {
-            for b in facet.blocks {
-                pushed[b as usize] = true;
-            }
-        }
+        let pushed = world.pushed();
         let mut faces = world
             .faces
             .iter()

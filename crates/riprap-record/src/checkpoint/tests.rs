@@ -60,6 +60,12 @@ fn every_truncation_and_every_flipped_byte_is_told() {
         decoded(&newer),
         Err(CheckpointError::Newer { found: 9, .. })
     ));
+    let mut older = bytes.clone();
+    older[8] = 1;
+    assert!(matches!(
+        decoded(&older),
+        Err(CheckpointError::Older { found: 1, .. })
+    ));
     assert!(matches!(
         decoded(b"PK\x03\x04 zip"),
         Err(CheckpointError::Foreign { .. })
@@ -145,7 +151,7 @@ fn two_are_kept_and_a_broken_one_is_skipped() {
 proptest! {
     #[test]
     fn random_bytes_never_panic(bytes in proptest::collection::vec(any::<u8>(), 0..400), magic: bool) {
-        let mut all = if magic { b"RIPRAPCK\x01\0\0\0".to_vec() } else { Vec::new() };
+        let mut all = if magic { b"RIPRAPCK\x02\0\0\0".to_vec() } else { Vec::new() };
         all.extend(bytes);
         prop_assert!(decoded(&all).is_err());
     }

@@ -3,7 +3,7 @@
 use super::{Cavity, EARLY, soft, upward};
 use crate::setup::{Push as Kind, Venting};
 use crate::state::event::EditKind;
-use crate::state::push::Push;
+use crate::state::push::Account;
 use crate::state::scratch::Scratch;
 use crate::world::World;
 
@@ -38,30 +38,20 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
     if world.cavities.is_empty() {
         return;
     }
-    let pushed = &mut scratch.pushed;
-    pushed.resize(world.alive.len(), Push::default());
+    let pushes = &mut scratch.pushes.own;
     let mut cavities = std::mem::take(&mut world.cavities);
-    if world.deform.is_some() {
-        // Bonds push blocks anywhere.
-        pushed.fill(Push::default());
-    }
-    for wall in cavities.iter().flat_map(|c| &c.walls) {
-        pushed[wall.block as usize] = Push::default();
-    }
-    let nodes = world.deform.as_ref().map_or(0, |d| d.nodes.len());
-    let any = cavities.iter().any(|c| c.soft.area > 0.0);
-    let mut pushes = Vec::new();
-    if let Some(work) = scratch.deform.as_deref_mut().filter(|_| any) {
-        pushes = std::mem::take(&mut work.pushes);
-        pushes.clear();
-        pushes.resize(nodes, [0.0; 3]);
+    pushes.need_blocks(world.alive.len());
+    if let Some(deform) = world.deform.as_ref()
+        && cavities.iter().any(|c| c.soft.area > 0.0)
+    {
+        pushes.need_nodes(deform.nodes.len());
     }
     for (k, cavity) in cavities.iter_mut().enumerate() {
         ignite(world, k, cavity, dt);
         match cavity.ignited {
             None => {
-                soft::hold(world, cavity.source, &mut pushes);
-                hold(world, cavity, pushed);
+                soft::hold(world, cavity.source, pushes);
+                hold(world, cavity, pushes);
             }
             Some(at) => {
                 // A push that begins now acts on the part of the kick after the present time only.
@@ -70,15 +60,12 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
                 } else {
                     1.0
                 };
-                expand(world, k, cavity, share, pushed);
+                expand(world, k, cavity, share, pushes);
                 let factor = cavity.gas.map_or(1.0, |g| g.factor);
                 let pressure = share * cavity.pressure * factor;
-                soft::push(world, cavity.source, pressure, &mut pushes);
+                soft::push(world, cavity.source, pressure, pushes);
             }
         }
-    }
-    if let Some(work) = scratch.deform.as_deref_mut() {
-        work.pushes = pushes;
     }
     world.cavities = cavities;
 }
@@ -106,11 +93,9 @@ fn swept(world: &World, cavity: &Cavity) -> f64 {
 }
 
 /// Before the ignition: walls carry what the charge carried.
-fn hold(world: &mut World, cavity: &mut Cavity, pushed: &mut [Push]) {
+fn hold(world: &mut World, cavity: &mut Cavity, pushes: &mut Account) {
     for wall in &cavity.walls {
-        let b = wall.block as usize;
-        pushed[b].force += wall.hold;
-        pushed[b].moment += wall.hold_moment;
+        pushes.on_block(wall.block, wall.hold, wall.hold_moment);
     }
     let work = cavity.held_now(world);
     world.works.gas += work - cavity.held;
@@ -118,7 +103,7 @@ fn hold(world: &mut World, cavity: &mut Cavity, pushed: &mut [Push]) {
 }
 
 /// After the ignition: volume, pressure, work, venting.
-fn expand(world: &mut World, k: usize, cavity: &mut Cavity, share: f64, pushed: &mut [Push]) {
+fn expand(world: &mut World, k: usize, cavity: &mut Cavity, share: f64, pushes: &mut Account) {
     let source = &world.setup.sources[cavity.source as usize];
     let ignited = cavity.ignited.unwrap_or(world.time);
     let swept = swept(world, cavity);
@@ -154,9 +139,7 @@ fn expand(world: &mut World, k: usize, cavity: &mut Cavity, share: f64, pushed: 
     world.works.gas += work;
     for wall in &cavity.walls {
         let force = share * cavity.pressure * factor * wall.area * wall.normal;
-        let push = &mut pushed[wall.block as usize];
-        push.force += force;
-        push.moment += wall.motion(world).1.cross(force);
+        pushes.on_block(wall.block, force, wall.motion(world).1.cross(force));
     }
 }
 

@@ -5,9 +5,9 @@
 use riprap_geom::Vec3;
 
 use crate::deform::Workspace;
-use crate::deform::loads::add;
 use crate::deform::store::{Acts, Deform, Surface};
 use crate::state::cavity::Soft;
+use crate::state::push::Account;
 use crate::world::World;
 
 impl Soft {
@@ -114,26 +114,26 @@ pub(super) fn held(world: &World, source: u16) -> f64 {
 }
 
 /// Pushes the nodes with a pressure, Pa.
-pub(super) fn push(world: &World, source: u16, pressure: f64, pushes: &mut [[f64; 3]]) {
+pub(super) fn push(world: &World, source: u16, pressure: f64, pushes: &mut Account) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
     for wall in surfaces(deform, source) {
         for &(node, area) in &wall.nodes {
-            add(&mut pushes[node as usize], -pressure * area * wall.normal);
+            pushes.on_node(node, -pressure * area * wall.normal);
         }
     }
 }
 
 /// Holds the nodes with the in-situ stress that the charge carried.
-pub(super) fn hold(world: &World, source: u16, pushes: &mut [[f64; 3]]) {
+pub(super) fn hold(world: &World, source: u16, pushes: &mut Account) {
     let (Some(deform), Some(in_situ)) = (world.deform.as_deref(), &world.setup.in_situ) else {
         return;
     };
     for wall in surfaces(deform, source) {
         for (k, &(node, area)) in wall.nodes.iter().enumerate() {
             let traction = in_situ.at(wall.heights[k]) * wall.normal;
-            add(&mut pushes[node as usize], area * traction);
+            pushes.on_node(node, area * traction);
         }
     }
 }

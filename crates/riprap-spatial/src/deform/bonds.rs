@@ -5,15 +5,15 @@
 
 use riprap_geom::Vec3;
 
-use super::anchors::{Anchors, rigid};
 use super::links::{Link, Sheet};
 use super::relax::Breaks;
 use super::store::{Deform, Facet, Memory, Point, State};
+use crate::anchor::Freedoms;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
-use crate::state::push::Push;
+use crate::state::push::Account;
 use crate::state::scratch::Scratch;
 use crate::state::workspace::{BondWorks, FACETS, Workspace};
 use crate::world::World;
@@ -75,7 +75,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
     let mut worn = std::mem::take(&mut deform.worn);
     let mut sheets = std::mem::take(&mut work.links.sheets);
     let context = Context {
-        anchors: Anchors::new(world, &deform),
+        freedoms: world.freedoms_with(&deform),
         turning: super::turn::Turning::new(world, &deform, &turns),
         points: &deform.points,
         links: &work.links.links,
@@ -115,14 +115,14 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
     deform.facets = facets;
     deform.memory = memory;
     deform.worn = worn;
-    push_rigid(world, &deform, &work, &mut scratch.pushed);
+    push_rigid(world, &deform, &work, &mut scratch.pushes.own);
     world.deform = Some(deform);
     scratch.deform = Some(work);
 }
 
 /// How bonds behave in the present evaluation.
 struct Context<'a> {
-    anchors: Anchors<'a>,
+    freedoms: Freedoms<'a>,
     /// How facets turn with their blocks; `None` where none does.
     turning: Option<super::turn::Turning<'a>>,
     points: &'a [Point],
@@ -185,7 +185,7 @@ impl Context<'_> {
             let from = sheet.first as usize - piece.first;
             let slots = &mut piece.slots[from..from + sheet.count as usize];
             let facet = &piece.facets[k];
-            let near = self.elastic(sheet, facet, strength, slots);
+            let near = self.elastic(sheet, strength, slots);
             if let Some(strength) = strength
                 && near
             {
@@ -201,13 +201,7 @@ impl Context<'_> {
 
     /// Forces of the points of a facet that have no memory; whether one may be beyond the strength.
     #[inline(always)]
-    fn elastic(
-        &self,
-        sheet: &Sheet,
-        facet: &Facet,
-        strength: Option<&Strength>,
-        slots: &mut [[f64; 3]],
-    ) -> bool {
+    fn elastic(&self, sheet: &Sheet, strength: Option<&Strength>, slots: &mut [[f64; 3]]) -> bool {
         let (n, springs) = (same(&sheet.normal), sheet.stiffness.map(Lanes::all));
         let mut near = false;
         for (eight, slots) in slots.chunks_mut(LANES).enumerate() {
@@ -216,7 +210,7 @@ impl Context<'_> {
             let (jump, area) = if sheet.plain {
                 self.jumps(&self.links[points])
             } else {
-                self.far_jumps(facet, &self.points[points])
+                self.far_jumps(&self.points[points])
             };
             let t = bond::connect_eight(springs, &n, &jump);
             if let Some(strength) = strength {
@@ -234,7 +228,7 @@ impl Context<'_> {
     #[inline(always)]
     fn jumps(&self, links: &[Link]) -> (Vectors, Lanes) {
         let (mut jump, mut area) = (Vectors::default(), Lanes::default());
-        let moved = &self.anchors.nodes.moved;
+        let moved = self.freedoms.displacement;
         for (k, link) in links.iter().enumerate().take(LANES) {
             let (a, b) = (moved[link.nodes[0] as usize], moved[link.nodes[1] as usize]);
             for axis in 0..3 {
@@ -247,10 +241,10 @@ impl Context<'_> {
 
     /// As [`Context::jumps`], for any anchors.
     #[inline(never)]
-    fn far_jumps(&self, facet: &Facet, points: &[Point]) -> (Vectors, Lanes) {
+    fn far_jumps(&self, points: &[Point]) -> (Vectors, Lanes) {
         let (mut jump, mut area) = (Vectors::default(), Lanes::default());
         for (k, point) in points.iter().enumerate().take(LANES) {
-            let across = self.anchors.jump(facet, point);
+            let across = self.freedoms.jump(&point.anchors);
             for axis in 0..3 {
                 jump[axis].0[k] = across[axis];
             }
@@ -274,13 +268,13 @@ impl Context<'_> {
             respond(law, facet.stiffness, memory, at, breaks)
         };
         for ((point, memory), slot) in points.iter().zip(memory).zip(slots) {
-            let jump = self.anchors.jump(facet, point);
+            let jump = self.freedoms.jump(&point.anchors);
             let at = facet.now.map(|e| e.dot(jump));
             let (t, after) = respond(memory, &at, at_once && self.live.is_some());
             let global = t[0] * facet.now[0] + t[1] * facet.now[1] + t[2] * facet.now[2];
             *slot = (point.area * global).to_array();
             let Some(pending) = self.live else { continue };
-            let rate = self.anchors.jump_rate(facet, point);
+            let rate = self.freedoms.jump_rate(&point.anchors);
             let before = facet.now.map(|e| e.dot(jump - pending * rate));
             let (t_before, old) = respond(memory, &before, false);
             let lost = point.area
@@ -387,28 +381,22 @@ fn fails(strength: &Strength, facet: &Facet, points: &[Point], slots: &[[f64; 3]
     })
 }
 
-/// Sums the forces of points on rigid blocks, in the order of the facets.
-fn push_rigid(world: &World, deform: &Deform, work: &Workspace, pushed: &mut Vec<Push>) {
+/// Pushes rigid blocks with the forces of points, in the order of the facets.
+fn push_rigid(world: &World, deform: &Deform, work: &Workspace, pushes: &mut Account) {
     if work.links.on_rigid.is_empty() {
         return;
     }
-    pushed.resize(world.alive.len(), Push::default());
-    if world.cavities.is_empty() {
-        pushed.fill(Push::default());
-    }
-    let anchors = Anchors::new(world, deform);
+    pushes.need_blocks(world.alive.len());
+    let freedoms = world.freedoms_with(deform);
     for &k in &work.links.on_rigid {
         let facet = &deform.facets[k as usize];
         for (side, sign) in [(0, 1.0), (1, -1.0)] {
-            let Some(b) = rigid(facet, side) else {
+            if !facet.rigid[side] {
                 continue;
-            };
-            let push = &mut pushed[b as usize];
+            }
             for p in facet.points() {
                 let force = sign * Vec3::from_array(work.slots[p]);
-                let arm = Vec3::from_array(deform.points[p].anchors[side].weights);
-                push.force += force;
-                push.moment += anchors.arm(b as usize, arm).cross(force);
+                freedoms.push(pushes, &deform.points[p].anchors[side], force);
             }
         }
     }

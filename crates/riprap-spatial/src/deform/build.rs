@@ -6,7 +6,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
 use super::hold::Hold;
-use super::store::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
+use super::store::{Acts, Anchor, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use crate::build::error::BuildError;
 use crate::deform::shape::{PARALLEL, centred, face_of};
 use crate::dynamics::{Formula, TimeFunction};
@@ -170,16 +170,14 @@ pub fn join(
 
 /// Where a point of a facet was at the start on one side, m (local).
 #[must_use]
-pub fn place(world: &World, deform: &Deform, facet: &Facet, point: &Point, side: usize) -> Vec3 {
-    let anchor = &point.anchors[side];
-    if facet.rigid[side] {
-        let centroid = world.reference[facet.blocks[side] as usize];
-        return centroid + Vec3::from_array(anchor.weights);
+pub fn place(world: &World, deform: &Deform, point: &Point, side: usize) -> Vec3 {
+    match point.anchors[side] {
+        Anchor::Block { block, arm } => world.reference[block as usize] + arm,
+        anchor @ Anchor::Nodes { .. } => {
+            let nodes = anchor.nodes();
+            nodes.map(|(n, w)| w * deform.nodes.place[n as usize]).sum()
+        }
     }
-    let nodes = anchor.nodes.iter().zip(anchor.weights);
-    nodes
-        .map(|(n, w)| w * deform.nodes.place[*n as usize])
-        .sum()
 }
 
 /// Breaks the bonds of notches.
@@ -195,7 +193,7 @@ fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
         for (k, facet) in deform.facets.iter().enumerate() {
             let whole = !notch.springs && inside(facet.centre);
             for p in facet.points() {
-                let own = || inside(place(world, deform, facet, &deform.points[p], 0));
+                let own = || inside(place(world, deform, &deform.points[p], 0));
                 if whole || (notch.springs && own()) {
                     found = true;
                     deform.worn[k] = true;
@@ -385,10 +383,9 @@ fn covered(deform: &Deform) -> BTreeMap<(u32, [i64; 3]), f64> {
             };
             for point in &deform.points[facet.points()] {
                 let anchor = &point.anchors[side];
-                for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
+                for (node, weight) in anchor.nodes() {
                     if weight != 0.0 {
-                        *sums.entry((*node, axis_key(normal))).or_insert(0.0) +=
-                            weight * point.area;
+                        *sums.entry((node, axis_key(normal))).or_insert(0.0) += weight * point.area;
                     }
                 }
             }

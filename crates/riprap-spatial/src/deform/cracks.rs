@@ -3,7 +3,6 @@
 use riprap_geom::Vec3;
 use riprap_geom::face_overlap::face_overlap;
 
-use super::anchors::Anchors;
 use super::store::{Deform, Facet, State};
 use crate::deform::shape::centred;
 use crate::fields::View;
@@ -55,7 +54,7 @@ pub fn surfaces(view: &View<'_>) -> Option<Surfaces> {
 /// sliding of the broken points (m).
 fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
     let facet = &deform.facets[k];
-    let anchors = Anchors::new(world, deform);
+    let freedoms = world.freedoms_with(deform);
     let (mut areas, mut time) = ([0.0; 2], f64::INFINITY);
     let (mut opening, mut slip) = (0.0, 0.0);
     for p in facet.points() {
@@ -66,7 +65,7 @@ fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
             State::Sheared => areas[1] += point.area,
         }
         time = time.min(memory.broken_at);
-        let jump = anchors.jump(facet, point);
+        let jump = freedoms.jump(&point.anchors);
         let across = jump.dot(facet.now[0]);
         opening += point.area * across;
         slip += point.area * (jump - across * facet.now[0]).length();

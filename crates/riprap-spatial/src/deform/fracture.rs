@@ -7,7 +7,6 @@
 
 use riprap_geom::Mat3;
 
-use super::anchors::Anchors;
 use super::bonds;
 use super::relax::Breaks;
 use super::store::{Break, Deform, Facet, State};
@@ -76,7 +75,7 @@ fn settle(world: &mut World) {
     };
     if deform.relax.is_some() {
         let mut memory = std::mem::take(&mut deform.memory);
-        let anchors = Anchors::new(world, &deform);
+        let freedoms = world.freedoms_with(&deform);
         let mut broke = false;
         for facet in &deform.facets {
             let law = world.setup.deform.bonds[usize::from(facet.row)].as_ref();
@@ -84,7 +83,7 @@ fn settle(world: &mut World) {
                 continue;
             };
             for p in facet.points() {
-                let jump = anchors.jump(facet, &deform.points[p]);
+                let jump = freedoms.jump(&deform.points[p].anchors);
                 let at = facet.now.map(|e| e.dot(jump));
                 let held = bond::connect(facet.stiffness, &memory[p].start, &at);
                 let (_, after) = bonds::respond(law, facet.stiffness, &memory[p], &at, false);
@@ -257,7 +256,7 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
         return 0;
     };
     let mut memory = std::mem::take(&mut deform.memory);
-    let anchors = Anchors::new(world, &deform);
+    let freedoms = world.freedoms_with(&deform);
     let mut released = 0.0;
     let mut facets: Vec<u32> = Vec::new();
     for one in due {
@@ -275,7 +274,7 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
             if m.state.is_broken() {
                 continue;
             }
-            let jump = anchors.jump(facet, &deform.points[p]);
+            let jump = freedoms.jump(&deform.points[p].anchors);
             let at = facet.now.map(|e| e.dot(jump));
             let (springs, friction) = (facet.stiffness, strength.residual_friction);
             let (_, held) = bonds::respond(law, springs, m, &at, false);

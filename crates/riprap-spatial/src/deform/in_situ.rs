@@ -75,14 +75,14 @@ pub fn tractions(
     let centre = deform.nodes.place[body.nodes().end - 1].z;
     let height = |point: &Point| {
         let anchor = &point.anchors[side];
-        let pairs = || anchor.nodes.iter().zip(anchor.weights);
+        let pairs = || anchor.nodes();
         // A point that is a node stands for the node's share of the face.
         let single = pairs().find(|(_, w)| (w - 1.0).abs() < 1e-12);
         if let Some(at) = single.and_then(|(n, _)| levers.get(&(n - body.first))) {
             return centre + at.z;
         }
         pairs()
-            .map(|(n, w)| w * deform.nodes.place[*n as usize].z)
+            .map(|(n, w)| w * deform.nodes.place[n as usize].z)
             .sum()
     };
     points

@@ -26,7 +26,8 @@ pub struct Sheet {
 
 impl Sheet {
     fn new(facet: &Facet, points: &[Point]) -> Self {
-        let plain = facet.rigid == [false; 2] && points.iter().flat_map(|p| &p.anchors).all(single);
+        let mut anchors = points.iter().flat_map(|p| &p.anchors);
+        let plain = anchors.all(|a| a.single().is_some());
         Self {
             normal: facet.now[0].to_array(),
             stiffness: facet.stiffness,
@@ -43,13 +44,6 @@ impl Sheet {
     pub fn points(&self) -> std::ops::Range<usize> {
         self.first as usize..(self.first + self.count) as usize
     }
-}
-
-/// Whether an anchor is its first node.
-#[inline]
-#[must_use]
-pub fn single(anchor: &Anchor) -> bool {
-    anchor.weights == [1.0, 0.0, 0.0]
 }
 
 /// A point between two nodes.
@@ -77,11 +71,7 @@ impl Hook {
     /// How the body whose first node is `first` sees side `side` of a point.
     #[must_use]
     pub fn new(point: u32, side: usize, anchor: &Anchor, first: u32) -> Self {
-        let node = if single(anchor) {
-            anchor.nodes[0] - first
-        } else {
-            Self::MANY
-        };
+        let node = anchor.single().map_or(Self::MANY, |node| node - first);
         let to = node | (side as u32) << 31;
         Self { point, to }
     }
@@ -122,7 +112,9 @@ impl Links {
     pub fn new(deform: &Deform) -> Self {
         let sheet = |f: &Facet| Sheet::new(f, &deform.points[f.points()]);
         let link = |p: &Point| Link {
-            nodes: p.anchors.map(|a| a.nodes[0]),
+            nodes: p
+                .anchors
+                .map(|a| a.nodes().next().map_or(0, |(node, _)| node)),
             area: p.area,
         };
         let facets = deform.facets.iter().enumerate();

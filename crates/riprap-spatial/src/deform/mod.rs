@@ -11,7 +11,6 @@
 //!
 //! Cutting ([`cut`]) appends the nodes of the parts and makes their facets anew; [`store::Deform::retire`] takes blocks out.
 
-pub mod anchors;
 pub mod bonds;
 pub mod build;
 pub mod cracks;
@@ -21,7 +20,6 @@ pub mod fracture;
 pub mod in_situ;
 mod kick;
 pub mod links;
-pub mod loads;
 pub mod overlay;
 pub mod phase;
 pub mod picture;

@@ -39,9 +39,12 @@ pub fn points(world: &World, deform: &Deform, kinds: &[Kind], overlap: &Overlap)
             let anchor = |side: usize| {
                 if rigid[side] {
                     let centroid = world.reference[overlap.blocks[side] as usize];
-                    on_rigid(point.at - shifts[side] - centroid)
+                    Anchor::Block {
+                        block: overlap.blocks[side],
+                        arm: point.at - shifts[side] - centroid,
+                    }
                 } else {
-                    Anchor {
+                    Anchor::Nodes {
                         nodes: point.sides[side].nodes,
                         weights: point.sides[side].weights,
                     }
@@ -53,14 +56,6 @@ pub fn points(world: &World, deform: &Deform, kinds: &[Kind], overlap: &Overlap)
             }
         })
         .collect()
-}
-
-/// An anchor on a rigid block: the arm from its centroid, m.
-fn on_rigid(arm: Vec3) -> Anchor {
-    Anchor {
-        nodes: [0; 3],
-        weights: arm.to_array(),
-    }
 }
 
 /// Fan of the face of a block with an outward normal, near `arm` (m from the centroid); places in the local frame, nodes of

@@ -2,9 +2,8 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::anchors::Anchors;
 use super::bonds;
-use super::store::{Body, Deform, Facet};
+use super::store::{Anchor, Body, Deform, Facet};
 use crate::fields::View;
 use crate::laws::bond;
 use crate::laws::tetrahedron::Gradient;
@@ -215,7 +214,7 @@ impl<'a> View<'a> {
                     force -= net - deform.holds[hold].free * net;
                 }
             }
-            force += super::loads::traction(self.world, deform, surface);
+            force += crate::push::surface::total(self.world, deform, surface);
         }
         (moved / area, force)
     }
@@ -276,16 +275,18 @@ impl<'a> View<'a> {
     pub fn bond_forces(&self) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
         let (world, softs) = (self.world, self.softs());
         softs.into_iter().flat_map(move |(deform, work)| {
-            let anchors = Anchors::new(world, deform);
+            let freedoms = world.freedoms_with(deform);
             let sides = deform.facets.iter().flat_map(|f| [(f, 0), (f, 1)]);
             let rigid = sides.filter(|(f, side)| f.rigid[*side]);
             rigid.flat_map(move |(facet, side)| {
                 let b = facet.blocks[side] as usize;
                 let sign = if side == 0 { 1.0 } else { -1.0 };
-                facet.points().map(move |p| {
-                    let arm = Vec3::from_array(deform.points[p].anchors[side].weights);
+                facet.points().filter_map(move |p| {
+                    let Anchor::Block { block, arm } = deform.points[p].anchors[side] else {
+                        return None;
+                    };
                     let force = sign * Vec3::from_array(work.slots[p]);
-                    (b, anchors.arm(b, arm), force)
+                    Some((b, freedoms.arm(block, arm), force))
                 })
             })
         })
@@ -309,7 +310,7 @@ impl<'a> View<'a> {
         let Some((deform, _)) = self.softs() else {
             return [0.0; 2];
         };
-        let anchors = Anchors::new(self.world, deform);
+        let freedoms = self.world.freedoms_with(deform);
         let bonds = &self.world.setup.deform.bonds;
         let mut sum = [0.0; 2];
         for (facet, worn) in deform.facets.iter().zip(&deform.worn) {
@@ -317,7 +318,7 @@ impl<'a> View<'a> {
             let linear = !worn && law.is_none_or(|l| l.cohesive.is_none());
             let points = &deform.points[facet.points()];
             for (point, memory) in points.iter().zip(&deform.memory[facet.points()]) {
-                let jump = anchors.jump(facet, point);
+                let jump = freedoms.jump(&point.anchors);
                 let at = facet.now.map(|e| e.dot(jump));
                 let state = match law {
                     Some(law) if !linear => {

@@ -46,7 +46,7 @@ impl Relax {
 
     /// Looks at convergence and damping where it is time; to be called once an iteration, after the forces are
     /// known.
-    pub fn look(&mut self, nodes: &super::store::Nodes, work: &Workspace) {
+    pub fn look(&mut self, nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) {
         let [net, reactions, external] = work.norms;
         self.largest = self.largest.max(reactions).max(external);
         let scale = reactions.max(external).max(REST * self.largest);
@@ -61,7 +61,7 @@ impl Relax {
         self.converged = match self.way.energy {
             None => ratio <= self.tolerance,
             Some(share) => {
-                let energy = elastic(nodes, work);
+                let energy = elastic(nodes, work, loads);
                 let before = self.energy.replace(energy);
                 before.is_some_and(|before| (energy - before).abs() <= share * energy.abs())
             }
@@ -92,10 +92,10 @@ impl Relax {
 }
 
 /// Elastic energy, J: half the work of the internal forces, exact for small strain without friction.
-fn elastic(nodes: &super::store::Nodes, work: &Workspace) -> f64 {
+fn elastic(nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) -> f64 {
     let mut sum = 0.0;
     for (k, (u, net)) in nodes.moved.iter().zip(&work.net).enumerate() {
-        let load = work.loads.get(k).copied().unwrap_or_default();
+        let load = loads.get(k).copied().unwrap_or_default();
         for axis in 0..3 {
             sum += u[axis] * (load[axis] - net[axis]);
         }
@@ -129,14 +129,14 @@ pub fn row_sums(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
                 if facet.rigid[side] {
                     1.0
                 } else {
-                    point.anchors[side].weights.iter().map(|w| w.abs()).sum()
+                    point.anchors[side].nodes().map(|(_, w)| w.abs()).sum()
                 }
             };
             let all = of(0) + of(1);
             for side in (0..2).filter(|s| !facet.rigid[*s]) {
                 let anchor = &point.anchors[side];
-                for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
-                    bonds[*node as usize] += weight.abs() * all * point.area * rows;
+                for (node, weight) in anchor.nodes() {
+                    bonds[node as usize] += weight.abs() * all * point.area * rows;
                 }
             }
         }

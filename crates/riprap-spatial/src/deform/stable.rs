@@ -3,9 +3,9 @@
 
 pub mod alone;
 
-use super::anchors::Anchors;
 use super::elements;
-use super::store::Deform;
+use super::store::{Anchor, Deform};
+use crate::anchor::Freedoms;
 use crate::exec::Exec;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::{StartStress, Strain};
@@ -101,7 +101,9 @@ pub fn on_bonds(world: &World, deform: &Deform) -> f64 {
                 .map(|k| inverse.col(k).abs().element_sum())
                 .fold(0.0, f64::max);
             for point in &deform.points[facet.points()] {
-                let arm = Vec3::from_array(point.anchors[side].weights);
+                let Anchor::Block { arm, .. } = point.anchors[side] else {
+                    continue;
+                };
                 let ease = 1.0 / solid.mass + arm.length_squared() * turn;
                 sums[b] += point.area * stiff * ease;
             }
@@ -155,24 +157,26 @@ fn times(
             }
         },
     );
-    let anchors = Anchors {
-        nodes: &nodes,
+    let freedoms = Freedoms {
         bodies,
         turned,
+        displacement: &nodes.moved,
+        velocity: &nodes.rate,
     };
     for facet in &deform.facets {
         let n = facet.frame[0];
         let [kn, ks] = facet.stiffness;
         for point in &deform.points[facet.points()] {
-            let d = anchors.jump(facet, point);
+            let d = freedoms.jump(&point.anchors);
             let f: Vec3 = point.area * (ks * d + ((kn - ks) * d.dot(n)) * n);
             for (side, sign) in [(0, 1.0), (1, -1.0)] {
                 if facet.rigid[side] {
                     continue;
                 }
                 let anchor = &point.anchors[side];
-                for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
-                    super::loads::add(&mut y[*node as usize], sign * weight * f);
+                for (node, weight) in anchor.nodes() {
+                    let to = &mut y[node as usize];
+                    *to = (Vec3::from_array(*to) + sign * weight * f).to_array();
                 }
             }
         }

@@ -69,7 +69,6 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         scratch.deform = Some(work);
         return Ok(());
     };
-    super::loads::apply(world, &deform, &mut work);
     let result = forces(world, &deform, scratch, &mut work, dt);
     world.works.add(&result.0);
     world.deform = Some(deform);
@@ -106,8 +105,8 @@ fn forces(
             true => &work.masses,
             false => &work.fictitious,
         },
-        loads: &work.loads,
-        pushes: &work.pushes,
+        loads: &scratch.pushes.loads.nodes,
+        pushes: &scratch.pushes.own.nodes,
         holds: &deform.holds,
         dashpots: &work.dashpots,
         width: scratch.width,
@@ -209,7 +208,7 @@ impl Context<'_> {
                 continue;
             }
             let anchor = &self.deform.points[hook.point as usize].anchors[hook.side()];
-            for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
+            for (node, weight) in anchor.nodes() {
                 if weight == 0.0 {
                     continue;
                 }
@@ -271,7 +270,7 @@ pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 
         return dt;
     };
     if let Some(relax) = &mut deform.relax {
-        relax.look(&deform.nodes, work);
+        relax.look(&deform.nodes, work, &scratch.pushes.loads.nodes);
     }
     let moving = Moving {
         bodies: &deform.bodies,

@@ -75,7 +75,7 @@ impl Workspace {
         }
         work.start(setup, deform);
         work.speeds = vec![0.0; deform.bodies.len()];
-        work.dashpots = super::loads::dashpots(setup, deform);
+        work.dashpots = crate::push::surface::dashpots(setup, deform);
         if deform.relax.is_some() {
             work.fictitious = super::relax::masses(deform, &work.kinds);
         }
@@ -120,7 +120,7 @@ impl Workspace {
             let kind = &self.kinds[body.kind as usize];
             let masses = kind.masses().iter().zip(&kind.lumped);
             for (f, (now, lumped)) in self.start_forces[body.nodes()].iter_mut().zip(masses) {
-                super::loads::add(f, (now - lumped) * force);
+                *f = (Vec3::from_array(*f) + (now - lumped) * force).to_array();
             }
         }
     }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::cutting::Cutting;
 use super::hold::Hold;
 use super::relax::Relax;
+pub use crate::anchor::Anchor;
 use crate::laws::bond::{self, Traction};
 use crate::laws::tetrahedron::Symmetric;
 use crate::setup::deform::Strain;
@@ -201,15 +202,6 @@ impl Facet {
     pub fn points(&self) -> std::ops::Range<usize> {
         self.first as usize..(self.first + self.count) as usize
     }
-}
-
-/// Where a point hangs on one side.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Anchor {
-    /// Nodes; a rigid side has none of its own and repeats 0.
-    pub nodes: [u32; 3],
-    /// Weights of the nodes; on a rigid side the arm from its centroid, m.
-    pub weights: [f64; 3],
 }
 
 /// A point of a facet: a spring.

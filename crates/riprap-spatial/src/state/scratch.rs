@@ -1,6 +1,6 @@
 //! Everything of a spatial model that can be dropped and laid out anew without changing a result.
 
-use super::push::Push;
+use super::push::Pushes;
 use super::sums::Sums;
 use super::workspace::Workspace;
 use crate::dynamics::damping::Damping;
@@ -24,10 +24,8 @@ pub struct Scratch {
     pub net: Sums,
     /// Sums of contact dashpots; empty without any.
     pub drag: Sums,
-    /// External loads; empty without any.
-    pub applied: Vec<Push>,
-    /// Pushes of cavities, whose work the cavities book themselves; empty without any.
-    pub pushed: Vec<Push>,
+    /// What pushes blocks and nodes from outside.
+    pub pushes: Pushes,
     /// Length of the step that the kick was found for, s.
     pub coming_dt: f64,
     /// Damping that the kick was found with.

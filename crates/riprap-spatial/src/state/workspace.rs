@@ -58,10 +58,6 @@ pub struct Workspace {
     pub masses: Vec<f64>,
     /// Force of each point on A, N.
     pub slots: Vec<[f64; 3]>,
-    /// External loads on nodes without gravity, N; empty without any.
-    pub loads: Vec<[f64; 3]>,
-    /// What cavities push nodes with, N, whose work the cavities book; empty without any.
-    pub pushes: Vec<[f64; 3]>,
     /// Rotations of the bodies with large strain; empty without any.
     pub turns: Vec<Mat3>,
     /// Start stresses of the bodies; empty without any.

@@ -14,6 +14,7 @@ use super::event::{EditEvent, EditKind};
 use super::face::Face;
 use super::lineage::Origin;
 pub use super::patches::{PatchClass, Patches, flag};
+use crate::anchor::Freedoms;
 use crate::ledger::Works;
 use crate::setup::{Motion, Setup};
 
@@ -101,6 +102,28 @@ impl World {
             children: Vec::new(),
             patches: [0; 2],
             cut: None,
+        }
+    }
+
+    /// The freedoms of all blocks, with the nodes of `deform`, the deformable part that has been taken out.
+    #[must_use]
+    pub fn freedoms_with<'a>(&'a self, deform: &'a Deform) -> Freedoms<'a> {
+        Freedoms {
+            bodies: &self.bodies,
+            turned: &self.turned,
+            displacement: &deform.nodes.moved,
+            velocity: &deform.nodes.rate,
+        }
+    }
+
+    /// The freedoms of rigid blocks.
+    #[must_use]
+    pub fn freedoms_of_blocks(&self) -> Freedoms<'_> {
+        Freedoms {
+            bodies: &self.bodies,
+            turned: &self.turned,
+            displacement: &[],
+            velocity: &[],
         }
     }
 }

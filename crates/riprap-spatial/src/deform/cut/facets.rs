@@ -11,7 +11,6 @@ use super::plan::Family;
 use super::pressed::Pressed;
 use super::stretch::Stretch;
 use crate::build::error::BuildError;
-use crate::deform::anchors::Anchors;
 use crate::deform::build::{place, stiffness};
 use crate::deform::fracture::LOOK;
 use crate::deform::in_situ::levers;
@@ -188,8 +187,8 @@ impl Lists {
     fn cover(&mut self, side: usize, piece: &Piece, points: &[Point]) {
         for point in points {
             let anchor = &point.anchors[side];
-            for (node, weight) in anchor.nodes.iter().zip(anchor.weights) {
-                let spot = (piece.block, piece.face, *node);
+            for (node, weight) in anchor.nodes() {
+                let spot = (piece.block, piece.face, node);
                 self.covered.push((spot, weight * point.area));
             }
         }
@@ -219,7 +218,7 @@ impl Maker<'_> {
         let old = &self.deform.facets[k];
         let n = old.frame[0];
         let shift = self.shift(old);
-        let place = |point: &Point| place(self.world, self.deform, old, point, 0);
+        let place = |point: &Point| place(self.world, self.deform, point, 0);
         let stretch = Stretch::new(self.world, self.deform, old, place);
         let mut sides = [0, 1].map(|side| self.pieces(old, side));
         if shift != Vec3::ZERO {
@@ -244,9 +243,9 @@ impl Maker<'_> {
                     ..*old
                 };
                 let (facet, points) = self.place(lists, facet, &joints, shift);
-                let anchors = Anchors::new(self.world, self.deform);
+                let freedoms = self.world.freedoms_with(self.deform);
                 for (joint, point) in joints.iter().zip(&points) {
-                    let jump = anchors.jump(&facet, point);
+                    let jump = freedoms.jump(&point.anchors);
                     let at = facet.now.map(|e| e.dot(jump));
                     lists.memory.push(stretch.memory(&facet, joint.at, &at));
                 }
@@ -284,12 +283,10 @@ impl Maker<'_> {
             if facet.rigid[side] {
                 let back = if side == 0 { Vec3::ZERO } else { shift };
                 let arm = joint.at - back - self.world.reference[facet.blocks[side] as usize];
-                return Anchor {
-                    nodes: [0; 3],
-                    weights: arm.to_array(),
-                };
+                let block = facet.blocks[side];
+                return Anchor::Block { block, arm };
             }
-            Anchor {
+            Anchor::Nodes {
                 nodes: joint.sides[side].nodes,
                 weights: joint.sides[side].weights,
             }
@@ -342,7 +339,7 @@ impl Maker<'_> {
         let mut nodes: Vec<u32> = self.deform.points[facet.points()]
             .iter()
             .map(|p| &p.anchors[side])
-            .flat_map(|a| a.nodes.iter().zip(a.weights))
+            .flat_map(Anchor::nodes)
             .filter(|(_, w)| *w != 0.0)
             .map(|(n, _)| n - body.first)
             .collect();
@@ -402,7 +399,7 @@ impl Maker<'_> {
         let Some(point) = self.deform.points[facet.points()].first() else {
             return Vec3::ZERO;
         };
-        let at = |side| place(self.world, self.deform, facet, point, side);
+        let at = |side| place(self.world, self.deform, point, side);
         let shift = at(0) - at(1);
         if self.world.setup.periodic == [None; 3] {
             Vec3::ZERO
@@ -452,10 +449,10 @@ impl Maker<'_> {
                 whole_until: 0,
             };
             let (facet, points) = self.place(lists, facet, &joints, Vec3::ZERO);
-            let anchors = Anchors::new(self.world, self.deform);
+            let freedoms = self.world.freedoms_with(self.deform);
             for (joint, point) in joints.iter().zip(&points) {
                 let t = stress.at(joint.at - centre) * n;
-                let jump = anchors.jump(&facet, point);
+                let jump = freedoms.jump(&point.anchors);
                 let [kn, ks] = springs;
                 let start = std::array::from_fn(|k| {
                     let stiff = if k == 0 { kn } else { ks };

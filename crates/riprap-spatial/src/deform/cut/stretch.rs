@@ -2,7 +2,6 @@
 
 use riprap_geom::Vec3;
 
-use crate::deform::anchors::Anchors;
 use crate::deform::store::{Deform, Facet, Memory, Point};
 use crate::world::World;
 
@@ -24,13 +23,13 @@ impl Stretch {
         facet: &Facet,
         place: impl Fn(&Point) -> Vec3,
     ) -> Self {
-        let anchors = Anchors::new(world, deform);
+        let freedoms = world.freedoms_with(deform);
         let [kn, ks] = facet.stiffness;
         let mut points = Vec::new();
         let mut areas = Vec::new();
         for p in facet.points() {
             let (point, memory) = (&deform.points[p], deform.memory[p]);
-            let jump = anchors.jump(facet, point);
+            let jump = freedoms.jump(&point.anchors);
             let at = facet.now.map(|e| e.dot(jump));
             let s = memory.start;
             let stretch = [at[0] + s[0] / kn, at[1] + s[1] / ks, at[2] + s[2] / ks];

@@ -84,10 +84,12 @@ fn highest(deform: &Deform, work: &Workspace, body: &Body, bonds: &[(u32, u8)]) 
                 ease(deform, work, facet.blocks[there], &point.anchors[there])
             };
             let share = point.area * (1.0 + other / own);
-            let anchor = &point.anchors[here];
-            let nodes = anchor.nodes.map(|n| n.saturating_sub(body.first));
+            let Anchor::Nodes { nodes, weights } = point.anchors[here] else {
+                continue;
+            };
+            let nodes = nodes.map(|n| n.saturating_sub(body.first));
             let springs = facet.stiffness.map(|k| share * k);
-            matrix.add_spring(&nodes, &anchor.weights, facet.frame[0], springs);
+            matrix.add_spring(&nodes, &weights, facet.frame[0], springs);
         }
     }
     let masses = kind.masses().iter();
@@ -106,7 +108,7 @@ fn ease(deform: &Deform, work: &Workspace, block: u32, anchor: &Anchor) -> f64 {
         return 0.0;
     };
     let masses = work.kind(body).masses();
-    let pairs = anchor.nodes.iter().zip(anchor.weights);
+    let pairs = anchor.nodes();
     pairs
         .filter(|(_, w)| *w != 0.0)
         .map(|(n, w)| w * w / masses[(n - body.first) as usize])

@@ -1,0 +1,107 @@
+//! Given forces, moments and accelerations on blocks.
+
+use riprap_geom::Vec3;
+
+use crate::anchor::Anchor;
+use crate::setup::LoadKind;
+use crate::state::deform::{Body, Deform};
+use crate::state::push::Account;
+use crate::state::workspace::{Kind, Workspace};
+use crate::state::world::World;
+
+/// Pushes blocks with all loads at the world's present time.
+pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
+    for load in &world.setup.loads {
+        let factor = load.time.at(world.time);
+        for &b in load.blocks.iter().filter(|b| world.alive[**b as usize]) {
+            let soft = world.deform.as_deref().zip(work);
+            let soft =
+                soft.and_then(|(deform, work)| Some((deform, deform.body(b as usize)?, work)));
+            match soft {
+                None => {
+                    loads.need_blocks(world.alive.len());
+                    on_rigid(world, &load.kind, factor, b, loads);
+                }
+                Some((deform, body, work)) => {
+                    loads.need_nodes(deform.nodes.len());
+                    on_nodes(deform, body, work.kind(body), &load.kind, factor, loads);
+                }
+            }
+        }
+    }
+}
+
+/// A load on a rigid block.
+fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32, loads: &mut Account) {
+    match load {
+        LoadKind::Point { force, at } => {
+            let force = factor * *force;
+            match at {
+                None => loads.on_block(b, force, Vec3::ZERO),
+                Some(at) => {
+                    let arm = *at - world.reference[b as usize];
+                    let anchor = Anchor::Block { block: b, arm };
+                    world.freedoms_of_blocks().push(loads, &anchor, force);
+                }
+            }
+        }
+        LoadKind::Moment { moment } => loads.on_block(b, Vec3::ZERO, factor * *moment),
+        LoadKind::BodyForce { acceleration } => {
+            let force = factor * world.solid_of(b as usize).mass * *acceleration;
+            loads.on_block(b, force, Vec3::ZERO);
+        }
+    }
+}
+
+/// A load on a deformable block: an acceleration or a force without a point is shared by mass, a force at a point goes
+/// to the tetrahedron that holds it.
+fn on_nodes(
+    deform: &Deform,
+    body: &Body,
+    kind: &Kind,
+    load: &LoadKind,
+    factor: f64,
+    loads: &mut Account,
+) {
+    let (first, masses) = (body.first, kind.masses());
+    match load {
+        LoadKind::BodyForce { acceleration } => {
+            for (node, m) in (first..).zip(masses) {
+                loads.on_node(node, factor * *m * *acceleration);
+            }
+        }
+        LoadKind::Point { force, at: None } => {
+            let total: f64 = masses.iter().sum();
+            for (node, m) in (first..).zip(masses) {
+                loads.on_node(node, factor * *m / total * *force);
+            }
+        }
+        LoadKind::Point {
+            force,
+            at: Some(at),
+        } => {
+            let centre = deform.nodes.place[first as usize + kind.mesh.nodes.len() - 1];
+            for (node, weight) in holder(kind, *at - centre) {
+                loads.on_node(first + node, factor * weight * *force);
+            }
+        }
+        // Refused when the model is made: nodes take no moment.
+        LoadKind::Moment { .. } => {}
+    }
+}
+
+/// Nodes and weights of the tetrahedron that holds a point (from the centroid, m), or comes nearest to it.
+fn holder(kind: &Kind, at: Vec3) -> [(u32, f64); 4] {
+    let mesh = &kind.mesh;
+    let mut best = ([(0, 0.0); 4], f64::NEG_INFINITY);
+    for (tet, g) in mesh.tets.iter().zip(&mesh.gradients) {
+        let r = at - mesh.nodes[tet[0] as usize];
+        let n = g.map(|g| g.dot(r));
+        let weights = [1.0 - n[0] - n[1] - n[2], n[0], n[1], n[2]];
+        let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
+        if least > best.1 {
+            best = (std::array::from_fn(|k| (tet[k], weights[k])), least);
+        }
+    }
+    best.0
+}
