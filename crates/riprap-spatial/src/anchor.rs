@@ -140,7 +140,7 @@ impl Freedoms<'_> {
                 to.on_block(*block, force, self.arm(*block, *arm).cross(force));
             }
             Anchor::Nodes { .. } => {
-                for (node, weight) in anchor.nodes() {
+                for (node, weight) in anchor.nodes().filter(|(_, w)| *w != 0.0) {
                     to.on_node(node, weight * force);
                 }
             }

@@ -7,17 +7,12 @@
 //! Volume and force are conjugate: `V = V0 + f sum A n.(u + th x r)` and a force `P f A n` at the centre of each wall,
 //! so that the work on the blocks is `P dV`. Gas work is booked as the analytic integral of its adiabat; what the
 //! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start. On deformable
-//! blocks a wall is a set of nodes with their shares of the area (`soft`).
+//! blocks a wall is a set of nodes with their shares of the area (`walls`).
 //!
 //! Source: Tian & Li, eqs. (19)-(22) and assumption 1 (the charge turns to gas at once). Deviation: the coupling of
 //! volume and faces, and the limit of the time step, are ours; the source gives none.
 
-mod push;
-mod soft;
-
-pub(super) use push::act;
-pub use push::step_limit;
-pub use soft::{renew as renew_soft, state as soft_state};
+pub mod walls;
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::frame;
@@ -25,7 +20,7 @@ use riprap_geom::polyhedron::frame;
 use super::overlap::Overlap;
 use super::region::Bounds;
 use super::setup::{Coupling, Place, Region, Setup, Venting};
-pub use super::state::cavity::{Cavity, Gas, Soft, Wall};
+pub use super::state::cavity::{Cavity, Gas, NodalWalls, Wall};
 use super::state::lineage::Origin;
 use super::world::World;
 use crate::laws::explosive::{Adiabat, ExplosiveError};
@@ -35,7 +30,7 @@ use crate::laws::explosive::{Adiabat, ExplosiveError};
 /// of the expansion.
 pub const GAS_STEP: f64 = 0.1;
 /// A share of the last step by which an ignition may be early: times are sums of steps.
-const EARLY: f64 = 1e-9;
+pub(crate) const EARLY: f64 = 1e-9;
 /// Blocks are equally fine when their volumes differ by less than this share.
 const EQUAL: f64 = 1e-6;
 
@@ -109,32 +104,6 @@ impl Wall {
             hold,
             hold_moment,
         }
-    }
-
-    /// Displacement of the centre (m) and its present arm (m).
-    fn motion(&self, world: &World) -> (Vec3, Vec3) {
-        let b = self.block as usize;
-        match &world.turned[b] {
-            Some(turned) => {
-                let arm = turned.attitude * self.arm;
-                (world.bodies.displacement(b) + arm - self.arm, arm)
-            }
-            None => {
-                let moved = world.bodies.rotation(b).cross(self.arm);
-                (world.bodies.displacement(b) + moved, self.arm)
-            }
-        }
-    }
-
-    /// Work of the in-situ traction since the start, J.
-    fn held(&self, world: &World) -> f64 {
-        let b = self.block as usize;
-        self.hold.dot(world.bodies.displacement(b)) + self.hold_moment.dot(world.bodies.rotation(b))
-    }
-
-    /// Volume that the wall has swept since the start, m³.
-    fn swept(&self, world: &World) -> f64 {
-        self.area * self.normal.dot(self.motion(world).0)
     }
 }
 
@@ -210,8 +179,8 @@ impl Cavity {
         use super::setup::Push as Kind;
         let what = &world.setup.sources[source];
         let name = || what.name.clone();
-        let soft = Soft::of(world, source);
-        if walls.is_empty() && soft.area == 0.0 {
+        let nodal = NodalWalls::of(world, source as u16);
+        if walls.is_empty() && nodal.area == 0.0 {
             return Err(CavityError::NoWall { name: name() });
         }
         walls.sort_by_key(|w| w.block);
@@ -247,7 +216,7 @@ impl Cavity {
             work: 0.0,
             held: 0.0,
             above: Vec::new(),
-            soft,
+            nodal,
             gas,
         };
         if matches!(venting, Some(Venting::Heave { .. })) {
@@ -265,12 +234,17 @@ impl Cavity {
         world: &'a World,
     ) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
         let factor = self.gas.map_or(1.0, |g| g.factor);
+        let freedoms = world.all_freedoms();
         self.walls.iter().map(move |wall| {
             let force = match self.ignited {
                 Some(_) => self.pressure * factor * wall.area * wall.normal,
                 None => wall.hold,
             };
-            (wall.block as usize, wall.motion(world).1, force)
+            (
+                wall.block as usize,
+                freedoms.arm(wall.block, wall.arm),
+                force,
+            )
         })
     }
 
@@ -288,26 +262,14 @@ impl Cavity {
 
     /// Forgets walls of dead blocks; the volume stays what it is.
     pub fn drop_walls(&mut self, world: &World) {
-        let dead = |w: &Wall| !world.alive[w.block as usize];
-        let lost: f64 = self
-            .walls
-            .iter()
-            .filter(|w| dead(w))
-            .map(|w| w.swept(world))
-            .sum();
+        let lost = walls::lost(world, self);
         if self.ignited.is_some() {
             self.base -= lost;
         }
-        self.walls.retain(|w| !dead(w));
+        self.walls.retain(|w| world.alive[w.block as usize]);
         if self.ignited.is_none() {
-            self.held = self.held_now(world);
+            self.held = walls::held(world, self);
         }
-    }
-
-    /// Work of the in-situ tractions of all walls since the start, J.
-    fn held_now(&self, world: &World) -> f64 {
-        let rigid: f64 = self.walls.iter().map(|w| w.held(world)).sum();
-        rigid + soft::held(world, self.source)
     }
 
     /// Finds the surface above anew if the gas vents by heave.
@@ -348,7 +310,7 @@ impl Cavity {
     }
 
     /// Share of the gas pressure that is left at `time` (s).
-    fn sealed(&self, venting: Option<Venting>, time: f64) -> f64 {
+    pub(crate) fn sealed(&self, venting: Option<Venting>, time: f64) -> f64 {
         match (venting, self.ignited) {
             (Some(Venting::Time { start, span }), Some(ignited)) => {
                 let gone = time - ignited - start;
@@ -382,7 +344,7 @@ impl Cavity {
             let solid = world.solid_of(b);
             sum += area.length_squared() / solid.mass + moment.dot(solid.inverse * moment);
         }
-        sum + self.soft.mobility
+        sum + self.nodal.mobility
     }
 
     /// Largest step that resolves the gas spring, `0.1/w` with `w² = g P f² mobility / V`, s.
@@ -408,6 +370,30 @@ impl Cavity {
     }
 }
 
+/// Largest step that cavities allow at the present state, s; the run loop takes the smallest of all limits, every step.
+///
+/// A charge that has not gone off yet is met on time, and its first step is already limited.
+#[must_use]
+pub fn step_limit(world: &World) -> f64 {
+    let mut limit = f64::INFINITY;
+    for cavity in &world.cavities {
+        let remaining = match cavity.ignited {
+            Some(_) => 0.0,
+            None => world.setup.sources[cavity.source as usize].delay - world.time,
+        };
+        let gas = cavity.gas_limit(world);
+        let own = if remaining <= EARLY * world.last_dt {
+            gas
+        } else if gas.is_finite() {
+            remaining.max(gas)
+        } else {
+            remaining
+        };
+        limit = limit.min(own);
+    }
+    limit
+}
+
 impl Gas {
     fn new(adiabat: Adiabat, removed: f64, coupling: Coupling) -> Self {
         let (start, factor) = match coupling {
@@ -426,6 +412,6 @@ impl Gas {
 }
 
 /// Direction against gravity; z without gravity.
-fn upward(gravity: Vec3) -> Vec3 {
+pub(crate) fn upward(gravity: Vec3) -> Vec3 {
     (-gravity).normalize_or(Vec3::Z)
 }

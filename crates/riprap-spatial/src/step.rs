@@ -4,7 +4,6 @@
 //! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
 //! make, [`advance`] applies them and moves the blocks.
 
-use super::cavity;
 use super::deform;
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
@@ -41,7 +40,7 @@ pub fn evaluate(
         }
     });
     profile.stage("kinematics", || change_over(world, scratch));
-    profile.stage("cavities", || cavity::act(world, scratch, dt));
+    profile.stage("cavities", || push::cavity::act(world, scratch, dt));
     if world.deform.is_some() {
         profile.stage("bonds", || deform::bonds::update(world, scratch));
     }

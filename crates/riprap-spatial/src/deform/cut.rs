@@ -184,7 +184,7 @@ fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result
 
 /// Cuts, in the lists of the world; returns the number of facets made.
 fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, EditError> {
-    let walls = cavity::soft_state(world);
+    let walls = cavity::walls::state(world);
     let (Some(mut deform), Some(work)) = (world.deform.take(), scratch.deform.as_deref()) else {
         return Ok(0);
     };
@@ -225,7 +225,7 @@ fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, Edi
     }
     super::build::hold_anew(world, &mut deform);
     world.deform = Some(deform);
-    cavity::renew_soft(world, &walls);
+    cavity::walls::renew(world, &walls);
     Ok(made)
 }
 

@@ -41,7 +41,7 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64) -> bool {
 /// Begins a phase of a world: blocks in `removed` go, supports are looked at anew; everything must be laid out anew
 /// afterwards.
 pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
-    let walls = crate::cavity::soft_state(world);
+    let walls = crate::cavity::walls::state(world);
     let Some(mut deform) = world.deform.take() else {
         return;
     };
@@ -50,7 +50,7 @@ pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
     }
     if !removed.is_empty() {
         world.deform = Some(deform);
-        crate::cavity::renew_soft(world, &walls);
+        crate::cavity::walls::renew(world, &walls);
         let Some(back) = world.deform.take() else {
             return;
         };

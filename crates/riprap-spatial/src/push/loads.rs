@@ -41,7 +41,7 @@ fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32, loads: &mut Acc
                 Some(at) => {
                     let arm = *at - world.reference[b as usize];
                     let anchor = Anchor::Block { block: b, arm };
-                    world.freedoms_of_blocks().push(loads, &anchor, force);
+                    world.all_freedoms().push(loads, &anchor, force);
                 }
             }
         }

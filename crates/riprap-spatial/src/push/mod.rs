@@ -13,6 +13,7 @@
 //! Rigid blocks that somebody may push are never done in rows: [`World::pushed`] names them when the pieces are laid
 //! out (`Tiles::make_rows`), and only those are cleared. A writer that can push other blocks names them there.
 
+pub mod cavity;
 pub mod loads;
 pub mod surface;
 pub mod traction;

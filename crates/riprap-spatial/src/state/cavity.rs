@@ -35,7 +35,7 @@ pub struct Cavity {
     /// Blocks at the free surface above, for venting by heave.
     pub above: Vec<u32>,
     /// Walls on deformable blocks.
-    pub soft: Soft,
+    pub nodal: NodalWalls,
 }
 
 /// Gas of a charge.
@@ -70,7 +70,7 @@ pub struct Wall {
 
 /// Walls of a cavity on deformable blocks, in sum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Soft {
+pub struct NodalWalls {
     /// Area, m².
     pub area: f64,
     /// Sum of `A_i²/m_i` over the nodes, with the masses of dynamic phases, m⁴/kg.

@@ -14,7 +14,7 @@ use super::event::{EditEvent, EditKind};
 use super::face::Face;
 use super::lineage::Origin;
 pub use super::patches::{PatchClass, Patches, flag};
-use crate::anchor::Freedoms;
+use crate::anchor::{Anchor, Freedoms};
 use crate::ledger::Works;
 use crate::setup::{Motion, Setup};
 
@@ -116,14 +116,29 @@ impl World {
         }
     }
 
-    /// The freedoms of rigid blocks.
+    /// The freedoms of all blocks.
     #[must_use]
-    pub fn freedoms_of_blocks(&self) -> Freedoms<'_> {
+    pub fn all_freedoms(&self) -> Freedoms<'_> {
+        let nodes = self.deform.as_deref().map(|d| &d.nodes);
         Freedoms {
             bodies: &self.bodies,
             turned: &self.turned,
-            displacement: &[],
-            velocity: &[],
+            displacement: nodes.map_or(&[], |n| &n.moved),
+            velocity: nodes.map_or(&[], |n| &n.rate),
+        }
+    }
+
+    /// The centroid of a block.
+    #[must_use]
+    pub fn centroid(&self, block: u32) -> Anchor {
+        let body = self.deform.as_deref().and_then(|d| d.body(block as usize));
+        match body {
+            // The last node is the centroid.
+            Some(body) => Anchor::node(body.first + body.count - 1),
+            None => Anchor::Block {
+                block,
+                arm: Vec3::ZERO,
+            },
         }
     }
 }

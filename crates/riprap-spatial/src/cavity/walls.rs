@@ -1,0 +1,170 @@
+//! Walls of cavities: faces of rigid blocks, and nodes of deformable ones with their shares of the area.
+//!
+//! Both are points with an anchor, an area A and a normal n into the rock. `V = V0 + f sum A n.u` and a force `P f A n` on each, so that
+//! the work is `P dV`. In-situ tractions that the charge carried are given forces, as moments too on rigid blocks.
+
+use riprap_geom::Vec3;
+
+use crate::anchor::Anchor;
+use crate::state::cavity::{Cavity, NodalWalls};
+use crate::state::deform::{Acts, Deform, Surface};
+use crate::state::workspace::Workspace;
+use crate::state::world::World;
+
+/// A point of the walls.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    /// The point.
+    pub anchor: Anchor,
+    /// Its share of the area, m².
+    pub area: f64,
+    /// Unit normal into the rock at the start.
+    pub normal: Vec3,
+}
+
+/// Walls on rigid blocks.
+pub fn on_blocks(cavity: &Cavity) -> impl Iterator<Item = Spot> + '_ {
+    cavity.walls.iter().map(|wall| Spot {
+        anchor: Anchor::Block {
+            block: wall.block,
+            arm: wall.arm,
+        },
+        area: wall.area,
+        normal: wall.normal,
+    })
+}
+
+/// Walls of a source on deformable blocks.
+pub fn on_nodes(world: &World, source: u16) -> impl Iterator<Item = Spot> + '_ {
+    let deform = world.deform.as_deref().into_iter();
+    deform.flat_map(move |d| surfaces(d, source)).flat_map(|s| {
+        let spot = |&(node, area): &(u32, f64)| Spot {
+            anchor: Anchor::node(node),
+            area,
+            normal: -s.normal,
+        };
+        s.nodes.iter().map(spot)
+    })
+}
+
+fn surfaces(deform: &Deform, source: u16) -> impl Iterator<Item = &Surface> {
+    let own = move |s: &&Surface| s.acts == Acts::Cavity(source);
+    deform.surfaces.iter().filter(own)
+}
+
+/// Volume that the walls of a cavity have swept since the start, m³.
+#[must_use]
+pub fn swept(world: &World, cavity: &Cavity) -> f64 {
+    volume(world, on_blocks(cavity)) + volume(world, on_nodes(world, cavity.source))
+}
+
+fn volume(world: &World, walls: impl Iterator<Item = Spot>) -> f64 {
+    let freedoms = world.all_freedoms();
+    let share = |w: Spot| w.area * w.normal.dot(freedoms.displacement(&w.anchor));
+    walls.map(share).sum()
+}
+
+/// Volume that the walls of dead rigid blocks have swept, m³.
+#[must_use]
+pub fn lost(world: &World, cavity: &Cavity) -> f64 {
+    let is_dead = |w: &Spot| match w.anchor {
+        Anchor::Block { block, .. } => !world.alive[block as usize],
+        Anchor::Nodes { .. } => false,
+    };
+    volume(world, on_blocks(cavity).filter(is_dead))
+}
+
+/// Tractions (Pa) of the stress at the start on the nodes of the walls of a source: node, area (m²), traction.
+fn tractions(world: &World, source: u16) -> impl Iterator<Item = (u32, f64, Vec3)> + '_ {
+    let both = world.deform.as_deref().zip(world.setup.in_situ.as_ref());
+    both.into_iter().flat_map(move |(deform, in_situ)| {
+        surfaces(deform, source).flat_map(move |wall| {
+            let nodes = wall.nodes.iter().zip(&wall.heights);
+            nodes.map(move |(&(node, area), z)| (node, area, in_situ.at(*z) * wall.normal))
+        })
+    })
+}
+
+/// Forces (N) of the stress at the start on the nodes of the walls of a cavity.
+pub fn held_nodes<'a>(
+    world: &'a World,
+    cavity: &Cavity,
+) -> impl Iterator<Item = (u32, Vec3)> + use<'a> {
+    tractions(world, cavity.source).map(|(node, area, t)| (node, area * t))
+}
+
+/// Work of the stress at the start on the walls of a cavity since then, J.
+#[must_use]
+pub fn held(world: &World, cavity: &Cavity) -> f64 {
+    let on_blocks = cavity.walls.iter().map(|w| {
+        let b = w.block as usize;
+        w.hold.dot(world.bodies.displacement(b)) + w.hold_moment.dot(world.bodies.rotation(b))
+    });
+    on_blocks.sum::<f64>() + held_by_nodes(world, cavity.source)
+}
+
+fn held_by_nodes(world: &World, source: u16) -> f64 {
+    let freedoms = world.all_freedoms();
+    let work = |(node, area, t): (u32, f64, Vec3)| {
+        area * t.dot(freedoms.displacement(&Anchor::node(node)))
+    };
+    tractions(world, source).map(work).sum()
+}
+
+impl NodalWalls {
+    /// Those of a source.
+    #[must_use]
+    pub fn of(world: &World, source: u16) -> Self {
+        let Some(deform) = world.deform.as_deref() else {
+            return Self::default();
+        };
+        if surfaces(deform, source).next().is_none() {
+            return Self::default();
+        }
+        let work = Workspace::new(&world.setup, deform);
+        let (mut area, mut mobility) = (0.0, 0.0);
+        for wall in surfaces(deform, source) {
+            let body = &deform.bodies[wall.body as usize];
+            let spec = &world.setup.blocks[body.block as usize];
+            let density = world.setup.materials[usize::from(spec.material)].density;
+            // Those of a dynamic phase, whatever phase this is.
+            let volumes = work.kind(body).mesh.inertial();
+            for &(node, share) in &wall.nodes {
+                area += share;
+                let mass = density * volumes[(node - body.first) as usize];
+                mobility += share * share / mass;
+            }
+        }
+        Self {
+            area,
+            mobility,
+            swept: volume(world, on_nodes(world, source)),
+            held: held_by_nodes(world, source),
+        }
+    }
+}
+
+/// Swept volume (m³) and in-situ work (J) of the nodal walls of all cavities: what [`renew`] must know of before.
+#[must_use]
+pub fn state(world: &World) -> Vec<[f64; 2]> {
+    let of = |k: u16| [volume(world, on_nodes(world, k)), held_by_nodes(world, k)];
+    world.cavities.iter().map(|c| of(c.source)).collect()
+}
+
+/// Looks at the walls of all cavities on deformable blocks anew, after blocks were cut or taken out: volume and
+/// work go on from where they were.
+pub fn renew(world: &mut World, before: &[[f64; 2]]) {
+    for (k, [volume, work]) in before.iter().enumerate() {
+        if world.cavities[k].nodal.area == 0.0 {
+            continue;
+        }
+        let walls = NodalWalls::of(world, world.cavities[k].source);
+        let cavity = &mut world.cavities[k];
+        cavity.nodal = walls;
+        if cavity.ignited.is_some() {
+            cavity.base += walls.swept - volume;
+        } else {
+            cavity.held += walls.held - work;
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Cavities push on their walls: ignition, volumes, pressures and their work.
+
+use crate::cavity::walls::{self, Spot};
+use crate::cavity::{EARLY, upward};
+use crate::setup::{Push as Kind, Venting};
+use crate::state::event::EditKind;
+use crate::state::push::Account;
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
+
+/// Finds volumes and pressures at the present positions and pushes the walls with them; `dt` is the coming step (s).
+///
+/// Calling it again without moving changes nothing.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let pushes = &mut scratch.pushes.own;
+    if world.cavities.iter().any(|c| !c.walls.is_empty()) {
+        pushes.need_blocks(world.alive.len());
+    }
+    if let Some(deform) = world.deform.as_ref()
+        && world.cavities.iter().any(|c| c.nodal.area > 0.0)
+    {
+        pushes.need_nodes(deform.nodes.len());
+    }
+    for k in 0..world.cavities.len() {
+        ignite(world, k, dt);
+        match world.cavities[k].ignited {
+            None => hold(world, k, pushes),
+            Some(at) => {
+                // A push that begins now acts on the part of the kick after the present time only.
+                let share = if at == world.time && dt > 0.0 {
+                    dt / (world.last_dt + dt)
+                } else {
+                    1.0
+                };
+                expand(world, k, share, pushes);
+            }
+        }
+    }
+}
+
+fn ignite(world: &mut World, k: usize, dt: f64) {
+    let swept = walls::swept(world, &world.cavities[k]);
+    let cavity = &mut world.cavities[k];
+    let delay = world.setup.sources[cavity.source as usize].delay;
+    if cavity.ignited.is_some() || world.time + EARLY * dt < delay {
+        return;
+    }
+    cavity.ignited = Some(world.time);
+    match &cavity.gas {
+        Some(gas) => {
+            cavity.base = swept;
+            cavity.volume = gas.start;
+        }
+        None => cavity.volume = cavity.removed + swept,
+    }
+    let event = world.event(EditKind::Ignited, k as u32);
+    world.events.push(event);
+}
+
+/// Before the ignition: walls carry what the charge carried.
+fn hold(world: &mut World, k: usize, pushes: &mut Account) {
+    let cavity = &world.cavities[k];
+    for wall in &cavity.walls {
+        pushes.on_block(wall.block, wall.hold, wall.hold_moment);
+    }
+    for (node, force) in walls::held_nodes(world, cavity) {
+        pushes.on_node(node, force);
+    }
+    let work = walls::held(world, cavity);
+    let cavity = &mut world.cavities[k];
+    world.works.gas += work - cavity.held;
+    cavity.held = work;
+}
+
+/// After the ignition: volume, pressure, work, venting.
+fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
+    let swept = walls::swept(world, &world.cavities[k]);
+    if begins_to_vent(world, k) {
+        world.cavities[k].venting = Some(world.time);
+        let event = world.event(EditKind::Vented, k as u32);
+        world.events.push(event);
+    }
+    let cavity = &mut world.cavities[k];
+    let source = &world.setup.sources[cavity.source as usize];
+    let before = (cavity.volume, cavity.pressure);
+    let work = match (&source.push, &cavity.gas) {
+        (Kind::Gas { venting, .. }, Some(gas)) => {
+            cavity.volume = gas.start + gas.factor * (swept - cavity.base);
+            cavity.pressure =
+                cavity.sealed(*venting, world.time) * gas.adiabat.pressure(cavity.volume);
+            if cavity.venting.is_some() {
+                0.5 * (before.1 + cavity.pressure) * (cavity.volume - before.0)
+            } else {
+                gas.adiabat.work(cavity.volume) - gas.adiabat.work(before.0)
+            }
+        }
+        (Kind::Pressure { time }, _) => {
+            let ignited = cavity.ignited.unwrap_or(world.time);
+            cavity.volume = cavity.removed + swept - cavity.base;
+            cavity.pressure = time.at(world.time - ignited);
+            0.5 * (before.1 + cavity.pressure) * (cavity.volume - before.0)
+        }
+        (Kind::Gas { .. }, None) => return,
+    };
+    cavity.work += work;
+    world.works.gas += work;
+    let cavity = &world.cavities[k];
+    let pressure = share * cavity.pressure * cavity.gas.map_or(1.0, |g| g.factor);
+    let freedoms = world.all_freedoms();
+    for Spot {
+        anchor,
+        area,
+        normal,
+    } in walls::on_blocks(cavity).chain(walls::on_nodes(world, cavity.source))
+    {
+        freedoms.push(pushes, &anchor, pressure * area * normal);
+    }
+}
+
+/// Whether the gas of a cavity that has gone off begins to escape now.
+fn begins_to_vent(world: &World, k: usize) -> bool {
+    let cavity = &world.cavities[k];
+    let Kind::Gas { venting, .. } = &world.setup.sources[cavity.source as usize].push else {
+        return false;
+    };
+    if cavity.venting.is_some() {
+        return false;
+    }
+    match venting {
+        None => false,
+        Some(Venting::Time { start, .. }) => {
+            world.time >= cavity.ignited.unwrap_or(world.time) + start
+        }
+        Some(Venting::Heave { height }) => {
+            let (up, freedoms) = (upward(world.gravity), world.all_freedoms());
+            let living: Vec<f64> = cavity
+                .above
+                .iter()
+                .filter(|b| world.alive[**b as usize])
+                .map(|b| freedoms.displacement(&world.centroid(*b)).dot(up))
+                .collect();
+            let mean = living.iter().sum::<f64>() / living.len() as f64;
+            mean >= *height
+        }
+    }
+}
