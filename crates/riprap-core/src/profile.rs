@@ -13,12 +13,16 @@ impl Profile {
     pub fn stage<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let result = work();
-        let spent = start.elapsed();
+        self.add(name, start.elapsed());
+        result
+    }
+
+    /// Books time under `name`.
+    pub fn add(&mut self, name: &'static str, spent: Duration) {
         match self.stages.iter_mut().find(|(n, _)| *n == name) {
             Some((_, total)) => *total += spent,
             None => self.stages.push((name, spent)),
         }
-        result
     }
 
     /// Stages in the order of first use, with seconds spent.

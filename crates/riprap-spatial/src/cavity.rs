@@ -1,10 +1,10 @@
 //! Cavities: charges and other pressures that push on the faces around removed blocks.
 //!
 //! The finest blocks that touch a charge are taken out when the model is built. Faces they shared with others are walls:
-//! area A, normal n into the block, arm r. Until the charge goes off a wall carries the in-situ traction that the charge
+//! area A, normal n out of the block, arm r. Until the charge goes off a wall carries the in-situ traction that the charge
 //! carried; from then on the pressure alone.
 //!
-//! Volume and force are conjugate: `V = V0 + f sum A n.(u + th x r)` and a force `P f A n` at the centre of each wall,
+//! Volume and force are conjugate: `V = V0 - f sum A n.(u + th x r)` and a force `-P f A n` at the centre of each wall,
 //! so that the work on the blocks is `P dV`. Gas work is booked as the analytic integral of its adiabat; what the
 //! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start. On deformable
 //! blocks a wall is a set of nodes with their shares of the area (`walls`).
@@ -98,7 +98,7 @@ impl Wall {
         Self {
             block,
             behind: overlap.blocks[1 - side],
-            normal: -outward,
+            normal: outward,
             area: overlap.area,
             arm,
             hold,
@@ -237,7 +237,7 @@ impl Cavity {
         let freedoms = world.all_freedoms();
         self.walls.iter().map(move |wall| {
             let force = match self.ignited {
-                Some(_) => self.pressure * factor * wall.area * wall.normal,
+                Some(_) => -self.pressure * factor * wall.area * wall.normal,
                 None => wall.hold,
             };
             (

@@ -4,6 +4,8 @@
 //! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
 //! make, [`advance`] applies them and moves the blocks.
 
+use std::time::Instant;
+
 use super::deform;
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
@@ -29,40 +31,47 @@ pub fn evaluate(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), NonFinite> {
-    let mut profile = std::mem::take(&mut scratch.profile);
     scratch.damping = *damping;
     scratch.coming_dt = dt;
-    profile.stage("loads", || {
+    stage(scratch, "loads", |scratch| {
         push::begin(scratch);
         push::loads::apply(world, scratch.deform.as_deref(), &mut scratch.pushes.loads);
         if let Some(deform) = &world.deform {
             push::surface::apply(world, deform, &mut scratch.pushes.loads);
         }
     });
-    profile.stage("kinematics", || change_over(world, scratch));
-    profile.stage("cavities", || push::cavity::act(world, scratch, dt));
+    stage(scratch, "kinematics", |scratch| change_over(world, scratch));
+    stage(scratch, "cavities", |scratch| {
+        push::cavity::act(world, scratch, dt);
+    });
     if world.deform.is_some() {
-        profile.stage("bonds", || deform::bonds::update(world, scratch));
+        stage(scratch, "bonds", |scratch| {
+            deform::bonds::update(world, scratch);
+        });
     }
-    profile.stage("patches", || patches(world, scratch));
-    let mut result = profile.stage("gather", || gather::gather(world, scratch));
+    stage(scratch, "patches", |scratch| patches(world, scratch));
+    let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
-        let nodes = profile.stage("nodes", || deform::step::evaluate(world, scratch, dt));
+        let nodes = stage(scratch, "nodes", |scratch| {
+            deform::step::evaluate(world, scratch, dt)
+        });
         result = result.and(nodes);
     }
     world.pending = 0.0;
     world.fresh = false;
-    scratch.profile = profile;
     result
 }
 
 /// Applies the velocity changes and moves the blocks by `dt`.
 pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
-    let mut profile = std::mem::take(&mut scratch.profile);
-    profile.stage("integrate", || integrate::integrate(world, scratch, dt));
+    stage(scratch, "integrate", |scratch| {
+        integrate::integrate(world, scratch, dt);
+    });
     let mut passed = dt;
     if world.deform.is_some() {
-        passed = profile.stage("move nodes", || deform::step::advance(world, scratch, dt));
+        passed = stage(scratch, "move nodes", |scratch| {
+            deform::step::advance(world, scratch, dt)
+        });
     }
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
@@ -71,7 +80,14 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     world.step += 1;
     world.last_dt = dt;
     world.pending = dt;
-    scratch.profile = profile;
+}
+
+/// Does a stage and books its time.
+fn stage<T>(scratch: &mut Scratch, name: &'static str, work: impl FnOnce(&mut Scratch) -> T) -> T {
+    let start = Instant::now();
+    let result = work(scratch);
+    scratch.profile.add(name, start.elapsed());
+    result
 }
 
 /// First pass: forces of patches.

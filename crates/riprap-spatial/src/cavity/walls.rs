@@ -1,6 +1,6 @@
 //! Walls of cavities: faces of rigid blocks, and nodes of deformable ones with their shares of the area.
 //!
-//! Both are points with an anchor, an area A and a normal n into the rock. `V = V0 + f sum A n.u` and a force `P f A n` on each, so that
+//! Both are points with an anchor, an area A and an outward normal n, into the cavity. `V = V0 - f sum A n.u` and a force `-P f A n` on each, so that
 //! the work is `P dV`. In-situ tractions that the charge carried are given forces, as moments too on rigid blocks.
 
 use riprap_geom::Vec3;
@@ -18,7 +18,7 @@ pub struct Spot {
     pub anchor: Anchor,
     /// Its share of the area, m².
     pub area: f64,
-    /// Unit normal into the rock at the start.
+    /// Unit outward normal of the block, into the cavity, at the start.
     pub normal: Vec3,
 }
 
@@ -41,7 +41,7 @@ pub fn on_nodes(world: &World, source: u16) -> impl Iterator<Item = Spot> + '_ {
         let spot = |&(node, area): &(u32, f64)| Spot {
             anchor: Anchor::node(node),
             area,
-            normal: -s.normal,
+            normal: s.normal,
         };
         s.nodes.iter().map(spot)
     })
@@ -60,7 +60,7 @@ pub fn swept(world: &World, cavity: &Cavity) -> f64 {
 
 fn volume(world: &World, walls: impl Iterator<Item = Spot>) -> f64 {
     let freedoms = world.all_freedoms();
-    let share = |w: Spot| w.area * w.normal.dot(freedoms.displacement(&w.anchor));
+    let share = |w: Spot| w.area * -w.normal.dot(freedoms.displacement(&w.anchor));
     walls.map(share).sum()
 }
 

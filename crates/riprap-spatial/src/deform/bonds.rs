@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 
 use super::links::{Link, Sheet};
 use super::relax::Breaks;
-use super::store::{Deform, Facet, Memory, Point, State};
+use super::store::{Facet, Memory, Point, State};
 use crate::anchor::Freedoms;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
@@ -65,59 +65,50 @@ impl Divide for Piece<'_> {
 
 /// Finds the forces of all points, and what they push rigid blocks with.
 pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
-    let (Some(mut deform), Some(mut work)) = (world.deform.take(), scratch.deform.take()) else {
+    let (Some(deform), Some(work)) = (world.deform.as_deref_mut(), scratch.deform.as_deref_mut())
+    else {
         return;
     };
-    super::turn::look(&deform, &mut work, &scratch.exec, scratch.width);
-    let turns = std::mem::take(&mut work.turns);
-    let mut facets = std::mem::take(&mut deform.facets);
-    let mut memory = std::mem::take(&mut deform.memory);
-    let mut worn = std::mem::take(&mut deform.worn);
-    let mut sheets = std::mem::take(&mut work.links.sheets);
+    super::turn::look(deform, work, &scratch.exec, scratch.width);
+    let relax = deform.relax.as_ref();
     let context = Context {
-        freedoms: world.freedoms_with(&deform),
-        turning: super::turn::Turning::new(world, &deform, &turns),
+        freedoms: Freedoms {
+            bodies: &world.bodies,
+            turned: &world.turned,
+            displacement: &deform.nodes.moved,
+            velocity: &deform.nodes.rate,
+        },
+        turning: super::turn::Turning::new(&world.turned, &deform.slot, &work.turns),
         points: &deform.points,
         links: &work.links.links,
         bonds: &world.setup.deform.bonds,
         live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
-        relaxing: deform.relax.is_some(),
-        waits: deform
-            .relax
-            .as_ref()
-            .is_some_and(|r| r.way.breaks != Breaks::Always),
+        relaxing: relax.is_some(),
+        waits: relax.is_some_and(|r| r.way.breaks != Breaks::Always),
         breaking: deform.breaking,
         time: world.time,
         step: world.step,
         width: scratch.width,
     };
-    let total = facets.len();
+    let count = deform.facets.len().div_ceil(FACETS);
     let piece = Piece {
-        facets: &mut facets,
-        sheets: &mut sheets,
+        facets: &mut deform.facets,
+        sheets: &mut work.links.sheets,
         first: 0,
-        worn: &mut worn,
-        memory: &mut memory,
+        worn: &mut deform.worn,
+        memory: &mut deform.memory,
         slots: &mut work.slots,
         works: &mut work.bond_works,
     };
-    let count = total.div_ceil(FACETS);
     scratch
         .exec
         .divided(piece, count, |_, piece| context.piece(piece));
-    work.turns = turns;
-    work.links.sheets = sheets;
     work.broke = false;
     for part in &work.bond_works {
         world.works.add(&part.works);
         work.broke |= part.broke;
     }
-    deform.facets = facets;
-    deform.memory = memory;
-    deform.worn = worn;
-    push_rigid(world, &deform, &work, &mut scratch.pushes.own);
-    world.deform = Some(deform);
-    scratch.deform = Some(work);
+    push_rigid(world, work, &mut scratch.pushes.own);
 }
 
 /// How bonds behave in the present evaluation.
@@ -382,12 +373,16 @@ fn fails(strength: &Strength, facet: &Facet, points: &[Point], slots: &[[f64; 3]
 }
 
 /// Pushes rigid blocks with the forces of points, in the order of the facets.
-fn push_rigid(world: &World, deform: &Deform, work: &Workspace, pushes: &mut Account) {
-    if work.links.on_rigid.is_empty() {
+fn push_rigid(world: &World, work: &Workspace, pushes: &mut Account) {
+    let Some(deform) = world
+        .deform
+        .as_deref()
+        .filter(|_| !work.links.on_rigid.is_empty())
+    else {
         return;
-    }
+    };
     pushes.need_blocks(world.alive.len());
-    let freedoms = world.freedoms_with(deform);
+    let freedoms = world.all_freedoms();
     for &k in &work.links.on_rigid {
         let facet = &deform.facets[k as usize];
         for (side, sign) in [(0, 1.0), (1, -1.0)] {

@@ -8,18 +8,23 @@ use riprap_geom::Vec3;
 
 use super::elements;
 use super::kick::Kick;
+use super::links::Links;
 use super::store::{Body, Deform};
 use crate::exec::Divide;
 use crate::lanes::Width;
-use crate::ledger::Works;
+use crate::laws::tetrahedron::StartStress;
 use crate::state::scratch::{NonFinite, Scratch};
-use crate::state::workspace::{BODIES, KickSums, Workspace};
+use crate::state::workspace::{BODIES, KickSums, Kind, start_of};
 use crate::world::World;
 
 /// What is the same for all bodies.
 struct Context<'a> {
     deform: &'a Deform,
-    work: &'a Workspace,
+    kinds: &'a [Kind],
+    starts: &'a [StartStress],
+    start_forces: &'a [[f64; 3]],
+    links: &'a Links,
+    slots: &'a [[f64; 3]],
     kick: Kick<'a>,
 }
 
@@ -62,30 +67,10 @@ impl Divide for Piece<'_> {
 
 /// Finds the forces on nodes (those of bonds are in their slots) and the velocity changes for a step of `dt` (s).
 pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<(), NonFinite> {
-    let Some(mut work) = scratch.deform.take() else {
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
+    else {
         return Ok(());
     };
-    let Some(deform) = world.deform.take() else {
-        scratch.deform = Some(work);
-        return Ok(());
-    };
-    let result = forces(world, &deform, scratch, &mut work, dt);
-    world.works.add(&result.0);
-    world.deform = Some(deform);
-    scratch.deform = Some(work);
-    result.1.map_or(Ok(()), |block| Err(NonFinite { block }))
-}
-
-fn forces(
-    world: &World,
-    deform: &Deform,
-    scratch: &Scratch,
-    work: &mut Workspace,
-    dt: f64,
-) -> (Works, Option<u32>) {
-    let mut net = std::mem::take(&mut work.net);
-    let mut change = std::mem::take(&mut work.change);
-    let mut partial = std::mem::take(&mut work.partial);
     let mut damping = scratch.damping;
     let mut drive = (world.time + 0.5 * dt, 1.0);
     if let Some(relax) = &deform.relax {
@@ -111,35 +96,41 @@ fn forces(
         dashpots: &work.dashpots,
         width: scratch.width,
     };
-    let context = Context { deform, work, kick };
+    let context = Context {
+        deform,
+        kinds: &work.kinds,
+        starts: &work.starts,
+        start_forces: &work.start_forces,
+        links: &work.links,
+        slots: &work.slots,
+        kick,
+    };
     let piece = Piece {
         bodies: &deform.bodies,
         first: 0,
-        net: &mut net,
-        change: &mut change,
-        partial: &mut partial,
+        net: &mut work.net,
+        change: &mut work.change,
+        partial: &mut work.partial,
     };
     let count = deform.bodies.len().div_ceil(BODIES);
     scratch
         .exec
         .divided(piece, count, |_, piece| context.piece(piece));
-    let (mut arrival, mut departure, mut bad) = (Works::default(), Works::default(), None);
-    let mut squares = [0.0; 3];
-    for p in &partial {
-        arrival.add(&p.arrival);
-        departure.add(&p.departure);
-        bad = bad.or(p.bad);
-        for (sum, x) in squares.iter_mut().zip(p.squares) {
+    let mut sums = KickSums::default();
+    for p in &work.partial {
+        sums.arrival.add(&p.arrival);
+        sums.departure.add(&p.departure);
+        sums.bad = sums.bad.or(p.bad);
+        for (sum, x) in sums.squares.iter_mut().zip(p.squares) {
             *sum += x;
         }
     }
-    work.net = net;
-    work.change = change;
-    work.partial = partial;
-    work.departure = departure;
-    work.norms = squares.map(f64::sqrt);
+    work.departure = sums.departure;
+    work.norms = sums.squares.map(f64::sqrt);
+    world.works.add(&sums.arrival);
     let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
-    (arrival, bad.map(|node| deform.bodies[holder(node)].block))
+    let bad = sums.bad.map(|node| deform.bodies[holder(node)].block);
+    bad.map_or(Ok(()), |block| Err(NonFinite { block }))
 }
 
 impl Context<'_> {
@@ -184,22 +175,22 @@ impl Context<'_> {
         for (k, body) in bodies.iter().enumerate() {
             let nodes = body.nodes();
             let f = &mut net[nodes.start - base..nodes.end - base];
-            match self.work.start_forces.get(nodes.clone()) {
+            match self.start_forces.get(nodes.clone()) {
                 Some(start) => f.copy_from_slice(start),
                 None => f.fill([0.0; 3]),
             }
             if body.alive {
                 let u = &self.deform.nodes.moved[nodes];
-                let start = self.work.start_of(first + k);
-                elements::add_forces(self.work.kind(body), body.strain, start, u, f);
+                let start = start_of(self.starts, first + k);
+                elements::add_forces(&self.kinds[body.kind as usize], body.strain, start, u, f);
             }
         }
     }
 
     /// Adds the forces of bonds to the nodes of body number `k`.
     fn gather(&self, k: usize, body: &Body, f: &mut [[f64; 3]]) {
-        for hook in self.work.links.hooks_of(k) {
-            let force = self.work.slots[hook.point as usize];
+        for hook in self.links.hooks_of(k) {
+            let force = self.slots[hook.point as usize];
             let sign = [1.0, -1.0][hook.side()];
             if let Some(to) = f.get_mut(hook.node() as usize) {
                 for axis in 0..3 {

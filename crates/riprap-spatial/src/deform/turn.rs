@@ -11,8 +11,8 @@ use super::store::{Body, Deform, Facet};
 use crate::exec::{Divide, Exec};
 use crate::lanes::{LANES, Lanes, Vectors, Width, cross, dot, minus, plus, scaled};
 use crate::laws::tetrahedron::Strain;
-use crate::state::workspace::{BODIES, Workspace};
-use crate::world::World;
+use crate::state::bodies::Turned;
+use crate::state::workspace::{BODIES, Slopes, Workspace};
 
 /// Rounds of the iteration for the rotation; it converges quadratically.
 const ROUNDS: usize = 6;
@@ -23,25 +23,26 @@ pub(super) fn look(deform: &Deform, work: &mut Workspace, exec: &Exec, width: Wi
         work.turns.clear();
         return;
     }
-    let mut turns = std::mem::take(&mut work.turns);
-    turns.resize(deform.bodies.len(), Mat3::IDENTITY);
+    work.turns.resize(deform.bodies.len(), Mat3::IDENTITY);
     let piece = Piece {
         first: 0,
-        turns: &mut turns,
+        turns: &mut work.turns,
     };
     let count = deform.bodies.len().div_ceil(BODIES);
-    let known = &*work;
+    let slopes = Slopes {
+        kinds: &work.kinds,
+        slopes: &work.slopes,
+    };
     exec.divided(piece, count, |_, piece| {
         let bodies = &deform.bodies[piece.first..piece.first + piece.turns.len()];
         for (turn, body) in piece.turns.iter_mut().zip(bodies) {
-            *turn = gradient(deform, known, body);
+            *turn = gradient(deform, slopes.of(body), body);
         }
         width.run(
             #[inline(always)]
             || piece.turns.chunks_mut(LANES).for_each(polar_eight),
         );
     });
-    work.turns = turns;
 }
 
 struct Piece<'a> {
@@ -66,19 +67,19 @@ impl Divide for Piece<'_> {
 /// Rotation of a body; none with small strain, or where it is dead or crushed.
 #[must_use]
 pub(super) fn rotation(deform: &Deform, work: &Workspace, body: &Body) -> Mat3 {
-    let mut one = [gradient(deform, work, body)];
+    let mut one = [gradient(deform, work.slopes().of(body), body)];
     polar_eight(&mut one);
     one[0]
 }
 
 /// Mean deformation gradient of a body, by Gauss's theorem from the surface; the identity with small strain, or where it
 /// is dead.
-fn gradient(deform: &Deform, work: &Workspace, body: &Body) -> Mat3 {
+fn gradient(deform: &Deform, slopes: &[Vec3], body: &Body) -> Mat3 {
     let mut f = Mat3::IDENTITY;
     if body.strain == Strain::Small || !body.alive {
         return f;
     }
-    for (u, slope) in deform.moved(body).iter().zip(work.slopes(body)) {
+    for (u, slope) in deform.moved(body).iter().zip(slopes) {
         let u = Vec3::from_array(*u);
         f += Mat3::from_cols(slope.x * u, slope.y * u, slope.z * u);
     }
@@ -133,18 +134,23 @@ pub(super) fn turned(frame: [Vec3; 3], by: &[Mat3]) -> [Vec3; 3] {
 
 /// How facets turn.
 pub(super) struct Turning<'a> {
-    world: &'a World,
-    deform: &'a Deform,
+    turned: &'a [Option<Box<Turned>>],
+    slot: &'a [u32],
     turns: &'a [Mat3],
 }
 
 impl<'a> Turning<'a> {
-    /// `None` where no block turns. The world is without its deformable part.
-    pub(super) fn new(world: &'a World, deform: &'a Deform, turns: &'a [Mat3]) -> Option<Self> {
-        let any = !turns.is_empty() || world.turned.iter().any(Option::is_some);
+    /// From the finite rotations of rigid blocks, the place of deformable ones in the list of bodies and their rotations; `None`
+    /// where no block turns.
+    pub(super) fn new(
+        turned: &'a [Option<Box<Turned>>],
+        slot: &'a [u32],
+        turns: &'a [Mat3],
+    ) -> Option<Self> {
+        let any = !turns.is_empty() || turned.iter().any(Option::is_some);
         any.then_some(Self {
-            world,
-            deform,
+            turned,
+            slot,
             turns,
         })
     }
@@ -154,10 +160,10 @@ impl<'a> Turning<'a> {
         [0, 1].map(|k| {
             let b = facet.blocks[k] as usize;
             if facet.rigid[k] {
-                let turned = self.world.turned[b].as_ref();
+                let turned = self.turned[b].as_ref();
                 return turned.map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
             }
-            let slot = self.deform.slot[b] as usize;
+            let slot = self.slot[b] as usize;
             self.turns.get(slot).copied().unwrap_or(Mat3::IDENTITY)
         })
     }

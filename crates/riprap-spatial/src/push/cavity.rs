@@ -113,7 +113,7 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
         normal,
     } in walls::on_blocks(cavity).chain(walls::on_nodes(world, cavity.source))
     {
-        freedoms.push(pushes, &anchor, pressure * area * normal);
+        freedoms.push(pushes, &anchor, -pressure * area * normal);
     }
 }
 

@@ -56,7 +56,7 @@ pub struct Wall {
     pub block: u32,
     /// The removed block behind the face.
     pub behind: u32,
-    /// Unit normal into the block that is pushed.
+    /// Unit outward normal of the block, into the cavity, at the start.
     pub normal: Vec3,
     /// Area, m².
     pub area: f64,

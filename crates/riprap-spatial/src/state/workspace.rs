@@ -93,21 +93,45 @@ impl Workspace {
     /// Start stress of body number `k`.
     #[must_use]
     pub fn start_of(&self, k: usize) -> &StartStress {
-        static NONE: StartStress = StartStress::none();
-        self.starts.get(k).unwrap_or(&NONE)
+        start_of(&self.starts, k)
     }
 
-    /// What displacements of the nodes of a body are multiplied with in its mean displacement gradient, 1/m.
+    /// What displacements of nodes are multiplied with in mean displacement gradients.
     #[must_use]
-    pub fn slopes(&self, body: &Body) -> &[Vec3] {
-        let first = self.kind(body).first_slope;
-        &self.slopes[first..first + body.count as usize]
+    pub fn slopes(&self) -> Slopes<'_> {
+        Slopes {
+            kinds: &self.kinds,
+            slopes: &self.slopes,
+        }
     }
 
     /// Kind of a body.
     #[must_use]
     pub fn kind(&self, body: &Body) -> &Kind {
         &self.kinds[body.kind as usize]
+    }
+}
+
+/// Start stress of body number `k` in a list that is shorter or empty where bodies have none.
+#[must_use]
+pub fn start_of(starts: &[StartStress], k: usize) -> &StartStress {
+    static NONE: StartStress = StartStress::none();
+    starts.get(k).unwrap_or(&NONE)
+}
+
+/// What displacements of the nodes are multiplied with in the mean displacement gradient of a body, 1/m.
+#[derive(Clone, Copy)]
+pub struct Slopes<'a> {
+    pub(crate) kinds: &'a [Kind],
+    pub(crate) slopes: &'a [Vec3],
+}
+
+impl<'a> Slopes<'a> {
+    /// Those of a body. *Shape* `[n_nodes_of_body]`.
+    #[must_use]
+    pub fn of(&self, body: &Body) -> &'a [Vec3] {
+        let first = self.kinds[body.kind as usize].first_slope;
+        &self.slopes[first..first + body.count as usize]
     }
 }
 
