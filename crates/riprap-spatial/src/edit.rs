@@ -15,7 +15,6 @@ mod split;
 pub use error::EditError;
 
 use super::build;
-use super::fields::View;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
 use super::setup::{During, Shape};
@@ -24,6 +23,7 @@ use super::state::face::Face;
 use super::state::scratch::Scratch;
 use super::step::{self, Damping};
 use super::world::World;
+use crate::read::view::View;
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
 /// that tractions change with the stiffness.

@@ -13,7 +13,6 @@
 
 pub mod bonds;
 pub mod build;
-pub mod cracks;
 pub mod cut;
 pub mod elements;
 pub mod fracture;
@@ -22,8 +21,6 @@ mod kick;
 pub mod links;
 pub mod overlay;
 pub mod phase;
-pub mod picture;
-pub mod read;
 pub mod relax;
 pub mod shape;
 pub mod stable;

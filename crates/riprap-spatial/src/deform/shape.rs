@@ -1,10 +1,13 @@
 //! Shapes of deformable blocks about their centroids, and their faces.
 
 use riprap_geom::Vec3;
+use riprap_geom::face_overlap::face_overlap;
 use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
 
 use crate::setup::Shape;
+use crate::state::deform::Facet;
 use crate::state::workspace::Kind;
+use crate::state::world::World;
 
 /// Cosine beyond which two normals are the same.
 pub(super) const PARALLEL: f64 = 1.0 - 1e-9;
@@ -53,4 +56,23 @@ pub fn face_with(mesh: &Tetrahedra, count: usize, n: Vec3, at: Vec3) -> usize {
         }
     }
     best.0
+}
+
+/// Corners of the part that the faces of two blocks share at the start, m (local).
+pub(crate) fn outline(world: &World, facet: &Facet) -> Vec<Vec3> {
+    let n = facet.frame[0];
+    let faces = [0, 1].map(|side: usize| {
+        let (solid, centroid) = centred(&world.setup.blocks[facet.blocks[side] as usize].shape);
+        let outward = if side == 0 { n } else { -n };
+        let facing = |f: &usize| solid.plane(*f).0.dot(outward);
+        let best = (0..solid.faces.len()).max_by(|a, b| facing(a).total_cmp(&facing(b)));
+        let corners = solid.outline(best.unwrap_or(0));
+        let places: Vec<Vec3> = corners.into_iter().map(|c| c + centroid).collect();
+        places
+    });
+    // In a periodic model the faces lie a period apart: then the first is as good.
+    match face_overlap(&faces[0], &faces[1], n, 0.0) {
+        Some(shared) => shared.outline,
+        None => faces[0].clone(),
+    }
 }

@@ -2,7 +2,7 @@
 
 use riprap_geom::polyhedron::principal;
 
-use crate::fields::View;
+use crate::read::view::View;
 use crate::setup::Criterion;
 use crate::world::flag;
 

@@ -2,9 +2,9 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::fields::View;
 use crate::laws::face_joint::{SIGNS, Traction};
 use crate::patch::{self, Poses};
+use crate::read::view::View;
 use crate::setup::Points;
 use crate::state::face::Face;
 use crate::world::{PatchClass, World, flag};

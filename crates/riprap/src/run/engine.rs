@@ -48,7 +48,7 @@ impl Kind {
     pub fn fields(self) -> &'static [FieldInfo] {
         match self {
             Kind::Planar => planar::readings::INFOS,
-            Kind::Spatial => spatial::readings::INFOS,
+            Kind::Spatial => spatial::fields::INFOS,
         }
     }
 
@@ -112,8 +112,8 @@ pub struct Spatial {
 }
 
 impl Spatial {
-    fn view(&self) -> spatial::fields::View<'_> {
-        spatial::fields::View {
+    fn view(&self) -> spatial::view::View<'_> {
+        spatial::view::View {
             world: &self.world,
             scratch: &self.scratch,
         }

@@ -3,12 +3,12 @@
 use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::ledger::Balance;
-use riprap::spatial::fields::View;
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
     Setup, Shape, Stiffness, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
+use riprap::spatial::view::View;
 use riprap::spatial::world::World;
 
 pub const DENSITY: f64 = 2400.0;

@@ -5,10 +5,9 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
-use crate::deform::cracks::outline;
-use crate::deform::shape::centred;
+use crate::deform::shape::{centred, outline};
 use crate::deform::store::Deform;
-use crate::fields::View;
+use crate::read::view::View;
 use crate::setup::deform::Anchoring as Anchor;
 use crate::world::World;
 

@@ -26,7 +26,7 @@ pub(super) fn planar_events(v: &planar::fields::View<'_>) -> Vec<serde_json::Val
 }
 
 /// A cavity as the manifest lists it, global coordinates.
-pub(super) fn source(v: &spatial::fields::View<'_>, cavity: &spatial::cavity::Cavity) -> Source {
+pub(super) fn source(v: &spatial::view::View<'_>, cavity: &spatial::cavity::Cavity) -> Source {
     let setup = &v.world.setup;
     let source = &setup.sources[cavity.source as usize];
     let global = |p: Vec3| (p + setup.origin).to_array();
@@ -52,7 +52,7 @@ pub(super) fn source(v: &spatial::fields::View<'_>, cavity: &spatial::cavity::Ca
 
 /// A facet of bonds that broke.
 pub(super) fn break_event(
-    v: &spatial::fields::View<'_>,
+    v: &spatial::view::View<'_>,
     event: &spatial::deform::store::Break,
 ) -> serde_json::Value {
     let blocks = v.softs().map(|(deform, _)| {
@@ -69,7 +69,7 @@ pub(super) fn break_event(
 
 /// A block split, cut or removed, a charge fired or vented.
 pub(super) fn spatial_event(
-    v: &spatial::fields::View<'_>,
+    v: &spatial::view::View<'_>,
     event: &spatial::edit::EditEvent,
 ) -> serde_json::Value {
     let (step, time) = (event.step, event.time);

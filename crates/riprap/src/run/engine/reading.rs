@@ -11,7 +11,7 @@ pub enum Reading {
     /// From the planar engine.
     Planar(planar::readings::Reading),
     /// From the spatial engine.
-    Spatial(spatial::readings::Reading),
+    Spatial(spatial::fields::Reading),
 }
 
 impl Reading {
@@ -28,7 +28,7 @@ impl Reading {
             }
             Kind::Spatial => {
                 let (at, along) = (gauge.at.map(Vec3::from), gauge.along.map(Vec3::from));
-                let reading = spatial::readings::Reading::new(&gauge.field, &gauge.of, at, along)?;
+                let reading = spatial::fields::Reading::new(&gauge.field, &gauge.of, at, along)?;
                 Ok(Self::Spatial(reading))
             }
         }

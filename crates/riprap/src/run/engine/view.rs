@@ -14,7 +14,7 @@ pub enum View<'a> {
     /// Of the planar engine.
     Planar(planar::fields::View<'a>),
     /// Of the spatial engine.
-    Spatial(spatial::fields::View<'a>),
+    Spatial(spatial::view::View<'a>),
 }
 
 impl<'a> View<'a> {
@@ -29,7 +29,7 @@ impl<'a> View<'a> {
 
     /// The spatial view, for what only that engine has.
     #[must_use]
-    pub fn spatial(self) -> Option<spatial::fields::View<'a>> {
+    pub fn spatial(self) -> Option<spatial::view::View<'a>> {
         match self {
             Self::Planar(_) => None,
             Self::Spatial(view) => Some(view),
@@ -203,7 +203,7 @@ impl<'a> View<'a> {
     pub fn tetrahedra(&self) -> Option<Surfaces> {
         match self {
             Self::Planar(_) => None,
-            Self::Spatial(v) => spatial::deform::picture::tetrahedra(v),
+            Self::Spatial(v) => spatial::read::tetrahedra::tetrahedra(v),
         }
     }
 
@@ -244,7 +244,7 @@ impl<'a> View<'a> {
     pub fn frame(&self, phase: &str) -> Frame {
         match self {
             Self::Planar(v) => planar::picture::frame(v, phase),
-            Self::Spatial(v) => spatial::picture::frame(v, phase),
+            Self::Spatial(v) => spatial::read::picture::frame(v, phase),
         }
     }
 }

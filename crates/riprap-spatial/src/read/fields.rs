@@ -5,18 +5,18 @@ use std::cell::Cell;
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::cavity::Cavity;
-use super::crater::UPLIFT;
-use super::deform::cut::tip;
-use super::deform::fracture;
-use super::deform::read::Motion;
-use super::fields::View;
-use super::refine::Origin;
-use super::setup::Shape;
-use super::setup::deform::BondFailure;
-use super::world::flag;
+use crate::cavity::Cavity;
+use crate::deform::cut::tip;
+use crate::deform::fracture;
 use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
 use crate::laws::tetrahedron::Gradient;
+use crate::read::crater::UPLIFT;
+use crate::read::deformable::Motion;
+pub use crate::read::view::View;
+use crate::refine::Origin;
+use crate::setup::Shape;
+use crate::setup::deform::BondFailure;
+use crate::world::flag;
 
 /// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
 type Getter = fn(&View<'_>, &[u32]) -> Vec3;
@@ -304,7 +304,7 @@ fields! {
     "model.utilisation" "-" Model Scalar true "Largest traction over strength of a spring that is not broken." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
     "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
     "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
-    "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(super::stable::stable_step(v.world, v.scratch, 0.0).dt);
+    "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(crate::stable::stable_step(v.world, v.scratch, 0.0).dt);
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed." |v, _| one(v.fragments().list.len() as f64);
     "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);

@@ -1,8 +1,8 @@
 //! Fragments of a spatial model: blocks that patches and bonds hold together.
 
-use super::fields::View;
-use super::world::flag;
 use crate::frame::fragments::Fragments;
+use crate::read::view::View;
+use crate::world::flag;
 
 impl View<'_> {
     /// Fragments now, the largest first. A patch or facet holds while a point of it has not failed; one without tensile

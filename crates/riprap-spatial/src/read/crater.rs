@@ -5,8 +5,8 @@
 
 use riprap_geom::Vec3;
 
-use super::cavity::Cavity;
-use super::fields::View;
+use crate::cavity::Cavity;
+use crate::read::view::View;
 
 /// Uplift over the depth of the charge that bounds a crater.
 pub const UPLIFT: f64 = 0.02;

@@ -1,12 +1,9 @@
 //! Cracks as surfaces: the outlines of facets that have lost bonds, with area, mode, time and opening.
 
-use riprap_geom::Vec3;
-use riprap_geom::face_overlap::face_overlap;
-
-use super::store::{Deform, Facet, State};
-use crate::deform::shape::centred;
-use crate::fields::View;
+use crate::deform::shape::outline;
+use crate::deform::store::{Deform, State};
 use crate::frame::{Column, Surfaces};
+use crate::read::view::View;
 use crate::world::World;
 
 /// Facets with broken points; `None` if no block is deformable.
@@ -82,23 +79,4 @@ fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
         opening / area,
         slip / area,
     ]
-}
-
-/// Corners of the part that the faces of two blocks share at the start, m (local).
-pub(super) fn outline(world: &World, facet: &Facet) -> Vec<Vec3> {
-    let n = facet.frame[0];
-    let faces = [0, 1].map(|side: usize| {
-        let (solid, centroid) = centred(&world.setup.blocks[facet.blocks[side] as usize].shape);
-        let outward = if side == 0 { n } else { -n };
-        let facing = |f: &usize| solid.plane(*f).0.dot(outward);
-        let best = (0..solid.faces.len()).max_by(|a, b| facing(a).total_cmp(&facing(b)));
-        let corners = solid.outline(best.unwrap_or(0));
-        let places: Vec<Vec3> = corners.into_iter().map(|c| c + centroid).collect();
-        places
-    });
-    // In a periodic model the faces lie a period apart: then the first is as good.
-    match face_overlap(&faces[0], &faces[1], n, 0.0) {
-        Some(shared) => shared.outline,
-        None => faces[0].clone(),
-    }
 }

@@ -2,13 +2,13 @@
 
 use riprap_geom::Vec3;
 
-use super::deform::store::{Memory, State};
-use super::fields::View;
-use super::patch;
-use super::readings::principal;
-use super::setup::Shape;
-use super::world::flag;
+use crate::deform::store::{Memory, State};
 use crate::frame::{BRICK, Column, Frame, Solids};
+use crate::patch;
+use crate::read::fields::principal;
+use crate::read::view::View;
+use crate::setup::Shape;
+use crate::world::flag;
 
 /// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
 /// three million patches.
@@ -38,7 +38,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     frame.block_columns = block_columns(view, &living);
     put_patches(view, &mut frame);
     put_facets(view, &mut frame);
-    frame.cracks = super::deform::cracks::surfaces(view);
+    frame.cracks = crate::read::cracks::surfaces(view);
     frame
 }
 

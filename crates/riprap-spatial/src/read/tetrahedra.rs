@@ -2,11 +2,11 @@
 
 use riprap_geom::Vec3;
 
-use super::elements::matrix;
-use crate::fields::View;
+use crate::deform::elements::matrix;
 use crate::frame::{Column, Surfaces};
 use crate::laws::tetrahedron::{Gradient, Strain, Symmetric};
-use crate::readings::principal;
+use crate::read::fields::principal;
+use crate::read::view::View;
 
 /// Tetrahedra of all living deformable blocks at their present places; `None` if no block is deformable. Stress is tension
 /// positive: `stress_normal` and `strain_normal` are xx, yy, zz, `stress_shear` and `strain_shear` yz, zx, xy;

@@ -3,12 +3,12 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::boundary;
-use super::cavity::Cavity;
-use super::fields::View;
-use super::patch;
-use super::setup::BoundaryKind;
-use super::world::World;
+use crate::boundary;
+use crate::cavity::Cavity;
+use crate::patch;
+use crate::read::view::View;
+use crate::setup::BoundaryKind;
+use crate::world::World;
 
 /// Least cosine between the outward normal of a face and the direction against gravity for the face to be
 /// part of the free surface: 45 deg.

@@ -2,11 +2,11 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::bonds;
-use super::store::{Anchor, Body, Deform, Facet};
-use crate::fields::View;
+use crate::deform::bonds;
+use crate::deform::store::{Anchor, Body, Deform, Facet};
 use crate::laws::bond;
 use crate::laws::tetrahedron::Gradient;
+use crate::read::view::View;
 use crate::state::workspace::{Kind, Workspace};
 
 /// A deformable block with all that is known of it.

@@ -2,13 +2,13 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::boundary;
-use super::patch::{self, Points, Poses, Resultant, turned_inertia};
-use super::state::scratch::Scratch;
-use super::world::{PatchClass, World, flag};
+use crate::boundary;
 use crate::laws::face_joint::{self, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
+use crate::patch::{self, Points, Poses, Resultant, turned_inertia};
+use crate::state::scratch::Scratch;
+use crate::world::{PatchClass, World, flag};
 
 /// A world with its forces evaluated, ready to be read.
 #[derive(Clone, Copy)]
@@ -22,7 +22,7 @@ pub struct View<'a> {
 impl View<'_> {
     /// Share of the coming kick that lies before the present time: velocities are those of half a
     /// step before, the kick spans both halves.
-    pub(super) fn past(&self) -> f64 {
+    pub(crate) fn past(&self) -> f64 {
         let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
         if before > 0.0 {
             before / (before + after)

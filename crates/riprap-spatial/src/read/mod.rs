@@ -1,0 +1,13 @@
+//! What can be read from a model: readings, pictures and after-thoughts. Nothing here changes a world, and no step needs it but
+//! edits, which plan with what a [`view::View`] says.
+
+pub mod cracks;
+pub mod crater;
+pub mod deformable;
+pub mod fields;
+mod fragments;
+pub mod peaks;
+pub mod picture;
+pub mod survey;
+pub mod tetrahedra;
+pub mod view;
