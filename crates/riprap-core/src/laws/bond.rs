@@ -67,6 +67,7 @@ pub enum Mode {
 
 impl Strength {
     /// Tension at which no shear strength is left, `c cot(phi)`, Pa: a larger tensile strength is never reached.
+    #[inline]
     #[must_use]
     pub fn apex(&self) -> f64 {
         self.cohesion / self.friction
@@ -76,6 +77,7 @@ impl Strength {
     ///
     /// `sigma/tension` and `(|tau| + sigma tan(phi))/cohesion`: a traction u times as large as it may be has the utilisation u,
     /// so that 1/u is the share of a load at which a linear body would begin to fail.
+    #[inline]
     #[must_use]
     pub fn utilisation(&self, t: &Traction) -> (f64, Mode) {
         let shear = t[1].hypot(t[2]);
@@ -89,6 +91,7 @@ impl Strength {
     }
 
     /// How a point under this traction fails, if it does.
+    #[inline]
     #[must_use]
     pub fn failure(&self, t: &Traction) -> Option<Mode> {
         let (used, mode) = self.utilisation(t);
@@ -97,6 +100,7 @@ impl Strength {
 }
 
 /// Load over strength; nothing over no strength is 0.
+#[inline]
 fn ratio(load: f64, strength: f64) -> f64 {
     if load == 0.0 { 0.0 } else { load / strength }
 }
@@ -111,6 +115,7 @@ pub struct State {
 }
 
 /// `e = at + start / k`: displacement from the place without traction, m.
+#[inline]
 fn from_rest(springs: Springs, start: &Traction, at: &[f64; 3]) -> [f64; 3] {
     let [kn, ks] = springs;
     [
@@ -121,6 +126,7 @@ fn from_rest(springs: Springs, start: &Traction, at: &[f64; 3]) -> [f64; 3] {
 }
 
 /// Traction of a whole point, (8).
+#[inline]
 #[must_use]
 pub fn connect(springs: Springs, start: &Traction, at: &[f64; 3]) -> Traction {
     let [kn, ks] = springs;
@@ -135,6 +141,7 @@ pub fn connect(springs: Springs, start: &Traction, at: &[f64; 3]) -> Traction {
 ///
 /// A point that has just broken comes with the slip 0: its shear traction goes on from where it was, at most at the
 /// friction limit.
+#[inline]
 #[must_use]
 pub fn contact(
     springs: Springs,
@@ -149,6 +156,7 @@ pub fn contact(
 }
 
 /// Return mapping of a frictional contact: traction and slip.
+#[inline]
 fn slider([kn, ks]: Springs, friction: f64, e: &[f64; 3], slip: &[f64; 2]) -> (Traction, [f64; 2]) {
     // Open: the shear spring follows without traction.
     if e[0] >= 0.0 {
@@ -169,6 +177,7 @@ fn slider([kn, ks]: Springs, friction: f64, e: &[f64; 3], slip: &[f64; 2]) -> (T
 }
 
 /// Traction of a point that breaks at once where it is beyond its strength, (8) to (11), and its new state.
+#[inline]
 #[must_use]
 pub fn brittle(
     springs: Springs,
@@ -190,6 +199,7 @@ pub fn brittle(
 ///
 /// Part of the damage `D` of a softening point is a contact: `(1 - D)` of the whole springs and `D` of the slider; in
 /// compression the normal spring is whole.
+#[inline]
 #[must_use]
 pub fn stored(springs: Springs, start: &Traction, at: &[f64; 3], state: &State) -> f64 {
     let [kn, ks] = springs;
@@ -207,6 +217,7 @@ pub fn stored(springs: Springs, start: &Traction, at: &[f64; 3], state: &State) 
 /// rule) of the tractions less the change of what is stored.
 ///
 /// `before` and `after` are displacement, traction and state. The traction resists, so its work counts as input.
+#[inline]
 #[must_use]
 pub fn loss(
     springs: Springs,

@@ -17,6 +17,7 @@ pub struct Shear {
 ///
 /// `force` is the force on the first body along the tangent; `slip` is the first body's motion
 /// relative to the second, so that the force opposes it.
+#[inline]
 #[must_use]
 pub fn shear_spring(force: f64, stiffness: f64, slip: f64, limit: f64) -> Shear {
     let trial = force - stiffness * slip;

@@ -2,6 +2,7 @@
 
 /// Dashpot coefficient (N s/m) for a share `ratio` of critical damping of a spring `stiffness`
 /// (N/m per m of thickness) on `mass` (kg/m): `2 ratio sqrt(k m)`.
+#[inline]
 #[must_use]
 pub fn dashpot(ratio: f64, stiffness: f64, mass: f64) -> f64 {
     2.0 * ratio * (stiffness * mass).sqrt()
@@ -11,6 +12,7 @@ pub fn dashpot(ratio: f64, stiffness: f64, mass: f64) -> f64 {
 /// falls to zero: `exp(-(xi/q)(pi - atan(2 xi q / (1 - 2 xi^2))))`, `q = sqrt(1 - xi^2)`.
 ///
 /// Source: Schwager & Poeschel (2007), Granular Matter 9, 465-469 (no attractive force).
+#[inline]
 #[must_use]
 pub fn restitution(ratio: f64) -> f64 {
     let q = (1.0 - ratio * ratio).sqrt();

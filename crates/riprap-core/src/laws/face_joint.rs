@@ -89,6 +89,7 @@ pub fn stored(springs: Springs, t: &Traction) -> f64 {
 /// One point that fails by itself: updates its memory, returns traction and losses.
 ///
 /// `at` is the relative displacement (m), `moved` its change in the last step (m).
+#[inline]
 #[must_use]
 pub fn point(
     law: &Strength,
@@ -249,6 +250,7 @@ pub fn plain_point(
 
 /// Plastic shear (m) that brings a point, `excess` (Pa) above its limit, back to it: dilation presses it
 /// together, which raises the limit, until dilation ends.
+#[inline]
 fn flow(law: &Strength, springs: Springs, excess: f64, memory: &Memory) -> f64 {
     let left = (law.dilation_end - memory.path).max(0.0);
     if law.dilation <= 0.0 || left <= 0.0 {
@@ -264,6 +266,7 @@ fn flow(law: &Strength, springs: Springs, excess: f64, memory: &Memory) -> f64 {
 
 /// Stored energy that a point loses when it opens, with the work of its last step; `from` = 0 counts all
 /// components, 1 shear only.
+#[inline]
 fn released(springs: Springs, before: &Traction, moved: &[f64; 3], from: usize) -> f64 {
     (from..3)
         .map(|k| 0.5 * before[k] * (before[k] / springs[k.min(1)] + moved[k]))
@@ -271,11 +274,13 @@ fn released(springs: Springs, before: &Traction, moved: &[f64; 3], from: usize) 
 }
 
 /// Square root of a sum of squares, the same bits on every machine.
+#[inline]
 fn norm(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
 }
 
 /// Traction that a point carries with the memory it has.
+#[inline]
 #[must_use]
 pub fn carried(
     springs: Springs,

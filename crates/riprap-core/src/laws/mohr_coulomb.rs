@@ -22,6 +22,7 @@ pub struct Response {
 ///
 /// Failure is brittle: the trial stress that exceeds the peak strength is returned to the residual
 /// one in the same call.
+#[inline]
 #[must_use]
 pub fn joint_point(law: &BondLaw, un: f64, us: f64, slip: f64, failed: bool) -> Response {
     let sigma = law.normal_stiffness * un;

@@ -5,6 +5,7 @@
 ///
 /// Source: mutual penetration potentials, S43: `f = pn L (fP + fQ)/2`,
 /// `xi = (fP + 2 fQ)/(3 (fP + fQ))`.
+#[inline]
 #[must_use]
 pub fn linear_piece(length: f64, f0: f64, f1: f64) -> (f64, f64) {
     let sum = f0 + f1;
@@ -20,6 +21,7 @@ pub fn linear_piece(length: f64, f0: f64, f1: f64) -> (f64, f64) {
 /// rectangle pushed `depth` (m) into a half plane, `kn (L d - d²/2)`.
 ///
 /// Source: derived in the theory page from `U = kn/2 int (phi1 + phi2) dA`.
+#[inline]
 #[must_use]
 pub fn flat_force(kn: f64, length: f64, depth: f64) -> f64 {
     kn * (length * depth - 0.5 * depth * depth)
@@ -27,6 +29,7 @@ pub fn flat_force(kn: f64, length: f64, depth: f64) -> f64 {
 
 /// Force (N/m) of the distance potential for a symmetric corner of half angle `half_angle` (rad)
 /// pushed `depth` (m) into a long edge: `kn/2 tan(b)(1 + sin b) d²`.
+#[inline]
 #[must_use]
 pub fn corner_force(kn: f64, half_angle: f64, depth: f64) -> f64 {
     0.5 * kn * half_angle.tan() * (1.0 + half_angle.sin()) * depth * depth

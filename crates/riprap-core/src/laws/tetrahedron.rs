@@ -56,6 +56,7 @@ pub struct StartStress(Vec<[Lanes; 6]>);
 
 impl StartStress {
     /// No stress.
+    #[inline]
     #[must_use]
     pub const fn none() -> Self {
         Self(Vec::new())
@@ -86,6 +87,7 @@ impl StartStress {
     }
 
     /// That of one tetrahedron, Pa.
+    #[inline]
     #[must_use]
     pub fn one(&self, tet: usize) -> Symmetric {
         self.of(tet / LANES).map(|c| c.0[tet % LANES])
@@ -152,12 +154,14 @@ impl Groups {
     }
 
     /// Number of tetrahedra.
+    #[inline]
     #[must_use]
     pub fn tets(&self) -> usize {
         self.tets
     }
 
     /// Number of nodes of the block.
+    #[inline]
     #[must_use]
     pub fn nodes(&self) -> usize {
         self.nodes
@@ -205,6 +209,7 @@ impl Groups {
     }
 
     /// Displacement gradient of a tetrahedron.
+    #[inline]
     #[must_use]
     pub fn gradient(&self, tet: usize, u: &[[f64; 3]]) -> Gradient {
         let (group, lane) = (&self.list()[tet / LANES], tet % LANES);
@@ -221,12 +226,14 @@ impl Groups {
     }
 
     /// Volume of a tetrahedron, m³.
+    #[inline]
     #[must_use]
     pub fn volume_of(&self, tet: usize) -> f64 {
         self.list()[tet / LANES].volume.0[tet % LANES]
     }
 
     /// Cauchy stress of each tetrahedron, Pa; zero for one that is turned inside out. *Shape* `[n_tets]`.
+    #[inline]
     #[must_use]
     pub fn stresses(
         &self,
@@ -242,6 +249,7 @@ impl Groups {
     }
 
     /// Mean Cauchy stress (Pa) and mean displacement gradient of the block, weighted with undeformed volumes.
+    #[inline]
     #[must_use]
     pub fn average(
         &self,
@@ -340,6 +348,7 @@ impl Group {
 }
 
 /// Adds the forces (N) of the tetrahedra of one block with displacements `u` (m) to `f`, at a width.
+#[inline]
 pub fn forces(
     width: Width,
     groups: &Groups,
@@ -357,6 +366,7 @@ pub fn forces(
 
 /// Forces (N) on the four nodes of one tetrahedron of volume `volume` (m³), with the gradients (1/m) of the shape
 /// functions of nodes 1, 2, 3, at displacements `u` (m).
+#[inline]
 #[must_use]
 pub fn one(
     law: &Elastic,

@@ -66,6 +66,7 @@ impl Cohesive {
     }
 
     /// Damage at `kappa`, where the whole curve has the area `area` (in units of the peak).
+    #[inline]
     fn damage(&self, kappa: f64, area: f64) -> f64 {
         if kappa <= 1.0 {
             return 0.0;
@@ -90,6 +91,7 @@ impl Cohesive {
 }
 
 /// Traction of a softening point and its new state, both from the state `committed` at the last equilibrium (or step).
+#[inline]
 #[must_use]
 pub fn cohesive(
     springs: Springs,

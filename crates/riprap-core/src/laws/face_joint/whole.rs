@@ -6,6 +6,7 @@ use super::{Loss, Memory, SIGNS, Springs, Strength, Traction, elastic, norm, rel
 ///
 /// `places` are the points along b and c, m. Intact, its points are elastic; failed, its points carry no
 /// tension, and mean shear and torsion shrink together to the residual limit.
+#[inline]
 #[must_use]
 pub fn face(
     law: &Strength,
@@ -106,6 +107,7 @@ struct Sums {
 }
 
 impl Sums {
+    #[inline]
     fn of(t: &[Traction; 4], reach: [f64; 2]) -> Self {
         let mean = |k: usize| 0.25 * (t[0][k] + t[1][k] + t[2][k] + t[3][k]);
         let mut moment = 0.0;
@@ -120,6 +122,7 @@ impl Sums {
     }
 
     /// Mean shear and torsion in one number: torsion counts as the shear it makes at the points.
+    #[inline]
     fn shear_measure(&self, reach: [f64; 2]) -> f64 {
         let twist = self.twist * norm(reach[0], reach[1]);
         norm(norm(self.shear[0], self.shear[1]), twist)

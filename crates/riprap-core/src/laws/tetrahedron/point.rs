@@ -23,6 +23,7 @@ pub struct Elastic {
 
 impl Elastic {
     /// From Young's modulus (Pa) and Poisson's ratio (in -1 to 0.5, ends excluded).
+    #[inline]
     #[must_use]
     pub fn new(young: f64, poisson: f64) -> Self {
         Self {
@@ -32,6 +33,7 @@ impl Elastic {
     }
 
     /// Speed of P waves at `density` (kg/m³), m/s.
+    #[inline]
     #[must_use]
     pub fn p_speed(&self, density: f64) -> f64 {
         ((self.lambda + 2.0 * self.mu) / density).sqrt()
@@ -131,6 +133,7 @@ pub(super) fn first_piola<T: Number, const LARGE: bool>(
 
 /// Stress at a displacement gradient, Pa: Cauchy's. `start` is a second Piola-Kirchhoff stress in the undeformed
 /// state. `None` when the element is turned inside out.
+#[inline]
 #[must_use]
 pub fn stress(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) -> Option<Symmetric> {
     match strain {
@@ -154,6 +157,7 @@ pub fn stress(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) ->
 }
 
 /// Second Piola-Kirchhoff stress at a displacement gradient, Pa; with small strain just the stress.
+#[inline]
 #[must_use]
 pub fn second_piola(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) -> Symmetric {
     match strain {
@@ -163,6 +167,7 @@ pub fn second_piola(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradie
 }
 
 /// Strain energy per undeformed volume, J/m³; a start stress adds its work.
+#[inline]
 #[must_use]
 pub fn energy_density(law: &Elastic, strain: Strain, start: &Symmetric, h: &Gradient) -> f64 {
     let e = match strain {

@@ -38,6 +38,7 @@ impl Stiffness {
 
     /// Adds a spring from a point of the block, the mean of `nodes` with `weights`, to a fixed place: `k[0]` along the unit
     /// vector `n`, `k[1]` across it, N/m.
+    #[inline]
     pub fn add_spring(&mut self, nodes: &[u32], weights: &[f64], n: Vec3, k: [f64; 2]) {
         let diagonal = Mat3::from_diagonal(Vec3::splat(k[1]));
         let n_k = (k[0] - k[1]) * n;
@@ -51,6 +52,7 @@ impl Stiffness {
     }
 
     /// Multiplies rows and columns of each node with a factor. *Shape* `[n_nodes]`.
+    #[inline]
     pub fn scale(&mut self, factors: &[f64]) {
         let mut rows = vec![Lanes::default(); self.packets];
         for row in 0..self.size {
@@ -130,6 +132,7 @@ impl Stiffness {
     }
 
     /// As [`Stiffness::add_forces`], at a width.
+    #[inline]
     pub fn forces(&self, width: Width, u: &[[f64; 3]], f: &mut [[f64; 3]]) {
         width.run(
             #[inline(always)]
