@@ -3,14 +3,18 @@
 //! `scenario` (what the user said) -> `model` (SI numbers) -> an engine (`planar`) driven by `run`,
 //! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
 
+#[cfg(feature = "scenario")]
 pub mod model;
 pub mod run;
+pub mod setup;
 
 pub use riprap_core::{dynamics, exec, lanes, laws, ledger, profile};
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};
 pub use riprap_planar as planar;
+#[cfg(feature = "plot")]
 pub use riprap_plot as plot;
 pub use riprap_record as record;
+#[cfg(feature = "scenario")]
 pub use riprap_scenario as scenario;
 pub use riprap_spatial as spatial;

@@ -31,45 +31,10 @@ pub use builder::build;
 pub use explain::{Explained, Provenance};
 pub use summary::{Charge, Region, Summary};
 
-use serde::{Deserialize, Serialize};
-
-use crate::planar::setup as planar;
 use crate::run::checks::Check;
 use crate::run::plan::Plan;
 use crate::scenario::Diagnostic;
-use crate::spatial::setup as spatial;
-
-/// What an engine is built from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Setup {
-    /// Polygons in the plane.
-    Planar(planar::Setup),
-    /// Blocks in space.
-    Spatial(Box<spatial::Setup>),
-}
-
-impl From<planar::Setup> for Setup {
-    fn from(setup: planar::Setup) -> Self {
-        Self::Planar(setup)
-    }
-}
-
-impl From<spatial::Setup> for Setup {
-    fn from(setup: spatial::Setup) -> Self {
-        Self::Spatial(Box::new(setup))
-    }
-}
-
-impl Setup {
-    /// The planar setup, for what only that engine has.
-    #[must_use]
-    pub fn planar(&self) -> Option<&planar::Setup> {
-        match self {
-            Self::Planar(setup) => Some(setup),
-            Self::Spatial(_) => None,
-        }
-    }
-}
+pub use crate::setup::Setup;
 
 /// A scenario in numbers, ready to be run.
 #[derive(Clone, Debug)]

@@ -15,9 +15,9 @@ pub use view::View;
 use super::plan::{Damping, Phase};
 use crate::exec::Exec;
 use crate::ledger::Works;
-use crate::model::Setup;
 use crate::profile::Profile;
 use crate::record::field::FieldInfo;
+use crate::setup::Setup;
 use crate::{Vec2, Vec3};
 use crate::{planar, spatial};
 

@@ -10,7 +10,7 @@ use super::given_step::{self, TooLong};
 use super::plan::{Phase, Plan, Relaxing, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
-use crate::model::Setup;
+use crate::setup::Setup;
 
 /// Longest time spent on trial steps.
 const TRIAL: Duration = Duration::from_millis(300);

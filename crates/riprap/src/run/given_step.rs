@@ -8,7 +8,6 @@ use thiserror::Error;
 use super::engine::Kind;
 use super::plan::TimeStep;
 use super::simulation::Simulation;
-use crate::scenario::{Diagnostic, Diagnostics, Parsed};
 
 /// What the estimate of the stable step stays below the limit.
 const MARGIN: f64 = 1.005;
@@ -31,19 +30,6 @@ pub struct TooLong {
     pub stable: f64,
     /// Block that sets it.
     pub block: Option<String>,
-}
-
-impl TooLong {
-    /// The same at its place in the scene.
-    #[must_use]
-    pub fn at(&self, scene: &Parsed) -> Diagnostics {
-        let mut found = Diagnostic::error("phase.time_step", self.to_string());
-        let phase = scene.scenario.phases.get(self.phase);
-        if let Some(given) = phase.and_then(|p| p.time_step.as_ref()) {
-            found = found.at(given.span.clone());
-        }
-        Diagnostics::new(scene.source.clone(), vec![found])
-    }
 }
 
 /// Holds the steps that phases give against the stable one; phases after a change of joints are left out.

@@ -19,11 +19,11 @@ use super::plan::Plan;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
-use crate::model::Setup;
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
 use crate::record::manifest::{Machine, ManifestError, StageTime, utc};
 use crate::record::{Ended, Manifest, OutputError, RunFolder};
+use crate::setup::Setup;
 
 /// What is run.
 #[derive(Clone, Debug)]

@@ -12,8 +12,12 @@ pub mod job;
 pub mod plan;
 pub mod probe;
 pub mod recorder;
+#[cfg(feature = "scenario")]
 pub mod scene;
 pub mod simulation;
+#[cfg(feature = "scenario")]
 pub mod sweep;
+#[cfg(feature = "scenario")]
 pub mod trials;
+#[cfg(feature = "scenario")]
 pub mod verify;

@@ -6,9 +6,10 @@ use crate::model::{self, Model};
 use crate::record::manifest::Override;
 use crate::record::{FieldInfo, Manifest};
 use crate::run::engine::Kind;
+use crate::run::given_step::TooLong;
 use crate::run::job::Job;
 use crate::scenario::language::Space;
-use crate::scenario::{self, Case, Diagnostics, Parsed, Source, apply_overrides};
+use crate::scenario::{self, Case, Diagnostic, Diagnostics, Parsed, Source, apply_overrides};
 
 /// A scene as the user wants it run.
 #[derive(Clone, Debug)]
@@ -163,6 +164,19 @@ impl Prepared {
             resolved: self.resolved,
             manifest: self.manifest,
         }
+    }
+}
+
+impl TooLong {
+    /// The same at its place in the scene.
+    #[must_use]
+    pub fn at(&self, scene: &Parsed) -> Diagnostics {
+        let mut found = Diagnostic::error("phase.time_step", self.to_string());
+        let phase = scene.scenario.phases.get(self.phase);
+        if let Some(given) = phase.and_then(|p| p.time_step.as_ref()) {
+            found = found.at(given.span.clone());
+        }
+        Diagnostics::new(scene.source.clone(), vec![found])
     }
 }
 

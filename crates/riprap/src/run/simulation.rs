@@ -14,7 +14,7 @@ pub use error::RunError;
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use super::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::exec::Exec;
-use crate::model::Setup;
+use crate::setup::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
 pub const STATIC_DAMPING: f64 = 0.7;

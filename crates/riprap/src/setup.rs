@@ -1,0 +1,38 @@
+//! What either engine is built from.
+
+use serde::{Deserialize, Serialize};
+
+use crate::planar::setup as planar;
+use crate::spatial::setup as spatial;
+
+/// What an engine is built from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Setup {
+    /// Polygons in the plane.
+    Planar(planar::Setup),
+    /// Blocks in space.
+    Spatial(Box<spatial::Setup>),
+}
+
+impl From<planar::Setup> for Setup {
+    fn from(setup: planar::Setup) -> Self {
+        Self::Planar(setup)
+    }
+}
+
+impl From<spatial::Setup> for Setup {
+    fn from(setup: spatial::Setup) -> Self {
+        Self::Spatial(Box::new(setup))
+    }
+}
+
+impl Setup {
+    /// The planar setup, for what only that engine has.
+    #[must_use]
+    pub fn planar(&self) -> Option<&planar::Setup> {
+        match self {
+            Self::Planar(setup) => Some(setup),
+            Self::Spatial(_) => None,
+        }
+    }
+}
