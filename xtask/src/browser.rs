@@ -11,7 +11,7 @@ use std::process::Command;
 use crate::shell;
 use crate::steps::Outcome;
 use crate::venv;
-use crate::verify::release_binary;
+use crate::verify::ci_binary;
 
 /// Oldest version of Node that will do.
 const NODE: u32 = 20;
@@ -39,7 +39,7 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
         "the page has mistakes (npm run check)",
     )?;
     same_bundle(root, &node, &viewer)?;
-    let binary = root.join(release_binary(root)?);
+    let binary = root.join(ci_binary(root)?);
     let mut command = node.command("npx");
     command
         .args(["--no-install", "playwright", "test"])

@@ -1,7 +1,7 @@
 //! The Python package: its wheel, built and tested.
 //!
-//! The wheel of the tests is built with the dev profile in the target folder of the other tests, so that
-//! nothing is compiled twice. It is installed twice: alone into a fresh environment, where a small run must work, and
+//! The wheel of the tests is built with the profile of the other tests in their target folder, so that nothing is compiled
+//! twice. It is installed twice: alone into a fresh environment, where a small run must work, and
 //! beside pandas and pyvista into `target/venv`, where pytest runs. Where no Python can be had the step is skipped
 //! with the reason; `RIPRAP_REQUIRE_PYTHON=1` makes that a failure.
 
@@ -58,7 +58,7 @@ fn tested(root: &Path) -> Result<Outcome, Failed> {
     .map_err(Failed::Broken)?;
     let tests = root.join(CRATE).join("tests");
     // An older binary would differ: the one of the other steps, built if need be.
-    let binary = root.join(verify::release_binary(root).map_err(Failed::Broken)?);
+    let binary = root.join(verify::ci_binary(root).map_err(Failed::Broken)?);
     // pytest's last line has no count of what did not happen: junit has all of them.
     let report = folder.join("report.xml");
     let mut pytest = Command::new(&python);
@@ -138,6 +138,8 @@ fn build(root: &Path, python: &Path, out: &Path, release: bool) -> Result<PathBu
         .env("CARGO_TARGET_DIR", root.join("target"));
     if release {
         maturin.args(["--release", "--strip"]);
+    } else {
+        maturin.args(["--profile", "ci"]);
     }
     if !shell::run(root, &mut maturin)
         .map_err(Failed::Broken)?

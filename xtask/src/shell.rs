@@ -1,5 +1,6 @@
 //! Running commands: their output is shown as it comes and, where they count, counted.
 
+use std::cell::Cell;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -26,6 +27,27 @@ pub struct Finished {
     pub counts: Counts,
 }
 
+thread_local! {
+    /// Step whose commands this thread runs.
+    static SPEAKER: Cell<&'static str> = const { Cell::new("") };
+}
+
+/// Runs `f` with the output of its commands marked by `name`: steps run side by side.
+pub fn speaking_as<R>(name: &'static str, f: impl FnOnce() -> R) -> R {
+    let before = SPEAKER.replace(name);
+    let result = f();
+    SPEAKER.set(before);
+    result
+}
+
+/// The mark of this thread's lines.
+fn mark() -> String {
+    match SPEAKER.get() {
+        "" => String::new(),
+        name => format!("{name:<9}| "),
+    }
+}
+
 /// The cargo that started this program.
 pub fn cargo() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
@@ -33,7 +55,8 @@ pub fn cargo() -> String {
 
 /// Runs `command` in `root`; shows its output; adds up the test counts it prints.
 pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
-    println!("$ {}", spoken(command));
+    let mark = mark();
+    println!("{mark}$ {}", spoken(command));
     let name = command.get_program().to_string_lossy().into_owned();
     let mut child = command
         .current_dir(root)
@@ -47,7 +70,8 @@ pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
         for line in BufReader::new(stdout).split(b'\n') {
             let line = line.map_err(|e| format!("reading from {name}: {e}"))?;
             // A reader that has gone away (`| head`) must not stop the checks.
-            let _ = out.write_all(&line).and_then(|()| out.write_all(b"\n"));
+            let whole = [mark.as_bytes(), &line, b"\n"].concat();
+            let _ = out.write_all(&whole);
             if let Some(found) = read_counts(&String::from_utf8_lossy(&line)) {
                 counts.add(found);
             }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
+use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
 use crate::shell::{Counts, cargo};
@@ -19,69 +20,100 @@ pub enum Outcome {
 pub struct Step {
     pub name: &'static str,
     pub about: &'static str,
+    /// Steps that must be done before, where they are chosen.
+    after: &'static [&'static str],
+    /// What no two steps may use at once.
+    uses: Option<&'static str>,
     run: fn(&Path) -> Result<Outcome, String>,
 }
 
-/// All steps.
+/// The Python environment in `target/venv`.
+const VENV: Option<&str> = Some("target/venv");
+
+const fn step(
+    name: &'static str,
+    about: &'static str,
+    run: fn(&Path) -> Result<Outcome, String>,
+) -> Step {
+    Step {
+        name,
+        about,
+        after: &[],
+        uses: None,
+        run,
+    }
+}
+
+/// A step that runs what `build` has compiled.
+const fn built(
+    name: &'static str,
+    about: &'static str,
+    uses: Option<&'static str>,
+    run: fn(&Path) -> Result<Outcome, String>,
+) -> Step {
+    Step {
+        name,
+        about,
+        after: &["build"],
+        uses,
+        run,
+    }
+}
+
+/// All steps, in the order in which they begin.
 pub const STEPS: &[Step] = &[
-    Step {
-        name: "modules",
-        about: "which crate uses which, circles of modules, forbidden words",
-        run: modules_step,
-    },
-    Step {
-        name: "tidy",
-        about: "file lengths, trailing blanks, paths outside",
-        run: tidy_step,
-    },
-    Step {
-        name: "fmt",
-        about: "rustfmt --check",
-        run: fmt_step,
-    },
-    Step {
-        name: "clippy",
-        about: "clippy on all targets, warnings denied",
-        run: clippy_step,
-    },
-    Step {
-        name: "tests",
-        about: "unit, property, CLI and doc tests",
-        run: tests_step,
-    },
-    Step {
-        name: "docs",
-        about: "cargo doc, warnings denied; the book",
-        run: docs_step,
-    },
-    Step {
-        name: "scenes",
-        about: "riprap verify on the fast scenes (release)",
-        run: verify::fast,
-    },
-    Step {
-        name: "vtk",
-        about: "VTK opens the frames of a run",
-        run: vtk::step,
-    },
-    Step {
-        name: "browser",
-        about: "the viewer in Chromium, over real runs",
-        run: browser::step,
-    },
-    Step {
-        name: "python",
-        about: "the wheel, installed and tested with pytest",
-        run: python::step,
-    },
-    Step {
-        name: "licences",
-        about: "licences of all dependencies",
-        run: licences_step,
-    },
+    step(
+        "build",
+        "compiles tests, scenes' binary and examples once, with debug assertions",
+        build_step,
+    ),
+    step(
+        "modules",
+        "which crate uses which, circles of modules, forbidden words",
+        modules_step,
+    ),
+    step(
+        "tidy",
+        "file lengths, trailing blanks, paths outside",
+        tidy_step,
+    ),
+    step("fmt", "rustfmt --check", fmt_step),
+    step("licences", "licences of all dependencies", licences_step),
+    step(
+        "clippy",
+        "clippy on all targets, warnings denied",
+        clippy_step,
+    ),
+    step("docs", "cargo doc, warnings denied; the book", docs_step),
+    built(
+        "tests",
+        "unit, property, CLI and doc tests",
+        None,
+        tests_step,
+    ),
+    built(
+        "scenes",
+        "riprap verify on the fast scenes",
+        None,
+        verify::fast,
+    ),
+    built(
+        "python",
+        "the wheel, installed and tested with pytest",
+        VENV,
+        python::step,
+    ),
+    built("vtk", "VTK opens the frames of a run", VENV, vtk::step),
+    built(
+        "browser",
+        "the viewer in Chromium, over real runs",
+        VENV,
+        browser::step,
+    ),
 ];
 
-/// Runs the steps named in `only` (all when empty). All run even if one fails.
+/// Runs the steps named in `only` (all when empty), two at a time where cores allow. All run even if one fails, but for
+/// those that need its result.
 pub fn run(root: &Path, only: &[&str]) -> ExitCode {
     if let Some(unknown) = only
         .iter()
@@ -95,40 +127,18 @@ pub fn run(root: &Path, only: &[&str]) -> ExitCode {
         return ExitCode::from(2);
     }
     let begun = Instant::now();
-    let mut total = Counts::default();
-    let mut report = Vec::new();
-    for step in STEPS
+    let chosen: Vec<&Step> = STEPS
         .iter()
         .filter(|s| only.is_empty() || only.contains(&s.name))
-    {
-        println!("\n== {}: {}", step.name, step.about);
-        let start = Instant::now();
-        let result = (step.run)(root);
-        let seconds = start.elapsed().as_secs_f64();
-        let said = match result {
-            Ok(Outcome::Counted(counts)) => {
-                total.add(counts);
-                let word = if counts.failed == 0 { "ok" } else { "FAILED" };
-                format!(
-                    "{word:<7} {} passed, {} failed",
-                    counts.passed, counts.failed
-                )
-            }
-            Ok(Outcome::Skipped(why)) => {
-                total.skipped += 1;
-                format!("skipped {why}")
-            }
-            Err(why) => {
-                total.failed += 1;
-                format!("FAILED  {why}")
-            }
-        };
-        println!("-- {}: {said} ({seconds:.1} s)", step.name);
-        report.push(format!("{:<9} {seconds:>7.1} s  {said}", step.name));
-    }
+        .collect();
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let reports = side_by_side(root, &chosen, cores.min(2));
+    let mut total = Counts::default();
     println!("\n== summary ({:.0} s)", begun.elapsed().as_secs_f64());
-    for line in report {
-        println!("{line}");
+    println!("{:<9} {:>9}  result", "step", "seconds");
+    for (step, report) in chosen.iter().zip(&reports) {
+        total.add(report.counts);
+        println!("{:<9} {:>9.1}  {}", step.name, report.seconds, report.said);
     }
     println!(
         "{} passed, {} failed, {} skipped",
@@ -139,6 +149,135 @@ pub fn run(root: &Path, only: &[&str]) -> ExitCode {
     } else {
         ExitCode::FAILURE
     }
+}
+
+/// How a step ended.
+#[derive(Clone, Debug, Default)]
+struct Report {
+    counts: Counts,
+    seconds: f64,
+    said: String,
+}
+
+/// Where a step is.
+#[derive(Clone, Debug)]
+enum State {
+    Waiting,
+    Running,
+    Done(Report),
+}
+
+/// Runs `steps` on `workers` threads, each step when all it needs are done; reports in the order of `steps`.
+fn side_by_side(root: &Path, steps: &[&Step], workers: usize) -> Vec<Report> {
+    let states = Mutex::new(vec![State::Waiting; steps.len()]);
+    let changed = Condvar::new();
+    // A step that panics is a mistake of ours: the lock then means nothing, and the panic is passed on.
+    let lock = || states.lock().unwrap_or_else(PoisonError::into_inner);
+    std::thread::scope(|scope| {
+        for _ in 0..workers.max(1) {
+            scope.spawn(|| {
+                loop {
+                    let mut now = lock();
+                    let next = loop {
+                        if let Some(k) = ready(steps, &now) {
+                            break k;
+                        }
+                        if !now.iter().any(|s| matches!(s, State::Waiting)) {
+                            return;
+                        }
+                        now = changed.wait(now).unwrap_or_else(PoisonError::into_inner);
+                    };
+                    let lost = lost(steps, &now, next);
+                    now[next] = State::Running;
+                    drop(now);
+                    let report = match lost {
+                        Some(before) => failed(&format!("`{before}` failed")),
+                        None => shell::speaking_as(steps[next].name, || perform(root, steps[next])),
+                    };
+                    lock()[next] = State::Done(report);
+                    changed.notify_all();
+                }
+            });
+        }
+    });
+    let states = states.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let report = |state| match state {
+        State::Done(report) => report,
+        State::Waiting | State::Running => failed("did not finish"),
+    };
+    states.into_iter().map(report).collect()
+}
+
+/// The first waiting step that may begin.
+fn ready(steps: &[&Step], states: &[State]) -> Option<usize> {
+    let place = |name: &str| steps.iter().position(|s| s.name == name);
+    (0..steps.len()).find(|&k| {
+        let all_before = steps[k]
+            .after
+            .iter()
+            .filter_map(|name| place(name))
+            .all(|b| matches!(states[b], State::Done(_)));
+        let in_use = steps[k].uses.is_some()
+            && (0..steps.len())
+                .any(|b| matches!(states[b], State::Running) && steps[b].uses == steps[k].uses);
+        matches!(states[k], State::Waiting) && all_before && !in_use
+    })
+}
+
+/// A step that `k` needs and that failed.
+fn lost(steps: &[&Step], states: &[State], k: usize) -> Option<&'static str> {
+    let bad = |name: &str| {
+        let place = steps.iter().position(|s| s.name == name);
+        place.is_some_and(|b| matches!(&states[b], State::Done(r) if r.counts.failed > 0))
+    };
+    steps[k].after.iter().copied().find(|name| bad(name))
+}
+
+fn failed(why: &str) -> Report {
+    let counts = Counts {
+        failed: 1,
+        ..Counts::default()
+    };
+    Report {
+        counts,
+        seconds: 0.0,
+        said: format!("FAILED  {why}"),
+    }
+}
+
+fn perform(root: &Path, step: &Step) -> Report {
+    println!("\n== {}: {}", step.name, step.about);
+    let start = Instant::now();
+    let result = (step.run)(root);
+    let seconds = start.elapsed().as_secs_f64();
+    let report = match result {
+        Ok(Outcome::Counted(counts)) => {
+            let word = if counts.failed == 0 { "ok" } else { "FAILED" };
+            let said = format!(
+                "{word:<7} {} passed, {} failed",
+                counts.passed, counts.failed
+            );
+            Report {
+                counts,
+                seconds,
+                said,
+            }
+        }
+        Ok(Outcome::Skipped(why)) => Report {
+            counts: Counts {
+                skipped: 1,
+                ..Counts::default()
+            },
+            seconds,
+            said: format!("skipped {why}"),
+        },
+        Err(why) => Report {
+            seconds,
+            ..failed(&why)
+        },
+    };
+    println!("-- {}: {} ({seconds:.1} s)", step.name, report.said);
+    report
 }
 
 /// `cargo xtask docs`.
@@ -226,9 +365,24 @@ fn clippy_step(root: &Path) -> Result<Outcome, String> {
     cargo_check(root, &words, &[])
 }
 
+/// Compiles with the one profile that tests, scenes, wheel and browser share. Always the same command: another choice of
+/// packages would have other features and compile dependencies anew.
+fn build_step(root: &Path) -> Result<Outcome, String> {
+    let words = [
+        "test",
+        "--workspace",
+        "--locked",
+        "--profile",
+        "ci",
+        "--no-run",
+    ];
+    cargo_check(root, &words, &[])
+}
+
 fn tests_step(root: &Path) -> Result<Outcome, String> {
     let mut command = Command::new(cargo());
-    command.args(["test", "--workspace", "--locked", "--no-fail-fast"]);
+    command.args(["test", "--workspace", "--locked", "--profile", "ci"]);
+    command.arg("--no-fail-fast");
     let done = shell::run(root, &mut command)?;
     let mut counts = done.counts;
     if !done.success && counts.failed == 0 {
@@ -257,4 +411,66 @@ fn docs_step(root: &Path) -> Result<Outcome, String> {
         }
     }
     Ok(api)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    static CLOCK: AtomicUsize = AtomicUsize::new(0);
+    static IN_USE: AtomicUsize = AtomicUsize::new(0);
+
+    fn good(_: &Path) -> Result<Outcome, String> {
+        CLOCK.fetch_add(1, Ordering::SeqCst);
+        Ok(one_check(0))
+    }
+
+    fn bad(_: &Path) -> Result<Outcome, String> {
+        Err("no".to_owned())
+    }
+
+    fn alone(_: &Path) -> Result<Outcome, String> {
+        let others = IN_USE.fetch_add(1, Ordering::SeqCst);
+        std::thread::sleep(std::time::Duration::from_millis(20));
+        IN_USE.fetch_sub(1, Ordering::SeqCst);
+        Ok(one_check(others as u64))
+    }
+
+    #[test]
+    fn steps_wait_for_what_they_need_and_never_share_what_they_use() {
+        let mut steps = [
+            step("build", "", bad),
+            step("free", "", good),
+            built("needs", "", None, good),
+            built("needs too", "", None, good),
+            step("x", "", alone),
+            step("y", "", alone),
+            step("z", "", alone),
+        ];
+        for step in &mut steps[4..] {
+            step.uses = VENV;
+        }
+        let all: Vec<&Step> = steps.iter().collect();
+        let reports = side_by_side(Path::new("."), &all, 2);
+        let failed: Vec<u64> = reports.iter().map(|r| r.counts.failed).collect();
+        assert_eq!(failed, [1, 0, 1, 1, 0, 0, 0]);
+        // What needs a step that failed does not begin.
+        assert_eq!(CLOCK.load(Ordering::SeqCst), 1);
+        assert!(reports[2].said.contains("`build` failed"));
+    }
+
+    #[test]
+    fn a_step_chosen_alone_waits_for_nothing() {
+        let only = built("needs", "", None, |_| Ok(one_check(0)));
+        let reports = side_by_side(Path::new("."), &[&only], 2);
+        assert_eq!(reports[0].counts.passed, 1);
+    }
+
+    #[test]
+    fn every_need_is_a_step() {
+        for name in STEPS.iter().flat_map(|s| s.after) {
+            assert!(STEPS.iter().any(|s| s.name == *name), "{name}");
+        }
+    }
 }

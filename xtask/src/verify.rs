@@ -12,18 +12,30 @@ use crate::shell::{self, cargo};
 use crate::source_tree::{files, shown};
 use crate::steps::Outcome;
 
-/// Builds the release binary once; `Err` when it does not build.
-pub fn release_binary(root: &Path) -> Result<PathBuf, String> {
+/// Builds the release binary; `Err` when it does not build.
+fn release_binary(root: &Path) -> Result<PathBuf, String> {
     let mut command = Command::new(cargo());
     command.args(["build", "--release", "--locked", "--package", "riprap-cli"]);
-    if !shell::run(root, &mut command)?.success {
-        return Err("the release build failed".to_owned());
+    binary(root, &mut command, "release")
+}
+
+/// The binary of the tests, built if the step `build` has not: with debug assertions, engines as fast as in a release.
+pub fn ci_binary(root: &Path) -> Result<PathBuf, String> {
+    let mut command = Command::new(cargo());
+    command.args(["test", "--workspace", "--locked", "--profile", "ci"]);
+    command.args(["--no-run", "--quiet"]);
+    binary(root, &mut command, "ci")
+}
+
+fn binary(root: &Path, build: &mut Command, profile: &str) -> Result<PathBuf, String> {
+    if !shell::run(root, build)?.success {
+        return Err(format!("the build with profile {profile} failed"));
     }
     let target =
         std::env::var("CARGO_TARGET_DIR").map_or_else(|_| root.join("target"), PathBuf::from);
     Ok(root
         .join(target)
-        .join("release")
+        .join(profile)
         .join(format!("riprap{}", std::env::consts::EXE_SUFFIX)))
 }
 
@@ -59,7 +71,7 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
         fast.len(),
         long.len()
     );
-    let mut command = Command::new(release_binary(root)?);
+    let mut command = Command::new(ci_binary(root)?);
     command.arg("verify").args(&fast);
     let done = shell::run(root, &mut command)?;
     let mut counts = done.counts;

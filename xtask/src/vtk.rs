@@ -11,7 +11,7 @@ use std::process::Command;
 use crate::shell;
 use crate::steps::Outcome;
 use crate::venv;
-use crate::verify::release_binary;
+use crate::verify::ci_binary;
 
 const VTK: &str = "vtk==9.7.2";
 /// The scene whose frames are read: the one the README runs.
@@ -28,14 +28,14 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
         Err(why) => return Ok(Outcome::Skipped(why)),
     };
     let out = root.join("target/xtask/vtk.run");
-    let mut run = Command::new(release_binary(root)?);
+    let mut run = Command::new(ci_binary(root)?);
     run.args(["run", SCENE, "--quiet", "--force", "--out"])
         .arg(&out);
     // Checks of the scene that fail are the business of the step `scenes`.
     if !shell::run(root, &mut run)?.success && !out.join("checks.jsonl").exists() {
         return Err(format!("{SCENE} did not run"));
     }
-    let mut script = Command::new(release_binary(root)?);
+    let mut script = Command::new(ci_binary(root)?);
     script.arg("paraview").arg(&out);
     if !shell::run(root, &mut script)?.success {
         return Err("riprap paraview wrote no script".to_owned());
