@@ -5,9 +5,12 @@
 //! `r_m = int p |x - x_c| dS / int p dS`, which gives the exact stopping time of a spinning plate. Dashpots across the contact and against rocking act on the
 //! pressure, those along it only while it sticks.
 //!
+//! Deviation: the couple of the dashpots against rocking follows the second moments of the area about each axis instead of half
+//! the polar one.
+//!
 //! Source: limit surface of Howe and Cutkosky (1996); mean radius of Coulomb friction under a given pressure.
 
-use riprap_geom::Vec3;
+use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::piece::{self, Frame, Polygon};
@@ -125,6 +128,8 @@ struct Contact {
     point: Vec3,
     area: f64,
     polar: f64,
+    /// Second moments of the area about the point, m⁴.
+    spread: Mat3,
     /// Squared radius of gyration of the pressure, m².
     gyration: f64,
 }
@@ -184,10 +189,10 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
 
     let across = dashpot(law.normal_stiffness);
     let normal = (c.elastic - across * v.normal).max(0.0);
-    let rocking = shorten(
-        -(across * c.polar / (2.0 * c.area)) * v.rock,
-        normal * c.gyration.sqrt(),
-    );
+    // Dashpots spread evenly over the area; half its polar moment for both axes would be many times too much about the long
+    // axis of a narrow contact, and unstable.
+    let uneven = (c.spread * c.normal.cross(v.rock)).cross(c.normal);
+    let rocking = shorten(-(across / c.area) * uneven, normal * c.gyration.sqrt());
     let mut limit = Limit {
         force: law.friction * normal + law.cohesion * c.area,
         radius: LEAST_MEAN_RADIUS * c.gyration.sqrt(),
@@ -340,7 +345,8 @@ fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
     }
     let area = s.vector_area.length();
     let point = s.weight_first / s.weight;
-    let polar = s.area_second - 2.0 * point.dot(s.area_first) + point.length_squared() * s.area;
+    let spread = spread(s, point);
+    let polar = spread.x_axis.x + spread.y_axis.y + spread.z_axis.z;
     let gyration = s.weight_second / s.weight - point.length_squared();
     // Written so that a NaN is no contact either.
     if !(area > 0.0 && polar > 0.0 && gyration > 0.0) {
@@ -352,8 +358,17 @@ fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
         point,
         area,
         polar,
+        spread,
         gyration,
     })
+}
+
+/// Second moments of the area about a point, `int (x - point)(x - point)ᵀ dS`, m⁴.
+fn spread(s: &Sums, point: Vec3) -> Mat3 {
+    let outer = |a: Vec3, b: Vec3| Mat3::from_cols(b.x * a, b.y * a, b.z * a);
+    let [x, y, z] = s.area_second;
+    Mat3::from_cols(x, y, z) - outer(s.area_first, point) - outer(point, s.area_first)
+        + s.area * outer(point, point)
 }
 
 fn shorten(v: Vec3, longest: f64) -> Vec3 {

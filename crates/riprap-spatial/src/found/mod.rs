@@ -31,6 +31,8 @@ pub use shape::{Body, Pose, Shape, ShapeError, turn};
 pub use surface::{Found, Pair, Sums, Walker};
 
 #[cfg(test)]
+mod impacts;
+#[cfg(test)]
 mod kit;
 #[cfg(test)]
 mod tests;

@@ -243,8 +243,8 @@ pub struct Integrals {
     pub area: f64,
     /// Of s and t, m³.
     pub area_first: [f64; 2],
-    /// Of s² + t², m⁴.
-    pub area_second: f64,
+    /// Of s², st and t², m⁴.
+    pub area_second: [f64; 3],
 }
 
 /// Integrals over a polygon with a depth that is linear in it: exact sums over a fan of triangles from corner 0.
@@ -271,7 +271,9 @@ pub fn integrate(polygon: &Polygon) -> Integrals {
         sum.area += 0.5 * twice;
         sum.area_first[0] += twice * ss / 6.0;
         sum.area_first[1] += twice * st / 6.0;
-        sum.area_second += twice * (squares + sq) / 24.0;
+        sum.area_second[0] += twice * (ss * ss + (s0 * s0 + s1 * s1 + s2 * s2)) / 24.0;
+        sum.area_second[1] += twice * (ss * st + (s0 * t0 + s1 * t1 + s2 * t2)) / 24.0;
+        sum.area_second[2] += twice * (st * st + (t0 * t0 + t1 * t1 + t2 * t2)) / 24.0;
     }
     sum
 }
@@ -337,7 +339,9 @@ mod tests {
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} {b}");
         near(i.area, 1.0);
         near(i.area_first[0], 0.5);
-        near(i.area_second, 2.0 / 3.0);
+        near(i.area_second[0], 1.0 / 3.0);
+        near(i.area_second[1], 0.25);
+        near(i.area_second[2], 1.0 / 3.0);
         near(i.depth, 3.5);
         near(i.depth_first[0], 0.5 + 2.0 / 3.0 + 0.75);
         near(i.depth_first[1], 0.5 + 0.5 + 1.0);

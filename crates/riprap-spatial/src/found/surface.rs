@@ -39,8 +39,8 @@ pub struct Sums {
     pub area: f64,
     /// Integral of x, m³.
     pub area_first: Vec3,
-    /// Integral of |x|², m⁴.
-    pub area_second: f64,
+    /// Integral of x xᵀ by columns, m⁴.
+    pub area_second: [Vec3; 3],
     /// Integral of the normal, m².
     pub vector_area: Vec3,
     /// Twice the largest depth: how far the blocks lie in each other, m.
@@ -271,7 +271,14 @@ impl Walker {
         sums.weight_second += share * (c.length_squared() * i.depth + i.depth_second);
         sums.area += share * i.area;
         sums.area_first += share * (c * i.area + e * i.area_first[0] + h * i.area_first[1]);
-        sums.area_second += share * (c.length_squared() * i.area + i.area_second);
+        let [ss, st, tt] = i.area_second;
+        let [a, b] = i.area_first;
+        // (c + e s + h t)(c + e s + h t)ᵀ, column by column of e and h.
+        let (along_e, along_h) = (c * a + e * ss + h * st, c * b + e * st + h * tt);
+        let along_c = c * i.area + e * a + h * b;
+        for (k, column) in sums.area_second.iter_mut().enumerate() {
+            *column += share * (c[k] * along_c + e[k] * along_e + h[k] * along_h);
+        }
         sums.vector_area += share * i.area * m;
         let deepest = self.cutter.polygon.depth.iter().copied();
         sums.depth = sums.depth.max(2.0 * deepest.fold(0.0, f64::max));
