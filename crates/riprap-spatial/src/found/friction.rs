@@ -83,7 +83,7 @@ pub struct Motion {
 }
 
 /// Force and moment on B; A gets the opposite force at the same point.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
     /// Force on B, N.
     pub force: Vec3,
@@ -93,26 +93,6 @@ pub struct Wrench {
     pub moment_b: Vec3,
 }
 
-impl Wrench {
-    /// Both together.
-    #[must_use]
-    pub fn plus(&self, other: &Self) -> Self {
-        Self {
-            force: self.force + other.force,
-            moment_a: self.moment_a + other.moment_a,
-            moment_b: self.moment_b + other.moment_b,
-        }
-    }
-
-    /// Power (W) on A and B in these motions.
-    #[must_use]
-    pub fn power(&self, [a, b]: &[Motion; 2]) -> f64 {
-        self.force.dot(b.velocity - a.velocity)
-            + self.moment_a.dot(a.spin)
-            + self.moment_b.dot(b.spin)
-    }
-}
-
 /// The answer of a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reply {
@@ -120,8 +100,6 @@ pub struct Reply {
     pub wrench: Wrench,
     /// The pressure alone.
     pub elastic: Wrench,
-    /// The dashpots alone.
-    pub dashpots: Wrench,
     /// Normal force, N: pressure and dashpot, never negative.
     pub normal: f64,
     /// Shear force on B, N: spring and dashpot.
@@ -238,16 +216,15 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
         }
     }
     let stored = memory.stored(law);
-    let dashpots = at_point(
-        arms,
-        (normal - c.elastic) * c.normal + (shear - memory.shear),
-        rocking + (torsion - memory.torsion) * c.normal,
-    );
-    let springs = at_point(arms, memory.shear, memory.torsion * c.normal);
+    let extra = (normal - c.elastic) * c.normal + shear;
+    let couple = rocking + torsion * c.normal;
     Reply {
-        wrench: elastic.plus(&springs).plus(&dashpots),
+        wrench: Wrench {
+            force: elastic.force + extra,
+            moment_a: elastic.moment_a - (arms[0].cross(extra) + couple),
+            moment_b: elastic.moment_b + (arms[1].cross(extra) + couple),
+        },
         elastic,
-        dashpots,
         normal,
         shear,
         friction: work - (stored - before),
@@ -348,15 +325,6 @@ impl Limit {
         self.radius = piece::mean_radius(polygon, frame.axes.map(|axis| arm.dot(axis)));
         self.exact = true;
         ratio(self.radius)
-    }
-}
-
-/// A force (N) and a couple (N m) on B at a point with these arms from the centroids of A and B (m).
-fn at_point(arms: [Vec3; 2], force: Vec3, couple: Vec3) -> Wrench {
-    Wrench {
-        force,
-        moment_a: -(arms[0].cross(force) + couple),
-        moment_b: arms[1].cross(force) + couple,
     }
 }
 

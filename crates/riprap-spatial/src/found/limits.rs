@@ -74,11 +74,11 @@ pub fn judge(depth: f64, inradius: f64) -> Depth {
     }
 }
 
-/// Whether two blocks that have moved against each other by `way` (m) in one step could have passed through each other.
-/// `inradius` is the smaller one of both, m.
+/// Whether a block whose points go `way` (m) in a step could pass through one that it can touch: half the approach that is
+/// allowed, since the other may come towards it. `reach` is the smallest inradius of both ([`Candidates::reach`]), m.
 #[must_use]
-pub fn passes_through(way: f64, inradius: f64) -> bool {
-    way > APPROACH * inradius || way.is_nan()
+pub fn passes_through(way: f64, reach: f64) -> bool {
+    way > 0.5 * APPROACH * reach || way.is_nan()
 }
 
 /// How easily a block is moved.
@@ -225,7 +225,7 @@ mod tests {
             roles: &roles,
         };
         let mut search = Search::default();
-        search.renew(&blocks, |b| Pose::at(places[b]), |_| 0.0, [0.0; 2]);
+        search.renew(&blocks, |b| Pose::at(places[b]), |_| 0.0, 0.0);
         let mut candidates = Candidates::default();
         candidates.rebuild(&blocks, &search, |_, _| false, &Exec::serial());
         let mut ease = vec![
@@ -291,8 +291,8 @@ mod tests {
         assert_eq!(judge(0.05, 0.1), Depth::Deep);
         assert_eq!(judge(0.1, 0.1), Depth::TooDeep);
         assert_eq!(judge(f64::NAN, 0.1), Depth::TooDeep);
-        assert!(!passes_through(0.009, 0.1));
-        assert!(passes_through(0.011, 0.1));
+        assert!(!passes_through(0.004, 0.1));
+        assert!(passes_through(0.006, 0.1));
         assert!(passes_through(f64::NAN, 0.1));
     }
 }

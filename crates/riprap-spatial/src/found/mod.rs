@@ -8,12 +8,10 @@
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
 //! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow;
 //! `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
-//! `contacts` evaluates all of them in one go.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
-pub mod contacts;
 pub mod friction;
 pub mod grid;
 pub mod limits;
@@ -24,7 +22,6 @@ pub mod search;
 pub mod shape;
 pub mod surface;
 
-pub use contacts::{Contact, Contacts, OnBlock, Outcome, Room, Scene, Standing, Trouble};
 pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
 pub use grid::Role;
 pub use peak::{Peak, peak};

@@ -27,8 +27,6 @@ use crate::exec::{CHUNK, Exec};
 const MARGIN: f64 = 0.04;
 /// Margin of the fastest blocks over their size.
 const FAST_MARGIN: f64 = 0.4;
-/// Least margin over the way in the coming step.
-const AHEAD: f64 = 1.5;
 /// Faces are left out beyond this times the sum of the margins: more than 1, so that blocks that have just parted are
 /// still judged rightly by the faces listed.
 const REACH: f64 = 1.5;
@@ -66,16 +64,15 @@ pub struct Search {
 }
 
 impl Search {
-    /// Takes over the present poses. `speed` bounds the speed of the points of a block (m/s). The margin of a block grows
+    /// Takes over the present poses. `speed` bounds the speed of the points of a block (m/s); the margin of a block grows
     /// with the way that it will go in `lookahead` (s), within bounds, so that one fast block does not force all others to
-    /// be looked at anew every few steps; and it is never less than the way in the `coming` step (s), so that whoever it
-    /// can run into is in the list.
+    /// be looked at anew every few steps.
     pub fn renew(
         &mut self,
         blocks: &Blocks,
         pose: impl Fn(usize) -> Pose,
         speed: impl Fn(usize) -> f64,
-        [lookahead, coming]: [f64; 2],
+        lookahead: f64,
     ) {
         let count = blocks.roles.len();
         let mut radii: Vec<f64> = (0..count)
@@ -96,7 +93,6 @@ impl Search {
             (speed(b) * lookahead)
                 .min(FAST_MARGIN * size)
                 .max(MARGIN * size)
-                .max(AHEAD * speed(b) * coming)
         }));
     }
 
@@ -152,8 +148,12 @@ pub struct Candidates {
     pub pairs: Vec<Candidate>,
     /// Faces of all pairs.
     pub lists: Vec<u16>,
+    /// The smallest inradius of each block and of those that it can touch, m.
+    pub reach: Vec<f64>,
     /// Way that the points of each block have gone at most since the list was made, m.
     pub travelled: Vec<f64>,
+    /// Per pair: while the ways of both together are not above this, it cannot touch, m.
+    pub asleep_until: Vec<f64>,
     grid: Grid,
     boxes: Vec<Box3>,
     room: Vec<Room>,
@@ -193,8 +193,21 @@ impl Candidates {
             }));
             self.lists.extend_from_slice(&room.lists);
         }
+        self.reach.clear();
+        self.reach
+            .extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
+        for pair in &self.pairs {
+            let ends = [pair.i, pair.j].map(|b| b as usize);
+            let reach = ends.map(|b| blocks.shape(b).inradius);
+            for b in ends {
+                self.reach[b] = self.reach[b].min(reach[0]).min(reach[1]);
+            }
+        }
         self.travelled.clear();
         self.travelled.resize(blocks.roles.len(), 0.0);
+        self.asleep_until.clear();
+        self.asleep_until
+            .resize(self.pairs.len(), f64::NEG_INFINITY);
     }
 
     /// The common part of the boxes of a pair, each grown by its margin: all that they can share before the list is made
@@ -229,16 +242,17 @@ impl Candidates {
         self.outside.contains(&true)
     }
 
-    /// How far the points of both blocks of a pair have gone together since the list was made, m.
+    /// Whether pair `k` has been found apart and has not gone far enough since to touch.
     #[must_use]
-    pub fn way(&self, pair: &Candidate) -> f64 {
-        self.travelled[pair.i as usize] + self.travelled[pair.j as usize]
+    pub fn asleep(&self, k: usize) -> bool {
+        let pair = &self.pairs[k];
+        self.travelled[pair.i as usize] + self.travelled[pair.j as usize] <= self.asleep_until[k]
     }
 
-    /// Up to which way ([`Candidates::way`]) a pair that is apart by `gap` (m) now cannot touch, m.
+    /// Up to which sum of ways a pair that is apart by `gap` (m) now cannot touch, for `asleep_until`.
     #[must_use]
     pub fn sleep(&self, pair: &Candidate, gap: f64) -> f64 {
-        let way = self.way(pair);
+        let way = self.travelled[pair.i as usize] + self.travelled[pair.j as usize];
         way + gap - ROUNDING * (way + gap)
     }
 

@@ -57,10 +57,6 @@ pub struct Sums {
 
 /// What was found of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "one at a time, on the stack; a box would take memory in each step"
-)]
 pub enum Found {
     /// They do not touch; at least so far apart, m (0 where it is not known).
     Apart(f64),
