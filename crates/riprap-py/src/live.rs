@@ -7,11 +7,10 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riprap::ledger;
-use riprap::record::{FieldInfo, Site, field};
+use riprap::run::ask;
 use riprap::run::drive::{Ending, Pause};
 use riprap::run::engine::{Reading, View};
 use riprap::run::job::{Live, Outcome};
-use riprap::run::plan::Gauge;
 
 use crate::arrays;
 use crate::errors;
@@ -210,14 +209,9 @@ impl Simulation {
         self.read(py, |live| {
             let s = live.simulation();
             let view = s.view();
-            let (info, _) = field::find(s.kind().fields(), name)
-                .map_err(|e| PyValueError::new_err(e.to_string()))?;
-            let gauge = Gauge {
-                field: name.to_owned(),
-                of: subjects(&view, info, &of)?,
-                at: None,
-                along: along.map(unit).transpose()?,
-            };
+            let mut gauge =
+                ask::gauge(&view, name, &of).map_err(|e| PyValueError::new_err(e.to_string()))?;
+            gauge.along = along.map(unit).transpose()?;
             let reading =
                 Reading::new(s.kind(), &gauge).map_err(|e| PyValueError::new_err(e.to_string()))?;
             Ok((reading.value(&view), reading.info().unit))
@@ -231,51 +225,6 @@ fn names(view: &View<'_>) -> Vec<String> {
         View::Spatial(v) => v.world.alive.len(),
     };
     (0..count as u32).map(|b| view.name(b)).collect()
-}
-
-/// Numbers of the blocks or of the source that a field is read of.
-fn subjects(view: &View<'_>, info: &FieldInfo, of: &[String]) -> PyResult<Vec<u32>> {
-    let (count, what) = match info.site {
-        Site::Block => (Some(1), "one block"),
-        Site::Pair => (Some(2), "two blocks"),
-        Site::Group => (None, "blocks"),
-        Site::Cavity => (Some(1), "one source"),
-        Site::Model | Site::Energy => (Some(0), "the whole model"),
-        Site::Boundary => {
-            return Err(PyValueError::new_err(format!(
-                "{} is of a boundary: ask for a history of it in the scenario",
-                info.name
-            )));
-        }
-        Site::Contact => {
-            return Err(PyValueError::new_err(format!(
-                "{} has a value for each contact: read it from frame().contacts",
-                info.name
-            )));
-        }
-    };
-    if count.is_some_and(|n| n != of.len()) || (count.is_none() && of.is_empty()) {
-        return Err(PyValueError::new_err(format!(
-            "{} is of {what}, but `of` has {} names",
-            info.name,
-            of.len()
-        )));
-    }
-    let known = match info.site {
-        Site::Cavity => view.sources().into_iter().map(|s| s.name).collect(),
-        Site::Block | Site::Pair | Site::Group => names(view),
-        Site::Model | Site::Energy | Site::Contact | Site::Boundary => Vec::new(),
-    };
-    of.iter()
-        .map(|name| {
-            let found = known.iter().position(|k| k == name);
-            let near = || field::nearest(name, known.iter().map(String::as_str));
-            found.map(|i| i as u32).ok_or_else(|| {
-                let hint = near().map_or_else(String::new, |n| format!("; did you mean {n:?}?"));
-                PyValueError::new_err(format!("there is no {name:?} in the model{hint}"))
-            })
-        })
-        .collect()
 }
 
 fn unit(v: [f64; 3]) -> PyResult<[f64; 3]> {

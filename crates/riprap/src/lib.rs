@@ -2,6 +2,10 @@
 //!
 //! `scenario` (what the user said) -> `model` (SI numbers) -> an engine (`planar`) driven by `run`,
 //! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
+//!
+//! A program begins with [`run::simulation::Simulation`]: made of a scene as text (`from_toml`) or of a [`setup::Setup`] and a
+//! [`run::plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
+//! checks and checkpoints are [`run::job`]. Features: `scenario` (the language, and all that runs scene files) and `plot`.
 
 #[cfg(feature = "scenario")]
 pub mod model;

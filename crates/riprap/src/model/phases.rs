@@ -61,7 +61,7 @@ impl Builder<'_> {
             }
             None => {
                 let default = match self.space {
-                    InSpace::Planar => 0.2,
+                    InSpace::Planar => crate::run::plan::SAFETY,
                     InSpace::Spatial => 0.5,
                 };
                 let safety = self.or(&key("safety"), said.safety.as_ref(), default, "");

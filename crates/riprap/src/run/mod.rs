@@ -1,5 +1,6 @@
 //! Simulation loop: phases, schedule, stop criteria, checks, sweeps.
 
+pub mod ask;
 pub mod bisect;
 pub mod checks;
 pub mod compare;

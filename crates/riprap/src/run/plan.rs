@@ -8,6 +8,10 @@ use crate::planar::setup::ContactLaw;
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
 
+/// Share of the stable time step that is used where nobody says anything: the one of the plane, whose stable step is a bound;
+/// scenes in space take 0.5.
+pub const SAFETY: f64 = 0.2;
+
 /// Everything the loop needs besides the model itself.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Plan {
@@ -90,6 +94,45 @@ pub struct Relaxing {
 }
 
 impl Phase {
+    /// A phase of true dynamics that lasts `time` (s), with the automatic time step and nothing changed at its start.
+    #[must_use]
+    pub fn dynamic(name: &str, time: f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind: PhaseKind::Dynamic,
+            until: Until {
+                time: Some(time),
+                ..Until::default()
+            },
+            time_step: TimeStep::Auto { safety: SAFETY },
+            damping: Damping::default(),
+            remove: Vec::new(),
+            fix: Vec::new(),
+            release: Vec::new(),
+            gravity: None,
+            gravity_ramp: None,
+            contacts: Vec::new(),
+            joints: Vec::new(),
+            zero_velocities: false,
+            zero_displacements: false,
+            deform: None,
+        }
+    }
+
+    /// As [`Phase::dynamic`], to be left once it has settled: a phase of dynamic relaxation that ends at the ratio
+    /// `unbalanced` of unbalanced forces.
+    #[must_use]
+    pub fn settle(name: &str, unbalanced: f64) -> Self {
+        Self {
+            kind: PhaseKind::Static,
+            until: Until {
+                unbalanced: Some(unbalanced),
+                ..Until::default()
+            },
+            ..Self::dynamic(name, 0.0)
+        }
+    }
+
     /// Whether blocks, supports or laws change when it begins.
     #[must_use]
     pub fn edits(&self) -> bool {

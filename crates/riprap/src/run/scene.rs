@@ -2,12 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::exec::Exec;
 use crate::model::{self, Model};
 use crate::record::manifest::Override;
 use crate::record::{FieldInfo, Manifest};
-use crate::run::engine::Kind;
-use crate::run::given_step::TooLong;
+use crate::run::engine::{BuildError, Kind};
+use crate::run::given_step::{self, TooLong};
 use crate::run::job::Job;
+use crate::run::simulation::{RunError, Simulation};
 use crate::scenario::language::Space;
 use crate::scenario::{self, Case, Diagnostic, Diagnostics, Parsed, Source, apply_overrides};
 
@@ -154,6 +156,17 @@ impl Scene {
 }
 
 impl Prepared {
+    /// The model as a simulation that records nothing, with its forces found.
+    ///
+    /// # Errors
+    /// As [`Simulation::from_toml`].
+    pub fn simulation(self, exec: Exec) -> Result<Simulation, SceneError> {
+        let mut simulation = Simulation::new(self.model.setup, self.model.plan, exec)?;
+        given_step::check(&simulation)?;
+        simulation.advance(0)?;
+        Ok(simulation)
+    }
+
     /// What is run.
     #[must_use]
     pub fn job(self) -> Job {
@@ -177,6 +190,67 @@ impl TooLong {
             found = found.at(given.span.clone());
         }
         Diagnostics::new(scene.source.clone(), vec![found])
+    }
+}
+
+/// Why a scene cannot be begun.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The text is wrong, or the model it describes.
+    #[error(transparent)]
+    Scene(#[from] Diagnostics),
+    /// The engine cannot build the model.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// A time step of the scene is too long.
+    #[error(transparent)]
+    Step(#[from] TooLong),
+    /// The physics stops it at once.
+    #[error(transparent)]
+    Physics(#[from] RunError),
+}
+
+impl Simulation {
+    /// A scene given as text, as it stands (no variant, nothing swept), on one thread, with its forces found: fields can be
+    /// read at once. Nothing is written. Relative paths in the text are seen from the present folder.
+    ///
+    /// # Errors
+    /// A wrong text, a model that cannot be built, a time step that is too long, physics that stops it at once.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap::run::simulation::Simulation;
+    ///
+    /// let mut simulation = Simulation::from_toml(
+    ///     r#"
+    ///     riprap = 1
+    ///     title = "a stone falls"
+    ///     [space.planar]
+    ///     gravity = ["0 m/s2", "-10 m/s2"]
+    ///     [materials.rock]
+    ///     density = "2500 kg/m3"
+    ///     [interfaces.default]
+    ///     normal_stiffness = "1 GPa/m"
+    ///     friction_angle = "30 deg"
+    ///     [[blocks]]
+    ///     name = "stone"
+    ///     material = "rock"
+    ///     rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "5 m"] }
+    ///     [[phases]]
+    ///     name = "fall"
+    ///     until = { time = "1 s" }
+    ///     time_step = "1 ms"
+    ///     "#,
+    /// )?;
+    /// simulation.run_for(0.5)?;
+    /// let speed = simulation.field("block.speed", &["stone"])?;
+    /// assert!((speed - 5.0).abs() < 0.01, "{speed}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_toml(text: &str) -> Result<Self, SceneError> {
+        let scene = Scene::parse(Source::new("scene", text), PathBuf::from("."), &[])?;
+        scene.prepare(&scene.plain())?.simulation(Exec::serial())
     }
 }
 

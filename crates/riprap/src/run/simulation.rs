@@ -4,10 +4,12 @@
 //! due), so that the state can be read and recorded; [`Simulation::step`] moves on. A checkpoint
 //! can be taken at any moment: a simulation made from it goes on with the same bits.
 
+mod advance;
 mod cursor;
 mod error;
 mod stop;
 
+pub use advance::Reached;
 pub use cursor::{Cursor, Snapshot, Stage, Unconverged};
 pub use error::RunError;
 
@@ -26,6 +28,8 @@ pub struct Simulation {
     engine: Engine,
     stable: Option<(u64, Stable)>,
     dt: f64,
+    /// Whether the present state has been prepared by an advance that has come so far.
+    standing: bool,
 }
 
 impl Simulation {
@@ -52,6 +56,7 @@ impl Simulation {
             engine,
             stable: None,
             dt: 0.0,
+            standing: false,
         })
     }
 
@@ -69,6 +74,7 @@ impl Simulation {
             engine: Engine::resume(state, exec),
             stable: None,
             dt: 0.0,
+            standing: false,
         }
     }
 
@@ -202,6 +208,7 @@ impl Simulation {
 
     /// Moves on by one step; call [`Simulation::prepare`] before.
     pub fn step(&mut self) {
+        self.standing = false;
         if self.view().last_dt() == 0.0 {
             self.book_start();
         }
@@ -247,6 +254,7 @@ impl Simulation {
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.
     pub fn next_phase(&mut self) {
+        self.standing = false;
         self.cursor.phase += 1;
         self.stable = None;
         self.cursor.entered = false;

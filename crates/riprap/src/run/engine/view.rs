@@ -1,6 +1,6 @@
 //! What can be asked of an engine whose forces are evaluated.
 
-use super::{Who, notes};
+use super::{Kind, Who, notes};
 use crate::ledger::Balance;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::{Frame, Surfaces};
@@ -33,6 +33,15 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(_) => None,
             Self::Spatial(view) => Some(view),
+        }
+    }
+
+    /// Which engine it is of.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Planar(_) => Kind::Planar,
+            Self::Spatial(_) => Kind::Spatial,
         }
     }
 

@@ -1,0 +1,104 @@
+//! Fields asked for by the names of blocks.
+
+use thiserror::Error;
+
+use super::engine::View;
+use super::plan::Gauge;
+use crate::record::field::{self, FieldError, FieldInfo, Site};
+
+/// Why a field cannot be read.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum AskError {
+    /// No such field.
+    #[error(transparent)]
+    Field(#[from] FieldError),
+    /// Of a boundary.
+    #[error("{field} is of a boundary: ask for a history of it in the scenario")]
+    Boundary {
+        /// The field.
+        field: &'static str,
+    },
+    /// Of every contact.
+    #[error("{field} has a value for each contact: read it from the contacts of a frame")]
+    Contact {
+        /// The field.
+        field: &'static str,
+    },
+    /// Too many or too few names.
+    #[error("{field} is of {of_what}, but `of` has {given} names")]
+    Count {
+        /// The field.
+        field: &'static str,
+        /// What it is of.
+        of_what: &'static str,
+        /// Number of names.
+        given: usize,
+    },
+    /// Nothing has that name.
+    #[error(
+        "there is no {name:?} in the model{}",
+        near.as_ref().map_or(String::new(), |n| format!("; did you mean {n:?}?"))
+    )]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The nearest there is.
+        near: Option<String>,
+    },
+}
+
+/// What reads `field` (with its component, `block.velocity.x`) of the blocks or the source with the names `of`.
+///
+/// # Errors
+/// Unknown fields and names, a wrong number of names, fields of boundaries and of single contacts.
+pub fn gauge<S: AsRef<str>>(view: &View<'_>, field: &str, of: &[S]) -> Result<Gauge, AskError> {
+    let (info, _) = field::find(view.kind().fields(), field)?;
+    Ok(Gauge {
+        field: field.to_owned(),
+        of: subjects(view, info, of)?,
+        at: None,
+        along: None,
+    })
+}
+
+/// Numbers of the blocks or of the source that a field is read of.
+fn subjects<S: AsRef<str>>(
+    view: &View<'_>,
+    info: &FieldInfo,
+    of: &[S],
+) -> Result<Vec<u32>, AskError> {
+    let (field, given) = (info.name, of.len());
+    let (count, of_what) = match info.site {
+        Site::Block => (Some(1), "one block"),
+        Site::Pair => (Some(2), "two blocks"),
+        Site::Group => (None, "blocks"),
+        Site::Cavity => (Some(1), "one source"),
+        Site::Model | Site::Energy => (Some(0), "the whole model"),
+        Site::Boundary => return Err(AskError::Boundary { field }),
+        Site::Contact => return Err(AskError::Contact { field }),
+    };
+    if count.is_some_and(|n| n != given) || (count.is_none() && given == 0) {
+        return Err(AskError::Count {
+            field,
+            of_what,
+            given,
+        });
+    }
+    let known: Vec<String> = match info.site {
+        Site::Cavity => view.sources().into_iter().map(|s| s.name).collect(),
+        Site::Block | Site::Pair | Site::Group => (0..view.all_blocks() as u32)
+            .map(|b| view.name(b))
+            .collect(),
+        Site::Model | Site::Energy | Site::Contact | Site::Boundary => Vec::new(),
+    };
+    of.iter()
+        .map(|name| {
+            let name = name.as_ref();
+            let place = known.iter().position(|k| k == name);
+            place.map(|k| k as u32).ok_or_else(|| AskError::Unknown {
+                name: name.to_owned(),
+                near: field::nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
+            })
+        })
+        .collect()
+}
