@@ -253,7 +253,7 @@ fn cut(
 ) -> u16 {
     let (i, j) = context.sides(candidate);
     pieces::find(i, j, relative.shift, &mut room.pieces, &mut room.cuts);
-    pieces::regions(&mut room.pieces, i.turned.len(), j.turned.len()) as u16
+    pieces::regions(&mut room.pieces, i, j) as u16
 }
 
 /// Pressure resultants of all regions of a pair, with the bits of their edges.

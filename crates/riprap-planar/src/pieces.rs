@@ -9,6 +9,9 @@ use riprap_geom::Vec2;
 
 use super::convex::Side;
 
+/// Distances below this, over the length of an edge, are round-off of positions.
+pub const TOUCH: f64 = 1e-10;
+
 /// A part of an edge that lies inside the other block.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Piece {
@@ -22,6 +25,12 @@ pub struct Piece {
     pub ends: [Vec2; 2],
     /// Edge of the other block that cuts the piece off at its start and end; `None` at a corner.
     pub cut: [Option<u16>; 2],
+    /// Depth of its middle below the other block's boundary, m.
+    pub depth: f64,
+    /// Edge of the other block that is nearest to its middle.
+    pub facing: u16,
+    /// Place on that edge that is nearest, from its start, m.
+    pub foot: f64,
     /// Region number.
     pub region: u16,
 }
@@ -33,6 +42,8 @@ pub struct Nearest {
     pub depth: f64,
     /// The nearest edge.
     pub edge: u16,
+    /// The nearest place on it, from its start, m.
+    pub foot: f64,
 }
 
 /// Nearest feature of the listed edges to `x` (relative to the block's centroid).
@@ -42,6 +53,7 @@ pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
     let mut best = Nearest {
         depth: f64::NEG_INFINITY,
         edge: 0,
+        foot: 0.0,
     };
     let mut least = f64::INFINITY;
     for &m in block.nearest {
@@ -62,6 +74,7 @@ pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
             best = Nearest {
                 depth: sign * distance,
                 edge: m as u16,
+                foot: along.clamp(0.0, length),
             };
         }
     }
@@ -139,7 +152,8 @@ fn collect(
                 continue;
             }
             let (x0, x1) = (p + t0 * (q - p), p + t1 * (q - p));
-            if nearest(other, 0.5 * (x0 + x1)).depth <= 0.0 {
+            let middle = nearest(other, 0.5 * (x0 + x1));
+            if middle.depth <= 0.0 {
                 continue;
             }
             // Positions relative to the first block's centroid.
@@ -150,6 +164,9 @@ fn collect(
                 t: [t0, t1],
                 ends: [x0 + back, x1 + back],
                 cut: [c0, c1],
+                depth: middle.depth,
+                facing: middle.edge,
+                foot: middle.foot,
                 region: 0,
             });
         }
@@ -158,8 +175,11 @@ fn collect(
 
 /// Numbers the regions by the order of their first piece; returns how many there are.
 ///
-/// Pieces belong together when they meet in a crossing of the two boundaries or in a corner.
-pub fn regions(pieces: &mut [Piece], edges_i: usize, edges_j: usize) -> usize {
+/// Pieces belong together when they meet in a crossing of the two boundaries or in a corner, when one
+/// ends where the other begins, or when the middle of one faces the other across the overlap. The last
+/// two hold where sides of the two blocks lie on one line: there round-off decides whether the short
+/// pieces that lead from one face to the other are found, and what cuts them.
+pub fn regions(pieces: &mut [Piece], i: Side<'_>, j: Side<'_>) -> usize {
     for (k, piece) in pieces.iter_mut().enumerate() {
         piece.region = k as u16;
     }
@@ -167,7 +187,7 @@ pub fn regions(pieces: &mut [Piece], edges_i: usize, edges_j: usize) -> usize {
     for a in 0..pieces.len() {
         for b in a + 1..pieces.len() {
             let (ra, rb) = (pieces[a].region, pieces[b].region);
-            if ra != rb && joined(&pieces[a], &pieces[b], edges_i, edges_j) {
+            if ra != rb && joined(&pieces[a], &pieces[b], i, j) {
                 let (low, high) = (ra.min(rb), ra.max(rb));
                 for piece in pieces.iter_mut() {
                     if piece.region == high {
@@ -191,13 +211,34 @@ pub fn regions(pieces: &mut [Piece], edges_i: usize, edges_j: usize) -> usize {
     count as usize
 }
 
-fn joined(a: &Piece, b: &Piece, edges_i: usize, edges_j: usize) -> bool {
+/// Whether two pieces, the first before the second in the list, touch each other or face each other.
+fn joined(a: &Piece, b: &Piece, i: Side<'_>, j: Side<'_>) -> bool {
+    let length = |p: &Piece| if p.second { j } else { i }.turned[p.edge as usize].length;
+    let touch = TOUCH * length(a).max(length(b));
+    let meet = |x: Vec2, y: Vec2| (x - y).length_squared() <= touch * touch;
+    if meet(a.ends[1], b.ends[0]) || meet(b.ends[1], a.ends[0]) {
+        return true;
+    }
     if a.second == b.second {
-        let n = if a.second { edges_j } else { edges_i };
+        let n = if a.second { j } else { i }.turned.len();
         let follows = |x: &Piece, y: &Piece| {
             (x.edge as usize + 1) % n == y.edge as usize && x.cut[1].is_none() && y.cut[0].is_none()
         };
         return follows(a, b) || follows(b, a);
     }
-    a.cut.iter().flatten().any(|&e| e == b.edge) && b.cut.iter().flatten().any(|&e| e == a.edge)
+    let crossing = a.cut.iter().flatten().any(|&e| e == b.edge)
+        && b.cut.iter().flatten().any(|&e| e == a.edge);
+    // Pieces of i come before those of j.
+    crossing || faces(a, i, b, j) || faces(b, j, a, i)
+}
+
+/// Whether the place nearest to the middle of `a` lies on `b`, whose edge looks the other way: then the
+/// overlap reaches from one to the other.
+fn faces(a: &Piece, own: Side<'_>, b: &Piece, other: Side<'_>) -> bool {
+    if a.facing != b.edge {
+        return false;
+    }
+    let (edge, opposite) = (&own.turned[a.edge as usize], &other.turned[b.edge as usize]);
+    let reach = b.t.map(|t| t * opposite.length);
+    edge.normal.dot(opposite.normal) < 0.0 && reach[0] <= a.foot && a.foot <= reach[1]
 }
