@@ -186,7 +186,7 @@ pub struct Workspace {
     pieces: Vec<Piece>,
     cuts: Vec<(f64, Option<u16>)>,
     kinks: Vec<f64>,
-    local: [Vec<u16>; 2],
+    local: potential::Local,
     old: Vec<Region>,
     /// Works of the chunk, collected by the caller.
     pub works: Works,
@@ -295,7 +295,7 @@ fn press(
     let (mut weight, mut weighted, mut chord, mut edges) = (0.0, Vec2::ZERO, Vec2::ZERO, 0u64);
     let mut friction = Wrench::default();
     if let NormalLaw::PenetrationPotential { .. } = law.normal {
-        potential::local_edges(&room.pieces, region, &mut room.local);
+        room.local.look(&room.pieces, region, i, j, relative.shift);
     }
     for piece in room.pieces.iter().filter(|p| p.region == region) {
         let bit = u32::from(piece.edge % 32) + if piece.second { 32 } else { 0 };
@@ -332,8 +332,12 @@ fn press(
                 }
             }
             NormalLaw::PenetrationPotential { reflex } => {
-                let local = &room.local[usize::from(!piece.second)];
-                let (parts, n) = potential::parts(piece, other, local, reflex, shift);
+                let apart = if piece.second {
+                    -relative.shift
+                } else {
+                    relative.shift
+                };
+                let (parts, n) = room.local.parts(piece, own, other, reflex, apart);
                 for part in &parts[..n] {
                     let length = (part.q - part.p).length();
                     let (area, xi) = closed::linear_piece(length, part.at_p, part.at_q);

@@ -1,20 +1,31 @@
 //! The source's mutual penetration potentials on boundary pieces.
 //!
 //! Potentials are zero at crossings of the boundaries, the depth below the other block's *local*
-//! edges at own corners and (where both ends are crossings) at the middle of the piece, and linear
-//! between. That holds the source's four contact types and everything between them. Local edges of
-//! a block are those with a piece in the region or that cut a piece of the other block: with the
-//! first set alone round-off on collinear faces drops the nearest edge and the force jumps.
+//! edges at own corners and at the middle of a piece, and linear between. Local edges of a block are
+//! those with a piece in the region or that cut a piece of the other block.
+//!
+//! The source has four contact types (claims 4 to 7); in these the middle counts only between two
+//! crossings. In any other region it counts for what it has beyond both ends of its piece: a corner that
+//! is hardly inside then takes nothing from the rest of its edge.
+//!
+//! **Flush places.** Where sides of the two blocks lie on one line, or cross so gently that round-off or
+//! a hundredth of the overlap decides which corner is inside, the corners of both blocks are one
+//! place: each has half its depth below the faces that press, whoever is inside. This is the mean of the two
+//! arrangements on either side, so the pressure has no moment of its own.
 //!
 //! Source: mutual penetration potentials, claims 4 to 8 (S301 to S43).
 //! Deviation: the vertex function is the smallest distance (the printed formula is lost).
 //! Deviation: overlaps with other numbers of inside corners than the four types are covered.
+//! Deviation: flush places, where the source's depths jump between zero and full with round-off.
 
 use riprap_geom::Vec2;
 
 use super::convex::Side;
-use super::pieces::{Piece, nearest};
+use super::pieces::{Piece, TOUCH, nearest};
 use super::setup::Reflex;
+
+/// Cosine of [`super::classify::PARALLEL`]: sides that look the same way.
+const ALIGNED: f64 = 0.999_847_695_156_391_3;
 
 /// The parts of one piece with a linear potential: one, or two around its middle.
 #[derive(Clone, Copy, Debug)]
@@ -29,69 +40,168 @@ pub struct Linear {
     pub at_q: f64,
 }
 
-/// Marks the local edges of both blocks for region `region` in `local[0]` (first block) and
-/// `local[1]`.
-pub fn local_edges(pieces: &[Piece], region: u16, local: &mut [Vec<u16>; 2]) {
-    for list in local.iter_mut() {
-        list.clear();
+/// What the potentials of one region rest on.
+#[derive(Clone, Debug, Default)]
+pub struct Local {
+    /// Local edges of the first and of the second block, ascending.
+    edges: [Vec<u16>; 2],
+    /// Corners of each block inside the other (scratch).
+    corners: [Vec<u16>; 2],
+    /// Whether this is one of the source's four contact types.
+    literal: bool,
+}
+
+impl Local {
+    /// Looks at the pieces of region `number` between blocks i and j; `shift` is the centroid of i minus
+    /// that of j, m.
+    pub fn look(&mut self, pieces: &[Piece], number: u16, i: Side<'_>, j: Side<'_>, shift: Vec2) {
+        for list in self.edges.iter_mut().chain(&mut self.corners) {
+            list.clear();
+        }
+        let mut flush = false;
+        for piece in pieces.iter().filter(|p| p.region == number) {
+            let (own, other) = (usize::from(piece.second), usize::from(!piece.second));
+            self.edges[own].push(piece.edge);
+            self.edges[other].extend(piece.cut.iter().flatten());
+            let ((block, against), shift) = if piece.second {
+                ((j, i), -shift)
+            } else {
+                ((i, j), shift)
+            };
+            let edges = block.turned.len();
+            if piece.depth <= TOUCH * block.turned[piece.edge as usize].length {
+                // No deeper than round-off, which also decides whether the edge below has a piece.
+                self.edges[other].push(piece.facing);
+            }
+            for end in 0..2 {
+                if piece.cut[end].is_none() {
+                    self.corners[own].push(((piece.edge as usize + end) % edges) as u16);
+                }
+                flush |= flush_edge(piece, end, block, against, shift).is_some();
+            }
+        }
+        for list in self.edges.iter_mut().chain(&mut self.corners) {
+            list.sort_unstable();
+            list.dedup();
+        }
+        // Own corners inside, local edges: per type and block. One corner lies between two edges, two
+        // between three; the crossings lie on the edges at the other block's corner, or on one edge.
+        let seen = [0, 1].map(|k| (self.corners[k].len(), self.edges[k].len()));
+        self.literal = !flush
+            && matches!(
+                seen,
+                [(1, 2), (1, 2)]
+                    | [(1, 2), (0, 1)]
+                    | [(0, 1), (1, 2)]
+                    | [(2, 3), (0, 1)]
+                    | [(0, 1), (2, 3)]
+            );
     }
-    for piece in pieces.iter().filter(|p| p.region == region) {
-        let (own, other) = (usize::from(piece.second), usize::from(!piece.second));
-        local[own].push(piece.edge);
-        local[other].extend(piece.cut.iter().flatten());
-    }
-    for list in local.iter_mut() {
-        list.sort_unstable();
-        list.dedup();
+
+    /// Splits `piece` of `own` into parts with linear potential; `other` is the block it is inside of,
+    /// `shift` the centroid of `own` minus that of `other`, m.
+    #[must_use]
+    pub fn parts(
+        &self,
+        piece: &Piece,
+        own: Side<'_>,
+        other: Side<'_>,
+        reflex: Reflex,
+        shift: Vec2,
+    ) -> ([Linear; 2], usize) {
+        let local = &self.edges[usize::from(!piece.second)];
+        // Points of pieces are given from the first block's centroid.
+        let to_other = if piece.second { Vec2::ZERO } else { shift };
+        let [p, q] = piece.ends;
+        let end = |k: usize| {
+            let x = piece.ends[k] + to_other;
+            if let Some(along) = flush_edge(piece, k, own, other, shift) {
+                return 0.5 * below_others(other, local, along, x);
+            }
+            if piece.cut[k].is_some() {
+                0.0
+            } else {
+                depth(other, local, reflex, x)
+            }
+        };
+        let (at_p, at_q) = (end(0), end(1));
+        let crossings = piece.cut[0].is_some() && piece.cut[1].is_some();
+        if self.literal && !crossings {
+            return ([Linear { p, q, at_p, at_q }; 2], 1);
+        }
+        let middle = 0.5 * (p + q);
+        let below = depth(other, local, reflex, middle + to_other);
+        // What the middle has beyond both ends is added to the straight line between them: all of it between
+        // two crossings, nothing where a corner is as deep.
+        let at = 0.5 * (at_p + at_q) + (below - at_p.max(at_q)).max(0.0);
+        let first = Linear {
+            p,
+            q: middle,
+            at_p,
+            at_q: at,
+        };
+        let second = Linear {
+            p: middle,
+            q,
+            at_p: at,
+            at_q,
+        };
+        ([first, second], 2)
     }
 }
 
-/// Splits `piece` into parts with linear potential; `other` is the block it is inside of, `shift`
-/// brings a point from the first block's centroid to `other`'s.
-pub fn parts(
+/// The edge of `other` on one line with the side of `own` that goes on from `piece` at its start
+/// (`end` 0) or end (1), if the place is flush: the sides look the same way within one degree, lie beside
+/// each other, and cross there or touch. `shift` is the centroid of `own` minus that of `other`, m.
+fn flush_edge(
     piece: &Piece,
+    end: usize,
+    own: Side<'_>,
     other: Side<'_>,
-    local: &[u16],
-    reflex: Reflex,
     shift: Vec2,
-) -> ([Linear; 2], usize) {
-    let value = |x: Vec2| depth(other, local, reflex, x + shift);
-    let [p, q] = piece.ends;
-    let end = |k: usize| {
-        if piece.cut[k].is_some() {
-            0.0
-        } else {
-            value(piece.ends[k])
+) -> Option<u16> {
+    let (n, edge) = (own.turned.len(), piece.edge as usize);
+    let (side, corner) = if end == 0 {
+        ((edge + n - 1) % n, edge)
+    } else {
+        ((edge + 1) % n, (edge + 1) % n)
+    };
+    let side = &own.turned[side];
+    let corner = own.turned[corner].start + shift;
+    other.nearest.iter().copied().find(|&g| {
+        let line = &other.turned[g as usize];
+        if line.normal.dot(side.normal) < ALIGNED || piece.cut[end].is_some_and(|cut| cut != g) {
+            return false;
         }
-    };
-    let whole = Linear {
-        p,
-        q,
-        at_p: end(0),
-        at_q: end(1),
-    };
-    if piece.cut[0].is_some() && piece.cut[1].is_some() {
-        let middle = 0.5 * (p + q);
-        let at = value(middle);
-        return (
-            [
-                Linear {
-                    p,
-                    q: middle,
-                    at_p: 0.0,
-                    at_q: at,
-                },
-                Linear {
-                    p: middle,
-                    q,
-                    at_p: at,
-                    at_q: 0.0,
-                },
-            ],
-            2,
-        );
-    }
-    ([whole, whole], 1)
+        let along = line.normal.perp().dot(corner - line.start);
+        let next = (g as usize + 1) % other.turned.len();
+        // The other block's corner at this place, and how far beyond it the own one is.
+        let (mate, beyond) = if end == 0 {
+            (line.start, along)
+        } else {
+            (other.turned[next].start, line.length - along)
+        };
+        if beyond <= 0.0 || beyond >= line.length.min(side.length) {
+            return false;
+        }
+        let touch = TOUCH * line.length.min(side.length);
+        let inside = line.normal.dot(line.start - corner);
+        let mate_inside = side.normal.dot(corner - mate);
+        inside.abs() <= touch || mate_inside.abs() <= touch || inside * mate_inside > 0.0
+    })
+}
+
+/// Smallest distance of `x` (relative to `block`'s centroid) to the local edge lines but one; 0 without any.
+fn below_others(block: Side<'_>, local: &[u16], but: u16, x: Vec2) -> f64 {
+    let least = local
+        .iter()
+        .filter(|&&m| m != but)
+        .map(|&m| {
+            let line = &block.turned[m as usize];
+            line.normal.dot(line.start - x).abs()
+        })
+        .fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
 }
 
 /// Potential at `x` (relative to `block`'s centroid): the smallest distance to the local edge lines,
