@@ -8,6 +8,7 @@ use riprap_geom::Vec2;
 
 use super::convex::{self, Side, Turned};
 use super::handover;
+use super::parting;
 use super::pieces::{self, Piece};
 use super::potential;
 use super::profile;
@@ -34,6 +35,8 @@ pub struct Context<'a> {
     pub elapsed: f64,
     /// Stiffness-proportional damping of the phase, s.
     pub stiffness_damping: f64,
+    /// Whether the model begins here: overlaps found now were there before.
+    pub begins: bool,
 }
 
 impl<'a> Context<'a> {
@@ -54,6 +57,7 @@ impl<'a> Context<'a> {
             lists,
             elapsed: world.pending,
             stiffness_damping,
+            begins: world.start_energy.is_none() && world.last_dt == 0.0,
         }
     }
 
@@ -219,6 +223,12 @@ fn general_pair(
     room.old.clear();
     room.old.append(&mut state.regions);
     let mut total = Wrench::default();
+    let by_path = matches!(law.normal, NormalLaw::PenetrationPotential { .. });
+    let stored = if context.begins && by_path && room.old.is_empty() {
+        parting::energies(context, candidate, &relative)
+    } else {
+        Vec::new()
+    };
     let count = cut(context, candidate, &relative, room);
     for region in 0..count {
         let (pressed, edges) = press(context, candidate, &relative, region, room);
@@ -226,6 +236,10 @@ fn general_pair(
             continue;
         }
         let mut contact = take_matching(&mut room.old, edges);
+        if let Some((_, energy)) = stored.iter().find(|(e, _)| *e == edges) {
+            contact.path_energy += energy;
+            works.contact_path += energy;
+        }
         let wrench = apply(
             law,
             candidate.dashpots,

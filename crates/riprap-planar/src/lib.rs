@@ -10,6 +10,7 @@ mod fragments;
 pub mod handover;
 mod heap;
 pub mod loads;
+mod parting;
 pub mod picture;
 pub mod pieces;
 pub mod potential;

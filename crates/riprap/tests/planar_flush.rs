@@ -253,3 +253,28 @@ fn the_order_of_flush_blocks_does_not_matter() {
         }
     }
 }
+
+#[test]
+fn an_overlap_at_the_start_gives_back_what_it_is_said_to_hold() {
+    // Half a brick, 1 mm deep: both boundaries carry a triangle, `kn L d²/2` in all.
+    let (l, d) = (0.9, 1e-3);
+    let upper = rectangle(0.1, -d, 1.1, 1.0);
+    let lower = rectangle(0.0, -1.0, 1.0, 0.0);
+    let mut model = Model::pair(&upper, &lower, law(SOURCE, KN));
+    let start = model.balance().total();
+    assert!(
+        (start / (0.5 * KN * l * d * d) - 1.0).abs() < 2e-3,
+        "{start}"
+    );
+    model.run(1e-6, 3000);
+    let balance = model.balance();
+    assert_eq!(model.view().contacts().count(), 0);
+    assert!(
+        (balance.kinetic / start - 1.0).abs() < 1e-2,
+        "{} of {start}",
+        balance.kinetic
+    );
+    // The half kick at the start, `m dv²/2` of it, is not booked here.
+    let residual = balance.residual_relative();
+    assert!(residual.abs() < 1e-5, "{residual}");
+}
