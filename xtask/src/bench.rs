@@ -1,8 +1,9 @@
-//! `cargo xtask bench`: speed of the planar and the spatial step, as CSV.
+//! `cargo xtask bench`: speed of the planar and the spatial step, and of `riprap run`, as CSV.
 
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, ExitCode};
+use std::time::Instant;
 
 use crate::shell::cargo;
 use crate::source_tree::files;
@@ -25,6 +26,11 @@ pub fn run(root: &Path) -> ExitCode {
 fn measure(root: &Path) -> Result<(), String> {
     let mut kept: Vec<String> = Vec::new();
     for scene in files(&root.join("scenes").join("bench"), &["toml"]) {
+        let text = std::fs::read_to_string(&scene)
+            .map_err(|error| format!("{} could not be read: {error}", scene.display()))?;
+        if !text.contains("[space.planar]") {
+            continue;
+        }
         for size in SIZES {
             for line in timed(root, &scene, size)?.lines() {
                 // The machine and the head of the table stand in every output, and once in the whole.
@@ -50,7 +56,85 @@ fn measure(root: &Path) -> Result<(), String> {
             .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
         println!("kept in {}", path.display());
     }
+    let table = commands(root)?;
+    print!("{table}");
+    let path = root.join("target").join("bench-run.csv");
+    std::fs::write(&path, table)
+        .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
+    println!("kept in {}", path.display());
     Ok(())
+}
+
+/// Scenes on which `riprap run` is timed: name of the file, steps of its last phase in each of the [`SIZES`]: long enough
+/// for looks, records and checkpoints to come in their rhythm.
+const RUNS: [(&str, [u64; 3]); 2] = [
+    ("wall", [20_000, 4_000, 600]),
+    ("lattice", [20_000, 3_000, 300]),
+];
+
+/// Times the command itself: what it loses to everything outside the stages of a step.
+fn commands(root: &Path) -> Result<String, String> {
+    let built = Command::new(cargo())
+        .args(["build", "--release", "--quiet", "--package", "riprap-cli"])
+        .current_dir(root)
+        .status()
+        .map_err(|error| format!("cargo could not be started: {error}"))?;
+    if !built.success() {
+        return Err("riprap-cli could not be built".to_owned());
+    }
+    let mut table =
+        "scene,case,threads,steps,loop_s,stages_s,outside_percent,process_s,state_hash\n"
+            .to_owned();
+    for (scene, steps) in RUNS {
+        for (case, steps) in SIZES.into_iter().zip(steps) {
+            table.push_str(&command(root, scene, case, steps)?);
+        }
+    }
+    Ok(table)
+}
+
+/// One row: a run of a scene, from its manifest.
+fn command(root: &Path, scene: &str, case: &str, steps: u64) -> Result<String, String> {
+    let target = root.join("target");
+    let folder = target.join("bench.run");
+    let begun = Instant::now();
+    let output = Command::new(target.join("release").join("riprap"))
+        .arg("run")
+        .arg(
+            root.join("scenes")
+                .join("bench")
+                .join(format!("{scene}.toml")),
+        )
+        .args(["-q", "--force", "--case", case, "--set"])
+        .arg(format!("phases.timed.until.steps={steps}"))
+        .arg("--out")
+        .arg(&folder)
+        .output()
+        .map_err(|error| format!("riprap could not be started: {error}"))?;
+    let process = begun.elapsed().as_secs_f64();
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    let path = folder.join("manifest.json");
+    let text = std::fs::read_to_string(&path)
+        .map_err(|error| format!("{} could not be read: {error}", path.display()))?;
+    let manifest: serde_json::Value = serde_json::from_str(&text)
+        .map_err(|error| format!("{} is no manifest: {error}", path.display()))?;
+    let number = |key: &str| manifest[key].as_f64().unwrap_or(f64::NAN);
+    let stages: f64 = manifest["profile"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter_map(|stage| stage["seconds"].as_f64())
+        .sum();
+    let wall = number("wall_time");
+    Ok(format!(
+        "{scene},{case},{},{},{wall:.3},{stages:.3},{:.2},{process:.3},{}\n",
+        number("threads"),
+        number("steps"),
+        100.0 * (1.0 - stages / wall),
+        manifest["state_hash"].as_str().unwrap_or_default()
+    ))
 }
 
 /// What the benchmark prints about one size of one scene.

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use riprap::run::drive::Progress;
+use riprap::run::drive::{Look, Measured, Progress};
 
 use crate::numbers::{duration, grouped, ratio, si};
 
@@ -61,39 +61,37 @@ impl Display {
         }
     }
 
-    /// Shows `progress` if it is time for it; a new phase is always shown.
-    pub fn show(&mut self, progress: &Progress) {
+    /// Shows the run if it is time for it; a new phase is always shown.
+    pub fn show(&mut self, look: &mut Look<'_>) {
         let wait = match self.form {
             Form::Bar(_) => DRAW_EVERY,
             Form::Lines => PLAIN_EVERY,
             Form::Silent => return,
         };
         let soon = self.last.is_some_and(|last| last.elapsed() < wait);
-        if soon && self.shown_phase == progress.phase_number {
+        if soon && self.shown_phase == look.progress.phase_number {
             return;
         }
-        self.last = Some(Instant::now());
+        let unit = look.progress.energy_unit;
+        let measured = state(look.measured(), unit);
+        let progress = &look.progress;
         self.shown_phase = progress.phase_number;
+        let (label, head) = (&self.label, head(progress));
         match &self.form {
             Form::Bar(bar) => {
                 let share = progress.share.unwrap_or(0.0).clamp(0.0, 1.0);
                 bar.set_position((share * 1000.0) as u64);
-                bar.set_prefix(format!(
-                    "{}{}\n{}",
-                    self.label,
-                    head(progress),
-                    state(progress)
-                ));
+                bar.set_prefix(format!("{label}{head}\n{measured}"));
                 bar.set_message(percent(progress));
             }
             Form::Lines => {
-                let (head, state) = (head(progress), state(progress));
-                let line = format!("{}{head}  {}  {state}", self.label, percent(progress));
+                let line = format!("{label}{head}  {}  {measured}", percent(progress));
                 // A log that cannot be written must not stop the run.
                 let _ = writeln!(std::io::stderr(), "{line}");
             }
             Form::Silent => {}
         }
+        self.last = Some(Instant::now());
     }
 
     /// Takes the bar away; the last words follow on a clean line.
@@ -132,14 +130,16 @@ fn head(p: &Progress) -> String {
     )
 }
 
-fn state(p: &Progress) -> String {
+fn state(m: &Measured, energy_unit: &str) -> String {
+    let residual = m
+        .residual
+        .map_or("?".to_owned(), |share| ratio(100.0 * share));
     format!(
-        "contacts {}  kinetic {}  unbalanced {}  energy residual {} %  worst overlap {} %",
-        grouped(p.contacts as u64),
-        si(p.kinetic, p.energy_unit),
-        ratio(p.unbalanced),
-        ratio(100.0 * p.residual),
-        ratio(100.0 * p.worst_overlap),
+        "contacts {}  kinetic {}  unbalanced {}  energy residual {residual} %  worst overlap {} %",
+        grouped(m.contacts as u64),
+        si(m.kinetic, energy_unit),
+        ratio(m.unbalanced),
+        ratio(100.0 * m.worst_overlap),
     )
 }
 
@@ -167,9 +167,11 @@ mod tests {
             dt: 1e-5,
             steps_per_second: 6120.4,
             remaining: Some(400.0),
-            kinetic: 12_400.0,
             energy_unit: "J/m",
-            residual: 3e-4,
+        };
+        let measured = Measured {
+            kinetic: 12_400.0,
+            residual: Some(3e-4),
             unbalanced: 3.1e-4,
             contacts: 9412,
             worst_overlap: 4e-3,
@@ -180,7 +182,7 @@ mod tests {
             "phase 2/3 \"excavate\"  step 41 200  t = 412 ms  dt = 10 us  6 120 steps/s"
         );
         assert_eq!(
-            state(&progress),
+            state(&measured, progress.energy_unit),
             "contacts 9 412  kinetic 12.4 kJ/m  unbalanced 3.1e-4  energy residual 0.03 %  \
              worst overlap 0.4 %"
         );

@@ -182,6 +182,43 @@ impl Exec {
         }
     }
 
+    /// `f` of each run of [`CHUNK`] (the last one may be shorter) of the numbers below `n`, in order.
+    pub fn chunked<R: Send>(&self, n: usize, f: impl Fn(Range<usize>) -> R + Sync) -> Vec<R> {
+        let one = |chunk: usize| f(chunk * CHUNK..n.min((chunk + 1) * CHUNK));
+        let chunks = n.div_ceil(CHUNK);
+        match &self.pool {
+            Some(pool) if chunks > 1 => {
+                pool.install(|| (0..chunks).into_par_iter().map(one).collect())
+            }
+            _ => (0..chunks).map(one).collect(),
+        }
+    }
+
+    /// Sums of `f` over the numbers below `n`: within chunks first, then over the chunks in their order.
+    pub fn sums<const N: usize>(&self, n: usize, f: impl Fn(usize) -> [f64; N] + Sync) -> [f64; N] {
+        let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|k| sum[k] + x[k]);
+        let partial = self.chunked(n, |range| range.map(&f).fold([0.0; N], add));
+        partial.into_iter().fold([0.0; N], add)
+    }
+
+    /// Sum of `f` over the numbers below `n`, added as in [`Exec::sums`].
+    pub fn sum(&self, n: usize, f: impl Fn(usize) -> f64 + Sync) -> f64 {
+        let [sum] = self.sums(n, |k| [f(k)]);
+        sum
+    }
+
+    /// What `f` finds with the largest number (in the total order of `f64`, where NaN stands above all); the last of
+    /// equals.
+    pub fn largest<T: Send>(
+        &self,
+        n: usize,
+        f: impl Fn(usize) -> Option<(f64, T)> + Sync,
+    ) -> Option<(f64, T)> {
+        let later = |a: &(f64, T), b: &(f64, T)| a.0.total_cmp(&b.0);
+        let found = self.chunked(n, |range| range.filter_map(&f).max_by(later));
+        found.into_iter().flatten().max_by(later)
+    }
+
     /// Calls `f(chunk, piece)` once for each of `chunks` chunks of `work`; on a pool in any order.
     pub fn divided<W: Divide>(&self, work: W, chunks: usize, f: impl Fn(usize, W) + Sync) {
         match &self.pool {
@@ -304,6 +341,27 @@ mod tests {
             assert_eq!(seen, items.iter().map(|n| n * n).collect::<Vec<_>>());
         }
         side_by_side(2, &[], |n: &u64| *n, |_| panic!("there is nothing to do"));
+    }
+
+    #[test]
+    fn sums_and_extremes_do_not_depend_on_threads() {
+        let value = |k: usize| 1.0 / (1.0 + k as f64);
+        let run = |threads, n| {
+            let exec = Exec::new(threads).unwrap();
+            let [a, b] = exec.sums(n, |k| [value(k), value(k) * value(k)]);
+            let largest = exec.largest(n, |k| (k % 3 == 1).then(|| (f64::from(k as u32 % 700), k)));
+            (a.to_bits(), b.to_bits(), largest)
+        };
+        for n in [0, 1, CHUNK, CHUNK + 1, 5000] {
+            assert_eq!(run(1, n), run(4, n), "{n}");
+            let one: f64 = (0..n).map(value).sum();
+            assert!((f64::from_bits(run(1, n).0) - one).abs() < 1e-12);
+        }
+        // The last of equals, as `max_by` over all of them.
+        assert_eq!(run(2, 5000).2, Some((699.0, 4199)));
+        let exec = Exec::new(2).unwrap();
+        let nan = exec.largest(2000, |k| Some((if k == 700 { f64::NAN } else { 1.0 }, k)));
+        assert_eq!(nan.map(|(_, k)| k), Some(700));
     }
 
     #[test]

@@ -16,6 +16,7 @@ use super::search::Candidate;
 use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
 use super::world::{Body, Contact, GeneralState, PairState, Region, World, Wrench};
+use crate::laws::bounds::{not_negative, within};
 use crate::laws::{coulomb, potential as closed};
 use crate::ledger::Works;
 
@@ -422,11 +423,11 @@ fn apply(
     let slip = velocity.dot(tangent) * context.elapsed;
     let handed = handover::offset(contact, elastic, slip);
     let pressing = elastic + handed;
-    let total_normal = (pressing - c * velocity.dot(normal)).max(0.0);
+    let total_normal = not_negative(pressing - c * velocity.dot(normal));
     let mut damp = Wrench::at((total_normal - pressing) * normal, x, arm_j);
     let most = 0.5 * total_normal * length;
-    let twist =
-        (-c * length * length / 12.0 * (relative.spin_i - relative.spin_j)).clamp(-most, most);
+    let twist = -c * length * length / 12.0 * (relative.spin_i - relative.spin_j);
+    let twist = within(twist, most);
     damp.moment_i += twist;
     damp.moment_j -= twist;
 
@@ -442,7 +443,7 @@ fn apply(
             let mut force = slid.force;
             if !slid.slipping {
                 let c = dashpots[1] * root + context.stiffness_damping * stiffness;
-                force = (force - c * rate).clamp(-limit, limit);
+                force = within(force - c * rate, limit);
             }
             (Wrench::at(force * tangent, x, arm_j), slid.slipping)
         }

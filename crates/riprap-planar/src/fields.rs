@@ -66,6 +66,22 @@ impl View<'_> {
             + 0.5 * inertia * body.spin * (body.spin + whole * change.spin)
     }
 
+    /// Kinetic energy of all blocks, J/m.
+    #[must_use]
+    pub fn kinetic_energy(&self) -> f64 {
+        let alive = &self.world.alive;
+        let one = |b: usize| if alive[b] { self.kinetic(b) } else { 0.0 };
+        self.scratch.exec.sum(alive.len(), one)
+    }
+
+    /// Speed of the fastest centroid (m/s) and its block.
+    #[must_use]
+    pub fn fastest(&self) -> Option<(f64, usize)> {
+        let alive = &self.world.alive;
+        let one = |b: usize| alive[b].then(|| (self.velocity(b).length(), b));
+        self.scratch.exec.largest(alive.len(), one)
+    }
+
     /// Acceleration (m/s²) and angular acceleration (rad/s²) of block `b`.
     #[must_use]
     pub fn acceleration(&self, b: usize) -> (Vec2, f64) {
@@ -98,27 +114,58 @@ impl View<'_> {
     /// act on them.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
-        let (mut net, mut all) = (0.0, 0.0);
-        let free = |b: u32| self.world.motion[b as usize].is_none();
-        for b in self.living().filter(|&b| free(b as u32)) {
-            let n = &self.scratch.net[b];
-            net += n.force.length() + n.moment.abs() / self.scratch.shapes.radius[b];
-            all += self.scratch.shapes.mass[b] * self.world.gravity.length()
-                + self.scratch.applied[b].force.length();
-        }
-        for (slot, (i, j)) in self.scratch.slots.iter().zip(self.ends()) {
-            all += slot.force.length() * f64::from(u8::from(free(i)) + u8::from(free(j)));
-        }
+        let (world, scratch) = (self.world, self.scratch);
+        let free = |b: u32| world.motion[b as usize].is_none();
+        let of_block = |b: usize| {
+            if !world.alive[b] || !free(b as u32) {
+                return [0.0; 2];
+            }
+            let n = &scratch.net[b];
+            let net = n.force.length() + n.moment.abs() / scratch.shapes.radius[b];
+            let weight = scratch.shapes.mass[b] * world.gravity.length();
+            [net, weight + scratch.applied[b].force.length()]
+        };
+        let of_slot = |k: usize| {
+            let (i, j) = self.ends(k);
+            scratch.slots[k].force.length() * f64::from(u8::from(free(i)) + u8::from(free(j)))
+        };
+        let [net, own] = scratch.exec.sums(world.alive.len(), of_block);
+        let all = own + scratch.exec.sum(scratch.slots.len(), of_slot);
         if all > 0.0 { net / all } else { 0.0 }
     }
 
-    /// Blocks of each slot, in slot order.
-    fn ends(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
-        let pairs = self.world.pairs.iter().map(|p| (p.i, p.j));
-        let general = self.world.general.iter().map(|p| (p.i, p.j));
-        pairs
-            .chain(general)
-            .chain(self.world.bonds.iter().map(|b| (b.i, b.j)))
+    /// The free block whose net force is the largest share of the forces that act on it, and that share.
+    #[must_use]
+    pub fn least_balanced(&self) -> Option<(f64, u32)> {
+        let (world, scratch) = (self.world, self.scratch);
+        let mut all: Vec<f64> = (0..world.alive.len())
+            .map(|b| {
+                scratch.shapes.mass[b] * world.gravity.length() + scratch.applied[b].force.length()
+            })
+            .collect();
+        for (k, slot) in scratch.slots.iter().enumerate() {
+            let (i, j) = self.ends(k);
+            all[i as usize] += slot.force.length();
+            all[j as usize] += slot.force.length();
+        }
+        self.living()
+            .filter(|&b| world.motion[b].is_none() && all[b] > 0.0)
+            .map(|b| (scratch.net[b].force.length() / all[b], b as u32))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Blocks of a slot: those of convex pairs come first, then general pairs, then bonds.
+    fn ends(&self, slot: usize) -> (u32, u32) {
+        let world = self.world;
+        let (convex, general) = (world.pairs.len(), world.general.len());
+        if let Some(pair) = world.pairs.get(slot) {
+            (pair.i, pair.j)
+        } else if let Some(pair) = world.general.get(slot - convex) {
+            (pair.i, pair.j)
+        } else {
+            let bond = &world.bonds[slot - convex - general];
+            (bond.i, bond.j)
+        }
     }
 
     /// Touching found contacts: blocks and state, in slot order.
@@ -135,23 +182,34 @@ impl View<'_> {
     /// Largest overlap over the smaller inradius of the pair, with the pair.
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
+        let (world, exec) = (self.world, &self.scratch.exec);
         let inradius = &self.scratch.shapes.inradius;
-        self.contacts()
-            .map(|(i, j, c)| {
-                (
-                    c.depth / inradius[i as usize].min(inradius[j as usize]),
-                    i,
-                    j,
-                )
-            })
-            .max_by(|a, b| a.0.total_cmp(&b.0))
+        let ratio = |i: u32, j: u32, c: &Contact| {
+            let smaller = inradius[i as usize].min(inradius[j as usize]);
+            c.touches().then(|| (c.depth / smaller, (i, j)))
+        };
+        let convex = exec.largest(world.pairs.len(), |k| {
+            let p = &world.pairs[k];
+            ratio(p.i, p.j, &p.contact)
+        });
+        let general = exec.largest(world.general.len(), |k| {
+            let g = &world.general[k];
+            let regions = g.regions.iter();
+            regions
+                .filter_map(|r| ratio(g.i, g.j, &r.contact))
+                .max_by(|a, b| a.0.total_cmp(&b.0))
+        });
+        let both = convex.into_iter().chain(general);
+        let (ratio, (i, j)) = both.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((ratio, i, j))
     }
 
     /// Sum of all wrenches (found contacts and joints) between two blocks, on the first.
     #[must_use]
     pub fn pair_wrench(&self, a: u32, b: u32) -> Wrench {
         let mut sum = Wrench::default();
-        for (slot, (i, j)) in self.scratch.slots.iter().zip(self.ends()) {
+        for (k, slot) in self.scratch.slots.iter().enumerate() {
+            let (i, j) = self.ends(k);
             if (i, j) == (a, b) {
                 sum = sum.plus(slot);
             } else if (i, j) == (b, a) {
@@ -172,16 +230,22 @@ impl View<'_> {
             works: self.world.works,
             ..Balance::default()
         };
-        out.kinetic = self.living().map(|b| self.kinetic(b)).sum();
-        out.gravity = -self.world.works.gravity;
-        for (_, _, c) in self.contacts() {
-            out.contact_shear += c.shear_energy;
-        }
-        out.bond = self.world.bonds.iter().map(|b| b.energy).sum();
-        let s = self.scratch;
-        for c in s.candidates.convex.iter().chain(&s.candidates.general) {
-            out.contact_normal += candidate_energy(self.world, s, c);
-        }
+        let (world, scratch) = (self.world, self.scratch);
+        let exec = &scratch.exec;
+        out.kinetic = self.kinetic_energy();
+        out.gravity = -world.works.gravity;
+        let shear = |c: &Contact| if c.touches() { c.shear_energy } else { 0.0 };
+        out.contact_shear = exec.sum(world.pairs.len(), |k| shear(&world.pairs[k].contact))
+            + exec.sum(world.general.len(), |k| {
+                let regions = &world.general[k].regions;
+                regions.iter().map(|r| shear(&r.contact)).sum()
+            });
+        out.bond = exec.sum(world.bonds.len(), |k| world.bonds[k].energy);
+        let normal = |list: &[Candidate]| {
+            exec.sum(list.len(), |k| candidate_energy(world, scratch, &list[k]))
+        };
+        out.contact_normal =
+            normal(&scratch.candidates.convex) + normal(&scratch.candidates.general);
         out.contact_normal += self.world.works.contact_path;
         out.start = self.world.start_energy.unwrap_or_else(|| out.total());
         out

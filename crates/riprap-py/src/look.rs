@@ -28,8 +28,8 @@ pub struct Progress {
     kinetic: f64,
     /// Unit of energies: J, or J/m in the plane.
     energy_unit: &'static str,
-    /// Energy residual over the largest energy that moved.
-    residual: f64,
+    /// Energy residual over the largest energy that moved when the ledger was last drawn up, or None before.
+    residual: Option<f64>,
     /// Unbalanced-force ratio.
     unbalanced: f64,
     /// Number of contacts.
@@ -53,8 +53,10 @@ impl Progress {
     }
 }
 
-impl From<&drive::Progress> for Progress {
-    fn from(p: &drive::Progress) -> Self {
+impl From<&mut drive::Look<'_>> for Progress {
+    fn from(look: &mut drive::Look<'_>) -> Self {
+        let m = look.measured().clone();
+        let p = &look.progress;
         Self {
             phase: p.phase.clone(),
             phase_number: p.phase_number,
@@ -65,13 +67,13 @@ impl From<&drive::Progress> for Progress {
             dt: p.dt,
             steps_per_second: p.steps_per_second,
             remaining: p.remaining,
-            kinetic: p.kinetic,
+            kinetic: m.kinetic,
             energy_unit: p.energy_unit,
-            residual: p.residual,
-            unbalanced: p.unbalanced,
-            contacts: p.contacts,
-            worst_overlap: p.worst_overlap,
-            fastest: p.fastest.clone(),
+            residual: m.residual,
+            unbalanced: m.unbalanced,
+            contacts: m.contacts,
+            worst_overlap: m.worst_overlap,
+            fastest: m.fastest,
         }
     }
 }
@@ -91,13 +93,13 @@ impl Look {
         }
     }
 
-    pub fn ask(&mut self, progress: &drive::Progress) -> Control {
+    pub fn ask(&mut self, look: &mut drive::Look<'_>) -> Control {
         let answer = Python::attach(|py| -> PyResult<bool> {
             py.check_signals()?;
             let Some(callback) = &self.callback else {
                 return Ok(true);
             };
-            let said = callback.bind(py).call1((Progress::from(progress),))?;
+            let said = callback.bind(py).call1((Progress::from(look),))?;
             Ok(said.is_none() || said.is_truthy()?)
         });
         match answer {

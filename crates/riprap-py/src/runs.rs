@@ -65,11 +65,13 @@ pub fn resume(
 fn with_look(
     py: Python<'_>,
     callback: Option<Py<PyAny>>,
-    work: impl FnOnce(&mut dyn FnMut(&drive::Progress) -> drive::Control) -> Result<Outcome, JobError>
+    work: impl FnOnce(
+        &mut dyn FnMut(&mut drive::Look<'_>) -> drive::Control,
+    ) -> Result<Outcome, JobError>
     + Send,
 ) -> PyResult<Result<Outcome, JobError>> {
     let mut look = Look::new(callback);
-    let outcome = py.detach(|| work(&mut |progress| look.ask(progress)));
+    let outcome = py.detach(|| work(&mut |here| look.ask(here)));
     match look.raised {
         Some(raised) => Err(raised),
         None => Ok(outcome),

@@ -63,6 +63,37 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     result.at(path)
 }
 
+/// Puts `line` in front of `end`, with which the file at `path` closes, in one write: the cost does not grow with the file.
+/// False when there is no such file or it closes otherwise; it is as it was then.
+pub(crate) fn insert_before_end(path: &Path, line: &str, end: &str) -> Result<bool, OutputError> {
+    let mut file = match OpenOptions::new().read(true).write(true).open(path) {
+        Ok(file) => file,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(false),
+        Err(e) => return Err(e).at(path),
+    };
+    let length = file.metadata().at(path)?.len();
+    let Some(at) = length.checked_sub(end.len() as u64) else {
+        return Ok(false);
+    };
+    let mut found = vec![0u8; end.len()];
+    file.seek(SeekFrom::Start(at)).at(path)?;
+    file.read_exact(&mut found).at(path)?;
+    if found != end.as_bytes() {
+        return Ok(false);
+    }
+    file.seek(SeekFrom::Start(at)).at(path)?;
+    let written = file.write_all(format!("{line}{end}").as_bytes());
+    if written.is_err() {
+        // Best effort: the error that matters is that of the write.
+        let _ = file.set_len(at);
+        let _ = file.seek(SeekFrom::Start(at));
+        let _ = file.write_all(end.as_bytes());
+    }
+    written.at(path)?;
+    file.sync_data().at(path)?;
+    Ok(true)
+}
+
 /// A file that only grows, by whole lines.
 #[derive(Debug)]
 pub(crate) struct AppendFile {

@@ -385,7 +385,7 @@ impl RunFolder {
             step: frame.step,
             time: frame.time,
         });
-        self.write_pvd()?;
+        files::extend_lists(&self.path, &self.frames)?;
         Ok(&self.frames[self.frames.len() - 1])
     }
 
@@ -419,11 +419,25 @@ impl RunFolder {
         step: u64,
         state: &T,
     ) -> Result<PathBuf, OutputError> {
+        self.checkpoint_as(kind, step, state, checkpoint::Packing::Small)
+    }
+
+    /// As [`RunFolder::checkpoint`], packed as wanted.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn checkpoint_as<T: Serialize>(
+        &self,
+        kind: &str,
+        step: u64,
+        state: &T,
+        packing: checkpoint::Packing,
+    ) -> Result<PathBuf, OutputError> {
         for series in [&self.histories, &self.energy].into_iter().flatten() {
             series.file.sync()?;
         }
         self.events.sync()?;
-        checkpoint::write_and_prune(&self.path, kind, step, state)
+        checkpoint::write_and_prune(&self.path, kind, step, state, packing)
     }
 
     fn write_pvd(&self) -> Result<(), OutputError> {

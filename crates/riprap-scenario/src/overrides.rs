@@ -24,16 +24,29 @@ pub struct Case {
     pub variant: String,
     /// Changed keys and their TOML values, variant first.
     pub changes: Vec<(String, String)>,
+    /// Keys that a search or a comparison sets itself: after everything else, `--set` included.
+    pub trial: Vec<(String, String)>,
 }
 
 impl Case {
+    /// Whether it is the scene as it stands.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.changes.is_empty() && self.trial.is_empty()
+    }
+
     /// The text of this case: changes made, `[sweep]`, `[variants]` and the checks of other variants
-    /// taken out.
+    /// taken out. `set` (the changes of the command line) wins over variant and sweep.
     ///
     /// # Errors
     /// A key that leads nowhere.
-    pub fn source(&self, source: &Source) -> Result<Source, Diagnostics> {
-        let mut resolved = apply_overrides(source, &self.changes)?;
+    pub fn source(&self, source: &Source, set: &[(String, String)]) -> Result<Source, Diagnostics> {
+        let mut resolved = source.clone();
+        if !self.is_plain() {
+            for changes in [&self.changes[..], set, &self.trial] {
+                resolved = apply_overrides(&resolved, changes)?;
+            }
+        }
         let mut document = edit(&resolved)?;
         document.remove("sweep");
         document.remove("variants");
@@ -236,6 +249,7 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
             name: variant.clone(),
             variant,
             changes,
+            trial: Vec::new(),
         })
         .collect();
     let name_variant = cases.len() > 1;
@@ -327,12 +341,21 @@ mod tests {
             name: "b".to_owned(),
             variant: "b".to_owned(),
             changes: vec![("title".to_owned(), "\"b\"".to_owned())],
+            trial: Vec::new(),
         };
-        let text = case.source(&Source::new("a.toml", text)).unwrap().text;
+        let source = Source::new("a.toml", text);
+        let text = case.source(&source, &[]).unwrap().text;
         assert_eq!(
             text,
             "title = \"b\"\n[[checks]]\nname = \"x\"\n[[checks]]\nname = \"z\"\n"
         );
+        // The command line wins over the variant, a trial of a search over both.
+        let set = [("title".to_owned(), "\"c\"".to_owned())];
+        let text = case.source(&source, &set).unwrap().text;
+        assert!(text.starts_with("title = \"c\"\n"), "{text}");
+        let trial = vec![("title".to_owned(), "\"d\"".to_owned())];
+        let text = Case { trial, ..case }.source(&source, &set).unwrap().text;
+        assert!(text.starts_with("title = \"d\"\n"), "{text}");
     }
 
     #[test]

@@ -48,7 +48,7 @@ fn good_files_are_accepted() {
         let parsed = load(&path, &[]).unwrap_or_else(|error| panic!("{}\n{error}", path.display()));
         let source = Source::new("case", parsed.source.text.clone());
         for case in cases(&source, &parsed.scenario).unwrap() {
-            let text = case.source(&source).unwrap();
+            let text = case.source(&source, &[]).unwrap();
             parse(text).unwrap_or_else(|error| panic!("{} {}\n{error}", path.display(), case.name));
         }
     }
@@ -299,13 +299,13 @@ fn cases_have_names_and_texts() {
             "source_friction_angle=5.5deg"
         ]
     );
-    let last = parse(cases[3].source(&parsed.source).unwrap()).unwrap();
+    let last = parse(cases[3].source(&parsed.source, &[]).unwrap()).unwrap();
     assert!(last.source.text.contains("law = \"penetration_potential\""));
     assert!(!last.source.text.contains("sweep") && !last.source.text.contains("variants"));
     let angle = last.key_si("interfaces.default.friction_angle").unwrap();
     assert!((angle - 5.5_f64.to_radians()).abs() < 1e-15);
     assert!(last.check_applies(&last.scenario.checks[0]));
-    let first = parse(cases[0].source(&parsed.source).unwrap()).unwrap();
+    let first = parse(cases[0].source(&parsed.source, &[]).unwrap()).unwrap();
     assert!(!first.check_applies(&first.scenario.checks[0]));
 }
 

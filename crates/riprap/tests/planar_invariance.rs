@@ -10,7 +10,7 @@ use riprap::model::{self, Model};
 use riprap::planar::readings::INFOS;
 use riprap::planar::setup::Setup;
 use riprap::record::folder::Existing;
-use riprap::run::drive::{Control, Drive, Ending, Pause, Progress};
+use riprap::run::drive::{Control, Drive, Ending, Look, Pause};
 use riprap::run::job::{self, Job};
 use riprap::run::plan::{Plan, TimeStep, Until};
 use riprap::run::simulation::Simulation;
@@ -69,7 +69,7 @@ fn run(setup: impl Into<riprap::model::Setup>, plan: Plan, threads: usize) -> Si
     drive.into_simulation()
 }
 
-fn on(_: &Progress) -> Control {
+fn on(_: &mut Look<'_>) -> Control {
     Control::Continue
 }
 
@@ -105,7 +105,7 @@ fn a_resumed_run_ends_in_the_same_bits() {
     let whole = job::run(job(), &at("whole"), Existing::Refuse, 1, &mut on).unwrap();
     // The first look comes after one step, the next one as soon as 100 ms have gone.
     let mut looks = 0;
-    let mut stop = |_: &Progress| {
+    let mut stop = |_: &mut Look<'_>| {
         looks += 1;
         if looks == 2 {
             return Control::Stop;

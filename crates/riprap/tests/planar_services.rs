@@ -58,6 +58,7 @@ fn plan(time_step: TimeStep) -> Plan {
             zero_velocities: false,
             zero_displacements: false,
             deform: None,
+            max_residual: 0.1,
         }],
         ..Plan::default()
     }

@@ -5,7 +5,7 @@ use riprap::run::forecast::{Forecast, ForecastError, forecast};
 use serde_json::json;
 
 use crate::args::Check;
-use crate::diagnostics::Style;
+use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::numbers::{duration, grouped, ratio, si};
 use crate::{scenes, screen};
@@ -24,11 +24,17 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
         ForecastError::Physics(e) => Failure::Physics(e.to_string()),
     })?;
     if args.json {
-        let warnings: Vec<_> = model
+        let mut warnings: Vec<_> = model
             .warnings
             .iter()
             .map(|w| json!({ "code": w.code, "message": w.message, "help": w.help }))
             .collect();
+        warnings.extend(
+            expected
+                .warnings
+                .iter()
+                .map(|message| json!({ "code": "run.doubt", "message": message, "help": null })),
+        );
         let all = json!({
             "scene": args.scene.file.display().to_string(),
             "title": prepared.parsed.scenario.title,
@@ -45,10 +51,13 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
         Some(bounds) => solid_text(summary, bounds, &model.setup, &expected),
     });
     screen::print(&expected_text(&expected));
+    for doubt in &expected.warnings {
+        print_line("warning", doubt);
+    }
     let checks = model.checks.len();
     screen::line(&format!(
         "  checks     {checks}\nno errors, {} warnings",
-        model.warnings.len()
+        model.warnings.len() + expected.warnings.len()
     ));
     Ok(())
 }

@@ -6,15 +6,16 @@ use riprap::model::Setup;
 use riprap::record::RunFolder;
 use riprap::record::folder::Existing;
 use riprap::record::table::Table;
-use riprap::run::drive::{Control, Ending, Progress};
+use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{self, Outcome};
+use riprap::run::simulation::{PhaseEnd, Reason};
 
 use crate::args::{How, Resume, Run};
 use crate::commands::{check_lines, default_folder, threads};
-use crate::diagnostics::Style;
+use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::numbers::{duration, grouped, si};
+use crate::numbers::{duration, grouped, ratio, si};
 use crate::progress::Display;
 use crate::{scenes, screen};
 
@@ -74,13 +75,13 @@ fn with_display(
     how: &How,
     head: &str,
     folder: &Path,
-    work: impl FnOnce(&mut dyn FnMut(&Progress) -> Control) -> Result<Outcome, Failure>,
+    work: impl FnOnce(&mut dyn FnMut(&mut Look<'_>) -> Control) -> Result<Outcome, Failure>,
 ) -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(how.quiet);
     display.say(head);
-    let outcome = work(&mut |progress| {
-        display.show(progress);
+    let outcome = work(&mut |look| {
+        display.show(look);
         if interrupt.asked() {
             Control::Stop
         } else {
@@ -107,9 +108,13 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
             duration(manifest.wall_time)
         ));
         screen::print(&ledger(folder));
-        for note in &outcome.unconverged {
-            screen::line(&format!("warning: {note}"));
+        for end in outcome.ends.iter().filter(|end| end.quiet) {
+            print_line("note", &phase_end(end));
         }
+    }
+    // Whoever asks for quiet wants warnings all the same.
+    for note in &outcome.warnings {
+        print_line("warning", note);
     }
     let tally = check_lines(&outcome.checks, quiet);
     match &outcome.ending {
@@ -120,8 +125,14 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
             )));
         }
         Ending::Unstable(why) => {
+            let place = why
+                .formula()
+                .and_then(|text| line_of(folder, text))
+                .map_or(String::new(), |line| {
+                    format!("\n  line {line} of scenario.resolved.toml in the run folder")
+                });
             return Err(Failure::Physics(format!(
-                "{why}\n  results up to there: {shown}"
+                "{why}{place}\n  results up to there: {shown}"
             )));
         }
     }
@@ -136,6 +147,32 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
     } else {
         Ok(())
     }
+}
+
+/// Line of the resolved scene that holds a formula.
+fn line_of(folder: &Path, formula: &str) -> Option<usize> {
+    let scene = std::fs::read_to_string(folder.join("scenario.resolved.toml")).ok()?;
+    let at = scene.lines().position(|line| line.contains(formula))?;
+    Some(at + 1)
+}
+
+/// Why a static phase has ended.
+fn phase_end(end: &PhaseEnd) -> String {
+    let why = match end.reason {
+        Reason::Time => "its time has passed",
+        Reason::Steps => "its steps are used up",
+        Reason::Balanced => "the forces are balanced",
+        Reason::AtRest => "it is at rest",
+        Reason::Iterations => "its iterations are used up",
+    };
+    let asked = end.wanted.map_or(String::new(), |wanted| {
+        format!(", {} asked for", ratio(wanted))
+    });
+    format!(
+        "phase {:?} ended: {why} (unbalanced {}{asked})",
+        end.phase,
+        ratio(end.unbalanced)
+    )
 }
 
 /// The energies at the end, one line, with the residual.

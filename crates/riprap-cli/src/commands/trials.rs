@@ -112,8 +112,8 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
         &scene,
         &case,
         threads(&args.how),
-        &mut |progress| {
-            display.show(progress);
+        &mut |look| {
+            display.show(look);
             stop()
         },
         &mut |trial| {
@@ -179,9 +179,9 @@ pub fn compare(args: &Compare) -> Result<(), Failure> {
         &folder,
         existing,
         threads(&args.how),
-        &mut |law, progress| {
+        &mut |law, look| {
             display.label(&format!("{law}  "));
-            display.show(progress);
+            display.show(look);
             if interrupt.asked() {
                 Control::Stop
             } else {

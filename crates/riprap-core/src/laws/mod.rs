@@ -1,6 +1,7 @@
 //! Pure functions on numbers, each citing its source. They know no world.
 
 pub mod bond;
+pub mod bounds;
 pub mod coulomb;
 pub mod damping;
 pub mod explosive;

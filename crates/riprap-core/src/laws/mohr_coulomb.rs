@@ -3,6 +3,7 @@
 //! Tension is positive. Before failure `sigma <= tension` and `|tau| <= cohesion - sigma mu`; after
 //! failure there is no tension and `|tau| <= residual_cohesion - sigma mu_r` in compression.
 
+use super::bounds::within;
 use super::parameters::BondLaw;
 
 /// State of a joint point.
@@ -47,7 +48,7 @@ pub fn joint_point(law: &BondLaw, un: f64, us: f64, slip: f64, failed: bool) -> 
         };
     }
     let limit = law.residual_cohesion - sigma * law.residual_friction;
-    let tau = tau.clamp(-limit, limit);
+    let tau = within(tau, limit);
     Response {
         sigma,
         tau,

@@ -124,6 +124,11 @@ fn two_are_kept_and_a_broken_one_is_skipped() {
             "test",
             step,
             &(step, Vec::<f64>::new(), String::new()),
+            if step == 20 {
+                Packing::Small
+            } else {
+                Packing::Quick
+            },
         )
         .unwrap();
     }

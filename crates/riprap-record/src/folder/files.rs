@@ -4,7 +4,7 @@ use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::super::disk::{AtPath, OutputError, write_whole};
+use super::super::disk::{AtPath, OutputError, insert_before_end, write_whole};
 use super::super::vtu::{self, PvdEntry};
 use super::super::{checkpoint, names};
 use super::{FolderError, FrameEntry};
@@ -128,26 +128,50 @@ pub(super) fn clear(path: &Path) -> Result<(), OutputError> {
 /// File of a frame by its number.
 type FileOf = fn(u32) -> String;
 
+/// The `.pvd` lists: name, file of a frame, whether every frame has one.
+const LISTS: [(&str, FileOf, bool); 4] = [
+    ("run.pvd", block_file, true),
+    ("contacts.pvd", contact_file, true),
+    ("cracks.pvd", crack_file, false),
+    ("tetrahedra.pvd", tetrahedron_file, false),
+];
+
+fn entry(frame: &FrameEntry, file: FileOf) -> PvdEntry {
+    PvdEntry {
+        time: frame.time,
+        file: file(frame.index),
+    }
+}
+
 /// Writes the `.pvd` lists: files of cracks and tetrahedra as far as there are any.
 pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), OutputError> {
-    let lists: [(&str, FileOf, bool); 4] = [
-        ("run.pvd", block_file, true),
-        ("contacts.pvd", contact_file, true),
-        ("cracks.pvd", crack_file, false),
-        ("tetrahedra.pvd", tetrahedron_file, false),
-    ];
-    for (name, file, always) in lists {
+    for (name, file, always) in LISTS {
         let there = |f: &&FrameEntry| always || path.join(file(f.index)).exists();
         let entries: Vec<PvdEntry> = frames
             .iter()
             .filter(there)
-            .map(|f| PvdEntry {
-                time: f.time,
-                file: file(f.index),
-            })
+            .map(|f| entry(f, file))
             .collect();
         if always || !entries.is_empty() {
             write_whole(&path.join(name), vtu::write_pvd(&entries).as_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+/// Adds the last of `frames` to the lists; the cost does not grow with their number.
+pub(super) fn extend_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), OutputError> {
+    let Some(last) = frames.last() else {
+        return Ok(());
+    };
+    for (name, file, always) in LISTS {
+        if !always && !path.join(file(last.index)).exists() {
+            continue;
+        }
+        let line = vtu::pvd_entry(&entry(last, file));
+        if !insert_before_end(&path.join(name), &line, vtu::PVD_END)? {
+            // The first of its kind, or a list that someone has changed.
+            return write_lists(path, frames);
         }
     }
     Ok(())

@@ -219,6 +219,9 @@ fn each_frame_is_in_both_lists() {
             vec![0.0, 0.003, 0.006]
         );
         assert!(entries.iter().all(|e| path.join(&e.file).is_file()));
+        // Lists grow by an entry a frame, and are what they would be if written whole.
+        let text = std::fs::read_to_string(path.join(list)).unwrap();
+        assert_eq!(text, vtu::write_pvd(&entries));
     }
     let frame =
         vtu::read_frame(&path.join(block_file(3)), Some(&path.join(contact_file(3)))).unwrap();

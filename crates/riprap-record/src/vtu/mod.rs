@@ -22,7 +22,7 @@ mod read;
 mod write;
 
 pub use moment::{Moment, read_moment};
-pub use pvd::{PvdEntry, read_pvd, write_pvd};
+pub use pvd::{PVD_END, PvdEntry, pvd_entry, read_pvd, write_pvd};
 pub use read::{ReadError, Vtu, Wanted, parse, read, read_some};
 pub use write::escape;
 pub use write::{blocks, contacts, cracks, tetrahedra};

@@ -19,14 +19,22 @@ pub fn write_pvd(entries: &[PvdEntry]) -> String {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
     );
     for e in entries {
-        out.push_str(&format!(
-            "<DataSet timestep=\"{:?}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-            e.time,
-            escape(&e.file)
-        ));
+        out.push_str(&pvd_entry(e));
     }
-    out.push_str("</Collection>\n</VTKFile>\n");
+    out.push_str(PVD_END);
     out
+}
+
+/// What a `.pvd` of ours ends with.
+pub const PVD_END: &str = "</Collection>\n</VTKFile>\n";
+
+/// The line of one entry.
+pub fn pvd_entry(entry: &PvdEntry) -> String {
+    format!(
+        "<DataSet timestep=\"{:?}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
+        entry.time,
+        escape(&entry.file)
+    )
 }
 
 /// Reads a `.pvd` of ours.

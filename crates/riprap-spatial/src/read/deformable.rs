@@ -298,10 +298,9 @@ impl<'a> View<'a> {
         let Some((deform, work)) = self.softs() else {
             return 0.0;
         };
-        deform
-            .living()
-            .map(|body| deform.strain_energy(work, body))
-            .sum()
+        let bodies: Vec<&Body> = deform.living().collect();
+        let one = |k: usize| deform.strain_energy(work, bodies[k]);
+        self.scratch.exec.sum(bodies.len(), one)
     }
 
     /// Elastic energy of the normal and of the shear springs of bonds, J.
@@ -312,11 +311,12 @@ impl<'a> View<'a> {
         };
         let freedoms = self.world.freedoms_with(deform);
         let bonds = &self.world.setup.deform.bonds;
-        let mut sum = [0.0; 2];
-        for (facet, worn) in deform.facets.iter().zip(&deform.worn) {
+        let one = |k: usize| {
+            let (facet, worn) = (&deform.facets[k], deform.worn[k]);
             let law = bonds[usize::from(facet.row)].as_ref();
             let linear = !worn && law.is_none_or(|l| l.cohesive.is_none());
             let points = &deform.points[facet.points()];
+            let mut sum = [0.0; 2];
             for (point, memory) in points.iter().zip(&deform.memory[facet.points()]) {
                 let jump = freedoms.jump(&point.anchors);
                 let at = facet.now.map(|e| e.dot(jump));
@@ -337,8 +337,9 @@ impl<'a> View<'a> {
                 sum[0] += point.area * normal;
                 sum[1] += point.area * (all - normal);
             }
-        }
-        sum
+            sum
+        };
+        self.scratch.exec.sums(deform.facets.len(), one)
     }
 
     /// Ratio of the net forces on free nodes to the external forces or the reactions.

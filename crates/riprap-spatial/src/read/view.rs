@@ -129,6 +129,22 @@ impl View<'_> {
         0.5 * (solid.mass * v.dot(v + whole * change.velocity) + turning)
     }
 
+    /// Kinetic energy of all blocks, J.
+    #[must_use]
+    pub fn kinetic_energy(&self) -> f64 {
+        let alive = &self.world.alive;
+        let one = |b: usize| if alive[b] { self.kinetic(b) } else { 0.0 };
+        self.scratch.exec.sum(alive.len(), one)
+    }
+
+    /// Speed of the fastest centroid (m/s) and its block.
+    #[must_use]
+    pub fn fastest(&self) -> Option<(f64, usize)> {
+        let alive = &self.world.alive;
+        let one = |b: usize| alive[b].then(|| (self.velocity(b).length(), b));
+        self.scratch.exec.largest(alive.len(), one)
+    }
+
     /// Momentum of all blocks, N s.
     #[must_use]
     pub fn momentum(&self) -> Vec3 {
@@ -170,37 +186,60 @@ impl View<'_> {
     /// act on them. Of a block with prescribed motion only the freedoms count that are left to it.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
-        let (mut net, mut all) = (0.0, 0.0);
-        let world = self.world;
+        let (world, exec) = (self.world, &self.scratch.exec);
         let soft = self.soft_unbalanced();
         if let Some(ratio) = soft.filter(|_| world.patches.is_empty()) {
             return ratio;
         }
         let free = |b: usize| world.alive[b] && world.is_free(b);
-        for b in self
-            .living()
-            .filter(|b| free(*b) && self.soft(*b).is_none())
-        {
+        let of_block = |b: usize| {
+            if !free(b) || self.soft(b).is_some() {
+                return [0.0; 2];
+            }
             let solid = world.solid_of(b);
             let [along, about] = world.freedoms(b);
-            net += (along * self.scratch.net.force(b)).length()
+            let net = (along * self.scratch.net.force(b)).length()
                 + (about * self.scratch.net.moment(b)).length() / solid.radius;
-            all += solid.mass * world.gravity.length();
-            all += self
-                .scratch
-                .pushes
-                .loads
-                .blocks
-                .get(b)
-                .map_or(0.0, |l| l.force.length());
-        }
-        for p in 0..world.patches.len() {
-            let force = self.patch_resultant(p).force.length();
+            let applied = self.scratch.pushes.loads.blocks.get(b);
+            let applied = applied.map_or(0.0, |l| l.force.length());
+            [net, solid.mass * world.gravity.length() + applied]
+        };
+        let of_patch = |p: usize| {
             let blocks = world.patches.ends[p].map(|b| b as usize);
-            all += force * blocks.iter().filter(|b| free(**b)).count() as f64;
-        }
+            let count = blocks.iter().filter(|b| free(**b)).count() as f64;
+            self.patch_resultant(p).force.length() * count
+        };
+        let [net, own] = exec.sums(world.alive.len(), of_block);
+        let all = own + exec.sum(world.patches.len(), of_patch);
         let rigid = if all > 0.0 { net / all } else { 0.0 };
         soft.map_or(rigid, |soft| soft.max(rigid))
+    }
+
+    /// The free rigid block whose net force is the largest share of the forces that act on it, and that share.
+    #[must_use]
+    pub fn least_balanced(&self) -> Option<(f64, u32)> {
+        let (world, scratch) = (self.world, self.scratch);
+        let mut all: Vec<f64> = (0..world.alive.len())
+            .map(|b| {
+                let applied = scratch.pushes.loads.blocks.get(b);
+                let applied = applied.map_or(0.0, |l| l.force.length());
+                world.solid_of(b).mass * world.gravity.length() + applied
+            })
+            .collect();
+        for p in 0..world.patches.len() {
+            let force = self.patch_resultant(p).force.length();
+            for b in world.patches.ends[p] {
+                all[b as usize] += force;
+            }
+        }
+        self.living()
+            .filter(|&b| world.is_free(b) && self.soft(b).is_none() && all[b] > 0.0)
+            .map(|b| {
+                let [along, _] = world.freedoms(b);
+                let net = along * scratch.net.force(b);
+                (net.length() / all[b], b as u32)
+            })
+            .max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     fn poses(&self) -> Poses<'_> {
@@ -308,8 +347,10 @@ impl View<'_> {
     /// Energy in the springs of boundaries, J.
     #[must_use]
     pub fn boundary_energy(&self) -> f64 {
-        let context = boundary::Context::new(self.world);
-        self.world.faces.iter().map(|f| context.stored(f)).sum()
+        let (context, faces) = (boundary::Context::new(self.world), &self.world.faces);
+        self.scratch
+            .exec
+            .sum(faces.len(), |k| context.stored(&faces[k]))
     }
 
     /// The energy ledger at the present time: patches and bonds of deformable blocks as contact springs, boundary springs and
@@ -320,13 +361,11 @@ impl View<'_> {
             works: self.world.works,
             ..Balance::default()
         };
-        out.kinetic = self.living().map(|b| self.kinetic(b)).sum();
+        out.kinetic = self.kinetic_energy();
         out.gravity = -self.world.works.gravity;
-        for p in 0..self.world.patches.len() {
-            let [normal, shear] = self.patch_energy(p);
-            out.contact_normal += normal;
-            out.contact_shear += shear;
-        }
+        let patches = self.world.patches.len();
+        [out.contact_normal, out.contact_shear] =
+            self.scratch.exec.sums(patches, |p| self.patch_energy(p));
         out.bond = self.boundary_energy() + self.strain_energy();
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
@@ -340,18 +379,13 @@ impl View<'_> {
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
         let list = &self.world.patches;
-        (0..list.len())
-            .map(|p| {
-                let class = self.patch_class(p);
-                let deepest = self
-                    .patch_points(p)
-                    .at
-                    .iter()
-                    .map(|a| -a[0])
-                    .fold(0.0, f64::max);
-                let [i, j] = list.ends[p];
-                (deepest / class.distance, i, j)
-            })
-            .max_by(|a, b| a.0.total_cmp(&b.0))
+        let one = |p: usize| {
+            let class = self.patch_class(p);
+            let at = self.patch_points(p).at;
+            let deepest = at.iter().map(|a| -a[0]).fold(0.0, f64::max);
+            Some((deepest / class.distance, list.ends[p]))
+        };
+        let (ratio, [i, j]) = self.scratch.exec.largest(list.len(), one)?;
+        Some((ratio, i, j))
     }
 }

@@ -135,6 +135,7 @@ impl Builder<'_> {
             zero_velocities: said.reset.contains(&Reset::Velocities),
             zero_displacements: said.reset.contains(&Reset::Displacements),
             deform: self.deforming(said),
+            max_residual: self.or(&key("max_residual"), said.max_residual.as_ref(), 1.0, ""),
         }
     }
 
@@ -246,7 +247,7 @@ impl Builder<'_> {
             match output {
                 Output::History(history) => self.history(history),
                 Output::Frames(pictures) => {
-                    self.plan.frames = every(pictures.every.read());
+                    self.plan.frames = every(pictures.every.read()).or(Some(Every::Never));
                     self.plan.tetrahedra = pictures.tetrahedra;
                 }
                 Output::Checkpoints(schedule) => {

@@ -129,3 +129,16 @@ pub struct CheckResult {
     /// Why it failed or was skipped.
     pub note: String,
 }
+
+impl CheckResult {
+    /// Of a run that was stopped at a model time (s) before its end: nothing of it has passed.
+    pub fn cut_short(&mut self, time: f64) {
+        match self.status {
+            Status::Passed => {
+                self.status = Status::Failed;
+                self.note = format!("the run was stopped at t = {time:.4e} s, before its end");
+            }
+            Status::Failed | Status::Skipped => {}
+        }
+    }
+}

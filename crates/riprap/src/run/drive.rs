@@ -1,6 +1,11 @@
 //! Drives a simulation to its end: records, watches checks, reports progress, can be stopped.
 
+mod look;
+
 use std::time::{Duration, Instant};
+
+use look::{Clock, afford};
+pub use look::{Look, Measured, Progress};
 
 use thiserror::Error;
 
@@ -8,44 +13,8 @@ use super::checks::{Watch, Window};
 use super::engine::Reading;
 use super::recorder::{RecordError, Recorder};
 use super::simulation::{RunError, Simulation, Stage};
+use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, OutputError};
-
-/// A look at a run, for progress displays.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Progress {
-    /// Name of the phase.
-    pub phase: String,
-    /// Number of the phase, from 1.
-    pub phase_number: usize,
-    /// Number of phases.
-    pub phases: usize,
-    /// Share of the phase that is done, 0..1, where its end is known.
-    pub share: Option<f64>,
-    /// Steps done.
-    pub step: u64,
-    /// Model time, s.
-    pub time: f64,
-    /// Time step, s.
-    pub dt: f64,
-    /// Steps per second of wall time since the last look.
-    pub steps_per_second: f64,
-    /// Expected wall time to the end of the phase, s.
-    pub remaining: Option<f64>,
-    /// Kinetic energy, in `energy_unit`.
-    pub kinetic: f64,
-    /// Unit of energies: J, or J/m in the plane.
-    pub energy_unit: &'static str,
-    /// Energy residual over the largest energy that moved.
-    pub residual: f64,
-    /// Unbalanced-force ratio.
-    pub unbalanced: f64,
-    /// Number of contacts.
-    pub contacts: usize,
-    /// Largest overlap over the smaller inscribed radius of its pair.
-    pub worst_overlap: f64,
-    /// Largest speed, m/s, and the block that has it.
-    pub fastest: Option<(String, f64)>,
-}
 
 /// What the caller wants after a look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,9 +50,8 @@ pub enum DriveError {
     Field(#[from] FieldError),
 }
 
-/// Time between two looks.
-const LOOK: Duration = Duration::from_millis(100);
-/// Longest wall time that a run which is killed can lose, besides what the scene asks for.
+/// Wall time between two checkpoints besides those that the scene asks for; longer where writing one takes so long that
+/// it would cost more than a run can afford.
 const AUTOSAVE: Duration = Duration::from_secs(30);
 
 /// A check with its field.
@@ -147,6 +115,8 @@ pub struct Drive {
     watched: Vec<Watched>,
     clock: Clock,
     saved: Instant,
+    /// What the last checkpoint by the clock took.
+    saving: Duration,
     /// Set during a pause: the present state has been prepared, looked at and recorded.
     standing: bool,
 }
@@ -169,6 +139,7 @@ impl Drive {
             watched,
             clock,
             saved: Instant::now(),
+            saving: Duration::ZERO,
             standing: false,
         })
     }
@@ -201,9 +172,13 @@ impl Drive {
     /// # Errors
     /// The disk.
     pub fn checkpoint(&mut self) -> Result<(), OutputError> {
+        self.save(Packing::Small)
+    }
+
+    fn save(&mut self, packing: Packing) -> Result<(), OutputError> {
         let watches = self.watches();
         match &mut self.recorder {
-            Some(recorder) => recorder.checkpoint(&self.simulation, watches),
+            Some(recorder) => recorder.checkpoint(&self.simulation, watches, packing),
             None => Ok(()),
         }
     }
@@ -211,15 +186,17 @@ impl Drive {
     /// Goes on to the pause (then `None`), to the end of the plan, until stopped, or until the physics gives up.
     ///
     /// `look` is called after the first step, about ten times a second, and at the end. With a recorder a checkpoint is
-    /// written at the end of each phase, every 30 s of wall time, when stopped, and when the physics stops the run.
+    /// written at the end of each phase, every 30 s of wall time (or after 100 times what writing one takes), when
+    /// stopped, and when the physics stops the run.
     ///
     /// # Errors
     /// The disk.
     pub fn advance(
         &mut self,
         pause: Pause,
-        look: &mut dyn FnMut(&Progress) -> Control,
+        look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     ) -> Result<Option<Ending>, DriveError> {
+        self.clock = Clock::new(self.simulation.steps());
         loop {
             if self.standing {
                 // The pause was within a phase.
@@ -278,22 +255,23 @@ impl Drive {
     fn phase_end(
         &mut self,
         stage: Stage,
-        look: &mut dyn FnMut(&Progress) -> Control,
+        look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     ) -> Result<bool, DriveError> {
         if stage == Stage::Done {
-            look(&self.clock.progress(&self.simulation));
+            self.clock.look(&self.simulation, look);
             return Ok(true);
         }
         let last = self.last_phase();
         let unconverged = self.simulation.note_unconverged();
+        let end = self.simulation.note_end();
         if let Some(r) = &mut self.recorder {
             if let Some(note) = unconverged {
                 r.unconverged(&self.simulation, &note)?;
             }
-            r.phase_ended(&self.simulation)?;
+            r.phase_ended(&self.simulation, end.as_ref())?;
         }
         if last {
-            look(&self.clock.progress(&self.simulation));
+            self.clock.look(&self.simulation, look);
         }
         self.simulation.next_phase();
         self.checkpoint()?;
@@ -303,7 +281,7 @@ impl Drive {
     /// Checkpoints that are due, and the look of the caller.
     fn after_step(
         &mut self,
-        look: &mut dyn FnMut(&Progress) -> Control,
+        look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     ) -> Result<Control, DriveError> {
         let due = match &mut self.recorder {
             Some(r) => r.checkpoint_due(&self.simulation),
@@ -315,13 +293,15 @@ impl Drive {
         if !self.clock.due(self.simulation.steps()) {
             return Ok(Control::Continue);
         }
-        if self.recorder.is_some() && self.saved.elapsed() >= AUTOSAVE {
+        let control = self.clock.look(&self.simulation, look);
+        let pause = AUTOSAVE.max(afford(self.saving));
+        if control == Control::Stop {
+            self.save(Packing::Quick)?;
+        } else if self.recorder.is_some() && self.saved.elapsed() >= pause {
+            let begun = Instant::now();
             self.checkpoint()?;
             self.saved = Instant::now();
-        }
-        let control = look(&self.clock.progress(&self.simulation));
-        if control == Control::Stop {
-            self.checkpoint()?;
+            self.saving = self.saved - begun;
         }
         Ok(control)
     }
@@ -353,76 +333,4 @@ fn watch_list(simulation: &Simulation, watches: Vec<Watch>) -> Result<Vec<Watche
             })
         })
         .collect()
-}
-
-/// Wall clock of a run; asks the operating system for the time only every few steps.
-#[derive(Debug)]
-struct Clock {
-    last: Instant,
-    step: u64,
-    stride: u64,
-    next: u64,
-    rate: f64,
-}
-
-impl Clock {
-    fn new(step: u64) -> Self {
-        Self {
-            last: Instant::now(),
-            step,
-            stride: 1,
-            next: step,
-            rate: 0.0,
-        }
-    }
-
-    fn due(&mut self, step: u64) -> bool {
-        if step < self.next {
-            return false;
-        }
-        let spent = self.last.elapsed();
-        let steps = step - self.step;
-        if spent < LOOK && self.rate > 0.0 {
-            self.stride = (self.stride * 2).min(1 << 16);
-            self.next = step + self.stride;
-            return false;
-        }
-        self.rate = steps as f64 / spent.as_secs_f64().max(1e-9);
-        self.stride = ((self.rate * LOOK.as_secs_f64() / 8.0) as u64).max(1);
-        self.next = step + self.stride;
-        self.last = Instant::now();
-        self.step = step;
-        true
-    }
-
-    fn progress(&self, simulation: &Simulation) -> Progress {
-        let view = simulation.view();
-        let share = simulation.progress();
-        let done = view.step() - simulation.cursor().start_step;
-        let remaining = share.filter(|s| *s > 0.0 && self.rate > 0.0).map(|s| {
-            let left = (done as f64 * (1.0 - s) / s).max(0.0);
-            left / self.rate
-        });
-        let balance = view.balance();
-        Progress {
-            phase: simulation
-                .phase()
-                .map_or_else(String::new, |p| p.name.clone()),
-            phase_number: simulation.cursor().phase + 1,
-            phases: simulation.plan().phases.len(),
-            share,
-            step: view.step(),
-            time: view.time(),
-            dt: simulation.dt(),
-            steps_per_second: self.rate,
-            remaining,
-            kinetic: balance.kinetic,
-            energy_unit: simulation.kind().energy_unit(),
-            residual: balance.residual_relative(),
-            unbalanced: view.unbalanced(),
-            contacts: view.contacts(),
-            worst_overlap: view.worst_overlap().map_or(0.0, |(x, _, _)| x),
-            fastest: view.fastest(),
-        }
-    }
 }

@@ -79,6 +79,15 @@ pub enum State {
     Spatial(Box<spatial::world::World>),
 }
 
+/// A [`State`] to be written, of which nothing is copied: the same variants in the same order.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub enum StateRef<'a> {
+    /// Of the planar engine.
+    Planar(&'a planar::world::World),
+    /// Of the spatial engine.
+    Spatial(&'a spatial::world::World),
+}
+
 /// An engine with its workspace.
 #[derive(Debug)]
 pub enum Engine {
@@ -199,6 +208,15 @@ impl Engine {
         match self {
             Self::Planar(e) => State::Planar(Box::new(e.world.clone())),
             Self::Spatial(e) => State::Spatial(Box::new(e.world.clone())),
+        }
+    }
+
+    /// The state, to be written.
+    #[must_use]
+    pub fn state_ref(&self) -> StateRef<'_> {
+        match self {
+            Self::Planar(e) => StateRef::Planar(&e.world),
+            Self::Spatial(e) => StateRef::Spatial(&e.world),
         }
     }
 

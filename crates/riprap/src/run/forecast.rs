@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::engine::BuildError;
 use super::given_step::{self, TooLong};
-use super::plan::{Phase, Plan, Relaxing, TimeStep};
+use super::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
 use crate::setup::Setup;
@@ -63,6 +63,8 @@ pub struct Forecast {
     pub apart: bool,
     /// Wall time on one thread, s; absent if the number of steps is.
     pub wall_time: Option<f64>,
+    /// What is probably not meant, in words.
+    pub warnings: Vec<String>,
 }
 
 /// Advances a copy of the model by a few steps.
@@ -105,6 +107,14 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     });
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
+    let mut warnings = doubts(&simulation, plan);
+    if timed && dt > stable.dt {
+        warnings.push(format!(
+            "the time step of the first phase is {:.1} times the stable one ({:.3e} s): leave `time_step` out or make it shorter",
+            dt / stable.dt,
+            stable.dt
+        ));
+    }
     let rate = rate(&mut simulation)?;
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
@@ -121,7 +131,33 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         steps_per_second: rate,
         apart: 2 * contacts < blocks,
         wall_time: steps.map(|n| n as f64 / rate),
+        warnings,
     })
+}
+
+/// What a scene holds that is probably not meant.
+fn doubts(simulation: &Simulation, plan: &Plan) -> Vec<String> {
+    let view = simulation.view();
+    let mut found = Vec::new();
+    let pulled = simulation.cursor().gravity_after != [0.0; 3];
+    if pulled && !view.holds_something() {
+        found.push(
+            "nothing is held or supported: under gravity the whole model falls (`[[supports]]`, in space also `[[boundaries]]`)"
+                .to_owned(),
+        );
+    }
+    let quiet = plan
+        .phases
+        .iter()
+        .find(|p| p.kind == PhaseKind::Static && relaxing(p).is_none());
+    if let (Some(phase), Some(block)) = (quiet, view.driven()) {
+        found.push(format!(
+            "block `{}` is moved while the static phase `{}` looks for rest: the time of such a phase is not physical, and it may not end",
+            view.name(block),
+            phase.name
+        ));
+    }
+    found
 }
 
 /// How a phase relaxes, if it does.

@@ -12,12 +12,12 @@ use std::time::{Instant, SystemTime};
 use thiserror::Error;
 
 use super::checks::{Check, CheckResult, Watch};
-use super::drive::{Control, Drive, DriveError, Ending, Pause, Progress};
+use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
 use super::plan::Plan;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
-use super::simulation::{RunError, Simulation, Unconverged};
+use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
@@ -51,6 +51,10 @@ pub struct Outcome {
     pub checks: Vec<CheckResult>,
     /// Relaxing phases that ended without equilibrium.
     pub unconverged: Vec<Unconverged>,
+    /// What should be known besides the results, in words.
+    pub warnings: Vec<String>,
+    /// How the phases have ended.
+    pub ends: Vec<PhaseEnd>,
 }
 
 /// Why a run could not be carried out.
@@ -124,7 +128,7 @@ pub fn run(
     folder: &Path,
     existing: Existing,
     threads: usize,
-    look: &mut dyn FnMut(&Progress) -> Control,
+    look: &mut dyn FnMut(&mut Look<'_>) -> Control,
 ) -> Result<Outcome, JobError> {
     Live::begin(job, folder, existing, threads)?.finish(look)
 }
@@ -136,7 +140,7 @@ pub fn run(
 pub fn resume(
     folder: &Path,
     threads: usize,
-    look: &mut dyn FnMut(&Progress) -> Control,
+    look: &mut dyn FnMut(&mut Look<'_>) -> Control,
 ) -> Result<Outcome, JobError> {
     Live::reopen(folder, threads)?.finish(look)
 }
@@ -148,7 +152,7 @@ pub fn resume(
 pub fn watch_only(
     job: Job,
     threads: usize,
-    look: &mut dyn FnMut(&Progress) -> Control,
+    look: &mut dyn FnMut(&mut Look<'_>) -> Control,
 ) -> Result<Outcome, JobError> {
     Live::unrecorded(job, threads)?.finish(look)
 }
@@ -280,7 +284,7 @@ impl Live {
     pub fn advance(
         &mut self,
         pause: Pause,
-        look: &mut dyn FnMut(&Progress) -> Control,
+        look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     ) -> Result<Option<Ending>, JobError> {
         if let Some(Ending::Finished | Ending::Unstable(_)) = self.ending {
             return Ok(self.ending.clone());
@@ -297,7 +301,7 @@ impl Live {
     /// The disk.
     pub fn finish(
         mut self,
-        look: &mut dyn FnMut(&Progress) -> Control,
+        look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     ) -> Result<Outcome, JobError> {
         self.advance(Pause::NEVER, look)?;
         self.close()
@@ -319,7 +323,12 @@ impl Live {
         close(&mut manifest, self.drive.simulation(), &ending);
         let watches = self.drive.watches();
         let result = |watch: &Watch| watch.finish(&manifest.scenario, &manifest.case, false);
-        let checks: Vec<CheckResult> = watches.iter().map(result).collect();
+        let mut checks: Vec<CheckResult> = watches.iter().map(result).collect();
+        if ending != Ending::Finished {
+            for check in &mut checks {
+                check.cut_short(manifest.time);
+            }
+        }
         if let Some(recorder) = self.drive.recorder() {
             if !checks.is_empty() {
                 let lines: Result<Vec<String>, _> =
@@ -331,12 +340,14 @@ impl Live {
             }
             recorder.folder.write_manifest(&manifest)?;
         }
-        let unconverged = self.drive.simulation().cursor().unconverged.clone();
+        let simulation = self.drive.simulation();
         Ok(Outcome {
             ending,
-            manifest,
             checks,
-            unconverged,
+            unconverged: simulation.cursor().unconverged.clone(),
+            warnings: simulation.warnings(),
+            ends: simulation.cursor().ends.clone(),
+            manifest,
         })
     }
 }
@@ -352,8 +363,7 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
         ),
         Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
     };
-    for note in &simulation.cursor().unconverged {
-        let text = note.to_string();
+    for text in simulation.warnings() {
         if !manifest.warnings.contains(&text) {
             manifest.warnings.push(text);
         }

@@ -21,7 +21,7 @@ pub struct Plan {
     pub phases: Vec<Phase>,
     /// Histories to record.
     pub histories: Vec<History>,
-    /// When frames are written; `None` writes the first and last of each phase only.
+    /// When frames are written besides the first and the last of each phase; [`Every::Never`] writes none at all.
     pub frames: Option<Every>,
     /// Whether frames hold the tetrahedra of deformable blocks.
     pub tetrahedra: bool,
@@ -65,6 +65,8 @@ pub struct Phase {
     pub zero_displacements: bool,
     /// Rules for deformable blocks; `None` where there are none.
     pub deform: Option<Deforming>,
+    /// Energy residual over the largest energy that moved at which the run is stopped.
+    pub max_residual: f64,
 }
 
 /// Rules of a phase for deformable blocks.
@@ -116,6 +118,7 @@ impl Phase {
             zero_velocities: false,
             zero_displacements: false,
             deform: None,
+            max_residual: 1.0,
         }
     }
 
@@ -208,4 +211,6 @@ pub enum Every {
     Steps(u64),
     /// At the end of each phase.
     Phase,
+    /// Not at all.
+    Never,
 }

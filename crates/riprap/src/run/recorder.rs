@@ -6,8 +6,9 @@ use serde_json::json;
 use super::checks::Watch;
 use super::engine::{Kind, Reading};
 use super::plan::{Every, Plan};
-use super::simulation::{Simulation, Snapshot, Unconverged};
+use super::simulation::{PhaseEnd, Simulation, Snapshot, SnapshotRef, Unconverged};
 use crate::ledger::COLUMNS;
+use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
 
 /// Records written so far, per rhythm; part of a checkpoint.
@@ -33,6 +34,15 @@ pub struct Checkpoint {
     pub counts: Counts,
     /// How far the checks had come.
     pub watches: Vec<Watch>,
+}
+
+/// A [`Checkpoint`] to be written, of which nothing is copied: the same fields in the same order.
+#[derive(Serialize)]
+struct CheckpointRef<'a> {
+    snapshot: SnapshotRef<'a>,
+    marks: &'a Marks,
+    counts: &'a Counts,
+    watches: &'a [Watch],
 }
 
 /// Kind word of checkpoints of runs.
@@ -110,12 +120,11 @@ impl Recorder {
         for event in simulation.take_events(again) {
             self.folder.event(&event)?;
         }
-        let simulation = &*simulation;
-        let view = simulation.view();
         if again {
             // The first look of a phase is the last one of the phase before.
             return Ok(());
         }
+        let view = simulation.view();
         self.counts.last_step = Some(step);
         let first = step == 0;
         // In a relaxing phase time passes in load steps, and states on the way to an equilibrium are not recorded.
@@ -132,11 +141,12 @@ impl Recorder {
                 }
                 Every::Steps(n) => step.is_multiple_of((*n).max(1)),
                 Every::Phase => phase_end || first,
+                Every::Never => false,
             };
             if hit {
                 *count = match every {
                     Every::Time(span) => ((time + half) / span + 1e-9).floor() as u64 + 1,
-                    Every::Steps(_) | Every::Phase => *count + 1,
+                    Every::Steps(_) | Every::Phase | Every::Never => *count + 1,
                 };
             }
             hit
@@ -162,8 +172,10 @@ impl Recorder {
             .frames
             .as_ref()
             .is_some_and(|every| due(every, &mut self.counts.frames));
-        if (frame || edge) && self.last_frame != Some(step) {
+        let wanted = frame || (edge && self.frames != Some(Every::Never));
+        if wanted && self.last_frame != Some(step) {
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
+            let view = simulation.view();
             let mut picture = view.frame(phase);
             if self.tetrahedra {
                 picture.tetrahedra = view.tetrahedra();
@@ -174,11 +186,11 @@ impl Recorder {
         Ok(())
     }
 
-    fn energy_row(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        let view = simulation.view();
-        let balance = view.balance();
+    fn energy_row(&mut self, simulation: &mut Simulation) -> Result<(), OutputError> {
+        let balance = simulation.balance();
         let row = COLUMNS.map(|(_, get)| get(&balance));
-        self.folder.energy_row(view.step(), view.time(), &row)
+        self.folder
+            .energy_row(simulation.steps(), simulation.time(), &row)
     }
 
     /// Notes the start of the present phase, once.
@@ -191,15 +203,33 @@ impl Recorder {
             return Ok(());
         }
         self.counts.phases = phase + 1;
-        self.phase_event(simulation, "phase_started")
+        let view = simulation.view();
+        let name = simulation.phase().map_or("", |p| p.name.as_str());
+        self.folder.event(&json!({
+            "event": "phase_started", "phase": name, "step": view.step(), "time": view.time(),
+        }))
     }
 
-    /// Notes the end of the present phase, and the fragments there are.
+    /// Notes the end of the present phase, why it has ended, and the fragments there are.
     ///
     /// # Errors
     /// The disk.
-    pub fn phase_ended(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        self.phase_event(simulation, "phase_ended")?;
+    pub fn phase_ended(
+        &mut self,
+        simulation: &Simulation,
+        end: Option<&PhaseEnd>,
+    ) -> Result<(), OutputError> {
+        let view = simulation.view();
+        let phase = simulation.phase().map_or("", |p| p.name.as_str());
+        let mut event = json!({
+            "event": "phase_ended", "phase": phase, "step": view.step(), "time": view.time(),
+        });
+        if let Some(end) = end {
+            event["reason"] = json!(end.reason);
+            event["unbalanced"] = json!(end.unbalanced);
+            event["warning"] = json!(end.warning());
+        }
+        self.folder.event(&event)?;
         if let Some(fragments) = simulation.view().fragments() {
             self.folder
                 .write_file("fragments.csv", fragments.csv().as_bytes())?;
@@ -223,14 +253,6 @@ impl Recorder {
         }))
     }
 
-    fn phase_event(&mut self, simulation: &Simulation, what: &str) -> Result<(), OutputError> {
-        let view = simulation.view();
-        let phase = simulation.phase().map_or("", |p| p.name.as_str());
-        self.folder.event(&json!({
-            "event": what, "phase": phase, "step": view.step(), "time": view.time(),
-        }))
-    }
-
     /// Whether a checkpoint is due after the step just made.
     pub fn checkpoint_due(&mut self, simulation: &Simulation) -> bool {
         let (step, time) = (simulation.steps(), simulation.time());
@@ -244,7 +266,7 @@ impl Recorder {
                 due
             }
             Some(Every::Steps(n)) => step.is_multiple_of(n.max(1)),
-            Some(Every::Phase) | None => false,
+            Some(Every::Phase | Every::Never) | None => false,
         }
     }
 
@@ -256,17 +278,16 @@ impl Recorder {
         &mut self,
         simulation: &Simulation,
         watches: Vec<Watch>,
+        packing: Packing,
     ) -> Result<(), OutputError> {
-        let snapshot = simulation.snapshot();
         let step = simulation.steps();
-        let marks = self.folder.marks(step);
-        let value = Checkpoint {
-            snapshot,
-            marks,
-            counts: self.counts.clone(),
-            watches,
+        let value = CheckpointRef {
+            snapshot: simulation.snapshot_ref(),
+            marks: &self.folder.marks(step),
+            counts: &self.counts,
+            watches: &watches,
         };
-        self.folder.checkpoint(KIND, step, &value)?;
+        self.folder.checkpoint_as(KIND, step, &value, packing)?;
         Ok(())
     }
 }

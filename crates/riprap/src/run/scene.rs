@@ -95,6 +95,7 @@ impl Scene {
             name: variant.to_owned(),
             variant: variant.to_owned(),
             changes,
+            trial: Vec::new(),
         }
     }
 
@@ -110,9 +111,9 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn prepare(&self, case: &Case) -> Result<Prepared, Diagnostics> {
-        let mut source = case.source(&self.parsed.source)?;
+        let mut source = case.source(&self.parsed.source, &self.changes)?;
         let resolved = source.text.clone();
-        let parsed = if case.changes.is_empty() {
+        let parsed = if case.is_plain() {
             // Places in messages are then those of the file.
             self.parsed.clone()
         } else {
@@ -122,7 +123,7 @@ impl Scene {
             parsed
         };
         let model = model::build(&parsed, &case.variant, fields(&parsed))?;
-        let changed = self.changes.iter().chain(&case.changes);
+        let changed = case.changes.iter().chain(&self.changes).chain(&case.trial);
         let manifest = Manifest {
             title: parsed.scenario.title.clone(),
             scenario: self.path.display().to_string(),

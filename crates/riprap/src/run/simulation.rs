@@ -5,17 +5,19 @@
 //! can be taken at any moment: a simulation made from it goes on with the same bits.
 
 mod advance;
+mod cause;
 mod cursor;
 mod error;
 mod stop;
 
 pub use advance::Reached;
-pub use cursor::{Cursor, Snapshot, Stage, Unconverged};
+pub use cursor::{Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Unconverged};
 pub use error::RunError;
 
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use super::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::exec::Exec;
+use crate::ledger::Balance;
 use crate::setup::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
@@ -30,6 +32,10 @@ pub struct Simulation {
     dt: f64,
     /// Whether the present state has been prepared by an advance that has come so far.
     standing: bool,
+    /// Relative residual of the ledger when it was last drawn up.
+    residual: Option<f64>,
+    /// Why the present phase is over, once it is.
+    reason: Option<Reason>,
 }
 
 impl Simulation {
@@ -57,6 +63,8 @@ impl Simulation {
             stable: None,
             dt: 0.0,
             standing: false,
+            residual: None,
+            reason: None,
         })
     }
 
@@ -75,6 +83,8 @@ impl Simulation {
             stable: None,
             dt: 0.0,
             standing: false,
+            residual: None,
+            reason: None,
         }
     }
 
@@ -85,6 +95,16 @@ impl Simulation {
             plan: self.plan.clone(),
             cursor: self.cursor.clone(),
             state: self.engine.state(),
+        }
+    }
+
+    /// What a checkpoint holds, to be written.
+    #[must_use]
+    pub fn snapshot_ref(&self) -> SnapshotRef<'_> {
+        SnapshotRef {
+            plan: &self.plan,
+            cursor: &self.cursor,
+            state: self.engine.state_ref(),
         }
     }
 
@@ -149,6 +169,19 @@ impl Simulation {
         self.engine.relaxing().is_some()
     }
 
+    /// The energy ledger at the present, prepared state. Costs as much as some steps.
+    pub fn balance(&mut self) -> Balance {
+        let balance = self.view().balance();
+        self.residual = Some(balance.residual_relative());
+        balance
+    }
+
+    /// Energy residual over the largest energy that moved when [`Simulation::balance`] was last asked for.
+    #[must_use]
+    pub fn residual(&self) -> Option<f64> {
+        self.residual
+    }
+
     /// The coming time step, s; known after [`Simulation::prepare`].
     #[must_use]
     pub fn dt(&self) -> f64 {
@@ -182,14 +215,14 @@ impl Simulation {
         };
         self.ramp_gravity(phase.gravity_ramp);
         let damping = phase.damping;
-        self.dt = self.next_step(&phase);
+        self.dt = self.checked_step(&phase)?;
         let revision = self.engine.revision();
         self.evaluate(&damping, self.dt)?;
         self.refine(&damping)?;
         self.cut()?;
         if self.engine.revision() != revision {
             // New neighbours can shorten the step.
-            let dt = self.next_step(&phase);
+            let dt = self.checked_step(&phase)?;
             if dt != self.dt {
                 self.dt = dt;
                 self.evaluate(&damping, dt)?;
@@ -198,8 +231,10 @@ impl Simulation {
         if self.fracture()? == 0 && self.relax(&phase) {
             self.evaluate(&damping, self.dt)?;
         }
-        self.guard()?;
-        Ok(if self.phase_over(&phase) {
+        let reason = self.phase_over(&phase);
+        self.guard(reason.is_some())?;
+        self.reason = reason;
+        Ok(if reason.is_some() {
             Stage::PhaseEnd
         } else {
             Stage::Within
@@ -252,10 +287,46 @@ impl Simulation {
         })
     }
 
+    /// Notes how the present phase, which is over, has ended.
+    pub fn note_end(&mut self) -> Option<PhaseEnd> {
+        let phase = self.phase()?;
+        let (name, kind, wanted) = (phase.name.clone(), phase.kind, phase.until.unbalanced);
+        let quiet = kind == PhaseKind::Static;
+        let view = self.view();
+        let worst = if quiet && !self.relaxes() {
+            view.least_balanced()
+        } else {
+            None
+        };
+        let end = PhaseEnd {
+            phase: name,
+            quiet,
+            reason: self.reason?,
+            unbalanced: view.unbalanced(),
+            wanted,
+            worst,
+        };
+        self.cursor.ends.push(end.clone());
+        Some(end)
+    }
+
+    /// What should be known of the run besides its results, in words: phases that did not come to rest, an energy
+    /// residual that is not small.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let cursor = &self.cursor;
+        let unconverged = cursor.unconverged.iter().map(ToString::to_string);
+        let ends = cursor.ends.iter().filter_map(PhaseEnd::warning);
+        let residual = cursor.residual;
+        let residual = (residual.share.abs() > stop::NOTED).then(|| residual.to_string());
+        unconverged.chain(ends).chain(residual).collect()
+    }
+
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.
     pub fn next_phase(&mut self) {
         self.standing = false;
         self.cursor.phase += 1;
+        self.reason = None;
         self.stable = None;
         self.cursor.entered = false;
     }
@@ -279,7 +350,7 @@ impl Simulation {
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
         self.engine
             .evaluate(damping, dt)
-            .map_err(|block| self.not_finite(block))
+            .map_err(|block| self.not_finite(block, "the force on it"))
     }
 
     fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
@@ -364,20 +435,29 @@ impl Simulation {
     fn fracture(&mut self) -> Result<usize, RunError> {
         self.engine
             .fracture(self.dt)
-            .map_err(|block| self.not_finite(block))
-    }
-
-    fn not_finite(&self, block: u32) -> RunError {
-        RunError::NonFinite {
-            block: self.view().name(block),
-            step: self.steps(),
-            time: self.time(),
-        }
+            .map_err(|block| self.not_finite(block, "the force on it"))
     }
 
     /// Model time since the start of the phase, s.
     fn elapsed(&self) -> f64 {
         self.time() - self.cursor.start_time
+    }
+
+    /// Length of the coming step, which is a number above zero.
+    fn checked_step(&mut self, phase: &Rules) -> Result<f64, RunError> {
+        let dt = self.next_step(phase);
+        if dt > 0.0 && dt.is_finite() {
+            return Ok(dt);
+        }
+        // After the last step of a phase that nothing but its end bounds: any number will do, it is not used.
+        let last = self.view().last_dt();
+        if dt == f64::INFINITY && phase.until.time.is_some() && last > 0.0 && last.is_finite() {
+            return Ok(last);
+        }
+        Err(RunError::NoStep {
+            step: self.steps(),
+            time: self.time(),
+        })
     }
 
     /// Length of the coming step: the rule of the phase, shortened for fast blocks and for the end.

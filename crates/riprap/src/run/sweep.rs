@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::checks::{CheckResult, Status};
-use super::drive::{Control, Ending};
+use super::drive::{Control, Ending, Look};
 use super::job::{self, JobError, Outcome};
 use super::scene::Scene;
 use super::verify::Tally;
@@ -88,7 +88,7 @@ fn one(
         return row;
     }
     let folder = folder.join(&case.name);
-    let mut look = |_: &_| {
+    let mut look = |_: &mut Look<'_>| {
         if stop() {
             Control::Stop
         } else {

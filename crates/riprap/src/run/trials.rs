@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::bisect::{BisectError, Bracket, bisect};
 use super::checks::Status;
 use super::compare::{self, CompareError, Difference};
-use super::drive::{Control, Ending, Progress};
+use super::drive::{Control, Ending, Look};
 use super::job::{self, JobError, Outcome, watch_only};
 use super::scene::Scene;
 use crate::record::folder::Existing;
@@ -76,7 +76,7 @@ pub fn search(
     scene: &Scene,
     case: &Case,
     threads: usize,
-    look: &mut dyn FnMut(&Progress) -> Control,
+    look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Found, TrialError> {
     let prepared = scene.prepare(case).map_err(TrialError::Scene)?;
@@ -94,7 +94,7 @@ pub fn search(
         } else {
             format!("{text:?}")
         };
-        changed.changes.push((wanted.key.clone(), quoted));
+        changed.trial.push((wanted.key.clone(), quoted));
         let mut job = scene.prepare(&changed).map_err(TrialError::Scene)?.job();
         job.checks = vec![wanted.holds.clone()];
         let Outcome { ending, checks, .. } = watch_only(job, threads, look)?;
@@ -153,7 +153,7 @@ pub fn both_laws(
     folder: &Path,
     existing: Existing,
     threads: usize,
-    look: &mut dyn FnMut(&str, &Progress) -> Control,
+    look: &mut dyn FnMut(&str, &mut Look<'_>) -> Control,
 ) -> Result<(Vec<Side>, Vec<Difference>), TrialError> {
     let mut sides = Vec::new();
     for law in LAWS {
@@ -164,10 +164,10 @@ pub fn both_laws(
         // After the changes of the case, which may name a law themselves.
         let changes =
             interfaces.map(|name| (format!("interfaces.{name}.law"), format!("\"{law}\"")));
-        chosen.changes.extend(changes);
+        chosen.trial.extend(changes);
         let job = scene.prepare(&chosen).map_err(TrialError::Scene)?.job();
         let sub = folder.join(law);
-        let mut look = |progress: &Progress| look(law, progress);
+        let mut look = |here: &mut Look<'_>| look(law, here);
         let outcome = job::run(job, &sub, existing, threads, &mut look)?;
         if outcome.ending == Ending::Stopped {
             return Err(TrialError::Stopped);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::checks::{Check, CheckResult, Status, Watch};
-use super::drive::{Control, Ending};
+use super::drive::{Control, Ending, Look};
 use super::job::{Job, watch_only};
 use super::scene::Scene;
 use super::trials;
@@ -165,7 +165,7 @@ fn verify_limit(
     strict: bool,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Vec<CheckResult> {
-    let mut look = |_: &_| {
+    let mut look = |_: &mut Look<'_>| {
         if stop() {
             Control::Stop
         } else {
@@ -198,7 +198,7 @@ fn verify_run(
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Vec<CheckResult> {
     let failed = |what: &str, why: String| vec![broken(&scene.path, name, what, &why)];
-    let mut look = |_: &_| {
+    let mut look = |_: &mut Look<'_>| {
         if stop() {
             Control::Stop
         } else {

@@ -7,7 +7,7 @@ use riprap::record::folder::Existing;
 use riprap::record::table::Table;
 use riprap::record::{Manifest, vtu};
 use riprap::run::checks::{Check, Expected, Status, Window};
-use riprap::run::drive::{Control, Ending, Progress};
+use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{self, Job};
 use riprap::run::plan::{
     Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until,
@@ -69,6 +69,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         zero_velocities: false,
         zero_displacements: false,
         deform: None,
+        max_residual: 0.1,
     };
     // M = 21.6 GPa: the half block under the lowest centroid carries 3 blocks, then whole ones 2 and 1.
     let weight = 2400.0 * 10.0;
@@ -102,7 +103,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
     }
 }
 
-fn go(_: &Progress) -> Control {
+fn go(_: &mut Look<'_>) -> Control {
     Control::Continue
 }
 
@@ -147,7 +148,7 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
     let whole = job::run(long.clone(), &at("whole"), Existing::Refuse, 1, &mut go).unwrap();
     // The first look comes after one step, the next one as soon as 100 ms have gone.
     let mut looks = 0;
-    let mut stop = |_: &Progress| {
+    let mut stop = |_: &mut Look<'_>| {
         looks += 1;
         if looks == 2 {
             return Control::Stop;

@@ -85,8 +85,8 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn kinetic(&self) -> f64 {
         match self {
-            Self::Planar(v) => v.living().map(|b| v.kinetic(b)).sum(),
-            Self::Spatial(v) => v.living().map(|b| v.kinetic(b)).sum(),
+            Self::Planar(v) => v.kinetic_energy(),
+            Self::Spatial(v) => v.kinetic_energy(),
         }
     }
 
@@ -131,6 +131,60 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Whether a block is held, driven or leans on a boundary, so that the model does not fall as a whole.
+    #[must_use]
+    pub fn holds_something(&self) -> bool {
+        match self {
+            Self::Planar(v) => v.world.motion.iter().any(Option::is_some),
+            Self::Spatial(v) => {
+                v.world.motion.iter().any(Option::is_some)
+                    || !v.world.setup.boundaries.is_empty()
+                    || v.world.deform.as_ref().is_some_and(|d| !d.holds.is_empty())
+            }
+        }
+    }
+
+    /// The first block whose motion is prescribed and not rest.
+    #[must_use]
+    pub fn driven(&self) -> Option<u32> {
+        let found = match self {
+            Self::Planar(v) => v.world.motion.iter().position(|m| match m.as_deref() {
+                Some(
+                    planar::setup::Motion::Velocity { .. }
+                    | planar::setup::Motion::Acceleration { .. },
+                ) => true,
+                Some(planar::setup::Motion::Fixed { .. }) | None => false,
+            }),
+            Self::Spatial(v) => v.world.motion.iter().position(|m| match m.as_deref() {
+                Some(
+                    spatial::setup::Motion::Velocity { .. }
+                    | spatial::setup::Motion::Acceleration { .. },
+                ) => true,
+                Some(spatial::setup::Motion::Fixed { .. }) | None => false,
+            }),
+        };
+        found.and_then(|b| u32::try_from(b).ok())
+    }
+
+    /// Mass of all blocks, kg or kg/m.
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.living().map(|b| v.scratch.shapes.mass[b]).sum(),
+            Self::Spatial(v) => v.living().map(|b| v.world.solid_of(b).mass).sum(),
+        }
+    }
+
+    /// The free block whose net force is the largest share of the forces that act on it, with that share.
+    #[must_use]
+    pub fn least_balanced(&self) -> Option<Who> {
+        let (ratio, b) = match self {
+            Self::Planar(v) => v.least_balanced()?,
+            Self::Spatial(v) => v.least_balanced()?,
+        };
+        Some((self.name(b), ratio))
+    }
+
     /// The energy ledger.
     #[must_use]
     pub fn balance(&self) -> Balance {
@@ -172,15 +226,9 @@ impl<'a> View<'a> {
     pub fn fastest(&self) -> Option<Who> {
         match self {
             Self::Planar(v) => v
-                .living()
-                .map(|b| (b, v.velocity(b).length()))
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .map(|(b, speed)| (v.world.setup.blocks[b].name.clone(), speed)),
-            Self::Spatial(v) => v
-                .living()
-                .map(|b| (b, v.velocity(b).length()))
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .map(|(b, speed)| (v.name(b), speed)),
+                .fastest()
+                .map(|(speed, b)| (v.world.setup.blocks[b].name.clone(), speed)),
+            Self::Spatial(v) => v.fastest().map(|(speed, b)| (v.name(b), speed)),
         }
     }
 

@@ -67,6 +67,7 @@ fn falling() -> Job {
         zero_velocities: false,
         zero_displacements: false,
         deform: None,
+        max_residual: 0.1,
     };
     let history = History {
         name: "drop".to_owned(),
@@ -105,7 +106,7 @@ fn falling() -> Job {
     }
 }
 
-fn go(_: &Progress) -> Control {
+fn go(_: &mut Look<'_>) -> Control {
     Control::Continue
 }
 

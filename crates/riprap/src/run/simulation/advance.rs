@@ -98,6 +98,7 @@ impl Simulation {
                     Stage::PhaseEnd => {
                         // Kept in the cursor, for who asks.
                         self.note_unconverged();
+                        self.note_end();
                         let last = self.cursor.phase + 1 >= self.plan.phases.len();
                         self.next_phase();
                         if last {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::run::engine::State;
+use crate::run::engine::{State, StateRef};
 use crate::run::plan::Plan;
 
 /// Where in the plan a run is.
@@ -24,6 +24,110 @@ pub struct Cursor {
     pub shortened: u64,
     /// Relaxing phases that ended at their limit of iterations.
     pub unconverged: Vec<Unconverged>,
+    /// The largest energy residual seen so far.
+    pub residual: Residual,
+    /// How the phases so far have ended.
+    pub ends: Vec<PhaseEnd>,
+}
+
+/// An energy residual.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Residual {
+    /// Over the largest energy that had moved by then.
+    pub share: f64,
+    /// Step.
+    pub step: u64,
+    /// Model time, s.
+    pub time: f64,
+}
+
+impl std::fmt::Display for Residual {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "the energy residual came to {:.1} % of the largest energy that moved (step {}, t = {:.4e} s): what the step makes \
+             or loses is not small; a shorter time step tells whether results hang on it",
+            100.0 * self.share,
+            self.step,
+            self.time
+        )
+    }
+}
+
+/// What ended a phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Reason {
+    /// Its time has passed.
+    Time,
+    /// Its steps are used up.
+    Steps,
+    /// The unbalanced forces are small enough.
+    Balanced,
+    /// The kinetic energy is small enough.
+    AtRest,
+    /// The iterations of a relaxing phase are used up.
+    Iterations,
+}
+
+/// How a phase has ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PhaseEnd {
+    /// Name of the phase.
+    pub phase: String,
+    /// Whether it was to come to rest.
+    pub quiet: bool,
+    /// What ended it.
+    pub reason: Reason,
+    /// Unbalanced-force ratio at its end.
+    pub unbalanced: f64,
+    /// Unbalanced-force ratio that was asked for.
+    pub wanted: Option<f64>,
+    /// The block that is farthest from balance, with its own ratio of net force to forces.
+    pub worst: Option<(String, f64)>,
+}
+
+/// A block of a balanced model with a larger ratio of net force to forces than this is in motion of its own.
+const MOVES: f64 = 0.5;
+
+impl PhaseEnd {
+    /// What is wrong with the end of a static phase, if something is.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        if !self.quiet {
+            return None;
+        }
+        let phase = &self.phase;
+        match (self.reason, self.wanted) {
+            (Reason::Steps | Reason::Time, Some(wanted)) if self.unbalanced > wanted => {
+                let what = if self.reason == Reason::Steps {
+                    "steps"
+                } else {
+                    "time"
+                };
+                return Some(format!(
+                    "phase `{phase}` used up its {what} without balance: the unbalanced forces are {:.1e} of all forces, {wanted:.1e} was asked for",
+                    self.unbalanced
+                ));
+            }
+            (
+                Reason::Steps
+                | Reason::Time
+                | Reason::Balanced
+                | Reason::AtRest
+                | Reason::Iterations,
+                _,
+            ) => {}
+        }
+        let (name, ratio) = self.worst.as_ref()?;
+        (self.reason == Reason::Balanced && *ratio > MOVES).then(|| {
+            format!(
+                "phase `{phase}` ended in balance as a whole, but block `{name}` is not: the net force on it is {:.0} % of the forces that act \
+                 on it (it falls or slides)",
+                100.0 * ratio
+            )
+        })
+    }
 }
 
 /// A relaxing phase that ended at its limit of iterations.
@@ -59,6 +163,14 @@ pub struct Snapshot {
     pub cursor: Cursor,
     /// State of the model.
     pub state: State,
+}
+
+/// A [`Snapshot`] to be written, of which nothing is copied: the same fields in the same order.
+#[derive(Clone, Debug, Serialize)]
+pub struct SnapshotRef<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) cursor: &'a Cursor,
+    pub(super) state: StateRef<'a>,
 }
 
 /// What has just come to an end.

@@ -6,13 +6,63 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum RunError {
     /// A block's state is not a number any more.
-    #[error(
-        "block `{block}` has forces that are not finite at step {step} (t = {time:.6e} s); \
-         the time step is probably too long for the stiffness"
-    )]
+    #[error("block `{block}`: {what} is not finite at step {step} (t = {time:.6e} s); {why}")]
     NonFinite {
         /// Name of the block.
         block: String,
+        /// What of it.
+        what: String,
+        /// Text of the formula that is to blame, where one is.
+        formula: Option<String>,
+        /// What is to blame, or what was looked at and ruled out.
+        why: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
+    /// A sum over the model is not a number any more, and no block alone is to blame.
+    #[error("{what} is not finite at step {step} (t = {time:.6e} s); {ruled_out}")]
+    NoNumber {
+        /// What.
+        what: String,
+        /// What was looked at and ruled out.
+        ruled_out: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
+    /// The time step is not a number above zero.
+    #[error(
+        "there is no time step at step {step} (t = {time:.6e} s): nothing holds the blocks, so that none is the stable one; \
+         give `time_step`, or `until.time`"
+    )]
+    NoStep {
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
+    /// The ledger does not explain where energy has come from or gone to.
+    #[error(
+        "the energy residual is {percent:.1} % of the largest energy that moved ({energy:.3e} {unit}) at step {step} \
+         (t = {time:.6e} s), {allowed} % are allowed (`phases.*.max_residual`): what has happened is not what the laws say; \
+         fastest block `{fastest}`; {ruled_out}"
+    )]
+    Residual {
+        /// Residual over the largest energy that moved, per cent.
+        percent: f64,
+        /// What is allowed, per cent.
+        allowed: f64,
+        /// Residual, in `unit`.
+        energy: f64,
+        /// Unit of energies.
+        unit: &'static str,
+        /// Fastest block.
+        fastest: String,
+        /// What was looked at and ruled out.
+        ruled_out: String,
         /// Step.
         step: u64,
         /// Model time, s.
@@ -49,7 +99,7 @@ pub enum RunError {
     /// Energy came from nowhere.
     #[error(
         "kinetic energy {kinetic:.3e} J at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
-         energy put in, fastest block `{block}`; the time step is probably too long"
+         energy put in, fastest block `{block}`; {ruled_out}"
     )]
     BlowUp {
         /// Fastest block.
@@ -58,9 +108,27 @@ pub enum RunError {
         kinetic: f64,
         /// Over the energy put in.
         ratio: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
         /// Step.
         step: u64,
         /// Model time, s.
         time: f64,
     },
+}
+
+impl RunError {
+    /// Text of the formula that is to blame, where one is.
+    #[must_use]
+    pub fn formula(&self) -> Option<&str> {
+        match self {
+            Self::NonFinite { formula, .. } => formula.as_deref(),
+            Self::NoNumber { .. }
+            | Self::NoStep { .. }
+            | Self::Residual { .. }
+            | Self::Overlap { .. }
+            | Self::Edit { .. }
+            | Self::BlowUp { .. } => None,
+        }
+    }
 }

@@ -1,79 +1,217 @@
 //! When a phase is over, and when a run is stopped.
 
+use super::cause;
+use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
+use crate::ledger::{Balance, COLUMNS};
 use crate::run::plan::Relaxing;
 
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
 const WORST_OVERLAP: f64 = 0.5;
 /// Steps between two looks at guards and at costly stop criteria.
 const LOOK: u64 = 50;
+/// Steps between two drawings of the ledger: one costs as much as some steps.
+const LEDGER: u64 = 1000;
+/// Residual over the largest energy that moved from which on a run is warned of.
+pub(super) const NOTED: f64 = 0.01;
+/// Kinetic energy over the energy put in at which a run is stopped.
+const BLOW_UP: f64 = 5.0;
+/// Energies below that of the whole model at this speed (m/s) are round-off, and no residual is judged by them.
+const STILL: f64 = 1e-6;
+
+/// Whether something that is looked at every `rhythm` steps is due after `step` steps; at the start more often, since what
+/// is wrong from the beginning shows there: after 1, `growth`, `growth`², ... steps.
+fn due(step: u64, rhythm: u64, growth: u32) -> bool {
+    let early = || {
+        (0..)
+            .map(|n| u64::from(growth).saturating_pow(n))
+            .take_while(|s| *s < rhythm)
+    };
+    step.is_multiple_of(rhythm) || (step < rhythm && early().any(|s| s == step))
+}
 
 impl Simulation {
-    /// Whether the present phase is over.
-    pub(super) fn phase_over(&self, phase: &Rules) -> bool {
+    /// Why the present phase is over, if it is.
+    pub(super) fn phase_over(&self, phase: &Rules) -> Option<Reason> {
         let until = &phase.until;
         let steps = self.steps() - self.cursor.start_step;
         if until.steps.is_some_and(|n| steps >= n) {
-            return true;
+            return Some(Reason::Steps);
         }
         if let Some(rules) = phase.relax {
             return self.relaxed(phase, rules);
         }
         let elapsed = self.elapsed();
         if until.time.is_some_and(|t| elapsed >= t - 1e-9 * self.dt) {
-            return true;
+            return Some(Reason::Time);
         }
         let settled = steps > 0 && steps.is_multiple_of(LOOK);
         let ramped = phase.gravity_ramp.is_none_or(|ramp| elapsed >= ramp);
-        settled
-            && ramped
-            && (until
-                .unbalanced
-                .is_some_and(|x| self.view().unbalanced() <= x)
-                || until.kinetic.is_some_and(|x| self.view().kinetic() <= x))
+        if !settled || !ramped {
+            return None;
+        }
+        if until
+            .unbalanced
+            .is_some_and(|x| self.view().unbalanced() <= x)
+        {
+            return Some(Reason::Balanced);
+        }
+        let at_rest = until.kinetic.is_some_and(|x| self.view().kinetic() <= x);
+        at_rest.then_some(Reason::AtRest)
     }
 
     /// Whether a relaxing phase is over: all its time has passed and nothing moves or breaks any more, or it does
     /// not converge.
-    fn relaxed(&self, phase: &Rules, rules: Relaxing) -> bool {
-        let now = self.engine.relaxing();
-        now.is_none_or(|now| {
-            let all = phase
-                .until
-                .time
-                .is_none_or(|span| self.elapsed() >= span * (1.0 - 1e-9));
-            (now.converged && all) || now.iterations >= rules.iterations
-        })
+    fn relaxed(&self, phase: &Rules, rules: Relaxing) -> Option<Reason> {
+        let Some(now) = self.engine.relaxing() else {
+            return Some(Reason::Balanced);
+        };
+        let all = phase
+            .until
+            .time
+            .is_none_or(|span| self.elapsed() >= span * (1.0 - 1e-9));
+        if now.converged && all {
+            Some(Reason::Balanced)
+        } else {
+            (now.iterations >= rules.iterations).then_some(Reason::Iterations)
+        }
     }
 
-    /// Stops runs that have left the range in which they mean anything.
-    pub(super) fn guard(&self) -> Result<(), RunError> {
+    /// Stops runs that have left the range in which they mean anything; `over`: the phase has come to its end.
+    pub(super) fn guard(&mut self, over: bool) -> Result<(), RunError> {
+        let step = self.steps();
+        if over || due(step, LOOK, 2) {
+            self.look_at_motion()?;
+        }
+        if over || due(step, LEDGER, 8) {
+            self.look_at_ledger(over)?;
+        }
+        Ok(())
+    }
+
+    /// That all numbers are numbers is looked at from the first state on; how large they are only when the model had some
+    /// steps to come to itself: blocks that overlap at the start may push each other apart.
+    fn look_at_motion(&self) -> Result<(), RunError> {
         let (step, time) = (self.steps(), self.time());
-        if !step.is_multiple_of(LOOK) || step == 0 {
-            return Ok(());
-        }
+        let judged = step >= LOOK;
         let view = self.view();
-        if let Some((ratio, i, j)) = view.worst_overlap()
-            && ratio > WORST_OVERLAP
-        {
-            return Err(RunError::Overlap {
-                first: view.name(i),
-                second: view.name(j),
-                percent: 100.0 * ratio,
-                step,
-                time,
-            });
+        if let Some((ratio, i, j)) = view.worst_overlap() {
+            if !ratio.is_finite() {
+                return Err(self.not_finite(i, "its overlap with a neighbour"));
+            }
+            if judged && ratio > WORST_OVERLAP {
+                return Err(RunError::Overlap {
+                    first: view.name(i),
+                    second: view.name(j),
+                    percent: 100.0 * ratio,
+                    step,
+                    time,
+                });
+            }
         }
-        let (kinetic, put_in) = (view.kinetic(), view.put_in());
-        if kinetic > 5.0 * put_in + 1e-12 {
+        let kinetic = view.kinetic();
+        if !kinetic.is_finite() {
+            return Err(self.no_number("the kinetic energy"));
+        }
+        let put_in = view.put_in();
+        if !put_in.is_finite() {
+            return Err(self.no_number("the energy put in by loads, supports and gravity"));
+        }
+        if judged && kinetic > BLOW_UP * put_in + 1e-12 {
             return Err(RunError::BlowUp {
                 block: view.fastest().map_or_else(String::new, |(name, _)| name),
                 kinetic,
                 ratio: kinetic / put_in.max(f64::MIN_POSITIVE),
+                ruled_out: cause::of_step(self),
                 step,
                 time,
             });
         }
         Ok(())
+    }
+
+    /// Draws up the ledger: all its terms are numbers, and what it cannot explain is small.
+    fn look_at_ledger(&mut self, over: bool) -> Result<(), RunError> {
+        let balance = self.balance();
+        for (name, get) in COLUMNS {
+            if !get(&balance).is_finite() {
+                return Err(self.no_number(&format!("the energy `{name}`")));
+            }
+        }
+        let rhythm = over || self.steps() >= LEDGER;
+        if !rhythm || self.relaxes() || !self.judged(&balance) {
+            // In the first steps next to nothing has moved; on the way to an equilibrium the kinetic energy is that of
+            // fictitious masses.
+            return Ok(());
+        }
+        let share = balance.residual_relative();
+        let (step, time) = (self.steps(), self.time());
+        if share.abs() > self.cursor.residual.share.abs() {
+            self.cursor.residual = super::cursor::Residual { share, step, time };
+        }
+        let allowed = self.phase().map_or(f64::INFINITY, |p| p.max_residual);
+        if share.abs() > allowed {
+            let view = self.view();
+            return Err(RunError::Residual {
+                percent: 100.0 * share,
+                allowed: 100.0 * allowed,
+                energy: balance.residual(),
+                unit: self.kind().energy_unit(),
+                fastest: view.fastest().map_or_else(String::new, |(name, _)| name),
+                ruled_out: cause::of_step(self),
+                step,
+                time,
+            });
+        }
+        Ok(())
+    }
+
+    /// Whether the residual is more than round-off.
+    fn judged(&self, balance: &Balance) -> bool {
+        let mass = self.view().mass();
+        balance.residual().abs() > 0.5 * mass * STILL * STILL
+    }
+
+    /// The error for a sum over the model that is no number: names the first block that is to blame.
+    fn no_number(&self, what: &str) -> RunError {
+        match cause::first_block(&self.view()) {
+            Some(block) => self.not_finite(block, "its motion"),
+            None => RunError::NoNumber {
+                what: what.to_owned(),
+                ruled_out: format!(
+                    "positions and velocities of all blocks are finite; {}",
+                    cause::of_step(self)
+                ),
+                step: self.steps(),
+                time: self.time(),
+            },
+        }
+    }
+
+    /// The error for a block of which something is no number.
+    pub(super) fn not_finite(&self, block: u32, what: &str) -> RunError {
+        let view = self.view();
+        let cause = cause::of_block(self, block);
+        RunError::NonFinite {
+            block: view.name(block),
+            what: what.to_owned(),
+            formula: cause.formula,
+            why: cause.words,
+            step: self.steps(),
+            time: self.time(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn looks_are_close_together_at_first() {
+        let steps: Vec<u64> = (0..=200).filter(|s| due(*s, 50, 2)).collect();
+        assert_eq!(steps, [0, 1, 2, 4, 8, 16, 32, 50, 100, 150, 200]);
+        let steps: Vec<u64> = (0..=2000).filter(|s| due(*s, 1000, 8)).collect();
+        assert_eq!(steps, [0, 1, 8, 64, 512, 1000, 2000]);
     }
 }

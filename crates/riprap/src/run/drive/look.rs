@@ -1,0 +1,194 @@
+//! Looks at a run while it goes on, at a price that does not depend on the model.
+
+use std::time::{Duration, Instant};
+
+use super::Control;
+use crate::run::simulation::Simulation;
+
+/// Time between two looks.
+const LOOK: Duration = Duration::from_millis(100);
+/// Share of the wall time that measuring for a display, and saving by the clock, may take: one part in this many.
+const SHARE: u32 = 100;
+/// Most steps between two questions to the clock of the operating system, so that a run is stopped soon even where
+/// steps become slower all at once.
+const STRIDE: u64 = 64;
+
+/// Pause after something that took `cost`, so that it takes no more than its share of the time.
+pub(super) fn afford(cost: Duration) -> Duration {
+    SHARE * cost
+}
+
+/// Where a run is. Costs nothing to know.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Name of the phase.
+    pub phase: String,
+    /// Number of the phase, from 1.
+    pub phase_number: usize,
+    /// Number of phases.
+    pub phases: usize,
+    /// Share of the phase that is done, 0..1, where its end is known.
+    pub share: Option<f64>,
+    /// Steps done.
+    pub step: u64,
+    /// Model time, s.
+    pub time: f64,
+    /// Time step, s.
+    pub dt: f64,
+    /// Steps per second of wall time since the last look.
+    pub steps_per_second: f64,
+    /// Expected wall time to the end of the phase, s.
+    pub remaining: Option<f64>,
+    /// Unit of energies: J, or J/m in the plane.
+    pub energy_unit: &'static str,
+}
+
+/// What has to be summed over the model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// Kinetic energy, in the unit of [`Progress::energy_unit`].
+    pub kinetic: f64,
+    /// Energy residual over the largest energy that moved, as the ledger was last drawn up; `None` before.
+    pub residual: Option<f64>,
+    /// Unbalanced-force ratio.
+    pub unbalanced: f64,
+    /// Number of contacts.
+    pub contacts: usize,
+    /// Largest overlap over the smaller inscribed radius of its pair.
+    pub worst_overlap: f64,
+    /// Largest speed, m/s, and the block that has it.
+    pub fastest: Option<(String, f64)>,
+}
+
+impl Measured {
+    fn of(simulation: &Simulation) -> Self {
+        let view = simulation.view();
+        Self {
+            kinetic: view.kinetic(),
+            residual: simulation.residual(),
+            unbalanced: view.unbalanced(),
+            contacts: view.contacts(),
+            worst_overlap: view.worst_overlap().map_or(0.0, |(x, _, _)| x),
+            fastest: view.fastest(),
+        }
+    }
+}
+
+/// A look at a run, for progress displays.
+#[derive(Debug)]
+pub struct Look<'a> {
+    /// Where the run is.
+    pub progress: Progress,
+    simulation: &'a Simulation,
+    meter: &'a mut Meter,
+}
+
+impl Look<'_> {
+    /// Sums over the model: new ones, or the last ones as long as new ones would take more than 1 % of the time. Ask only
+    /// for what is shown.
+    pub fn measured(&mut self) -> &Measured {
+        self.meter.read(self.simulation)
+    }
+}
+
+/// Measures the model, and what measuring takes.
+#[derive(Debug, Default)]
+struct Meter {
+    last: Option<(Instant, Duration)>,
+    value: Measured,
+}
+
+impl Meter {
+    fn read(&mut self, simulation: &Simulation) -> &Measured {
+        let due = |(at, cost): (Instant, Duration)| at.elapsed() >= afford(cost);
+        if self.last.is_none_or(due) {
+            let begun = Instant::now();
+            self.value = Measured::of(simulation);
+            let end = Instant::now();
+            self.last = Some((end, end - begun));
+        }
+        &self.value
+    }
+}
+
+/// Wall clock of a run; asks the operating system for the time only every few steps.
+#[derive(Debug)]
+pub(super) struct Clock {
+    last: Instant,
+    step: u64,
+    stride: u64,
+    next: u64,
+    rate: f64,
+    meter: Meter,
+}
+
+impl Clock {
+    pub(super) fn new(step: u64) -> Self {
+        Self {
+            last: Instant::now(),
+            step,
+            stride: 1,
+            next: step,
+            rate: 0.0,
+            meter: Meter::default(),
+        }
+    }
+
+    /// Whether it is time for a look.
+    pub(super) fn due(&mut self, step: u64) -> bool {
+        if step < self.next {
+            return false;
+        }
+        let spent = self.last.elapsed();
+        if spent < LOOK && self.rate > 0.0 {
+            self.stride = (self.stride * 2).min(STRIDE);
+            self.next = step + self.stride;
+            return false;
+        }
+        self.rate = (step - self.step) as f64 / spent.as_secs_f64().max(1e-9);
+        true
+    }
+
+    /// Shows the run to the caller; the time until the next look is counted from the end of this one.
+    pub(super) fn look(
+        &mut self,
+        simulation: &Simulation,
+        look: &mut dyn FnMut(&mut Look<'_>) -> Control,
+    ) -> Control {
+        let control = look(&mut Look {
+            progress: self.progress(simulation),
+            simulation,
+            meter: &mut self.meter,
+        });
+        let step = simulation.steps();
+        self.stride = ((self.rate * LOOK.as_secs_f64() / 8.0) as u64).clamp(1, STRIDE);
+        self.next = step + self.stride;
+        self.last = Instant::now();
+        self.step = step;
+        control
+    }
+
+    fn progress(&self, simulation: &Simulation) -> Progress {
+        let cursor = simulation.cursor();
+        let (step, share) = (simulation.steps(), simulation.progress());
+        let done = step - cursor.start_step;
+        let remaining = share.filter(|s| *s > 0.0 && self.rate > 0.0).map(|s| {
+            let left = (done as f64 * (1.0 - s) / s).max(0.0);
+            left / self.rate
+        });
+        Progress {
+            phase: simulation
+                .phase()
+                .map_or_else(String::new, |p| p.name.clone()),
+            phase_number: cursor.phase + 1,
+            phases: simulation.plan().phases.len(),
+            share,
+            step,
+            time: simulation.time(),
+            dt: simulation.dt(),
+            steps_per_second: self.rate,
+            remaining,
+            energy_unit: simulation.kind().energy_unit(),
+        }
+    }
+}
