@@ -15,6 +15,7 @@ use super::convex::MAX_NEAREST;
 use super::setup::{FrictionLaw, Motion, NormalLaw, Setup};
 use super::shapes::{Edge, Shapes};
 use super::world::{Contact, GeneralState, PairState, Region, World};
+use crate::dynamics::kick::Target;
 use crate::laws::damping;
 
 /// Margin of a block over its size (the smaller of its radius and twice the median radius).
@@ -69,38 +70,18 @@ pub struct Candidates {
 /// Whether a block's translation is prescribed in both directions.
 #[must_use]
 pub fn is_driven(motion: Option<&Motion>) -> bool {
-    match motion {
-        None => false,
-        Some(Motion::Fixed { x, y, .. }) => *x && *y,
-        Some(Motion::Velocity { x, y, .. } | Motion::Acceleration { x, y, .. }) => {
-            x.is_some() && y.is_some()
-        }
-    }
+    motion.is_some_and(|m| m.targets()[..2].iter().all(|t| !t.is_free()))
 }
 
 /// Whether a block is fixed in all three freedoms: two such blocks never act on each other.
 fn is_fixed(motion: Option<&Motion>) -> bool {
-    matches!(
-        motion,
-        Some(Motion::Fixed {
-            x: true,
-            y: true,
-            rotation: true
-        })
-    )
+    motion.is_some_and(|m| m.targets() == [Target::Still; 3])
 }
 
 /// Whether all three freedoms of a block are prescribed.
 #[must_use]
 pub fn is_held(motion: Option<&Motion>) -> bool {
-    is_driven(motion)
-        && match motion {
-            None => false,
-            Some(Motion::Fixed { rotation, .. }) => *rotation,
-            Some(Motion::Velocity { spin, .. } | Motion::Acceleration { spin, .. }) => {
-                spin.is_some()
-            }
-        }
+    motion.is_some_and(|m| m.targets().iter().all(|t| !t.is_free()))
 }
 
 #[derive(Clone, Copy)]

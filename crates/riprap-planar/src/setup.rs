@@ -8,6 +8,7 @@ use riprap_geom::Vec2;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
+use crate::dynamics::kick::Target;
 pub use crate::laws::parameters::{BondLaw, ContactLaw, FrictionLaw, NormalLaw, Reflex};
 
 /// A complete 2D model at its start.
@@ -111,6 +112,20 @@ pub enum Motion {
         /// Angular, rad/s².
         spin: Option<TimeFunction>,
     },
+}
+
+impl Motion {
+    /// What is prescribed along x, along y and for rotation.
+    #[must_use]
+    pub fn targets(&self) -> [Target<'_>; 3] {
+        match self {
+            Self::Fixed { x, y, rotation } => [*x, *y, *rotation].map(Target::held),
+            Self::Velocity { x, y, spin } => [x, y, spin].map(|f| Target::velocity(f.as_ref())),
+            Self::Acceleration { x, y, spin } => {
+                [x, y, spin].map(|f| Target::acceleration(f.as_ref()))
+            }
+        }
+    }
 }
 
 /// An external load.

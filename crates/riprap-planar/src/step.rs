@@ -14,7 +14,7 @@ use super::convex::Turned;
 use super::handover;
 use super::loads::{self, Applied};
 use super::search::{self, Candidates};
-use super::setup::{ContactLaw, Motion, Setup};
+use super::setup::{ContactLaw, Setup};
 use super::shapes::Shapes;
 use super::world::{Body, World, Wrench};
 use crate::exec::{CHUNK, Exec};
@@ -156,30 +156,11 @@ impl World {
 pub fn hold_driven(world: &mut World) {
     let t = world.time;
     for (body, motion) in world.bodies.iter_mut().zip(&world.motion) {
-        match motion.as_deref() {
-            None | Some(Motion::Acceleration { .. }) => {}
-            Some(Motion::Fixed { x, y, rotation }) => {
-                if *x {
-                    body.velocity.x = 0.0;
-                }
-                if *y {
-                    body.velocity.y = 0.0;
-                }
-                if *rotation {
-                    body.spin = 0.0;
-                }
-            }
-            Some(Motion::Velocity { x, y, spin }) => {
-                if let Some(f) = x {
-                    body.velocity.x = f.at(t);
-                }
-                if let Some(f) = y {
-                    body.velocity.y = f.at(t);
-                }
-                if let Some(f) = spin {
-                    body.spin = f.at(t);
-                }
-            }
+        if let Some(motion) = motion.as_deref() {
+            let [x, y, spin] = motion.targets();
+            body.velocity.x = x.at(t, body.velocity.x);
+            body.velocity.y = y.at(t, body.velocity.y);
+            body.spin = spin.at(t, body.spin);
         }
     }
 }

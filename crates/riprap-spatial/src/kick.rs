@@ -7,6 +7,7 @@ use super::setup::Motion;
 use super::state::scratch::Scratch;
 use super::world::{SolidClass, Turned, World};
 use crate::dynamics::damping::Damping;
+use crate::dynamics::kick::{self, Target};
 use crate::ledger::Works;
 
 /// Velocity change of one block in the coming kick.
@@ -98,25 +99,18 @@ impl Kick<'_> {
         let before = moving.turned.map_or(inertia * w, |t| t.momentum);
         let local = self.damping.local;
         let against = |f: Vec3, v: Vec3| -> Vec3 {
-            Vec3::from_array([0, 1, 2].map(|k| {
-                if v[k] == 0.0 || local == 0.0 {
-                    0.0
-                } else {
-                    -local * f[k].abs() * v[k].signum()
-                }
-            }))
+            Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, f[k], v[k])))
         };
         let drag = against(acting.force, v);
         let twist = against(acting.moment, w);
-        // Mass damping acts on the mean of the velocities before and after (implicit, stable).
         let alpha = self.damping.mass;
         let alpha_turn = self.damping.rotation.unwrap_or(alpha);
-        let fade = 0.5 * alpha * self.span;
-        let fade_turn = 0.5 * alpha_turn * self.span;
+        let fade = kick::fade(alpha, self.span);
+        let fade_turn = kick::fade(alpha_turn, self.span);
         let push = acting.force + acting.drag + drag;
         let torque = acting.moment + acting.drag_moment + twist;
-        let mut dv = (self.span / mass * push - 2.0 * fade * v) / (1.0 + fade);
-        let mut dl = (self.span * torque - 2.0 * fade_turn * before) / (1.0 + fade_turn);
+        let mut dv = kick::change(self.span / mass, push, fade, v);
+        let mut dl = kick::change(self.span, torque, fade_turn, before);
         // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
         let now = if attitude.is_some() {
             inverse * before
@@ -130,12 +124,13 @@ impl Kick<'_> {
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
             dl = inertia * dw;
             if self.span > 0.0 {
-                extra.support = (1.0 + fade) * mass / self.span * (dv - free.0);
-                extra.support_moment = (1.0 + fade_turn) / self.span * (dl - free.1);
+                extra.support = kick::reaction(mass, fade, self.span, dv - free.0);
+                extra.support_moment = kick::reaction(1.0, fade_turn, self.span, dl - free.1);
             }
         }
-        extra.damping = acting.drag + drag - alpha * mass * (v + 0.5 * dv);
-        extra.damping_moment = acting.drag_moment + twist - alpha_turn * (before + 0.5 * dl);
+        extra.damping = acting.drag + drag - kick::mass_drag(alpha, mass, v, dv);
+        extra.damping_moment =
+            acting.drag_moment + twist - kick::mass_drag(alpha_turn, 1.0, before, dl);
         let change = Change {
             velocity: dv,
             spin: dw,
@@ -181,43 +176,14 @@ impl Kick<'_> {
     /// Velocity change of a block whose motion is prescribed in some freedoms: a prescribed velocity is met
     /// in the middle of the step.
     fn prescribed(&self, motion: &Motion, v: Vec3, w: Vec3, dv: Vec3, dw: Vec3) -> (Vec3, Vec3) {
-        let (mut dv, mut dw) = (dv, dw);
-        let time = self.time;
-        match motion {
-            Motion::Fixed {
-                translation,
-                rotation,
-            } => {
-                for k in 0..3 {
-                    if translation[k] {
-                        dv[k] = -v[k];
-                    }
-                    if rotation[k] {
-                        dw[k] = -w[k];
-                    }
-                }
-            }
-            Motion::Velocity { translation, spin } => {
-                let t = time + self.half[1];
-                for k in 0..3 {
-                    if let Some(f) = &translation[k] {
-                        dv[k] = f.at(t) - v[k];
-                    }
-                    if let Some(f) = &spin[k] {
-                        dw[k] = f.at(t) - w[k];
-                    }
-                }
-            }
-            Motion::Acceleration { translation } => {
-                for k in 0..3 {
-                    if let Some(f) = &translation[k] {
-                        dv[k] = self.span * f.at(time);
-                    }
-                    dw[k] = -w[k];
-                }
-            }
-        }
-        (dv, dw)
+        let [along, about] = motion.targets();
+        let of = |targets: &[Target; 3], v: Vec3, free: Vec3| {
+            Vec3::from_array(
+                [0, 1, 2]
+                    .map(|k| targets[k].change(v[k], free[k], self.time, self.half[1], self.span)),
+            )
+        };
+        (of(&along, v, dv), of(&about, w, dw))
     }
 }
 
@@ -300,34 +266,15 @@ impl World {
     pub fn hold_driven(&mut self) {
         let t = self.time;
         for (b, motion) in self.motion.iter().enumerate() {
-            let (mut v, mut w) = (self.bodies.velocity(b), self.bodies.spin(b));
-            match motion.as_deref() {
-                None => continue,
-                Some(Motion::Acceleration { .. }) => w = Vec3::ZERO,
-                Some(Motion::Fixed {
-                    translation,
-                    rotation,
-                }) => {
-                    for k in 0..3 {
-                        if translation[k] {
-                            v[k] = 0.0;
-                        }
-                        if rotation[k] {
-                            w[k] = 0.0;
-                        }
-                    }
-                }
-                Some(Motion::Velocity { translation, spin }) => {
-                    for k in 0..3 {
-                        if let Some(f) = &translation[k] {
-                            v[k] = f.at(t);
-                        }
-                        if let Some(f) = &spin[k] {
-                            w[k] = f.at(t);
-                        }
-                    }
-                }
-            }
+            let Some(motion) = motion.as_deref() else {
+                continue;
+            };
+            let [along, about] = motion.targets();
+            let now = |targets: &[Target; 3], v: Vec3| {
+                Vec3::from_array([0, 1, 2].map(|k| targets[k].at(t, v[k])))
+            };
+            let v = now(&along, self.bodies.velocity(b));
+            let w = now(&about, self.bodies.spin(b));
             self.bodies.set_rate(b, v, w);
             let solid = &self.solids[self.solid[b] as usize];
             if let Some(turned) = &mut self.turned[b] {

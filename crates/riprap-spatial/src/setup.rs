@@ -10,6 +10,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
+use crate::dynamics::kick::Target;
 pub use crate::laws::explosive::Explosive;
 pub use crate::laws::face_joint::Strength;
 pub use crate::laws::parameters::{Dashpots, Failure, Points};
@@ -253,21 +254,30 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// Which freedoms it prescribes: translation along, and rotation about x, y, z.
+    /// What is prescribed for translation along, and rotation about x, y, z.
     #[must_use]
-    pub fn prescribes(&self) -> [[bool; 3]; 2] {
+    pub fn targets(&self) -> [[Target<'_>; 3]; 2] {
         match self {
             Self::Fixed {
                 translation,
                 rotation,
-            } => [*translation, *rotation],
+            } => [translation, rotation].map(|held| held.map(Target::held)),
             Self::Velocity { translation, spin } => {
-                [translation, spin].map(|f| f.each_ref().map(Option::is_some))
+                [translation, spin].map(|f| f.each_ref().map(|f| Target::velocity(f.as_ref())))
             }
-            Self::Acceleration { translation } => {
-                [translation.each_ref().map(Option::is_some), [true; 3]]
-            }
+            Self::Acceleration { translation } => [
+                translation
+                    .each_ref()
+                    .map(|f| Target::acceleration(f.as_ref())),
+                [Target::Still; 3],
+            ],
         }
+    }
+
+    /// Which freedoms it prescribes: translation along, and rotation about x, y, z.
+    #[must_use]
+    pub fn prescribes(&self) -> [[bool; 3]; 2] {
+        self.targets().map(|of| of.map(|t| !t.is_free()))
     }
 }
 

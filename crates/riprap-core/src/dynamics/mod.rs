@@ -2,6 +2,7 @@
 
 pub mod damping;
 pub mod formula;
+pub mod kick;
 pub mod relaxation;
 pub mod time_function;
 

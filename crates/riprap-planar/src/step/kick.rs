@@ -3,11 +3,11 @@
 use riprap_geom::Vec2;
 
 use super::{Damping, NonFinite, Partial, Scratch};
+use crate::dynamics::kick::{self, Target};
 use crate::ledger::Works;
 use crate::loads::Applied;
-use crate::setup::Motion;
 use crate::shapes::Shapes;
-use crate::world::{Body, World, Wrench};
+use crate::world::{World, Wrench};
 
 /// Velocity change of one block in the coming kick.
 #[derive(Clone, Copy, Debug, Default)]
@@ -114,20 +114,14 @@ impl Kick<'_> {
 
         // Local damping: a share of the unbalanced force, against the motion.
         let local = self.damping.local;
-        let against = |f: f64, v: f64| {
-            if v == 0.0 {
-                0.0
-            } else {
-                -local * f.abs() * v.signum()
-            }
-        };
+        let against = |f: f64, v: f64| kick::local_drag(local, f, v);
         let drag = Vec2::new(
             against(force.x, body.velocity.x),
             against(force.y, body.velocity.y),
         );
         let twist = against(moment, body.spin);
         // Mass damping acts on the mean of the velocities before and after (implicit, stable).
-        let fade = 0.5 * self.damping.mass * self.span;
+        let fade = kick::fade(self.damping.mass, self.span);
         let kicked =
             |v: f64, f: f64, m: f64| ((v * (1.0 - fade) + self.span * f / m) / (1.0 + fade)) - v;
         let mut dv = Vec2::new(
@@ -137,15 +131,11 @@ impl Kick<'_> {
         let mut dw = kicked(body.spin, moment + twist, inertia);
         let free = (dv, dw);
         if let Some(motion) = motion {
-            (dv, dw) = prescribed(
-                motion,
-                body,
-                self.world.time,
-                self.half[1],
-                self.span,
-                dv,
-                dw,
-            );
+            let [x, y, spin] = motion.targets();
+            let (time, half) = (self.world.time, self.half[1]);
+            let of = |t: Target, v: f64, free: f64| t.change(v, free, time, half, self.span);
+            dv = Vec2::new(of(x, body.velocity.x, dv.x), of(y, body.velocity.y, dv.y));
+            dw = of(spin, body.spin, dw);
         }
         *change = Change {
             velocity: dv,
@@ -155,17 +145,14 @@ impl Kick<'_> {
         // Works before and after the present time, with the velocity of each half.
         let reaction = if self.span > 0.0 {
             (
-                (1.0 + fade) * mass * (dv - free.0) / self.span,
-                (1.0 + fade) * inertia * (dw - free.1) / self.span,
+                kick::reaction(mass, fade, self.span, dv - free.0),
+                kick::reaction(inertia, fade, self.span, dw - free.1),
             )
         } else {
             (Vec2::ZERO, 0.0)
         };
-        let mean = (body.velocity + 0.5 * dv, body.spin + 0.5 * dw);
-        let slow = (
-            -self.damping.mass * mass * mean.0,
-            -self.damping.mass * inertia * mean.1,
-        );
+        let damping = drag - kick::mass_drag(self.damping.mass, mass, body.velocity, dv);
+        let slowing = twist - kick::mass_drag(self.damping.mass, inertia, body.spin, dw);
         for (half, v, w, works) in [
             (self.half[0], body.velocity, body.spin, &mut partial.arrival),
             (
@@ -177,50 +164,10 @@ impl Kick<'_> {
         ] {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.force.dot(v) + load.moment * w);
-            works.damping -= half * ((drag + slow.0).dot(v) + (twist + slow.1) * w);
+            works.damping -= half * (damping.dot(v) + slowing * w);
             if motion.is_some() {
                 works.supports += half * (reaction.0.dot(v) + reaction.1 * w);
             }
         }
-    }
-}
-
-/// Velocity change of a block whose motion is prescribed in some freedoms.
-///
-/// `half` is half the coming step: a prescribed velocity is met in the middle of the step.
-fn prescribed(
-    motion: &Motion,
-    body: &Body,
-    time: f64,
-    half: f64,
-    span: f64,
-    dv: Vec2,
-    dw: f64,
-) -> (Vec2, f64) {
-    match motion {
-        Motion::Fixed { x, y, rotation } => (
-            Vec2::new(
-                if *x { -body.velocity.x } else { dv.x },
-                if *y { -body.velocity.y } else { dv.y },
-            ),
-            if *rotation { -body.spin } else { dw },
-        ),
-        Motion::Velocity { x, y, spin } => {
-            let t = time + half;
-            (
-                Vec2::new(
-                    x.as_ref().map_or(dv.x, |f| f.at(t) - body.velocity.x),
-                    y.as_ref().map_or(dv.y, |f| f.at(t) - body.velocity.y),
-                ),
-                spin.as_ref().map_or(dw, |f| f.at(t) - body.spin),
-            )
-        }
-        Motion::Acceleration { x, y, spin } => (
-            Vec2::new(
-                x.as_ref().map_or(dv.x, |f| span * f.at(time)),
-                y.as_ref().map_or(dv.y, |f| span * f.at(time)),
-            ),
-            spin.as_ref().map_or(dw, |f| span * f.at(time)),
-        ),
     }
 }

@@ -7,6 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::hold::Hold;
 use crate::dynamics::damping::Damping;
+use crate::dynamics::kick;
 use crate::lanes::{LANES, Lanes, Vectors, Width, dot, minus, plus, scaled, vectors, write};
 use crate::state::workspace::{Dashpot, KickSums};
 
@@ -127,10 +128,10 @@ impl Kick<'_> {
         let mut drag = Vectors::default();
         if local != 0.0 {
             for axis in 0..3 {
-                drag[axis] = force[axis].with(v[axis], |f, v| against(local, f, v));
+                drag[axis] = force[axis].with(v[axis], |f, v| kick::local_drag(local, f, v));
             }
         }
-        let fade = 0.5 * alpha * self.span;
+        let fade = kick::fade(alpha, self.span);
         let impulse = scaled(
             Lanes::all(self.span) / Lanes::at(self.inertias, node),
             &plus(&force, &drag),
@@ -214,12 +215,12 @@ impl Kick<'_> {
     ) -> Vec3 {
         let v = Vec3::from_array(self.rate[node.node]);
         let local = self.damping.local;
-        let drag = Vec3::from_array([0, 1, 2].map(|k| against(local, node.net[k], v[k])));
+        let drag = Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, node.net[k], v[k])));
         let alpha = self.damping.mass;
-        let fade = 0.5 * alpha * self.span;
+        let fade = kick::fade(alpha, self.span);
         let push = node.net + drag;
         let free = match dashpot {
-            None => (self.span / node.mass * push - 2.0 * fade * v) / (1.0 + fade),
+            None => kick::change(self.span / node.mass, push, fade, v),
             Some(d) => {
                 let inertia =
                     node.mass * (1.0 + fade) * Mat3::IDENTITY + 0.5 * self.span * d.matrix;
@@ -238,7 +239,7 @@ impl Kick<'_> {
                 change = hold.free * free + (target - (v - hold.free * v));
                 if self.span > 0.0 {
                     let gap = change - free;
-                    support = node.mass * (1.0 + fade) / self.span * gap;
+                    support = kick::reaction(node.mass, fade, self.span, gap);
                     if let Some(d) = dashpot {
                         support += 0.5 * (d.matrix * gap);
                     }
@@ -248,7 +249,7 @@ impl Kick<'_> {
                 *of_held += (node.net - part).length_squared();
             }
         }
-        let damping = drag - alpha * node.mass * (v + 0.5 * change);
+        let damping = drag - kick::mass_drag(alpha, node.mass, v, change);
         let absorbed = dashpot.map_or(Vec3::ZERO, |d| d.matrix * (v + 0.5 * change));
         for (half, v, works) in [
             (self.half[0], v, &mut sums.arrival),
@@ -261,16 +262,6 @@ impl Kick<'_> {
             works.absorbed += half * absorbed.dot(v);
         }
         change
-    }
-}
-
-/// Local damping of a net force component (N) at a velocity (m/s), N.
-#[inline(always)]
-fn against(local: f64, net: f64, v: f64) -> f64 {
-    if v == 0.0 || local == 0.0 {
-        0.0
-    } else {
-        -local * net.abs() * v.signum()
     }
 }
 
