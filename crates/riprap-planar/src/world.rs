@@ -6,7 +6,6 @@
 use riprap_geom::Vec2;
 use serde::{Deserialize, Serialize};
 
-use super::bond::Bond;
 use super::setup::{Motion, Setup};
 use crate::ledger::Works;
 
@@ -189,4 +188,56 @@ pub struct Region {
     pub edges: u64,
     /// The contact.
     pub contact: Contact,
+}
+
+/// A joint between two blocks along one shared edge.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Bond {
+    /// First block; the smaller index.
+    pub i: u32,
+    /// Second block.
+    pub j: u32,
+    /// Row of the interface table.
+    pub row: u16,
+    /// Normal from i to j in the initial frame.
+    pub normal: Vec2,
+    /// Length of the shared edge, m.
+    pub length: f64,
+    /// Effective mass of the pair, kg/m.
+    pub mass: f64,
+    /// The points.
+    pub points: Vec<BondPoint>,
+    /// Whether it still acts; a joint that has slid or opened hands over to found contact.
+    pub active: bool,
+    /// Whether a point has failed and slid or opened too far for the others to hold.
+    pub torn: bool,
+    /// Elastic and frictional part at the last evaluation.
+    pub stress: Wrench,
+    /// Damping part at the last evaluation.
+    pub damping: Wrench,
+    /// Stored elastic energy, J/m.
+    pub energy: f64,
+    /// Step at which its last point failed.
+    pub broken_at: Option<u64>,
+}
+
+/// A point of a joint.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BondPoint {
+    /// Place on the first block, body frame, m.
+    pub on_i: Vec2,
+    /// Place on the second block, body frame, m.
+    pub on_j: Vec2,
+    /// Length it stands for, m.
+    pub weight: f64,
+    /// Plastic shear displacement, m.
+    pub slip: f64,
+    /// Opening at the last evaluation, m.
+    pub opening: f64,
+    /// Normal stress, Pa, tension positive.
+    pub sigma: f64,
+    /// Shear stress, Pa.
+    pub tau: f64,
+    /// Whether it has failed.
+    pub failed: bool,
 }
