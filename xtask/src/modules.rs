@@ -13,11 +13,21 @@ use crate::source_tree::shown;
 use source::{Crate, Words};
 
 /// Crate of the library, the crates of the library it may use, and why not more.
-const ARROWS: [(&str, &[&str], &str); 9] = [
+const ARROWS: [(&str, &[&str], &str); 11] = [
+    (
+        "riprap-keys-derive",
+        &[],
+        "a macro sees the struct it stands at and nothing else",
+    ),
+    (
+        "riprap-keys",
+        &["riprap-keys-derive"],
+        "what a word is does not depend on which words there are",
+    ),
     ("riprap-geom", &[], "geometry knows no mechanics"),
     (
         "riprap-core",
-        &["riprap-geom"],
+        &["riprap-geom", "riprap-keys"],
         "laws and services know no engine, no file and no scenario",
     ),
     (
@@ -32,7 +42,7 @@ const ARROWS: [(&str, &[&str], &str); 9] = [
     ),
     (
         "riprap-scenario",
-        &["riprap-core", "riprap-geom"],
+        &["riprap-core", "riprap-geom", "riprap-keys"],
         "the scenario is what the user said; it knows no engine",
     ),
     (

@@ -309,7 +309,7 @@ fn press(
     let mut out = Pressed::default();
     let (mut weight, mut weighted, mut chord, mut edges) = (0.0, Vec2::ZERO, Vec2::ZERO, 0u64);
     let mut friction = Wrench::default();
-    if let NormalLaw::PenetrationPotential { .. } = law.normal {
+    if law.normal == NormalLaw::PenetrationPotential {
         room.local.look(&room.pieces, region, i, j, relative.shift);
     }
     for piece in room.pieces.iter().filter(|p| p.region == region) {
@@ -346,13 +346,13 @@ fn press(
                     out.depth = out.depth.max(d.peak);
                 }
             }
-            NormalLaw::PenetrationPotential { reflex } => {
+            NormalLaw::PenetrationPotential => {
                 let apart = if piece.second {
                     -relative.shift
                 } else {
                     relative.shift
                 };
-                let (parts, n) = room.local.parts(piece, own, other, reflex, apart);
+                let (parts, n) = room.local.parts(piece, own, other, law.reflex, apart);
                 for part in &parts[..n] {
                     let length = (part.q - part.p).length();
                     let (area, xi) = closed::linear_piece(length, part.at_p, part.at_q);
@@ -390,7 +390,7 @@ fn sliding_share(law: &ContactLaw, relative: &Relative, p: Vec2, q: Vec2) -> Opt
                 0.0
             })
         }
-        FrictionLaw::Clip { speed } => Some((-rate() / speed).clamp(-1.0, 1.0)),
+        FrictionLaw::Clipped => Some((-rate() / law.clip_speed).clamp(-1.0, 1.0)),
     }
 }
 
@@ -497,7 +497,7 @@ fn book(
     let half = 0.5 * elapsed;
     works.friction -= half * relative.power_of(&contact.tangential.plus(shear));
     works.damping -= half * relative.power_of(&contact.damping.plus(damp));
-    if let NormalLaw::PenetrationPotential { .. } = law.normal {
+    if law.normal == NormalLaw::PenetrationPotential {
         let stored = -half * relative.power_of(&contact.normal.plus(normal));
         contact.path_energy += stored;
         works.contact_path += stored;

@@ -113,7 +113,7 @@ impl Sums {
 fn stiffness(law: &ContactLaw) -> f64 {
     let normal = match law.normal {
         NormalLaw::DistancePotential => law.normal_stiffness,
-        NormalLaw::PenetrationPotential { .. } => 1.5 * law.normal_stiffness,
+        NormalLaw::PenetrationPotential => 1.5 * law.normal_stiffness,
     };
     normal.max(law.shear_stiffness)
 }

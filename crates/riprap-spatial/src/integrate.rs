@@ -70,7 +70,10 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
         tiles: &scratch.tiles,
         dt,
         bound: match world.setup.kinematics {
-            Kinematics::Automatic { bound } => bound * bound,
+            Kinematics::Automatic => {
+                let bound = world.setup.rotation_bound();
+                bound * bound
+            }
             Kinematics::Small | Kinematics::Finite => f64::INFINITY,
         },
         plain,

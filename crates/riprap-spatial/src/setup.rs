@@ -13,7 +13,7 @@ use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 pub use crate::laws::explosive::Explosive;
 pub use crate::laws::face_joint::Strength;
-pub use crate::laws::parameters::{Dashpots, Failure, Points};
+pub use crate::laws::parameters::{Dashpots, Failure, Kinematics, Points, StiffnessRule};
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -50,11 +50,23 @@ pub struct Setup {
     pub groups: Vec<Group>,
     /// How blocks turn.
     pub kinematics: Kinematics,
+    /// Angle at which a block changes over to finite rotations, rad, by automatic kinematics; `None` takes
+    /// [`ROTATION_BOUND`].
+    pub rotation_bound: Option<f64>,
     /// Deformable blocks and their bonds.
     pub deform: deform::Deformables,
 }
 
+/// Angle at which a block changes over to finite rotations where none is given, rad.
+pub const ROTATION_BOUND: f64 = 0.01;
+
 impl Setup {
+    /// Angle at which a block changes over to finite rotations, rad.
+    #[must_use]
+    pub fn rotation_bound(&self) -> f64 {
+        self.rotation_bound.unwrap_or(ROTATION_BOUND)
+    }
+
     /// The lists of whole blocks in groups, supports, boundaries and sources. Whoever names a block that is divided names
     /// its parts from then on; loads are shared out by what they are and are not among these.
     pub fn block_lists(&mut self) -> impl Iterator<Item = &mut Vec<u32>> {
@@ -156,26 +168,6 @@ pub struct Solid {
     pub faces: Vec<Vec<u32>>,
 }
 
-/// How blocks turn.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Kinematics {
-    /// Small displacements for all blocks at all times: lever arms stay as they were.
-    Small,
-    /// A block that has turned by more than `bound` (rad), and each patch it touches, uses finite rotations.
-    Automatic {
-        /// Angle at which a block changes over, rad.
-        bound: f64,
-    },
-    /// Finite rotations for all blocks from the start.
-    Finite,
-}
-
-impl Default for Kinematics {
-    fn default() -> Self {
-        Self::Automatic { bound: 0.01 }
-    }
-}
-
 /// Laws between two materials.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Interface {
@@ -206,11 +198,8 @@ pub struct JointLaw {
 /// Stiffness of a patch per area.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Stiffness {
-    /// Half-block compliances of both sides in series: `Kn = M/d`, `Ks = 2G/d` for equal materials (right wave
-    /// speeds along the axes).
-    Material,
-    /// As `Material` with `Kn = E/d`: right settlement in uniaxial stress, for static questions.
-    MaterialUniaxial,
+    /// Half-block compliances of both sides in series: `Kn = M/d`, `Ks = 2G/d` for equal materials, or `Kn = E/d`.
+    Rule(StiffnessRule),
     /// Given.
     Given {
         /// Normal, Pa/m.

@@ -164,7 +164,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     }
     let bound = match world.setup.kinematics {
         Kinematics::Small => return,
-        Kinematics::Automatic { bound } => bound,
+        Kinematics::Automatic => world.setup.rotation_bound(),
         Kinematics::Finite => -1.0,
     };
     let mut changed = false;

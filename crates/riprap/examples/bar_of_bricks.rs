@@ -8,7 +8,7 @@ use riprap::run::plan::{Phase, Plan, TimeStep};
 use riprap::run::simulation::Simulation;
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Material, Points, Setup, Shape,
-    Stiffness,
+    Stiffness, StiffnessRule,
 };
 
 const BRICKS: u32 = 200;
@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         interfaces: vec![Interface {
             name: "joint".to_owned(),
             joint: JointLaw {
-                stiffness: Stiffness::Material,
+                stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: None,
                 failure: Failure::Point,
                 points: Points::Quarter,

@@ -23,7 +23,7 @@ use riprap::spatial::deform::phase::{self, Rules};
 use riprap::spatial::setup::deform::{BondFailure, BondLaw, DeformableSet, Deformables, Strength};
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
-    Setup, Shape, Solid, Stiffness as Springs,
+    Setup, Shape, Solid, Stiffness as Springs, StiffnessRule,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::world::World;
@@ -201,7 +201,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
         interfaces: vec![Interface {
             name: "default".into(),
             joint: JointLaw {
-                stiffness: Springs::Material,
+                stiffness: Springs::Rule(StiffnessRule::Material),
                 strength: None,
                 failure: Failure::Point,
                 points: Points::Quarter,
@@ -366,6 +366,7 @@ fn cut_all(name: &str, grid: &str, cells: [usize; 3], threads: usize) {
         generations: 1,
         smallest: 0.0,
         anchor: cutting::Anchor::Spacing,
+        only_cut: false,
         along: None,
         snap: 0.03,
         stages: 1,

@@ -12,7 +12,7 @@ use riprap::exec::Exec;
 use riprap::record::manifest::Machine;
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, InSitu, Interface, JointLaw, Kinematics, Material,
-    Points, Setup, Shape, Stiffness, Strength,
+    Points, Setup, Shape, Stiffness, StiffnessRule, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::world::World;
@@ -91,7 +91,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
         interfaces: vec![Interface {
             name: "joint".into(),
             joint: JointLaw {
-                stiffness: Stiffness::Material,
+                stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: match joints {
                     Joints::Elastic => None,
                     Joints::Intact | Joints::Broken => Some(strength),

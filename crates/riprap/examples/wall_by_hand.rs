@@ -5,7 +5,7 @@
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::planar::setup::{
-    BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Setup, Support,
+    BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Reflex, Setup, Support,
 };
 use riprap::run::plan::{Phase, Plan};
 use riprap::run::simulation::Simulation;
@@ -44,11 +44,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             name: "default".to_owned(),
             contact: ContactLaw {
                 normal: NormalLaw::DistancePotential,
+                reflex: Reflex::Min,
                 normal_stiffness: 1e9,
                 shear_stiffness: 1e9,
                 friction: 0.6,
                 cohesion: 0.0,
                 friction_law: FrictionLaw::ShearSpring,
+                clip_speed: 0.0,
                 damping_ratio: 0.2,
             },
             bond: None,

@@ -4,11 +4,12 @@ use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 /// How a phase is calculated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum PhaseKind {
     /// Towards rest, with automatic damping (dynamic relaxation); time has no meaning.
     Static,
     /// Motion in time.
+    #[default]
     Dynamic,
 }
 

@@ -45,7 +45,7 @@ pub struct Margins {
 }
 
 /// When a block is cut, by its average stress.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum Criterion {
     /// Tension where s1 + 3 s3 < 0 (compression positive), Mohr-Coulomb elsewhere: the source.
     ///
@@ -60,6 +60,7 @@ pub enum Criterion {
     /// Equation (15).
     MohrCoulomb,
     /// Tension and Mohr-Coulomb, whichever is used more.
+    #[default]
     Larger,
 }
 

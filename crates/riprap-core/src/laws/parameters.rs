@@ -1,26 +1,29 @@
-//! Parameters of the contact and bond laws, SI.
+//! Parameters of the contact and bond laws, SI, and the choices that a scenario names by words.
 
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 /// Normal law of a found contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum NormalLaw {
-    /// Pressure proportional to the true distance to the other block's whole boundary (conservative).
+    /// Potential of the true distance to the boundary; conserves energy.
+    ///
+    /// The pressure is proportional to the true distance to the other block's whole boundary.
+    #[default]
     DistancePotential,
-    /// The source's mutual penetration potentials, linear between vertices (local, not conservative).
-    PenetrationPotential {
-        /// How the depth at a reflex corner is read.
-        reflex: Reflex,
-    },
+    /// Mutual penetration potentials, as in the source paper.
+    ///
+    /// Linear between vertices: local, not conservative.
+    PenetrationPotential,
 }
 
 /// Reading of the penetration depth at a reflex (inward) corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum Reflex {
     /// The smaller of the distances to the two edge lines.
     ///
     /// Uniform with convex corners.
+    #[default]
     Min,
     /// The larger of the distances to the two edge lines.
     Max,
@@ -28,18 +31,20 @@ pub enum Reflex {
     True,
 }
 
-/// Friction law of a found contact.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Law of friction of found contacts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum FrictionLaw {
-    /// Incremental shear spring with a Coulomb slider and a sticking dashpot.
+    /// Shear spring with a Coulomb slider: a block can stand still on a slope.
+    ///
+    /// Incremental, with a dashpot while it sticks.
+    #[default]
     ShearSpring,
-    /// The source's law: mu times the normal force, against the sliding direction of each piece.
+    /// Full friction against the direction of slip, as in the source paper.
+    ///
+    /// mu times the normal force, against the sliding direction of each piece.
     RateSign,
-    /// As `RateSign`, smoothed to `v / speed` below `speed` (m/s).
-    Clip {
-        /// Sliding speed at which full friction is reached, m/s.
-        speed: f64,
-    },
+    /// Like `rate_sign`, but growing linearly up to `clip_speed`.
+    Clipped,
 }
 
 /// Law of contacts found from geometry.
@@ -47,6 +52,8 @@ pub enum FrictionLaw {
 pub struct ContactLaw {
     /// Normal law.
     pub normal: NormalLaw,
+    /// How the depth at a reflex corner is read, by the penetration potentials.
+    pub reflex: Reflex,
     /// Normal stiffness kn (pn in the source), Pa/m.
     pub normal_stiffness: f64,
     /// Shear stiffness ks, Pa/m.
@@ -57,6 +64,8 @@ pub struct ContactLaw {
     pub cohesion: f64,
     /// Friction law.
     pub friction_law: FrictionLaw,
+    /// Sliding speed at which clipped friction is full, m/s; greater than zero where friction is clipped.
+    pub clip_speed: f64,
     /// Dashpots, as a share of critical damping for the contact's stiffness and the pair's mass.
     pub damping_ratio: f64,
 }
@@ -85,18 +94,20 @@ pub struct BondLaw {
 }
 
 /// What fails as one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum Failure {
     /// Each of the four points of a joint by itself.
+    #[default]
     Point,
     /// The whole joint, by the sum of its forces and its torsion.
     Face,
 }
 
 /// Where the four points of a joint lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum Points {
     /// Gauss points: exact bending and torsion.
+    #[default]
     Gauss,
     /// Centres of the four quarters, as the source paper has them.
     Quarter,
@@ -127,4 +138,38 @@ pub enum BondFailure {
     Facet,
     /// A facet by the mean of the average stresses of its two blocks: does not depend on the size of the facet.
     BlockStress,
+}
+
+/// Where the stiffness of joints comes from: the elastic half blocks on both sides in series.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum StiffnessRule {
+    /// Constrained modulus M/d and shear 2G/d, d the distance of the centroids: right wave speeds.
+    #[default]
+    Material,
+    /// Young's modulus E/d and shear 2G/d: right settlement under uniaxial stress, for static
+    /// questions.
+    Uniaxial,
+}
+
+/// How blocks turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum Kinematics {
+    /// Small displacements until a block has turned by `rotation_bound`; from then on finite
+    /// rotations for it and the patches it touches.
+    #[default]
+    Automatic,
+    /// Small displacements at all times: lever arms stay as they were.
+    Small,
+    /// Finite rotations from the start.
+    Finite,
+}
+
+/// Where the planes of a cut lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum CutAnchor {
+    /// At equal distances.
+    #[default]
+    Spacing,
+    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
+    Tip,
 }

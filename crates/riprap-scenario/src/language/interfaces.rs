@@ -8,7 +8,9 @@ use crate::quantity::{
     Quantity, Speed, StiffnessPerArea, Strength,
 };
 use riprap_core::laws::bond::Softening;
-use riprap_core::laws::parameters::{BondFailure, Dashpots, Failure, Points, Reflex};
+use riprap_core::laws::parameters::{
+    BondFailure, Dashpots, Failure, FrictionLaw, NormalLaw, Points, Reflex, StiffnessRule,
+};
 
 /// The law of contact between two materials.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -129,39 +131,6 @@ pub struct Cohesive {
     pub softening: Option<Softening>,
 }
 
-/// Where the stiffness of joints comes from: the elastic half blocks on both sides in series.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum StiffnessRule {
-    /// Constrained modulus M/d and shear 2G/d, d the distance of the centroids: right wave speeds.
-    Material,
-    /// Young's modulus E/d and shear 2G/d: right settlement under uniaxial stress, for static
-    /// questions.
-    Uniaxial,
-}
-
-/// Normal law of a found contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum NormalLaw {
-    /// Potential of the true distance to the boundary; conserves energy.
-    DistancePotential,
-    /// Mutual penetration potentials, as in the source paper.
-    PenetrationPotential,
-}
-
-/// Law of friction of found contacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FrictionLaw {
-    /// Shear spring with a Coulomb slider: a block can stand still on a slope.
-    ShearSpring,
-    /// Full friction against the direction of slip, as in the source paper.
-    RateSign,
-    /// Like `rate_sign`, but growing linearly up to `clip_speed`.
-    Clipped,
-}
-
 /// Patches along edges that two blocks share at the start.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -189,6 +158,7 @@ pub struct Bond {
 
 /// Keys of an interface that change when a phase begins; all others stay.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[schemars(extend("x-change-of" = "interfaces.*"))]
 #[serde(deny_unknown_fields)]
 pub struct InterfaceChange {
     /// Normal law of found contacts.

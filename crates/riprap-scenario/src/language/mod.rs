@@ -34,15 +34,13 @@ pub use ground::{
     Boundary, Compressive, FacePlane, FacePressure, FaceTraction, Faces, GravityK0, InSitu, Moved,
     Side, TensionPositive, Viscous,
 };
-pub use interfaces::{
-    Bond, BrittleBond, Cohesive, FrictionLaw, Interface, InterfaceChange, NormalLaw, StiffnessRule,
-};
+pub use interfaces::{Bond, BrittleBond, Cohesive, Interface, InterfaceChange};
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
-pub use phases::{CutAnchor, CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
+pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
     NotchBreaks, Plane, Polyhedron, Segment, span_of,
@@ -51,7 +49,7 @@ pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,
     PressureCavity, Refine, Source, Venting, VentingTime,
 };
-pub use space::{Group, Kinematics, Material, Planar, Space, Spatial};
+pub use space::{Group, Material, Planar, Space, Spatial};
 
 use super::quantity::{Length, PositivePlain, Quantity, Table};
 

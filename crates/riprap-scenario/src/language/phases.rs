@@ -10,6 +10,7 @@ use crate::quantity::{
 };
 use riprap_core::dynamics::relaxation::{Breaks, PhaseKind};
 use riprap_core::laws::fracture::Criterion;
+use riprap_core::laws::parameters::CutAnchor;
 use riprap_core::laws::tetrahedron::Strain;
 
 /// A part of the run.
@@ -124,16 +125,6 @@ pub struct Cutting {
     /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block, at least
     /// 0 and less than 1. Default 0.1.
     pub step_floor: Option<Quantity<ShareBelowOne>>,
-}
-
-/// Where the planes of a cut lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum CutAnchor {
-    /// At equal distances.
-    Spacing,
-    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
-    Tip,
 }
 
 /// An axis.

@@ -1,5 +1,6 @@
 //! The space of a scene and its materials.
 
+use riprap_core::laws::parameters::Kinematics;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -51,19 +52,6 @@ pub struct Spatial {
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
     /// block.
     pub allow_overlap: Option<Quantity<NotNegativeLength>>,
-}
-
-/// How blocks turn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Kinematics {
-    /// Small displacements until a block has turned by `rotation_bound`; from then on finite
-    /// rotations for it and the patches it touches.
-    Automatic,
-    /// Small displacements at all times: lever arms stay as they were.
-    Small,
-    /// Finite rotations from the start.
-    Finite,
 }
 
 /// A named set of blocks, besides the groups that blocks name themselves. `box`, `blocks` or both.

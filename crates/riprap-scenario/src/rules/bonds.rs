@@ -5,11 +5,11 @@ use riprap_keys::Words;
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
 use crate::language::{
-    Block, BrittleBond, CutAnchor, Cutting, Load, Mechanics, Phase, Scenario, Support, Target,
+    Block, BrittleBond, Cutting, Load, Mechanics, Phase, Scenario, Support, Target,
 };
 use crate::quantity::{Quantity, Span};
 use riprap_core::dynamics::relaxation::PhaseKind;
-use riprap_core::laws::parameters::BondFailure;
+use riprap_core::laws::parameters::{BondFailure, CutAnchor};
 
 /// Most parts that a block may be cut into.
 const MOST_PARTS: u64 = 4096;

@@ -1,8 +1,10 @@
 //! Rules of `[space.spatial]`, boundaries and in-situ stress.
 
+use riprap_core::laws::parameters::Kinematics;
+
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
-use crate::language::{Boundary, InSitu, Kinematics, Scenario, Space};
+use crate::language::{Boundary, InSitu, Scenario, Space};
 use crate::quantity::{Plain, Quantity, Span};
 use crate::vectors::unit;
 use crate::words::WordOr;

@@ -1,8 +1,10 @@
 //! Rules of interfaces.
 
+use riprap_core::laws::parameters::{FrictionLaw, NormalLaw};
+
 use super::Rules;
 use crate::diagnostic::Diagnostic;
-use crate::language::{FrictionLaw, Interface, NormalLaw, Scenario};
+use crate::language::{Interface, Scenario};
 use crate::quantity::{Name, Span};
 use crate::vectors::InSpace;
 

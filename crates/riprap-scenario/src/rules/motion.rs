@@ -1,10 +1,10 @@
 //! Rules of supports, loads and phases.
 
+use riprap_core::laws::parameters::FrictionLaw;
+
 use super::{Rules, target_span};
 use crate::diagnostic::Diagnostic;
-use crate::language::{
-    EdgeLoad, FrictionLaw, Load, Motion, MotionComponents, Phase, Support, Target,
-};
+use crate::language::{EdgeLoad, Load, Motion, MotionComponents, Phase, Support, Target};
 use crate::quantity::{Kind, Quantity, Span};
 use crate::time_function::TimeFunction;
 use crate::values::short;

@@ -6,7 +6,7 @@ use riprap_geom::Vec3;
 
 use super::error::BuildError;
 use crate::overlap::Overlap;
-use crate::setup::{Points, Setup, Stiffness};
+use crate::setup::{Points, Setup, Stiffness, StiffnessRule};
 use crate::world::{PatchClass, World};
 
 /// Lengths are rounded to this share of the shortest half edge, so that equal patches are equal bits.
@@ -143,11 +143,13 @@ pub(crate) fn stiffness(
     let shear = |k: usize| sides[k].0.shear_modulus().map(|g| 2.0 * g);
     let stiffness = match setup.interfaces[row as usize].joint.stiffness {
         Stiffness::Given { normal, shear } => [normal, shear],
-        Stiffness::Material => [
+        Stiffness::Rule(StiffnessRule::Material) => [
             series(&|k| sides[k].0.constrained_modulus())?,
             series(&shear)?,
         ],
-        Stiffness::MaterialUniaxial => [series(&|k| sides[k].0.young)?, series(&shear)?],
+        Stiffness::Rule(StiffnessRule::Uniaxial) => {
+            [series(&|k| sides[k].0.young)?, series(&shear)?]
+        }
     };
     let mut travel = 0.0;
     for (material, depth) in sides {

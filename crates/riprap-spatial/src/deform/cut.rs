@@ -32,7 +32,7 @@ use crate::edit::error::EditError;
 use crate::laws::fracture::Way;
 use crate::read::view::View;
 use crate::refine::RefineError;
-pub use crate::setup::deform::{Anchoring as Anchor, CutRules as Rules};
+pub use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
 pub use crate::state::cutting::{Cutting, Effort};
 pub use crate::state::event::Note;
 use crate::state::event::{EditEvent, EditKind};

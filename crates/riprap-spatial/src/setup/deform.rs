@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::dynamics::{Formula, TimeFunction};
 pub use crate::laws::bond::{Cohesive, Softening, Strength};
 use crate::laws::fracture::{Criterion, Margins};
-pub use crate::laws::parameters::BondFailure;
+pub use crate::laws::parameters::{BondFailure, CutAnchor};
 pub use crate::laws::tetrahedron::Strain;
 
 /// Deformable blocks, their bonds and what holds single nodes.
@@ -84,7 +84,9 @@ pub struct CutRules {
     /// Edge of the cube that has the volume of the smallest part, m; 0 for none.
     pub smallest: f64,
     /// Where the planes lie.
-    pub anchor: Anchoring,
+    pub anchor: CutAnchor,
+    /// With planes through tips: whether only facets between parts of one block break.
+    pub only_cut: bool,
     /// Unit vector in all planes of cuts, for plane strain: principal stresses are those across it.
     pub along: Option<Vec3>,
     /// Vertices nearer than this share of the spacing to a plane are on it.
@@ -93,16 +95,4 @@ pub struct CutRules {
     pub stages: u64,
     /// In dynamic phases: blocks whose parts would need a time step below this share of that of the block are not cut.
     pub step_floor: f64,
-}
-
-/// Where the planes of a cut lie.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Anchoring {
-    /// At equal distances.
-    Spacing,
-    /// One goes through the tip of a crack; only blocks at a tip are cut, and only facets at a tip break.
-    Tip {
-        /// Whether only facets between parts of one block break.
-        only_cut: bool,
-    },
 }

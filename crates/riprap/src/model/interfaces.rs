@@ -1,12 +1,13 @@
 //! Laws of contact per pair of materials.
 
 use riprap_geom::polygon;
+use riprap_keys::Words;
 
 use super::builder::Builder;
 use super::explain::{Provenance, with_unit};
 use super::solid::reduce_joint;
-use crate::planar::setup::{self, BondLaw, ContactLaw, Motion, Reflex};
-use crate::scenario::language::{self, Bond, FrictionLaw, InterfaceChange, NormalLaw};
+use crate::planar::setup::{self, BondLaw, ContactLaw, FrictionLaw, Motion};
+use crate::scenario::language::{self, Bond, InterfaceChange};
 use crate::scenario::{Diagnostic, Quantity, Table};
 
 impl Builder<'_> {
@@ -94,18 +95,13 @@ impl Builder<'_> {
         size: f64,
     ) -> Option<ContactLaw> {
         let key = |word: &str| format!("interfaces.{name}.{word}");
-        let law = interface.law.unwrap_or(NormalLaw::DistancePotential);
-        let reflex = interface.reflex.unwrap_or(Reflex::Min);
+        let normal = interface.law.unwrap_or_default();
         let from = if interface.law.is_some() {
             Provenance::Given
         } else {
             Provenance::Default
         };
-        let word = match law {
-            NormalLaw::DistancePotential => "distance_potential",
-            NormalLaw::PenetrationPotential => "penetration_potential",
-        };
-        self.explain(key("law"), word, from, "");
+        self.explain(key("law"), normal.word(), from, "");
         let normal_stiffness = match &interface.normal_stiffness {
             Some(given) => {
                 self.explain(
@@ -165,33 +161,22 @@ impl Builder<'_> {
         } else {
             Provenance::Default
         };
-        let friction_law = match interface.friction_law.unwrap_or(FrictionLaw::ShearSpring) {
-            FrictionLaw::ShearSpring => {
-                self.explain(key("friction_law"), "shear_spring", from, "");
-                setup::FrictionLaw::ShearSpring
-            }
-            FrictionLaw::RateSign => {
-                self.explain(key("friction_law"), "rate_sign", from, "");
-                setup::FrictionLaw::RateSign
-            }
-            FrictionLaw::Clipped => {
-                self.explain(key("friction_law"), "clipped", from, "");
-                let speed = self.or(
-                    &key("clip_speed"),
-                    interface.clip_speed.as_ref(),
-                    1e-3,
-                    "m/s",
-                );
-                setup::FrictionLaw::Clip { speed }
-            }
-        };
+        let friction_law = interface.friction_law.unwrap_or_default();
+        self.explain(key("friction_law"), friction_law.word(), from, "");
+        let clip_speed = interface.clip_speed.as_ref().map_or(0.0, Quantity::si);
+        if let (FrictionLaw::Clipped, Some(speed)) = (friction_law, &interface.clip_speed) {
+            let raw = speed.raw.to_string();
+            self.explain(key("clip_speed"), raw, Provenance::Given, "");
+        }
         Some(ContactLaw {
-            normal: normal_law(law, reflex),
+            normal,
+            reflex: interface.reflex.unwrap_or_default(),
             normal_stiffness,
             shear_stiffness,
             friction,
             cohesion: self.or(&key("cohesion"), interface.cohesion.as_ref(), 0.0, "Pa"),
             friction_law,
+            clip_speed,
             damping_ratio: self.or(
                 &key("damping_ratio"),
                 interface.damping_ratio.as_ref(),
@@ -360,58 +345,25 @@ impl Builder<'_> {
     }
 }
 
-fn normal_law(law: NormalLaw, reflex: Reflex) -> setup::NormalLaw {
-    match law {
-        NormalLaw::DistancePotential => setup::NormalLaw::DistancePotential,
-        NormalLaw::PenetrationPotential => setup::NormalLaw::PenetrationPotential { reflex },
-    }
-}
-
 /// A law after the changes of a phase; keys that are not given stay.
 pub(super) fn changed(law: &ContactLaw, change: &InterfaceChange) -> ContactLaw {
     fn si<K: crate::scenario::quantity::Kind>(q: Option<&Quantity<K>>, old: f64) -> f64 {
         q.map_or(old, Quantity::si)
     }
-    let old_reflex = match law.normal {
-        setup::NormalLaw::PenetrationPotential { reflex } => Some(reflex),
-        setup::NormalLaw::DistancePotential => None,
-    };
-    let normal = match (change.law, change.reflex, old_reflex) {
-        (Some(NormalLaw::DistancePotential), _, _) => setup::NormalLaw::DistancePotential,
-        (Some(NormalLaw::PenetrationPotential), None, Some(_)) => law.normal,
-        (Some(NormalLaw::PenetrationPotential), reflex, _) | (None, reflex @ Some(_), Some(_)) => {
-            normal_law(
-                NormalLaw::PenetrationPotential,
-                reflex.unwrap_or(Reflex::Min),
-            )
-        }
-        (None, Some(_), None) | (None, None, _) => law.normal,
-    };
-    let old_speed = match law.friction_law {
-        setup::FrictionLaw::Clip { speed } => speed,
-        setup::FrictionLaw::ShearSpring | setup::FrictionLaw::RateSign => 1e-3,
-    };
-    let clip = setup::FrictionLaw::Clip {
-        speed: si(change.clip_speed.as_ref(), old_speed),
-    };
-    let friction_law = match (change.friction_law, law.friction_law) {
-        (Some(FrictionLaw::ShearSpring), _) => setup::FrictionLaw::ShearSpring,
-        (Some(FrictionLaw::RateSign), _) => setup::FrictionLaw::RateSign,
-        (Some(FrictionLaw::Clipped), _) | (None, setup::FrictionLaw::Clip { .. }) => clip,
-        (None, same @ (setup::FrictionLaw::ShearSpring | setup::FrictionLaw::RateSign)) => same,
-    };
     let friction = match (&change.friction_angle, &change.friction_coefficient) {
         (Some(angle), _) => libm::tan(angle.si()),
         (None, Some(coefficient)) => coefficient.si(),
         (None, None) => law.friction,
     };
     ContactLaw {
-        normal,
+        normal: change.law.unwrap_or(law.normal),
+        reflex: change.reflex.unwrap_or(law.reflex),
         normal_stiffness: si(change.normal_stiffness.as_ref(), law.normal_stiffness),
         shear_stiffness: si(change.shear_stiffness.as_ref(), law.shear_stiffness),
         friction,
         cohesion: si(change.cohesion.as_ref(), law.cohesion),
-        friction_law,
+        friction_law: change.friction_law.unwrap_or(law.friction_law),
+        clip_speed: si(change.clip_speed.as_ref(), law.clip_speed),
         damping_ratio: si(change.damping_ratio.as_ref(), law.damping_ratio),
     }
 }

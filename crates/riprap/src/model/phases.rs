@@ -5,18 +5,17 @@ use super::explain::{Provenance, with_unit};
 use super::fields::Said as Place;
 use super::interfaces::changed;
 use super::solid::changed_joint;
-use crate::laws::fracture::{Criterion, Margins};
+use crate::laws::fracture::Margins;
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{
     Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep,
     Until, Way,
 };
-use crate::scenario::language::{self, CutAnchor, CutAxis, Output, Reset};
+use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::JointLaw;
-use crate::spatial::setup::deform::Anchoring;
 use riprap_geom::Vec3;
 use riprap_keys::Words;
 
@@ -42,7 +41,7 @@ impl Builder<'_> {
 
     fn phase(&mut self, said: &language::Phase, laws: &mut Laws) -> Phase {
         let key = |word: &str| format!("phases.{}.{word}", said.name);
-        let kind = said.kind.unwrap_or(PhaseKind::Dynamic);
+        let kind = said.kind.unwrap_or_default();
         let from = if said.kind.is_some() {
             Provenance::Given
         } else {
@@ -210,16 +209,12 @@ impl Builder<'_> {
         };
         Cutting {
             planes: planes as u32,
-            criterion: said.criterion.unwrap_or(Criterion::Larger),
+            criterion: said.criterion.unwrap_or_default(),
             margins,
             generations: generations as u8,
             smallest: said.smallest.as_ref().map_or(0.0, Quantity::si),
-            anchor: match said.anchor {
-                Some(CutAnchor::Tip) => Anchoring::Tip {
-                    only_cut: said.only_cut,
-                },
-                Some(CutAnchor::Spacing) | None => Anchoring::Spacing,
-            },
+            anchor: said.anchor.unwrap_or_default(),
+            only_cut: said.only_cut,
             along: said.along.map(|axis| match axis {
                 CutAxis::X => Vec3::X,
                 CutAxis::Y => Vec3::Y,

@@ -89,7 +89,7 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw};
+    use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw, Reflex};
     use crate::planar::setup::{BlockSpec, Interface};
 
     fn square(name: &str, y: f64) -> BlockSpec {
@@ -113,11 +113,13 @@ mod tests {
     fn a_block_pressed_into_another_is_pushed_out() {
         let contact = ContactLaw {
             normal: NormalLaw::DistancePotential,
+            reflex: Reflex::Min,
             normal_stiffness: 1e9,
             shear_stiffness: 5e8,
             friction: 0.5,
             cohesion: 0.0,
             friction_law: FrictionLaw::ShearSpring,
+            clip_speed: 0.0,
             damping_ratio: 0.2,
         };
         let setup = Setup {

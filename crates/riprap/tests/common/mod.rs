@@ -12,19 +12,19 @@ use riprap::planar::step::{Damping, Scratch, advance, evaluate};
 use riprap::planar::world::{World, Wrench};
 
 pub const DISTANCE: NormalLaw = NormalLaw::DistancePotential;
-pub const SOURCE: NormalLaw = NormalLaw::PenetrationPotential {
-    reflex: Reflex::Min,
-};
+pub const SOURCE: NormalLaw = NormalLaw::PenetrationPotential;
 
 /// Frictionless, undamped.
 pub fn law(normal: NormalLaw, stiffness: f64) -> ContactLaw {
     ContactLaw {
         normal,
+        reflex: Reflex::Min,
         normal_stiffness: stiffness,
         shear_stiffness: stiffness,
         friction: 0.0,
         cohesion: 0.0,
         friction_law: FrictionLaw::ShearSpring,
+        clip_speed: 0.0,
         damping_ratio: 0.0,
     }
 }

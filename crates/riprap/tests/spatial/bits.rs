@@ -29,7 +29,8 @@ fn everything() -> Setup {
         block.spin = 5.0 * draws.vector();
     }
     setup.gravity = Vec3::new(0.0, 0.0, -9.81);
-    setup.kinematics = Kinematics::Automatic { bound: 0.0003 };
+    setup.kinematics = Kinematics::Automatic;
+    setup.rotation_bound = Some(0.0003);
     setup.refinements = vec![Refinement {
         around: Region::Ball(Vec3::splat(6.0), 3.0),
         levels: 2,

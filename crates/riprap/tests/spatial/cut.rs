@@ -168,6 +168,7 @@ fn rules(margin: f64) -> cut::Rules {
         generations: 1,
         smallest: 0.0,
         anchor: Anchor::Spacing,
+        only_cut: false,
         along: Some(Vec3::Z),
         snap: 0.03,
         stages: 1,

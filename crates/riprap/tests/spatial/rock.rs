@@ -5,7 +5,7 @@ use riprap::exec::Exec;
 use riprap::ledger::Balance;
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
-    Setup, Shape, Stiffness, Strength,
+    Setup, Shape, Stiffness, StiffnessRule, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::view::View;
@@ -16,7 +16,7 @@ pub const CP: f64 = 3000.0;
 
 pub fn elastic() -> JointLaw {
     JointLaw {
-        stiffness: Stiffness::Material,
+        stiffness: Stiffness::Rule(StiffnessRule::Material),
         strength: None,
         failure: Failure::Point,
         points: Points::Quarter,

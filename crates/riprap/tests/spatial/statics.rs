@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use riprap::Vec3;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, FaceSet, InSitu, JointLaw, Motion, Points, Refinement, Region,
-    Stiffness, Support,
+    Stiffness, StiffnessRule, Support,
 };
 
 use crate::rock::{Run, brick, elastic, lattice, rock};
@@ -189,7 +189,7 @@ fn half_blocks_act_in_series() {
         z += edge;
     }
     let law = JointLaw {
-        stiffness: Stiffness::MaterialUniaxial,
+        stiffness: Stiffness::Rule(StiffnessRule::Uniaxial),
         ..elastic()
     };
     let mut setup = rock(blocks, law);

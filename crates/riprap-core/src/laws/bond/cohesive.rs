@@ -19,9 +19,10 @@ use serde::{Deserialize, Serialize};
 use super::{Springs, State, Strength, Traction, from_rest, slider};
 
 /// Softening curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum Softening {
     /// A straight line.
+    #[default]
     Linear,
     /// Measured on concrete (Munjiza): steep first, with a long tail.
     Munjiza,

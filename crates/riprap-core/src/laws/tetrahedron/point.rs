@@ -41,11 +41,12 @@ impl Elastic {
 }
 
 /// Measure of strain of tetrahedra.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum Strain {
     /// Small strain and rotation (linear); a block that turns freely swells.
     ///
     /// The symmetric part of the displacement gradient.
+    #[default]
     Small,
     /// Green's strain with St. Venant-Kirchhoff's law: any rotation.
     #[word("total_lagrangian")]

@@ -12,7 +12,7 @@ use crate::deform::store::{Body, Deform};
 use crate::laws::fracture::{self, Rock};
 use crate::laws::tetrahedron::{Symmetric, row_sums};
 use crate::read::view::View;
-use crate::setup::deform::{Anchoring as Anchor, CutRules as Rules};
+use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
 use crate::setup::{Shape, Solid};
 use crate::state::event::Note;
 use crate::state::workspace::{BODIES, Kind, Workspace};
@@ -33,7 +33,7 @@ pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
     let world = view.world;
     let tips = match rules.anchor {
         Anchor::Spacing => None,
-        Anchor::Tip { .. } => Some(tip::Front::new(world, deform)),
+        Anchor::Tip => Some(tip::Front::new(world, deform)),
     };
     let planner = Planner {
         world,

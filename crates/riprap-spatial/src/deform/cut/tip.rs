@@ -8,7 +8,7 @@ use riprap_geom::polyhedron::Polyhedron;
 use crate::deform::shape::{centred, outline};
 use crate::deform::store::Deform;
 use crate::read::view::View;
-use crate::setup::deform::Anchoring as Anchor;
+use crate::setup::deform::CutAnchor as Anchor;
 use crate::world::World;
 
 /// Distance below which a point is on a face, over the edge of a cube of the mean volume: above what snapping moves a plane by.
@@ -263,9 +263,10 @@ fn covered(
 #[must_use]
 pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeMap<u32, Vec<usize>>> {
     let rules = deform.cutting?.rules;
-    let Anchor::Tip { only_cut } = rules.anchor else {
-        return None;
-    };
+    match rules.anchor {
+        Anchor::Spacing => return None,
+        Anchor::Tip => {}
+    }
     let front = Front::new(world, deform);
     let siblings = |[a, b]: [u32; 2]| root(world, deform, a) == root(world, deform, b);
     let mut chosen: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
@@ -285,7 +286,7 @@ pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeMap<u32, Vec<usi
         }
         chosen.insert(k as u32, tips);
     }
-    if only_cut {
+    if rules.only_cut {
         for (k, tips) in &mut chosen {
             let cut = siblings(deform.facets[*k as usize].blocks);
             tips.retain(|n| cut || !led[*n]);

@@ -5,9 +5,7 @@ use crate::model::builder::Builder;
 use crate::model::explain::Provenance;
 use crate::scenario::language::{self, Mechanics, Support, Target};
 use crate::scenario::{Diagnostic, Name, Quantity, target_span};
-use crate::spatial::setup::deform::{
-    BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Softening, Strain, Strength,
-};
+use crate::spatial::setup::deform::{BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Strength};
 use riprap_keys::Words;
 
 impl Builder<'_> {
@@ -16,7 +14,7 @@ impl Builder<'_> {
         let Some(Mechanics::Deformable(said)) = &block.mechanics else {
             return;
         };
-        let strain = said.strain.unwrap_or(Strain::Small);
+        let strain = said.strain.unwrap_or_default();
         let from = if said.strain.is_some() {
             Provenance::Given
         } else {
@@ -87,7 +85,7 @@ impl Builder<'_> {
         });
         let cohesive = said.cohesive.as_ref().zip(strength);
         let cohesive = cohesive.map(|(said, strength)| {
-            let softening = said.softening.unwrap_or(Softening::Linear);
+            let softening = said.softening.unwrap_or_default();
             let from = if said.softening.is_some() {
                 Provenance::Given
             } else {

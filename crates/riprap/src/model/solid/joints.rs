@@ -2,10 +2,10 @@
 
 use crate::model::builder::Builder;
 use crate::model::explain::{Provenance, with_unit};
-use crate::scenario::language::{self, InterfaceChange, StiffnessRule};
+use crate::scenario::language::{self, InterfaceChange};
 use crate::scenario::quantity::Kind;
 use crate::scenario::{Diagnostic, Quantity};
-use crate::spatial::setup::{Failure, Interface, JointLaw, Points, Stiffness, Strength};
+use crate::spatial::setup::{Interface, JointLaw, Stiffness, StiffnessRule, Strength};
 use riprap_keys::Words;
 
 /// Default of `damping_ratio`: the value with which the source's blasts were calibrated.
@@ -52,12 +52,12 @@ impl Builder<'_> {
         } else {
             Some(self.strength(name, said))
         };
-        let failure = said.failure.unwrap_or(Failure::Point);
+        let failure = said.failure.unwrap_or_default();
         if strength.is_some() {
             let given = from(said.failure.is_some());
             self.explain(key("failure"), failure.word(), given, "");
         }
-        let points = said.points.unwrap_or(Points::Gauss);
+        let points = said.points.unwrap_or_default();
         let given = from(said.points.is_some());
         self.explain(key("points"), points.word(), given, "");
         let dashpots = said.dashpots.unwrap_or_default();
@@ -101,20 +101,14 @@ impl Builder<'_> {
             };
             return Stiffness::Given { normal, shear };
         }
-        let (rule, word, why) = match said.stiffness {
-            Some(StiffnessRule::Uniaxial) => (
-                Stiffness::MaterialUniaxial,
-                "uniaxial",
-                "E/d and 2G/d, d the distance of the centroids",
-            ),
-            Some(StiffnessRule::Material) | None => (
-                Stiffness::Material,
-                "material",
-                "M/d and 2G/d, d the distance of the centroids",
-            ),
+        let rule = said.stiffness.unwrap_or_default();
+        let why = match rule {
+            StiffnessRule::Material => "M/d and 2G/d, d the distance of the centroids",
+            StiffnessRule::Uniaxial => "E/d and 2G/d, d the distance of the centroids",
         };
-        self.explain(key("stiffness"), word, from(said.stiffness.is_some()), why);
-        rule
+        let given = from(said.stiffness.is_some());
+        self.explain(key("stiffness"), rule.word(), given, why);
+        Stiffness::Rule(rule)
     }
 
     fn strength(&mut self, name: &str, said: &language::Interface) -> Strength {
@@ -228,7 +222,7 @@ pub(in crate::model) fn changed_joint(law: &JointLaw, change: &InterfaceChange) 
         (Some(normal), old) => {
             let ratio = match old {
                 Stiffness::Given { normal, shear } => shear / normal,
-                Stiffness::Material | Stiffness::MaterialUniaxial => 0.5,
+                Stiffness::Rule(_) => 0.5,
             };
             let normal = normal.si();
             let shear = si(change.shear_stiffness.as_ref(), ratio * normal);
@@ -238,7 +232,7 @@ pub(in crate::model) fn changed_joint(law: &JointLaw, change: &InterfaceChange) 
             normal,
             shear: si(change.shear_stiffness.as_ref(), shear),
         },
-        (None, rule @ (Stiffness::Material | Stiffness::MaterialUniaxial)) => rule,
+        (None, rule @ Stiffness::Rule(_)) => rule,
     };
     JointLaw {
         stiffness,

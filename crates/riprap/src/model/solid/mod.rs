@@ -26,15 +26,13 @@ mod supports;
 pub(super) use joints::{changed_joint, reduce_joint};
 
 use riprap_geom::Vec3;
+use riprap_keys::Words;
 
 use super::builder::Builder;
 use super::explain::{Provenance, with_unit};
-use crate::scenario::language::{Kinematics as Said, Point3, Spatial};
+use crate::scenario::language::{Point3, Spatial};
 use crate::scenario::{Diagnostic, Quantity};
-use crate::spatial::setup::{Group, Kinematics, Material};
-
-/// Default angle at which a block changes over to finite rotations, rad.
-const ROTATION_BOUND: f64 = 0.01;
+use crate::spatial::setup::{Group, Kinematics, Material, ROTATION_BOUND};
 
 /// A point in the coordinates of the file.
 fn global(point: &Point3) -> Vec3 {
@@ -90,23 +88,20 @@ impl Builder<'_> {
         self.spatial.gravity = gravity.into();
         let raw = space.gravity.raw();
         self.explain("space.spatial.gravity", raw, Provenance::Given, "");
-        let (word, from) = match space.kinematics {
-            Some(Said::Automatic) => ("automatic", Provenance::Given),
-            Some(Said::Small) => ("small", Provenance::Given),
-            Some(Said::Finite) => ("finite", Provenance::Given),
-            None => ("automatic", Provenance::Default),
+        let kinematics = space.kinematics.unwrap_or_default();
+        let from = if space.kinematics.is_some() {
+            Provenance::Given
+        } else {
+            Provenance::Default
         };
-        self.explain("space.spatial.kinematics", word, from, "");
-        self.spatial.kinematics = match space.kinematics {
-            Some(Said::Small) => Kinematics::Small,
-            Some(Said::Finite) => Kinematics::Finite,
-            Some(Said::Automatic) | None => {
-                let bound = space.rotation_bound.as_ref();
-                let key = "space.spatial.rotation_bound";
-                let bound = self.or(key, bound, ROTATION_BOUND, "rad");
-                Kinematics::Automatic { bound }
-            }
-        };
+        let key = "space.spatial.kinematics";
+        self.explain(key, kinematics.word(), from, "");
+        self.spatial.kinematics = kinematics;
+        if kinematics == Kinematics::Automatic {
+            let bound = space.rotation_bound.as_ref();
+            let key = "space.spatial.rotation_bound";
+            self.spatial.rotation_bound = Some(self.or(key, bound, ROTATION_BOUND, "rad"));
+        }
         if let Some(periods) = &space.periodic {
             self.spatial.periodic = [0, 1, 2].map(|k: usize| periods[k].read());
             let raw = periods.each_ref().map(|period| period.raw.to_string());

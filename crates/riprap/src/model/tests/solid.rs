@@ -4,7 +4,7 @@ use super::*;
 use crate::record::field::{FieldInfo, Shape as FieldShape, Site};
 use crate::spatial::setup::{
     BoundaryKind, Coupling, Criterion, Dashpots, FaceSet, Kinematics, Motion, Place, Points, Push,
-    Region, Setup, Shape, Stiffness,
+    Region, Setup, Shape, Stiffness, StiffnessRule,
 };
 use riprap_geom::Vec3;
 
@@ -73,7 +73,8 @@ fn brick(shape: &Shape) -> (Vec3, Vec3) {
 fn a_grid_in_numbers() {
     let (setup, model) = solid(GRID);
     assert_eq!(setup.gravity, Vec3::new(0.0, 0.0, -10.0));
-    assert_eq!(setup.kinematics, Kinematics::Automatic { bound: 0.01 });
+    assert_eq!(setup.kinematics, Kinematics::Automatic);
+    assert_eq!(setup.rotation_bound(), 0.01);
     assert_eq!((setup.blocks.len(), setup.names.len()), (64, 1));
     // x runs fastest; names count from 1.
     let second = &setup.blocks[1];
@@ -86,7 +87,7 @@ fn a_grid_in_numbers() {
     let joint = setup.interfaces[0].joint;
     assert_eq!(
         (joint.stiffness, joint.points),
-        (Stiffness::Material, Points::Gauss)
+        (Stiffness::Rule(StiffnessRule::Material), Points::Gauss)
     );
     assert_eq!(joint.damping, 0.1);
     let strength = joint.strength.unwrap();

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::Vec2;
-use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw};
+use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw, Reflex};
 use crate::planar::setup::{self, BlockSpec, Interface, Motion, Support};
 use crate::run::checks::{Expected, Status, Window};
 use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
@@ -21,11 +21,13 @@ fn falling() -> Job {
     };
     let contact = ContactLaw {
         normal: NormalLaw::DistancePotential,
+        reflex: Reflex::Min,
         normal_stiffness: 1e8,
         shear_stiffness: 5e7,
         friction: 0.5,
         cohesion: 0.0,
         friction_law: FrictionLaw::ShearSpring,
+        clip_speed: 0.0,
         damping_ratio: 0.2,
     };
     let setup = setup::Setup {

@@ -28,7 +28,7 @@ impl Simulation {
     /// ```
     /// use riprap::Vec2;
     /// use riprap::exec::Exec;
-    /// use riprap::planar::setup::{BlockSpec, ContactLaw, FrictionLaw, Interface, NormalLaw, Setup};
+    /// use riprap::planar::setup::{BlockSpec, ContactLaw, FrictionLaw, Interface, NormalLaw, Reflex, Setup};
     /// use riprap::run::plan::{Plan, Phase, TimeStep};
     /// use riprap::run::simulation::{Reached, Simulation};
     ///
@@ -43,11 +43,13 @@ impl Simulation {
     /// };
     /// let contact = ContactLaw {
     ///     normal: NormalLaw::DistancePotential,
+    ///     reflex: Reflex::Min,
     ///     normal_stiffness: 1e9,
     ///     shear_stiffness: 1e9,
     ///     friction: 0.6,
     ///     cohesion: 0.0,
     ///     friction_law: FrictionLaw::ShearSpring,
+    ///     clip_speed: 0.0,
     ///     damping_ratio: 0.1,
     /// };
     /// let setup = Setup {
