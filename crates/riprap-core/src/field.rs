@@ -135,7 +135,7 @@ impl Part {
             Part::Y => part(1),
             Part::Z => part(2),
             Part::Magnitude => Some(match *v {
-                [x, y] => x.hypot(y),
+                [x, y] => (x * x + y * y).sqrt(),
                 _ => v.iter().map(|x| x * x).sum::<f64>().sqrt(),
             }),
         }

@@ -1,11 +1,14 @@
 //! What every engine of riprap stands on.
 //!
 //! - [`exec`]: the one place that names the thread pool; [`lanes`]: eight numbers at a time;
-//! - [`ledger`]: energy; [`profile`]: stage timers;
+//! - [`ledger`]: energy; [`profile`]: stage timers; [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
 //!
 //! This crate knows no engine, no file and no scenario.
+
+// Tests may compare with the functions of the platform.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
 
 pub mod dynamics;
 pub mod exec;
@@ -15,6 +18,7 @@ pub mod lanes;
 pub mod laws;
 pub mod ledger;
 pub mod profile;
+pub mod state_hash;
 
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};

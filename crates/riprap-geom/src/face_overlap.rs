@@ -117,7 +117,9 @@ impl Sums {
         let [xx, yy, xy] = self.second;
         let radius = |moment: f64| (moment.max(0.0) / self.area).sqrt();
         // Below this share the axes are round-off.
-        if (0.5 * (xx - yy)).hypot(xy) <= 1e-9 * (xx + yy) || xy.abs() <= 1e-12 * (xx + yy) {
+        if Vec2::new(0.5 * (xx - yy), xy).length() <= 1e-9 * (xx + yy)
+            || xy.abs() <= 1e-12 * (xx + yy)
+        {
             return (Vec2::X, [radius(xx), radius(yy)]);
         }
         let angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);

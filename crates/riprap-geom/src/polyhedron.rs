@@ -327,7 +327,7 @@ impl Polyhedron {
     fn check_shape(&self) -> Result<(), SolidError> {
         let size = self.size();
         let volume = self.moments().volume;
-        if volume.abs() < ZERO_VOLUME * size.powi(3) {
+        if volume.abs() < ZERO_VOLUME * (size * size * size) {
             return Err(SolidError::ZeroVolume { volume });
         }
         let tolerance = FLAT * size;

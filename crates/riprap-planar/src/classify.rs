@@ -141,7 +141,7 @@ pub fn classify(i: &[Turned], j: &[Turned], shift: Vec2, d0: f64) -> Vec<Classif
 /// Mean gap between two nearly antiparallel edges over their common length, m.
 fn parallel_gap(own: &Turned, other: &Turned, shift: Vec2) -> Option<f64> {
     let facing = -own.normal.dot(other.normal);
-    if facing < PARALLEL.cos() {
+    if facing < libm::cos(PARALLEL) {
         return None;
     }
     let along = other.normal.perp();

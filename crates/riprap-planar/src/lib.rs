@@ -1,5 +1,8 @@
 //! The 2D engine: rigid polygons with mutual-potential contact.
 
+// Tests may compare with the functions of the platform.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
+
 pub mod bond;
 pub mod classify;
 pub mod contact;
@@ -8,6 +11,7 @@ pub mod energy;
 pub mod fields;
 mod fragments;
 pub mod handover;
+mod hash;
 mod heap;
 pub mod loads;
 mod parting;

@@ -31,7 +31,7 @@ impl Feature {
     fn at(self, s: f64) -> f64 {
         match self {
             Self::Line { a, b } => a + b * s,
-            Self::Corner { c, d, h } => (c * s - d).hypot(h),
+            Self::Corner { c, d, h } => Vec2::new(c * s - d, h).length(),
         }
     }
 

@@ -220,7 +220,9 @@ impl Reading {
             (Shape::Scalar | Shape::Vector3, _, _) | (_, Part::Z, _) => x,
             (Shape::Vector, Part::X, _) => x,
             (Shape::Vector, Part::Y, _) => y,
-            (Shape::Vector, Part::Magnitude, _) | (Shape::Vector, Part::Whole, None) => x.hypot(y),
+            (Shape::Vector, Part::Magnitude, _) | (Shape::Vector, Part::Whole, None) => {
+                (x * x + y * y).sqrt()
+            }
             (Shape::Vector, Part::Whole, Some([cx, cy])) => x * cx + y * cy,
         }
     }

@@ -223,7 +223,7 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
     if !smallest.is_finite() || smallest <= 0.0 {
         return Vec::new();
     }
-    let level_of = |b: usize| (size(b) / smallest).log2().ceil().max(0.0) as usize;
+    let level_of = |b: usize| libm::log2(size(b) / smallest).ceil().max(0.0) as usize;
     let levels = living.iter().map(|&b| level_of(b)).max().unwrap_or(0) + 1;
     // Entry: cell row, cell column, block; sorted, so that a row of cells is one range.
     let mut grids: Vec<Vec<(i64, i64, u32)>> = vec![Vec::new(); levels];

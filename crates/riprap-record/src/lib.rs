@@ -15,6 +15,9 @@
 //! Invariant: whatever moment the process dies, each file is either the last complete version (written
 //! aside, synced and renamed) or an append-only file of which all but the last line is complete.
 
+// Tests may compare with the functions of the platform.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
+
 pub mod checkpoint;
 pub mod folder;
 pub mod manifest;

@@ -12,6 +12,9 @@
 //! validation, `riprap explain KEY` and the reference page. Values keep their place in the file.
 //! Geometry, mechanics and files that a scenario names are the business of `model`.
 
+// Tests may compare with the functions of the platform.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
+
 pub mod csv_columns;
 pub mod diagnostic;
 pub mod foreign;

@@ -1,16 +1,25 @@
-//! Forces of patches, tile by tile: the first pass of the gathering.
+//! Forces of patches, piece by piece: the first pass of the gathering.
+//!
+//! Which kernel finds the forces of a patch, and every operation in it, depends on the patch alone (its class, its memory
+//! and the motion of its blocks), never on the patches beside it in the packet:
+//!
+//! - no memory, normal to an axis, and certainly elastic: [`wide::springs`], all four points at once;
+//! - else, normal to an axis, small rotations, and a law that [`wide::points`] knows: that, point by point;
+//! - else: [`single`], for any state.
+//!
+//! A packet runs each kernel for eight patches and each lane takes from it what is its own.
 
 use riprap_geom::Vec3;
 
-use super::lanes::Width;
+use super::lanes::{Lanes, Width};
 use super::patch::{self, Poses, Resultant, State};
 use super::setup::Interface;
+use super::state::scratch::Lost;
 use super::sums::Part;
-use super::tiles::{Packet, Tile, Tiles};
-use super::wide::{self, Targets, Wide};
+use super::tiles::{GROUP, Packet, Tile, Tiles};
+use super::wide::{self, Class, Places, Response, Shares, Targets, Wide};
 use super::world::{PatchClass, flag};
 use crate::exec::Divide;
-use crate::ledger::Works;
 
 /// What all tiles read.
 #[derive(Clone, Copy)]
@@ -106,10 +115,10 @@ pub struct First<'a> {
     pub memory: Memory<'a>,
     /// Sums of the blocks: elastic, then dashpots (empty without damping).
     pub net: [Part<'a>; 2],
-    /// Parts for blocks of other tiles, likewise.
+    /// Parts of the patches with slots for their blocks j, likewise.
     pub slots: [Part<'a>; 2],
-    /// Works of each tile.
-    pub works: &'a mut [Works],
+    /// Losses of each group.
+    pub lost: &'a mut [Lost],
 }
 
 impl Divide for First<'_> {
@@ -121,21 +130,21 @@ impl Divide for First<'_> {
         let memory = self.memory.split(patches);
         let [n0, n1] = self.net.map(|part| part.split(blocks));
         let [s0, s1] = self.slots.map(|part| part.split(slots));
-        let works = self.works.split_at_mut(middle);
+        let lost = self.lost.split_at_mut(blocks / GROUP);
         (
             Self {
                 tiles: a,
                 memory: memory.0,
                 net: [n0.0, n1.0],
                 slots: [s0.0, s1.0],
-                works: works.0,
+                lost: lost.0,
             },
             Self {
                 tiles: b,
                 memory: memory.1,
                 net: [n0.1, n1.1],
                 slots: [s0.1, s1.1],
-                works: works.1,
+                lost: lost.1,
             },
         )
     }
@@ -155,54 +164,101 @@ fn packets(shared: &Shared, mut work: First) {
     for part in &mut work.net {
         part.clear();
     }
-    let works = &mut work.works[0];
-    *works = Works::default();
-    for (k, packet) in shared.tiles.packets[tile.packets.clone()]
-        .iter()
-        .enumerate()
-    {
-        let first = packet.first as usize - tile.patches.start;
-        let crosses = tile.packets.start + k >= tile.crossing_packet;
-        let slot = crosses.then(|| packet.first as usize - tile.crossing);
-        let all = u8::MAX >> (8 - packet.count);
-        // Patches with a history or with finite rotations, and those of any direction, one by one.
-        let mut one_by_one = 0;
-        for (lane, flags) in work.memory.flags[first..first + usize::from(packet.count)]
-            .iter()
-            .enumerate()
-        {
-            one_by_one |= u8::from(*flags != 0) << lane;
-        }
+    work.lost.fill(Lost::default());
+    for packet in &shared.tiles.packets[tile.packets.clone()] {
+        let at = packet.first as usize - tile.patches.start;
         let mut to = Targets {
             net: &mut work.net,
             slots: &mut work.slots,
             base: tile.blocks.start,
-            slot,
+            slot: packet.slot().map(|s| s - tile.slots.start),
         };
-        if packet.axis == 3 {
-            one_by_one = all;
+        let places = Places::of(shared, packet);
+        let class = Class::load(shared, packet);
+        let flags = &work.memory.flags[at..at + usize::from(packet.count)];
+        let mut rest = with_memory(packet, flags);
+        let mut response = Response::default();
+        if rest != packet.all() {
+            rest |= wide::springs(shared, packet, &places, &class, &mut response);
+            rest &= packet.all();
         }
-        if one_by_one == all {
-            to.clear_slots(usize::from(packet.count));
+        if rest == 0 {
+            for (kind, force) in response.kinds(shared.damped).iter().enumerate() {
+                let shares = Shares::new(&class, force);
+                to.add(kind, packet, &places, &shares);
+            }
         } else {
-            one_by_one = wide::packet(shared, shared.wide, packet, one_by_one, &mut to);
+            let block = shared.ends[packet.first as usize][0] as usize;
+            let lost = &mut work.lost[tile.group(block)];
+            let memory = &mut work.memory;
+            mixed(
+                shared,
+                packet,
+                (&places, &class),
+                (rest, response),
+                (memory, at),
+                lost,
+                &mut to,
+            );
         }
-        if packet.axis < 3 && shared.elapsed.is_some() {
-            let chosen = one_by_one & plain(shared, packet, &work.memory.flags[first..]);
-            if chosen.count_ones() > 1 {
-                let memory = &mut work.memory;
-                wide::points(shared, packet, chosen, memory, first, works, &mut to);
-                one_by_one &= !chosen;
+    }
+}
+
+/// Bits of the patches of a packet that remember something or are not normal to an axis.
+#[inline(always)]
+fn with_memory(packet: &Packet, flags: &[u16]) -> u8 {
+    if packet.axis == 3 {
+        return packet.all();
+    }
+    let mut bits = 0;
+    for (lane, flags) in flags.iter().enumerate() {
+        bits |= u8::from(*flags != 0) << lane;
+    }
+    bits
+}
+
+/// A packet of which the patches `rest` are not certainly elastic; `response` has the forces of the others.
+#[inline(always)]
+fn mixed(
+    shared: &Shared,
+    packet: &Packet,
+    (places, class): (&Places, &Class),
+    (mut rest, mut response): (u8, Response),
+    (memory, at): (&mut Memory, usize),
+    lost: &mut Lost,
+    to: &mut Targets,
+) {
+    let mut gone = [Lanes::default(); 2];
+    if packet.axis < 3 && shared.elapsed.is_some() {
+        let chosen = rest & plain(shared, packet, &memory.flags[at..]);
+        if chosen != 0 {
+            let memory = (&mut *memory, at);
+            let (answer, loss) = wide::points(shared, packet, chosen, memory, (places, class));
+            response.take(chosen, &answer);
+            gone = loss;
+            rest &= !chosen;
+        }
+    }
+    let mut shares = response.0.map(|force| Shares::new(class, &force));
+    for lane in 0..usize::from(packet.count) {
+        if rest & (1 << lane) != 0 {
+            let state = memory.state(at + lane);
+            let alone = single(shared, packet.first as usize + lane, state);
+            for (shares, resultant) in shares.iter_mut().zip(&alone.resultants) {
+                shares.set(lane, resultant);
             }
+            gone[0].0[lane] = alone.lost.friction;
+            gone[1].0[lane] = alone.lost.fracture;
         }
-        for lane in 0..usize::from(packet.count) {
-            if one_by_one & (1 << lane) == 0 {
-                continue;
-            }
-            let p = packet.first as usize + lane;
-            let state = work.memory.state(first + lane);
-            single(shared, p, state, works, &mut to, lane);
-        }
+    }
+    let kinds = if shared.damped { 2 } else { 1 };
+    for (kind, shares) in shares.iter().take(kinds).enumerate() {
+        to.add(kind, packet, places, shares);
+    }
+    // One after the other: how a group is cut into packets does not matter then.
+    for lane in 0..usize::from(packet.count) {
+        lost.friction += gone[0].0[lane];
+        lost.fracture += gone[1].0[lane];
     }
 }
 
@@ -217,46 +273,33 @@ fn plain(shared: &Shared, packet: &Packet, flags: &[u16]) -> u8 {
     bits
 }
 
-/// Patch `p`, number `lane` of its packet, by itself.
-#[inline(never)]
-fn single(
-    shared: &Shared,
-    p: usize,
-    state: State,
-    works: &mut Works,
-    to: &mut Targets,
-    lane: usize,
-) {
-    let (elastic, dashpot) = one(shared, p, state, works);
-    let [i, j] = shared.ends[p].map(|b| (b as usize).wrapping_sub(to.base));
-    for (kind, r) in [Some(elastic), dashpot].into_iter().flatten().enumerate() {
-        to.net[kind].add(i, r.force, r.moments[0]);
-        match to.slot {
-            Some(slot) => to.slots[kind].add(slot + lane, -r.force, r.moments[1]),
-            None => to.net[kind].add(j, -r.force, r.moments[1]),
-        }
-    }
+/// What one patch does by itself.
+struct Alone {
+    /// Of its springs and of its dashpots.
+    resultants: [Resultant; 2],
+    lost: Lost,
 }
 
-/// Elastic resultant and, with damping, that of the dashpots of patch `p`.
-fn one(
-    shared: &Shared,
-    p: usize,
-    mut state: State,
-    works: &mut Works,
-) -> (Resultant, Option<Resultant>) {
+/// Patch `p` in any state.
+#[inline(never)]
+fn single(shared: &Shared, p: usize, mut state: State) -> Alone {
     let class = &shared.classes[shared.class[p] as usize];
     let joint = patch::joint(shared.interfaces, class);
     let finite = *state.flags & flag::FINITE != 0;
     let points = shared.poses.points(class, shared.ends[p], finite);
     let start = patch::start(class, shared.prestress.get(p));
     let (t, loss) = patch::respond(joint, class, &points, &start, shared.elapsed, &mut state);
-    works.friction += class.area * loss.friction;
-    works.fracture += class.area * loss.fracture;
-    let beta = class.beta + shared.stiffness_damping;
-    let dashpot = shared.damped.then(|| {
+    let mut resultants = [points.resultant(class, &t), Resultant::default()];
+    if shared.damped {
+        let beta = class.beta + shared.stiffness_damping;
         let t = patch::dashpots(joint, class, &points, beta, *state.flags);
-        points.resultant(class, &t)
-    });
-    (points.resultant(class, &t), dashpot)
+        resultants[1] = points.resultant(class, &t);
+    }
+    Alone {
+        resultants,
+        lost: Lost {
+            friction: class.area * loss.friction,
+            fracture: class.area * loss.fracture,
+        },
+    }
 }

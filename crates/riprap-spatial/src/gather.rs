@@ -1,4 +1,18 @@
 //! Second pass of the gathering: slots, faces, loads, gravity; works of the kick.
+//!
+//! The first pass has left in the sums of each block the patches that its own piece could add, in the order that
+//! [`super::tiles`] draws. This pass goes on with the slots, in the same order, and then with what acts on a block from
+//! outside:
+//!
+//! ```text
+//!    sum of b  =  ((((patches of its group + of earlier groups in its piece)     first pass
+//!                    + slots: earlier groups in other pieces, nearest first
+//!                    + slots: later groups)                                      second pass
+//!                   + weight) + loads, faces with a condition, pushes)
+//! ```
+//!
+//! Works (what forces did in the half step before and will do in the half step after) are added up over the 64 blocks of a
+//! group, rows first and then single blocks, and over a fixed tree of the groups.
 
 use riprap_geom::Vec3;
 
@@ -8,11 +22,10 @@ use super::lanes::{LANES, Lanes, Width};
 use super::state::face::Face;
 use super::state::push::{Pushes, Wrench};
 use super::state::scratch::{NonFinite, Partial, Scratch};
-use super::sums::{Part, Sums};
-use super::tiles::{Row, Tile, Tiles};
+use super::sums::{self, Part, Sums};
+use super::tiles::{GROUP, Row, Tile, Tiles};
 use super::world::World;
 use crate::exec::Divide;
-use crate::ledger::Works;
 
 /// Piece of work of the second pass.
 struct Second<'a> {
@@ -28,7 +41,7 @@ impl Divide for Second<'_> {
         let blocks = b[0].blocks.start - a[0].blocks.start;
         let [n0, n1] = self.net.map(|part| part.split(blocks));
         let faces = self.faces.split_at_mut(b[0].faces.start - a[0].faces.start);
-        let partial = self.partial.split_at_mut(middle);
+        let partial = self.partial.split_at_mut(blocks / GROUP);
         (
             Self {
                 tiles: a,
@@ -71,13 +84,14 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         .exec
         .divided(work, count, |_, piece| gathering.tile(piece));
     world.faces = faces;
-    let (mut departure, mut bad) = (Works::default(), None);
-    for partial in &scratch.partial {
-        world.works.add(&partial.arrival);
-        departure.add(&partial.departure);
-        bad = bad.or(partial.bad);
-    }
-    scratch.departure = departure;
+    let bad = scratch.partial.iter().find_map(|p| p.bad);
+    sums::tree(&mut scratch.partial, |sum, other| {
+        sum.arrival.add(&other.arrival);
+        sum.departure.add(&other.departure);
+    });
+    let all = scratch.partial.first().copied().unwrap_or_default();
+    world.works.add(&all.arrival);
+    scratch.departure = all.departure;
     bad.map_or(Ok(()), |block| Err(NonFinite { block }))
 }
 
@@ -96,7 +110,7 @@ struct Gathering<'a> {
 impl Gathering<'_> {
     fn tile(&self, mut work: Second) {
         let tile = &work.tiles[0];
-        let mut partial = Partial::default();
+        work.partial.fill(Partial::default());
         let base = tile.blocks.start;
         for (net, slots) in work.net.iter_mut().zip(self.slots) {
             if slots.is_empty() {
@@ -109,15 +123,16 @@ impl Gathering<'_> {
             }
         }
         for row in &self.tiles.rows[tile.rows.clone()] {
+            let partial = &mut work.partial[tile.group(row.blocks.start)];
             if self.plain {
                 let width = self.width;
                 width.run(
                     #[inline(always)]
-                    || self.row(row, base, &mut work.net, &mut partial),
+                    || self.row(row, base, &mut work.net, partial),
                 );
             } else {
                 for b in row.blocks.clone() {
-                    self.block(b, base, &mut [], &mut work.net, &mut partial);
+                    self.block(b, base, &mut [], &mut work.net, partial);
                 }
             }
         }
@@ -134,10 +149,10 @@ impl Gathering<'_> {
             }
             debug_assert!(first_face + end <= tile.faces.end);
             let faces = &mut work.faces[face..end];
-            self.block(b as usize, base, faces, &mut work.net, &mut partial);
+            let partial = &mut work.partial[tile.group(b as usize)];
+            self.block(b as usize, base, faces, &mut work.net, partial);
             face = end;
         }
-        work.partial[0] = partial;
     }
 
     /// Gravity and its works for a row of free blocks.

@@ -7,7 +7,7 @@ use super::patch;
 use super::setup::Kinematics;
 use super::state::scratch::{Partial, Scratch};
 use super::sums::Part;
-use super::tiles::{Row, Tile, Tiles};
+use super::tiles::{GROUP, Row, Tile, Tiles};
 use super::world::{Turned, World};
 use crate::exec::Divide;
 
@@ -30,7 +30,7 @@ impl Divide for Piece<'_> {
         let (pose, rate) = (self.pose.split(blocks), self.rate.split(blocks));
         let turned = self.turned.split_at_mut(blocks);
         let peak = self.peak.split_at_mut(blocks);
-        let partial = self.partial.split_at_mut(middle);
+        let partial = self.partial.split_at_mut(blocks / GROUP);
         (
             Self {
                 tiles: a,

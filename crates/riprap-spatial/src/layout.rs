@@ -1,11 +1,11 @@
 //! Lays out what a step works with: pieces of the model, constants of classes, room for sums.
 
 use super::state::push::Pushes;
-use super::state::scratch::{Partial, Scratch};
+use super::state::scratch::{Lost, Partial, Scratch};
 use super::state::sums::Sums;
 use super::state::workspace::{Kind, Workspace};
 use super::state::world::{PatchClass, World};
-use super::tiles::Tiles;
+use super::tiles::{Cut, Tiles};
 use super::wide::Wide;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
@@ -33,7 +33,8 @@ impl Scratch {
             strong: false,
             width: Width::detect(),
             departure: Works::default(),
-            works: Vec::new(),
+            cut: None,
+            lost: Vec::new(),
             partial: Vec::new(),
             turning: true,
         };
@@ -59,10 +60,17 @@ impl Scratch {
         }
     }
 
+    /// Cuts the work in the given way from now on; results stay the same bits.
+    pub fn set_cut(&mut self, world: &World, cut: Cut) {
+        self.cut = Some(cut);
+        self.rebuild(world, Vec::new());
+    }
+
     /// Lays everything out; `kinds` of deformable blocks, the first ones, are taken over.
     fn rebuild(&mut self, world: &World, kinds: Vec<Kind>) {
-        self.tiles = Tiles::new(world);
-        let (blocks, count) = (world.alive.len(), self.tiles.list.len());
+        let blocks = world.alive.len();
+        self.tiles = Tiles::new(world, self.cut.unwrap_or_else(|| Cut::of(blocks)));
+        let groups = self.tiles.groups();
         self.net = Sums::zeros(blocks);
         self.drag = Sums::default();
         self.pushes = Pushes::default();
@@ -72,8 +80,8 @@ impl Scratch {
         let classes = world.classes.iter();
         self.wide = classes.map(|c| Wide::new(c, joint(c))).collect();
         self.strong = world.classes.iter().any(|c| joint(c).strength.is_some());
-        self.works = vec![Works::default(); count];
-        self.partial = vec![Partial::default(); count];
+        self.lost = vec![Lost::default(); groups];
+        self.partial = vec![Partial::default(); groups];
         self.turning = true;
         let deform = world.deform.as_deref();
         self.deform =

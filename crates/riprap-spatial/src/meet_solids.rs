@@ -209,7 +209,8 @@ fn left(side: &Side, covered: &[face_overlap::Overlap], reference: &[Vec3]) -> O
     let outer = |v: Vec3| Mat3::from_cols(v.x * v, v.y * v, v.z * v);
     let second = |o: &face_overlap::Overlap| {
         let [_, b, c] = o.frame;
-        let own = o.gyration[0].powi(2) * outer(b) + o.gyration[1].powi(2) * outer(c);
+        let own =
+            o.gyration[0] * o.gyration[0] * outer(b) + o.gyration[1] * o.gyration[1] * outer(c);
         o.area * (own + outer(o.centroid - whole.centroid))
     };
     let (mut area, mut first, mut moments) = (whole.area, Vec3::ZERO, second(whole));

@@ -46,7 +46,8 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
     }
     let square = square + deform::stable::on_bonds(world, deform);
     // The largest eigenvalue of a sum is at most the sum of the largest ones.
-    let dt = 2.0 / (square + (2.0 / rigid.dt).powi(2)).sqrt();
+    let own = 2.0 / rigid.dt;
+    let dt = 2.0 / (square + own * own).sqrt();
     if 2.0 / square.sqrt() > rigid.dt {
         return Stable { dt, ..rigid };
     }

@@ -13,7 +13,9 @@ use super::integrate;
 use super::patch::{self, Poses};
 use super::push;
 use super::setup::Kinematics;
+use super::state::scratch::Lost;
 pub use super::state::scratch::{NonFinite, Scratch};
+use super::sums;
 use super::world::{Turned, World, flag};
 
 /// Damping of a phase besides that of the contacts.
@@ -127,14 +129,16 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         },
         net: [scratch.net.whole(), scratch.drag.whole()],
         slots: [slots.whole(), drag_slots.whole()],
-        works: &mut scratch.works,
+        lost: &mut scratch.lost,
     };
     let count = tiles.list.len();
     scratch
         .exec
         .divided(work, count, |_, piece| forces::tile(&shared, piece));
-    for works in &scratch.works {
-        world.works.add(works);
+    sums::tree(&mut scratch.lost, Lost::add);
+    if let Some(all) = scratch.lost.first() {
+        world.works.friction += all.friction;
+        world.works.fracture += all.fracture;
     }
 }
 

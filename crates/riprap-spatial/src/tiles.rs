@@ -1,40 +1,108 @@
-//! Fixed pieces of the model that threads work on.
+//! How the model is cut for threads, and the order in which each block's forces are added.
 //!
-//! A tile is a range of `TILE` blocks with the patches whose block i is among them: first those with j in the
-//! same tile too, added to the sums of the tile at once, then those that cross into another tile, whose
-//! part for j goes to a slot. A second pass adds the slots, in patch order. The cut does not depend on the
-//! number of threads, so sums are the same bits for any.
+//! **Groups** of [`GROUP`] consecutive blocks are part of the model: patches are stored by the group of their block i,
+//! then by axis, i and j, and partial sums of works run over a group and then over a fixed tree of groups
+//! ([`super::sums::tree`]). **Pieces** are whole groups in a row, so many that the threads have enough of them
+//! ([`Cut::of`]); they may be of any size and never enter a result.
+//!
+//! Forces on a block are added one patch after another, and floating-point sums depend on their order. It is given by
+//! the numbers of the blocks alone. With block `b` in group `g` (drawn for six groups in two pieces; `i` is the first
+//! block of a patch, and nearly always the smaller number):
+//!
+//! ```text
+//!            piece 0                  piece 1
+//!    [ 0 ]   [ 1 ]   [ 2 ] | [ 3 ]   [ 4 ]   [ 5 ]      groups of block i
+//!      5       4       3   |   2       1 (g)   6        their turn in the sum of b
+//!      slots: second pass  | first pass        slots
+//! ```
+//!
+//! 1. the patches whose i is in group `g`, by axis, then i, then j;
+//! 2. those whose i is in an earlier group, the nearest group first;
+//! 3. those whose i is in a later group (periodic models), the last group first.
+//!
+//! A piece works through its groups from the last to the first, so that it can add 1. and its share of 2. to the sums of
+//! its blocks at once. What comes from another piece, and all of 3., goes to a **slot**, and a second pass adds the slots
+//! in the order above. Wherever the pieces are cut, each block sees the same numbers in the same order; ranks or a device
+//! can follow the list too.
 
 use std::ops::Range;
 
 use super::lanes::LANES;
 use super::world::{PatchClass, Patches, World};
 
-/// Blocks per tile.
-pub const TILE: usize = 2048;
+/// Blocks in a group.
+pub const GROUP: usize = 64;
 
-/// Tile of a block.
+/// Most blocks in a piece: what a piece touches stays in the cache of a core.
+const LARGEST_PIECE: usize = 2048;
+
+/// Pieces that a model should have: several for each thread.
+const PIECES: usize = 64;
+
+/// Group of a block.
+#[inline]
 #[must_use]
-pub fn tile_of(block: u32) -> u32 {
-    block / TILE as u32
+pub fn group_of(block: u32) -> u32 {
+    block / GROUP as u32
 }
 
-/// Up to eight patches of one axis, or patches that are done one by one.
+/// How the work on a model is cut; results are the same bits for any.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cut {
+    /// Blocks per piece: a multiple of [`GROUP`].
+    pub piece: usize,
+    /// Most patches in a packet: 1 to [`LANES`].
+    pub packet: usize,
+}
+
+impl Cut {
+    /// The cut that suits a model of so many blocks.
+    #[must_use]
+    pub fn of(blocks: usize) -> Self {
+        let piece = blocks.div_ceil(PIECES).next_multiple_of(GROUP);
+        Self {
+            piece: piece.clamp(GROUP, LARGEST_PIECE),
+            packet: LANES,
+        }
+    }
+}
+
+/// Up to eight patches of one axis and one group.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Packet {
     /// First patch.
     pub first: u32,
+    /// Slot of the first patch where the parts for blocks j go to slots, or [`Packet::DIRECT`].
+    slot: u32,
     /// Number of patches.
     pub count: u8,
-    /// Axis of their normals; 3 for patches that are done one by one.
+    /// Axis of their normals; 3 for any other direction.
     pub axis: u8,
-    /// Whether it has eight patches, whose blocks i lie side by side in the lists and their blocks j too.
+    /// Whether blocks i lie side by side in the lists and blocks j too, and eight can be read from the first on.
     pub runs: bool,
     /// Whether all are of one class.
     pub one_class: bool,
 }
 
-/// Blocks in a row that are alike and free: same mass, no support, no load, no wall of a cavity, no face with a
+impl Packet {
+    const DIRECT: u32 = u32::MAX;
+
+    /// Bits of its patches.
+    #[inline(always)]
+    #[must_use]
+    pub fn all(&self) -> u8 {
+        u8::MAX >> (LANES - usize::from(self.count))
+    }
+
+    /// Slot of its first patch; `None` where the parts for blocks j are added at once.
+    #[inline(always)]
+    #[must_use]
+    pub fn slot(&self) -> Option<usize> {
+        (self.slot != Self::DIRECT).then_some(self.slot as usize)
+    }
+}
+
+/// Blocks in a row, of one group, that are alike and free: same mass, no support, no load, no wall of a cavity, no face with a
 /// condition, small rotations.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
@@ -47,26 +115,37 @@ pub struct Row {
 /// One piece.
 #[derive(Clone, Debug, Default)]
 pub struct Tile {
-    /// Its blocks.
+    /// Its blocks: whole groups, but for the last of the model.
     pub blocks: Range<usize>,
-    /// Its patches; those from `crossing` on end in another tile.
+    /// Its patches: those whose block i it has.
     pub patches: Range<usize>,
-    /// First patch that ends in another tile.
-    pub crossing: usize,
-    /// Slots of its crossing patches, in patch order.
+    /// Slots of those of its patches that have one.
     pub slots: Range<usize>,
     /// Entries of [`Tiles::incoming`] for its blocks.
     pub incoming: Range<usize>,
     /// Its faces.
     pub faces: Range<usize>,
-    /// Its packets; those from `crossing_packet` on end in another tile.
+    /// Its packets, from its last group to its first.
     pub packets: Range<usize>,
-    /// First packet that ends in another tile.
-    pub crossing_packet: usize,
     /// Entries of [`Tiles::rows`] with its blocks.
     pub rows: Range<usize>,
     /// Entries of [`Tiles::special`] with its blocks.
     pub special: Range<usize>,
+}
+
+impl Tile {
+    /// Number of its groups.
+    #[must_use]
+    pub fn groups(&self) -> usize {
+        self.blocks.len().div_ceil(GROUP)
+    }
+
+    /// Number within the piece of the group of one of its blocks.
+    #[inline(always)]
+    #[must_use]
+    pub fn group(&self, block: usize) -> usize {
+        (block - self.blocks.start) / GROUP
+    }
 }
 
 /// How the model is cut.
@@ -76,7 +155,7 @@ pub struct Tiles {
     pub list: Vec<Tile>,
     /// Number of slots.
     pub slots: usize,
-    /// Slot and block j of the crossing patches that end in a tile, by tile and then by slot.
+    /// Slot and block j of the patches that have slots, by the piece of j, in the order of the sums.
     pub incoming: Vec<[u32; 2]>,
     /// Packets of all tiles.
     pub packets: Vec<Packet>,
@@ -88,75 +167,108 @@ pub struct Tiles {
 
 impl Tiles {
     /// Cuts a world whose patches are sorted (see [`super::world::Patches::sort`]).
+    ///
+    /// # Panics
+    /// When the pieces are no whole groups, or the packets too large or empty.
     #[must_use]
-    pub fn new(world: &World) -> Self {
+    pub fn new(world: &World, cut: Cut) -> Self {
+        let piece = cut.piece;
+        assert!(piece > 0 && piece.is_multiple_of(GROUP) && (1..=LANES).contains(&cut.packet));
         let blocks = world.alive.len();
         let ends = &world.patches.ends;
-        let count = blocks.div_ceil(TILE);
         let mut tiles = Self::default();
-        let (mut patch, mut slot, mut face) = (0, 0, 0);
-        for t in 0..count {
-            let first = patch;
-            let of_tile = |p: usize| tile_of(ends[p][0]) as usize == t;
-            while patch < ends.len() && of_tile(patch) && tile_of(ends[patch][1]) as usize == t {
+        let (mut patch, mut face) = (0, 0);
+        for first in (0..blocks).step_by(piece) {
+            let end = (first + piece).min(blocks);
+            let (first_patch, first_face) = (patch, face);
+            while patch < ends.len() && (ends[patch][0] as usize) < end {
                 patch += 1;
             }
-            let crossing = patch;
-            while patch < ends.len() && of_tile(patch) {
-                patch += 1;
-            }
-            let first_face = face;
-            while face < world.faces.len() && tile_of(world.faces[face].block) as usize == t {
+            while face < world.faces.len() && (world.faces[face].block as usize) < end {
                 face += 1;
             }
             tiles.list.push(Tile {
-                blocks: t * TILE..((t + 1) * TILE).min(blocks),
-                patches: first..patch,
-                crossing,
-                slots: slot..slot + (patch - crossing),
+                blocks: first..end,
+                patches: first_patch..patch,
                 faces: first_face..face,
                 ..Tile::default()
             });
-            slot += patch - crossing;
         }
-        tiles.slots = slot;
-        let mut counts = vec![0usize; count + 1];
-        let crossing = || {
-            tiles.list.iter().flat_map(|tile| {
-                (tile.crossing..tile.patches.end)
-                    .zip(tile.slots.clone())
-                    .map(|(p, slot)| (slot as u32, ends[p][1]))
-            })
-        };
-        for (_, j) in crossing() {
-            counts[tile_of(j) as usize + 1] += 1;
-        }
-        for t in 0..count {
-            counts[t + 1] += counts[t];
-        }
-        let mut next = counts.clone();
-        let mut incoming = vec![[0; 2]; slot];
-        for (slot, j) in crossing() {
-            let at = &mut next[tile_of(j) as usize];
-            incoming[*at] = [slot, j];
-            *at += 1;
-        }
-        tiles.incoming = incoming;
-        for (t, tile) in tiles.list.iter_mut().enumerate() {
-            tile.incoming = counts[t]..counts[t + 1];
-        }
-        tiles.make_packets(world);
+        tiles.make_packets(world, cut);
+        tiles.make_incoming(ends, piece);
         tiles.make_rows(world);
         tiles
     }
 
-    fn make_packets(&mut self, world: &World) {
+    /// Number of groups of the model.
+    #[must_use]
+    pub fn groups(&self) -> usize {
+        self.list.iter().map(Tile::groups).sum()
+    }
+
+    /// Cuts the patches into packets and gives out slots.
+    fn make_packets(&mut self, world: &World, cut: Cut) {
+        let (list, piece) = (&world.patches, cut.piece);
+        let by_groups = |p: &u32, q: &u32| {
+            let group = |p: &u32| group_of(list.ends[*p as usize][0]);
+            group(p) == group(q)
+        };
+        let slotted = |p: usize| {
+            let [i, j] = list.ends[p];
+            i as usize / piece != j as usize / piece || group_of(i) > group_of(j)
+        };
         for tile in &mut self.list {
-            let first = self.packets.len();
-            pack(world, tile.patches.start..tile.crossing, &mut self.packets);
-            tile.crossing_packet = self.packets.len();
-            pack(world, tile.crossing..tile.patches.end, &mut self.packets);
-            tile.packets = first..self.packets.len();
+            let (first_packet, first_slot) = (self.packets.len(), self.slots);
+            let patches: Vec<u32> = tile.patches.clone().map(|p| p as u32).collect();
+            let groups: Vec<&[u32]> = patches.chunk_by(by_groups).collect();
+            for group in groups.into_iter().rev() {
+                let first = group[0] as usize;
+                let patches = first..first + group.len();
+                pack(world, patches, cut.packet, slotted, &mut self.packets);
+            }
+            tile.packets = first_packet..self.packets.len();
+            for packet in &mut self.packets[tile.packets.clone()] {
+                if packet.slot != Packet::DIRECT {
+                    packet.slot = self.slots as u32;
+                    self.slots += usize::from(packet.count);
+                }
+            }
+            tile.slots = first_slot..self.slots;
+        }
+    }
+
+    /// Lists the slots by the piece of block j, in the order in which they are added.
+    fn make_incoming(&mut self, ends: &[[u32; 2]], piece: usize) {
+        let (tiles, packets) = (&self.list, &self.packets);
+        // From the last group to the first: once for patches from earlier groups, then for those from later ones.
+        let slots = |late: bool| {
+            let packets = tiles.iter().rev().flat_map(|t| &packets[t.packets.clone()]);
+            packets
+                .filter_map(|packet| Some((packet, packet.slot()?)))
+                .flat_map(|(packet, slot)| {
+                    let first = packet.first as usize;
+                    (0..usize::from(packet.count)).map(move |k| (slot + k, ends[first + k]))
+                })
+                .filter(move |(_, [i, j])| (group_of(*i) > group_of(*j)) == late)
+                .map(|(slot, [_, j])| (slot as u32, j))
+        };
+        let mut counts = vec![0usize; tiles.len() + 1];
+        for (_, j) in slots(false).chain(slots(true)) {
+            counts[j as usize / piece + 1] += 1;
+        }
+        for t in 0..tiles.len() {
+            counts[t + 1] += counts[t];
+        }
+        let mut next = counts.clone();
+        let mut incoming = vec![[0; 2]; self.slots];
+        for (slot, j) in slots(false).chain(slots(true)) {
+            let at = &mut next[j as usize / piece];
+            incoming[*at] = [slot, j];
+            *at += 1;
+        }
+        self.incoming = incoming;
+        for (t, tile) in self.list.iter_mut().enumerate() {
+            tile.incoming = counts[t]..counts[t + 1];
         }
     }
 
@@ -191,7 +303,13 @@ impl Tiles {
                 }
                 let solid = world.solid[b];
                 match self.rows[rows..].last_mut() {
-                    Some(row) if row.blocks.end == b && row.solid == solid => row.blocks.end += 1,
+                    Some(row)
+                        if row.blocks.end == b
+                            && row.solid == solid
+                            && !b.is_multiple_of(GROUP) =>
+                    {
+                        row.blocks.end += 1;
+                    }
                     _ => self.rows.push(Row {
                         blocks: b..b + 1,
                         solid,
@@ -205,35 +323,41 @@ impl Tiles {
 }
 
 impl Patches {
-    /// Puts patches in the order that tiles need: by tile of block i, patches within the tile first, then by
-    /// axis, block i and block j.
+    /// Puts patches in their order: by group of block i, then by axis, block i and block j.
     pub fn sort(&mut self, classes: &[PatchClass]) {
         let mut order: Vec<u32> = (0..self.len() as u32).collect();
         order.sort_by_key(|&p| {
             let [i, j] = self.ends[p as usize];
             let axis = classes[self.class[p as usize] as usize].axis;
-            (tile_of(i), tile_of(j) != tile_of(i), axis, i, j)
+            (group_of(i), axis, i, j)
         });
         self.keep(&order);
     }
 }
 
-/// Cuts a range of patches into packets.
-fn pack(world: &World, patches: Range<usize>, packets: &mut Vec<Packet>) {
-    let list = &world.patches;
+/// Cuts the patches of a group into packets, which need slots (their numbers come later) or do not.
+fn pack(
+    world: &World,
+    patches: Range<usize>,
+    most: usize,
+    slotted: impl Fn(usize) -> bool,
+    packets: &mut Vec<Packet>,
+) {
+    let (list, blocks) = (&world.patches, world.alive.len());
     let axis = |p: usize| world.classes[list.class[p] as usize].axis;
     let mut p = patches.start;
     while p < patches.end {
-        let end = (p..patches.end.min(p + LANES))
-            .find(|q| axis(*q) != axis(p))
-            .unwrap_or(patches.end.min(p + LANES));
+        let most = patches.end.min(p + most);
+        let alike = |q: &usize| axis(*q) == axis(p) && slotted(*q) == slotted(p);
+        let end = (p..most).find(|q| !alike(q)).unwrap_or(most);
         let [i, j] = list.ends[p];
         let side_by_side = |q: usize| list.ends[q] == [i + (q - p) as u32, j + (q - p) as u32];
         packets.push(Packet {
             first: p as u32,
+            slot: if slotted(p) { 0 } else { Packet::DIRECT },
             count: (end - p) as u8,
             axis: axis(p),
-            runs: end - p == LANES && (p..end).all(side_by_side),
+            runs: i.max(j) as usize + LANES <= blocks && (p..end).all(side_by_side),
             one_class: (p..end).all(|q| list.class[q] == list.class[p]),
         });
         p = end;

@@ -1,17 +1,37 @@
-//! Forces of eight patches at a time, where all their points are certainly elastic.
+//! Forces of eight patches at a time.
 //!
-//! For a patch normal to an axis the four springs together are `F = k D` and `M = kr (th_j - th_i)` component
-//! by component in space, with `kr` the second moments of the points: no frames, no points. A packet is eight
-//! patches of one axis; mostly they are neighbours of one class, whose blocks lie side by side in the lists.
+//! The four points of a patch normal to an axis of space stand in a rectangle about its centre. While every point is
+//! elastic, their springs add up to
+//!
+//! ```text
+//!         c ^                      D = (u_j + th_j x a_j) - (u_i + th_i x a_i)   displacement of the centre
+//!    3 o----|----o 2               W = th_j - th_i                               relative rotation
+//!      |    |    |
+//!      |    +----|---> b           F = k D      k  = A (kn, ks, ks)              along n, b, c
+//!      |         |                 M = kr W     kr = A (ks (rb^2 + rc^2), kn rc^2, kn rb^2)
+//!    0 o---------o 1
+//!       2 rb wide, 2 rc high       on i: F and a_i x F + M;   on j: -F and -(a_j x F + M)
+//! ```
+//!
+//! without products of b and c, because the points are symmetric about the centre. The normal is an axis, so n, b, c are
+//! x, y, z in turn, and force and moment follow component by component in space: no frames, no points. [`springs`] does
+//! that for the eight patches of a packet, and where a law has a strength it bounds the largest tension and shear that any
+//! of the four points can have (`|W|` times the reach on top of the centre's): a patch within its strength by these bounds is
+//! *certainly elastic*; the others are left to [`points`], which does the law of [`face_joint::plain_point`] point after
+//! point in all lanes, or to [`super::forces`] one by one.
+//!
+//! A packet is up to eight patches of one axis; mostly they are neighbours of one class, whose blocks lie side by side in
+//! the lists (`runs`), so that lanes are loaded and stored as they lie. No lane reads another: a patch has the same bits
+//! whatever stands beside it.
 
 use super::forces::{Memory, Shared};
 use super::lanes::{LANES, Lanes, Vectors, cross, minus, plus, same, scaled, times};
+use super::patch::Resultant;
 use super::setup::{Dashpots, Failure, JointLaw};
 use super::sums::Part;
 use super::tiles::Packet;
 use super::world::{PatchClass, flag};
 use crate::laws::face_joint::{self, Plain, PlainLaw, SIGNS};
-use crate::ledger::Works;
 
 /// What the wide kernel needs of a class.
 #[derive(Clone, Copy, Debug, Default)]
@@ -85,7 +105,7 @@ impl Wide {
 }
 
 /// Where the lanes of a packet find their blocks.
-enum Places {
+pub enum Places {
     /// From these on, side by side.
     Runs([usize; 2]),
     /// One by one; lanes beyond the count repeat the first.
@@ -93,8 +113,10 @@ enum Places {
 }
 
 impl Places {
+    /// Those of a packet.
     #[inline(always)]
-    fn of(shared: &Shared, packet: &Packet) -> Self {
+    #[must_use]
+    pub fn of(shared: &Shared, packet: &Packet) -> Self {
         let (first, count) = (packet.first as usize, usize::from(packet.count));
         let ends = &shared.ends[first..first + count];
         if packet.runs {
@@ -110,45 +132,149 @@ impl Places {
     }
 }
 
-/// Sums that packets add to.
-pub struct Targets<'a, 'b> {
-    /// Sums of the tile's blocks: elastic, dashpots.
-    pub net: &'b mut [Part<'a>; 2],
-    /// Slots of its crossing patches.
-    pub slots: &'b mut [Part<'a>; 2],
-    /// First block of the tile.
-    pub base: usize,
-    /// Slot of the packet's first patch, if its patches end in another tile.
-    pub slot: Option<usize>,
+/// Force on block i (N) and moment about the centre (N m) of every lane, along x, y, z.
+#[derive(Clone, Copy, Default)]
+pub struct Force {
+    force: Vectors,
+    moment: Vectors,
 }
 
-impl Targets<'_, '_> {
-    /// Sets the slots of a packet to zero, so that its patches can be added.
-    pub fn clear_slots(&mut self, count: usize) {
-        if let Some(slot) = self.slot {
-            for slots in self.slots.iter_mut().flat_map(|s| &mut s.0) {
-                if !slots.is_empty() {
-                    slots[slot..slot + count].fill(0.0);
+/// Forces of the springs and of the dashpots of a packet.
+#[derive(Clone, Copy, Default)]
+pub struct Response(pub [Force; 2]);
+
+impl Response {
+    /// Springs, and dashpots where there are any.
+    #[inline(always)]
+    #[must_use]
+    pub fn kinds(&self, damped: bool) -> &[Force] {
+        &self.0[..if damped { 2 } else { 1 }]
+    }
+
+    /// Takes the lanes `chosen` over from another.
+    #[inline(always)]
+    pub fn take(&mut self, chosen: u8, other: &Self) {
+        for (own, other) in self.0.iter_mut().zip(&other.0) {
+            for k in 0..3 {
+                for lane in 0..LANES {
+                    if chosen & (1 << lane) != 0 {
+                        own.force[k].0[lane] = other.force[k].0[lane];
+                        own.moment[k].0[lane] = other.moment[k].0[lane];
+                    }
                 }
             }
         }
     }
 }
 
-/// Forces of one packet; lanes in the result's bits are left out: their points may fail, or have failed.
+/// What a packet adds to both blocks of each lane: forces (x, y, z), N, then moments about the centroids, N m.
+#[derive(Clone, Copy)]
+pub struct Shares {
+    on: [[Lanes; 6]; 2],
+}
+
+impl Shares {
+    /// Of forces and moments at the centres of the patches.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(class: &Class, at: &Force) -> Self {
+        let [x, y, z] = at.force;
+        let [a, b, c] = plus(&cross(&class.arms[0], &at.force), &at.moment);
+        let [d, e, f] = plus(&cross(&class.arms[1], &at.force), &at.moment);
+        Self {
+            on: [[x, y, z, a, b, c], [-x, -y, -z, -d, -e, -f]],
+        }
+    }
+
+    /// Sets one lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, resultant: &Resultant) {
+        let [i, j] = &mut self.on;
+        for k in 0..3 {
+            i[k].0[lane] = resultant.force[k];
+            j[k].0[lane] = -resultant.force[k];
+            i[k + 3].0[lane] = resultant.moments[0][k];
+            j[k + 3].0[lane] = resultant.moments[1][k];
+        }
+    }
+}
+
+/// Sums that packets add to.
+pub struct Targets<'a, 'b> {
+    /// Sums of the tile's blocks: elastic, dashpots.
+    pub net: &'b mut [Part<'a>; 2],
+    /// Slots of its patches that have some.
+    pub slots: &'b mut [Part<'a>; 2],
+    /// First block of the tile.
+    pub base: usize,
+    /// Slot of the packet's first patch, if its patches have slots.
+    pub slot: Option<usize>,
+}
+
+impl Targets<'_, '_> {
+    /// Adds to both blocks of each lane, as if patch after patch were added.
+    #[inline(always)]
+    pub fn add(&mut self, kind: usize, packet: &Packet, places: &Places, shares: &Shares) {
+        let (base, count) = (self.base, usize::from(packet.count));
+        for (k, list) in self.net[kind].0.iter_mut().enumerate() {
+            let [i, j] = [&shares.on[0][k], &shares.on[1][k]];
+            match (places, self.slot) {
+                (Places::Runs(from), Some(slot)) => {
+                    self.slots[kind].0[k][slot..slot + count].copy_from_slice(&j.0[..count]);
+                    add_run(list, from[0] - base, count, i);
+                }
+                // A block that is j of one lane and i of another gets the part of the earlier lane first.
+                (Places::Runs(from), None) if from[0] <= from[1] => {
+                    add_run(list, from[1] - base, count, j);
+                    add_run(list, from[0] - base, count, i);
+                }
+                (Places::Runs(from), None) => {
+                    add_run(list, from[0] - base, count, i);
+                    add_run(list, from[1] - base, count, j);
+                }
+                (Places::Each(index), Some(slot)) => {
+                    self.slots[kind].0[k][slot..slot + count].copy_from_slice(&j.0[..count]);
+                    for lane in 0..count {
+                        list[index[0][lane] - base] += i.0[lane];
+                    }
+                }
+                (Places::Each(index), None) => {
+                    for lane in 0..count {
+                        list[index[1][lane] - base] += j.0[lane];
+                        list[index[0][lane] - base] += i.0[lane];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Adds the first `count` lanes to neighbours of a list.
 #[inline(always)]
-pub fn packet(
+fn add_run(list: &mut [f64], first: usize, count: usize, lanes: &Lanes) {
+    if count == LANES {
+        for (x, y) in list[first..first + LANES].iter_mut().zip(lanes.0) {
+            *x += y;
+        }
+    } else {
+        for (x, y) in list[first..first + count].iter_mut().zip(lanes.0) {
+            *x += y;
+        }
+    }
+}
+
+/// Forces of the patches of a packet as if all were elastic; lanes in the result's bits (which may lie beyond the packet's
+/// count) may not be, and keep no meaning.
+#[inline(always)]
+pub fn springs(
     shared: &Shared,
-    wide: &[Wide],
     packet: &Packet,
-    mut skip: u8,
-    to: &mut Targets,
+    places: &Places,
+    class: &Class,
+    to: &mut Response,
 ) -> u8 {
-    let count = usize::from(packet.count);
-    let places = Places::of(shared, packet);
-    let class = Class::load(shared, wide, packet);
     let bodies = shared.poses.bodies;
-    let (d, w) = relative(&bodies.pose, &places, &class.arms);
+    let (d, w) = relative(&bodies.pose, places, &class.arms);
     let mut force = times(&class.stiffness, &d);
     let mut moment = times(&class.turning, &w);
     let start = in_situ(shared, packet);
@@ -157,39 +283,32 @@ pub fn packet(
         force = plus(&force, &load);
         moment = plus(&moment, &class.moment);
     }
-    if shared.strong {
-        skip |= class.doubtful(usize::from(packet.axis), &start, &d, &w);
-    }
-    if count < LANES {
-        skip |= u8::MAX << count;
-    }
-    let keep = chosen_lanes(!skip, 1.0);
-    let whole = skip == 0;
-    if !whole {
-        force = scaled(keep, &force);
-        moment = scaled(keep, &moment);
-    }
-    add(to, 0, &places, count, &class.arms, [&force, &moment], true);
+    to.0[0] = Force { force, moment };
     if shared.damped {
-        let (v, spin) = relative(&bodies.rate, &places, &class.arms);
-        let beta = (class.beta + Lanes::all(shared.stiffness_damping)) * keep;
-        let force = scaled(beta, &times(&class.stiffness, &v));
-        let moment = scaled(beta, &times(&class.turning, &spin));
-        add(to, 1, &places, count, &class.arms, [&force, &moment], true);
+        let (v, spin) = relative(&bodies.rate, places, &class.arms);
+        let beta = class.beta + Lanes::all(shared.stiffness_damping);
+        to.0[1] = Force {
+            force: scaled(beta, &times(&class.stiffness, &v)),
+            moment: scaled(beta, &times(&class.turning, &spin)),
+        };
     }
-    if count < LANES {
-        skip & !(u8::MAX << count)
+    if shared.strong {
+        class.doubtful(usize::from(packet.axis), &start, &d, &w)
     } else {
-        skip
+        0
     }
 }
 
 /// `x` in the lanes whose bit is set, 0 in the others.
 #[inline(always)]
-fn chosen_lanes(bits: u8, x: f64) -> Lanes {
+fn chosen_lanes(bits: u8, x: Lanes) -> Lanes {
     let mut lanes = Lanes::default();
     for (lane, y) in lanes.0.iter_mut().enumerate() {
-        *y = if bits & (1 << lane) == 0 { 0.0 } else { x };
+        *y = if bits & (1 << lane) == 0 {
+            0.0
+        } else {
+            x.0[lane]
+        };
     }
     lanes
 }
@@ -211,33 +330,27 @@ fn in_situ(shared: &Shared, packet: &Packet) -> Vectors {
     start
 }
 
-/// Forces of the lanes `chosen` of a packet point by point, with [`face_joint::plain_point`]; its law and its memory
-/// must be those that [`Wide::plain`] and the flags allow; `at` is the packet's place in the memory. Adds to the targets;
-/// slots must hold a value.
+/// Forces of the lanes `chosen` of a packet point by point, with [`face_joint::plain_point`], and their losses by friction
+/// and fracture, J (zero in the other lanes). Their law and their memory must be those that [`Wide::plain`] and the flags
+/// allow; the packet's memory begins at `at`.
 #[inline(always)]
 pub fn points(
     shared: &Shared,
     packet: &Packet,
     chosen: u8,
-    memory: &mut Memory,
-    at: usize,
-    works: &mut Works,
-    to: &mut Targets,
-) {
+    (memory, at): (&mut Memory, usize),
+    (places, class): (&Places, &Class),
+) -> (Response, [Lanes; 2]) {
     let count = usize::from(packet.count);
-    let (places, class) = (
-        Places::of(shared, packet),
-        Class::load(shared, shared.wide, packet),
-    );
     let bodies = shared.poses.bodies;
     let axis = usize::from(packet.axis);
     let local = |v: &Vectors| [v[axis], v[(axis + 1) % 3], v[(axis + 2) % 3]];
-    let (d, w) = relative(&bodies.pose, &places, &class.arms);
-    let (v, spin) = relative(&bodies.rate, &places, &class.arms);
+    let (d, w) = relative(&bodies.pose, places, &class.arms);
+    let (v, spin) = relative(&bodies.rate, places, &class.arms);
     let [d, w, v, spin] = [local(&d), local(&w), local(&v), local(&spin)];
     let start = local(&in_situ(shared, packet));
     let (slope_b, slope_c) = class.slopes(shared, packet);
-    let law = PlainLanes::of(&class, shared, packet);
+    let law = PlainLanes::of(class, shared, packet);
     let elapsed = shared.elapsed.unwrap_or(0.0);
     let beta = class.beta + Lanes::all(shared.stiffness_damping);
     let [kn, ks] = class.springs;
@@ -283,9 +396,7 @@ pub fn points(
             ];
         }
     }
-    let share = chosen_lanes(chosen, 0.25) * class.area;
-    works.friction += (share * lost[0]).sum();
-    works.fracture += (share * lost[1]).sum();
+    let share = Lanes::all(0.25) * class.area;
     // Back to the axes of space: component `axis` is the normal one.
     let global = |v: &Vectors| {
         let back = (3 - axis) % 3;
@@ -295,19 +406,14 @@ pub fn points(
             share * v[(back + 2) % 3],
         ]
     };
-    let kinds = if shared.damped { 2 } else { 1 };
-    for kind in 0..kinds {
-        let (force, moment) = (global(&sums[kind]), global(&moments[kind]));
-        add(
-            to,
-            kind,
-            &places,
-            count,
-            &class.arms,
-            [&force, &moment],
-            false,
-        );
-    }
+    let force = |kind: usize| Force {
+        force: global(&sums[kind]),
+        moment: global(&moments[kind]),
+    };
+    (
+        Response([force(0), force(1)]),
+        lost.map(|lost| chosen_lanes(chosen, share * lost)),
+    )
 }
 
 /// Laws of the lanes.
@@ -444,7 +550,7 @@ impl PlainState {
 }
 
 /// Constants of the classes, lane by lane.
-struct Class {
+pub struct Class {
     arms: [Vectors; 2],
     stiffness: Vectors,
     turning: Vectors,
@@ -458,8 +564,11 @@ struct Class {
 }
 
 impl Class {
+    /// Those of a packet.
     #[inline(always)]
-    fn load(shared: &Shared, wide: &[Wide], packet: &Packet) -> Self {
+    #[must_use]
+    pub fn load(shared: &Shared, packet: &Packet) -> Self {
+        let wide = shared.wide;
         let first = packet.first as usize;
         let count = usize::from(packet.count);
         if packet.one_class {
@@ -555,69 +664,6 @@ fn load(lists: &[Vec<f64>; 6], places: &Places, side: usize, first: usize) -> Ve
         Places::Each(index) => {
             let at = &index[side];
             [Lanes::pick(x, at), Lanes::pick(y, at), Lanes::pick(z, at)]
-        }
-    }
-}
-
-/// Adds forces and moments to both blocks of each lane.
-#[inline(always)]
-fn add(
-    to: &mut Targets,
-    kind: usize,
-    places: &Places,
-    count: usize,
-    arms: &[Vectors; 2],
-    [force, moment]: [&Vectors; 2],
-    first: bool,
-) {
-    let on_i = plus(&cross(&arms[0], force), moment);
-    let on_j = plus(&cross(&arms[1], force), moment);
-    let net = &mut to.net[kind];
-    let base = to.base;
-    for k in 0..3 {
-        for (list, lanes) in [(k, &force[k]), (k + 3, &on_i[k])] {
-            spread(net.0[list], places, 0, base, count, lanes);
-        }
-    }
-    for k in 0..3 {
-        for (list, lanes) in [(k, -force[k]), (k + 3, -on_j[k])] {
-            match to.slot {
-                Some(slot) => {
-                    let slots = &mut to.slots[kind].0[list][slot..slot + count];
-                    if first {
-                        slots.copy_from_slice(&lanes.0[..count]);
-                    } else {
-                        for (x, y) in slots.iter_mut().zip(lanes.0) {
-                            *x += y;
-                        }
-                    }
-                }
-                None => spread(net.0[list], places, 1, base, count, &lanes),
-            }
-        }
-    }
-}
-
-#[inline(always)]
-fn spread(
-    list: &mut [f64],
-    places: &Places,
-    side: usize,
-    base: usize,
-    count: usize,
-    lanes: &Lanes,
-) {
-    match places {
-        Places::Runs(from) => {
-            let at = from[side] - base;
-            for (x, y) in list[at..at + LANES].iter_mut().zip(lanes.0) {
-                *x += y;
-            }
-        }
-        Places::Each(index) => {
-            for k in 0..count {
-                list[index[side][k] - base] += lanes.0[k];
-            }
         }
     }
 }

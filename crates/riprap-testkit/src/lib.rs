@@ -1,5 +1,8 @@
 //! Samples that the tests of several crates use.
 
+// Tests may compare with the functions of the platform.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
+
 use riprap_core::frame::{BRICK, Column, Frame, Solids};
 
 /// Two blocks and one contact, for tests of writers and plots.

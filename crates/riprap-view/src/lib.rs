@@ -11,6 +11,11 @@
 //! - [`report`]: the same page with its answers in one file;
 //! - [`server`]: HTTP on the loopback address.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "pictures only: no result depends on the functions of the platform here"
+)]
+
 pub mod answer;
 pub mod contacts;
 pub mod motion;

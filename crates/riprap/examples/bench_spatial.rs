@@ -5,6 +5,11 @@
 //! slide everywhere ("broken", the smallest lattice only). Times are medians over repeats with the smallest and
 //! largest beside; both thread counts end at the same state.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "no result of a model: inputs of a timing"
+)]
+
 use std::time::Instant;
 
 use riprap::Vec3;

@@ -4,6 +4,11 @@
 //! VTK files (`tests/python/check_vtk.py`) and of the plots use it, since it needs no engine. `expected.json`
 //! holds what a reader of the frames must find. With a second folder, plots of each kind are drawn into it.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "no result of a model: inputs of a timing"
+)]
+
 use riprap::plot::{self, BlockOptions, Labels, Line, Which};
 use riprap::record::table::Table;
 use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};

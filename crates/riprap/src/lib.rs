@@ -7,6 +7,9 @@
 //! [`run::plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
 //! checks and checkpoints are [`run::job`]. Features: `scenario` (the language, and all that runs scene files) and `plot`.
 
+// Tests may compare with the functions of the platform.
+#![cfg_attr(test, allow(clippy::disallowed_methods))]
+
 #[cfg(feature = "scenario")]
 pub mod model;
 pub mod run;

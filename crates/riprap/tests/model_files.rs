@@ -1,6 +1,11 @@
 //! Scenario files through the model builder: what parses but cannot be built is refused with its
 //! reason at its place, and nothing takes long.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests may compare with the functions of the platform"
+)]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

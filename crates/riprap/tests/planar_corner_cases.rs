@@ -2,6 +2,11 @@
 //! coordinates, huge angles. For both laws: finite, action equals reaction at the same points, the order of
 //! the blocks does not matter, and (distance potential) no jump under tiny moves.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests may compare with the functions of the platform"
+)]
+
 mod common;
 
 use common::{

@@ -1,6 +1,11 @@
 //! The distance potential is a potential: forces are its gradient, loops cost nothing, both kernels agree,
 //! elastic collisions keep their energy. The source's law is measured beside it.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests may compare with the functions of the platform"
+)]
+
 mod common;
 
 use common::{

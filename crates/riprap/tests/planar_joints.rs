@@ -1,6 +1,11 @@
 //! Built joints against their strengths: tension, shear peak and residual, hand-over to found contact, finite
 //! rotation.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests may compare with the functions of the platform"
+)]
+
 mod common;
 
 use common::{DISTANCE, Model, block, hold, law, points, rectangle, setup};

@@ -1,6 +1,7 @@
 //! Formulas in scenarios: a thin wrapper over the `exmex` expression parser.
 
 use exmex::prelude::*;
+use exmex::{FloatOpsFactory, MakeOperators, Operator};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -38,8 +39,57 @@ pub enum FormulaError {
 pub struct Formula {
     text: String,
     // Boxed: the parsed expression is large beside the other time functions.
-    expression: Box<FlatEx<f64>>,
+    expression: Box<FlatEx<f64, Portable>>,
     names: Vec<String>,
+}
+
+/// The operators of `exmex` with the functions of `libm`: those of the platform differ in bits from machine to machine.
+#[derive(Clone, Debug)]
+struct Portable;
+
+impl MakeOperators<f64> for Portable {
+    fn make<'a>() -> Vec<Operator<'a, f64>> {
+        let given = FloatOpsFactory::<f64>::make().into_iter();
+        given
+            .map(|given| portable(&given).unwrap_or(given))
+            .collect()
+    }
+}
+
+/// What stands for an operator of `exmex` that would call the platform.
+fn portable<'a>(given: &Operator<'a, f64>) -> Option<Operator<'a, f64>> {
+    let binary: fn(f64, f64) -> f64 = match given.repr() {
+        "^" => libm::pow,
+        "atan2" => libm::atan2,
+        _ => return Some(Operator::make_unary(given.repr(), unary(given.repr())?)),
+    };
+    let mut operator = given.bin().ok()?;
+    operator.apply = binary;
+    Some(Operator::make_bin(given.repr(), operator))
+}
+
+fn unary(name: &str) -> Option<fn(f64) -> f64> {
+    let function: fn(f64) -> f64 = match name {
+        "sin" => libm::sin,
+        "cos" => libm::cos,
+        "tan" => libm::tan,
+        "asin" => libm::asin,
+        "acos" => libm::acos,
+        "atan" => libm::atan,
+        "sinh" => libm::sinh,
+        "cosh" => libm::cosh,
+        "tanh" => libm::tanh,
+        "asinh" => libm::asinh,
+        "acosh" => libm::acosh,
+        "atanh" => libm::atanh,
+        "exp" => libm::exp,
+        "cbrt" => libm::cbrt,
+        "ln" | "log" => libm::log,
+        "log2" => libm::log2,
+        "log10" => libm::log10,
+        _ => return None,
+    };
+    Some(function)
 }
 
 impl Formula {
@@ -75,7 +125,7 @@ impl Formula {
         if text.len() > MAX_LENGTH || deepest > MAX_DEPTH {
             return Err(FormulaError::TooLarge);
         }
-        let expression = FlatEx::<f64>::parse(&without_exponents(text))
+        let expression = FlatEx::<f64, Portable>::parse(&without_exponents(text))
             .map_err(|e| FormulaError::Syntax(e.to_string()))?;
         let expression = Box::new(expression);
         let names: Vec<String> = expression.var_names().to_vec();
@@ -216,6 +266,30 @@ mod tests {
         assert_eq!(again.value(&values), formula.value(&values));
         assert!((again.value(&values) - 20.5).abs() < 1e-12);
         assert!(postcard::from_bytes::<Formula>(&[3, b'2', b'*', b'(']).is_err());
+    }
+
+    #[test]
+    fn functions_are_those_of_libm() {
+        // What is left to `exmex` is exact on every machine.
+        let exact = [
+            "*", "/", "+", "-", "min", "max", "abs", "signum", "floor", "round", "ceil", "trunc",
+            "fract", "sqrt", "PI", "π", "E", "e", "TAU", "τ",
+        ];
+        let names: Vec<&str> = FloatOpsFactory::<f64>::make()
+            .iter()
+            .filter(|o| portable(o).is_none())
+            .map(Operator::repr)
+            .collect();
+        assert_eq!(names, exact);
+        let value = |text: &str| Formula::new(text, &["x"]).unwrap().value(&[("x", 0.37)]);
+        for (text, expected) in [
+            ("sin(x)", libm::sin(0.37)),
+            ("log(x)", libm::log(0.37)),
+            ("2*x^1.5", 2.0 * libm::pow(0.37, 1.5)),
+            ("x atan2 2", libm::atan2(0.37, 2.0)),
+        ] {
+            assert_eq!(value(text).to_bits(), expected.to_bits(), "{text}");
+        }
     }
 
     #[test]

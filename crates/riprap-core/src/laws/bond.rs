@@ -17,6 +17,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::norm;
 use crate::lanes::{LANES, Lanes, Vectors, dot, minus, plus, scaled};
 
 mod cohesive;
@@ -80,7 +81,7 @@ impl Strength {
     #[inline]
     #[must_use]
     pub fn utilisation(&self, t: &Traction) -> (f64, Mode) {
-        let shear = t[1].hypot(t[2]);
+        let shear = norm(t[1], t[2]);
         let in_tension = ratio(t[0].max(0.0), self.tension);
         let in_shear = ratio((shear + t[0] * self.friction).max(0.0), self.cohesion);
         if in_tension >= in_shear {
@@ -164,7 +165,7 @@ fn slider([kn, ks]: Springs, friction: f64, e: &[f64; 3], slip: &[f64; 2]) -> (T
     }
     let normal = kn * e[0];
     let trial = [ks * (e[1] - slip[0]), ks * (e[2] - slip[1])];
-    let (size, limit) = (trial[0].hypot(trial[1]), -normal * friction);
+    let (size, limit) = (norm(trial[0], trial[1]), -normal * friction);
     if size <= limit {
         return ([normal, trial[0], trial[1]], *slip);
     }

@@ -12,6 +12,8 @@ mod whole;
 
 use serde::{Deserialize, Serialize};
 
+use super::norm;
+
 pub use whole::face;
 
 /// Signs of the four points along b and along c.
@@ -271,12 +273,6 @@ fn released(springs: Springs, before: &Traction, moved: &[f64; 3], from: usize) 
     (from..3)
         .map(|k| 0.5 * before[k] * (before[k] / springs[k.min(1)] + moved[k]))
         .sum()
-}
-
-/// Square root of a sum of squares, the same bits on every machine.
-#[inline]
-fn norm(a: f64, b: f64) -> f64 {
-    (a * a + b * b).sqrt()
 }
 
 /// Traction that a point carries with the memory it has.

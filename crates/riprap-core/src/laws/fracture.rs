@@ -11,6 +11,7 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
+use super::norm;
 use super::tetrahedron::{Gradient, Symmetric};
 use crate::Vec3;
 use crate::geom::Mat3;
@@ -122,7 +123,7 @@ pub fn principal(stress: &Symmetric, out: Option<Vec3>) -> Principal {
     };
     let [_, b, c] = polyhedron::frame(out);
     let (bb, cc, bc) = (b.dot(matrix * b), c.dot(matrix * c), b.dot(matrix * c));
-    let (middle, radius) = (0.5 * (bb + cc), (0.5 * (bb - cc)).hypot(bc));
+    let (middle, radius) = (0.5 * (bb + cc), norm(0.5 * (bb - cc), bc));
     let angle = 0.5 * libm::atan2(2.0 * bc, bb - cc);
     let first = libm::cos(angle) * b + libm::sin(angle) * c;
     Principal {

@@ -12,3 +12,11 @@ pub mod parameters;
 pub mod potential;
 pub mod tetrahedron;
 pub mod transfer;
+
+/// `sqrt(a^2 + b^2)`: the same bits on every machine, which `f64::hypot` is not. Stresses and displacements are far from where
+/// their squares leave the range of numbers.
+#[inline(always)]
+#[must_use]
+pub fn norm(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
+}

@@ -32,7 +32,7 @@ pub fn flat_force(kn: f64, length: f64, depth: f64) -> f64 {
 #[inline]
 #[must_use]
 pub fn corner_force(kn: f64, half_angle: f64, depth: f64) -> f64 {
-    0.5 * kn * half_angle.tan() * (1.0 + half_angle.sin()) * depth * depth
+    0.5 * kn * libm::tan(half_angle) * (1.0 + libm::sin(half_angle)) * depth * depth
 }
 
 #[cfg(test)]

@@ -87,7 +87,8 @@ fn start(points: &[Vec3]) -> Result<[u32; 4], SolidError> {
     let normal = along.cross(points[c] - points[a]);
     let d = far(&|p| (p - points[a]).dot(normal).abs());
     let volume = (points[d] - points[a]).dot(normal) / 6.0;
-    if volume.abs() <= ZERO_VOLUME * along.length().powi(3) {
+    let size = along.length();
+    if volume.abs() <= ZERO_VOLUME * (size * size * size) {
         return Err(SolidError::ZeroVolume { volume });
     }
     let [mut x, mut y] = [a as u32, b as u32];

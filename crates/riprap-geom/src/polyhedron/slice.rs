@@ -76,7 +76,8 @@ pub fn slice(solid: &Polyhedron, normal: Vec3, offset: f64) -> Sliced {
         Some(face) => {
             faces.push(face);
             let part = compact(&vertices, faces);
-            if part.moments().volume < ZERO_VOLUME * solid.size().powi(3) {
+            let size = solid.size();
+            if part.moments().volume < ZERO_VOLUME * (size * size * size) {
                 return Sliced::Nothing;
             }
             Sliced::Part(part)

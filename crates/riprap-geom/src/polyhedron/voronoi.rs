@@ -21,7 +21,7 @@ pub fn voronoi(
 ) -> Result<Vec<Polyhedron>, GeomError> {
     let half = half_extent(min, max)?;
     demand("cell_size", cell_size, cell_size > 0.0, "above 0")?;
-    let count = 8.0 * half.element_product() / cell_size.powi(3);
+    let count = 8.0 * half.element_product() / (cell_size * cell_size * cell_size);
     capped("Voronoi cells", count)?;
     let mut chance = Chance::new(seed);
     let sites = (0..(count.round() as usize).max(1))
@@ -173,7 +173,7 @@ pub fn lattice_sites(min: Vec3, max: Vec3, cell: f64, origin: Vec3, angle: f64) 
     ];
     let [a, b] = steps.map(|s| (s / cell).round() * cell);
     let origin = origin + Vec3::new(cosine * a - sine * b, sine * a + cosine * b, 0.0);
-    let reach = (0.5 * extent.x.hypot(extent.y) / cell).ceil() + 1.0;
+    let reach = (0.5 * extent.truncate().length() / cell).ceil() + 1.0;
     let layers = (extent.z / cell).round().max(1.0);
     let mut sites = Vec::new();
     for k in 0..layers as usize {

@@ -95,7 +95,8 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
     let rest: f64 = f
         .iter()
         .zip(&y)
-        .map(|(f, y)| (y - p0 * f - plateau).powi(2))
+        .map(|(f, y)| y - p0 * f - plateau)
+        .map(|e| e * e)
         .sum();
     Ok(TwoExponential {
         p0,

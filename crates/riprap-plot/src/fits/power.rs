@@ -67,7 +67,8 @@ pub fn power_law(x: &[f64], y: &[f64]) -> Result<PowerLaw, FitError> {
     let rest: f64 = lx
         .iter()
         .zip(&ly)
-        .map(|(x, y)| (y - start - slope * x).powi(2))
+        .map(|(x, y)| y - start - slope * x)
+        .map(|e| e * e)
         .sum();
     let variance = rest / (count - 2) as f64;
     let deviation = variance.sqrt();

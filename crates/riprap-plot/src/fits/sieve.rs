@@ -102,7 +102,8 @@ fn samples(size: &[f64], passing: &[f64], needed: usize) -> Result<(Samples, f64
 type Samples = (Vec<f64>, Vec<f64>);
 
 fn squares((x, p): &Samples, at: impl Fn(f64) -> f64) -> f64 {
-    x.iter().zip(p).map(|(x, p)| (at(*x) - p).powi(2)).sum()
+    let errors = x.iter().zip(p).map(|(x, p)| at(*x) - p);
+    errors.map(|e| e * e).sum()
 }
 
 /// Middle of the sizes, logarithmic: where the search begins.
@@ -167,7 +168,7 @@ pub fn swebrec_fit(size: &[f64], passing: &[f64]) -> Result<Swebrec, FitError> {
         (v, cost, xmax)
     };
     // Distances beyond the largest size grow with their square: most of the change is near zero.
-    let place = |k: f64| FARTHEST * (k / (BEYOND - 1) as f64).powi(2);
+    let place = |k: f64| FARTHEST * (k / (BEYOND - 1) as f64) * (k / (BEYOND - 1) as f64);
     let tries: Vec<_> = (0..BEYOND).map(|k| with(place(k as f64))).collect();
     let k = (0..BEYOND)
         .min_by(|a, b| tries[*a].1.total_cmp(&tries[*b].1))

@@ -430,7 +430,7 @@ fn parse_unit(text: &str) -> Result<(f64, Dim), UnitError> {
         let (power, after) = split_power(&rest[end..]).ok_or_else(|| bad_expression(text))?;
         let (unit_factor, unit_dim) = find_unit(name).ok_or_else(|| unknown_unit(name))?;
         let power = if divide { -power } else { power };
-        factor *= unit_factor.powi(power);
+        factor *= whole_power(unit_factor, power);
         dim = dim
             .times(unit_dim, power)
             .ok_or_else(|| bad_expression(text))?;
@@ -477,6 +477,12 @@ fn split_power(text: &str) -> Option<(i32, &str)> {
     let end = length + digits;
     let power: i32 = rest[..end].parse().ok()?;
     (-9..=9).contains(&power).then_some((power, &rest[end..]))
+}
+
+/// `x^n` by products, the same bits on every machine.
+fn whole_power(x: f64, n: i32) -> f64 {
+    let power = (0..n.unsigned_abs()).fold(1.0, |p, _| p * x);
+    if n < 0 { 1.0 / power } else { power }
 }
 
 #[cfg(test)]

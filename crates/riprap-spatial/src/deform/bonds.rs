@@ -16,6 +16,7 @@ use crate::setup::deform::{BondFailure, BondLaw, Strength};
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
 use crate::state::workspace::{BondWorks, FACETS, Workspace};
+use crate::sums;
 use crate::world::World;
 
 /// Facets of a piece of work.
@@ -104,9 +105,13 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         .exec
         .divided(piece, count, |_, piece| context.piece(piece));
     work.broke = false;
-    for part in &work.bond_works {
-        world.works.add(&part.works);
-        work.broke |= part.broke;
+    sums::tree(&mut work.bond_works, |sum, other| {
+        sum.works.add(&other.works);
+        sum.broke |= other.broke;
+    });
+    if let Some(all) = work.bond_works.first() {
+        world.works.add(&all.works);
+        work.broke = all.broke;
     }
     push_rigid(world, work, &mut scratch.pushes.own);
 }

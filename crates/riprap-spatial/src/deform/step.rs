@@ -15,6 +15,7 @@ use crate::lanes::Width;
 use crate::laws::tetrahedron::StartStress;
 use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::workspace::{BODIES, KickSums, Kind, start_of};
+use crate::sums;
 use crate::world::World;
 
 /// What is the same for all bodies.
@@ -116,20 +117,20 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
     scratch
         .exec
         .divided(piece, count, |_, piece| context.piece(piece));
-    let mut sums = KickSums::default();
-    for p in &work.partial {
-        sums.arrival.add(&p.arrival);
-        sums.departure.add(&p.departure);
-        sums.bad = sums.bad.or(p.bad);
-        for (sum, x) in sums.squares.iter_mut().zip(p.squares) {
+    let bad = work.partial.iter().find_map(|p| p.bad);
+    sums::tree(&mut work.partial, |sum, other| {
+        sum.arrival.add(&other.arrival);
+        sum.departure.add(&other.departure);
+        for (sum, x) in sum.squares.iter_mut().zip(other.squares) {
             *sum += x;
         }
-    }
-    work.departure = sums.departure;
-    work.norms = sums.squares.map(f64::sqrt);
-    world.works.add(&sums.arrival);
+    });
+    let all = work.partial.first().copied().unwrap_or_default();
+    work.departure = all.departure;
+    work.norms = all.squares.map(f64::sqrt);
+    world.works.add(&all.arrival);
     let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
-    let bad = sums.bad.map(|node| deform.bodies[holder(node)].block);
+    let bad = bad.map(|node| deform.bodies[holder(node)].block);
     bad.map_or(Ok(()), |block| Err(NonFinite { block }))
 }
 

@@ -9,6 +9,7 @@ use crate::cavity::Cavity;
 use crate::deform::cut::tip;
 use crate::deform::fracture;
 use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
+use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
 use crate::read::crater::UPLIFT;
 use crate::read::deformable::Motion;
@@ -231,7 +232,7 @@ fields! {
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
-    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| t[1].hypot(t[2])));
+    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
     "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
     "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));

@@ -4,6 +4,7 @@ use riprap_geom::Vec3;
 
 use crate::deform::store::{Memory, State};
 use crate::frame::{BRICK, Column, Frame, Solids};
+use crate::laws::norm;
 use crate::patch;
 use crate::read::fields::principal;
 use crate::read::view::View;
@@ -206,7 +207,7 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             force.y,
             force.z,
             n,
-            b.hypot(c),
+            norm(b, c),
             facet.area,
             f64::from(broken),
             open.count() as f64,
@@ -252,7 +253,7 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
         forces.push(view.patch_resultant(p).force.to_array());
         let t = view.patch_tractions(p);
         let mean = |k: usize| 0.25 * t.iter().map(|t| t[k]).sum::<f64>();
-        means.push([mean(0), mean(1).hypot(mean(2))]);
+        means.push([mean(0), norm(mean(1), mean(2))]);
     }
     let column = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
         Column::scalar(name, unit, (0..chosen.len()).map(get).collect())

@@ -8,7 +8,7 @@ use crate::exec::Exec;
 use crate::lanes::Width;
 use crate::ledger::Works;
 use crate::profile::Profile;
-use crate::tiles::Tiles;
+use crate::tiles::{Cut, Tiles};
 use crate::wide::Wide;
 
 /// What a step works with.
@@ -40,13 +40,32 @@ pub struct Scratch {
     pub(crate) width: Width,
     /// Works of the half step after the present time, booked by `advance`.
     pub(crate) departure: Works,
-    pub(crate) works: Vec<Works>,
+    /// How the work is cut where that is prescribed.
+    pub(crate) cut: Option<Cut>,
+    pub(crate) lost: Vec<Lost>,
     pub(crate) partial: Vec<Partial>,
     /// Whether a block has turned beyond the bound of small kinematics.
     pub(crate) turning: bool,
 }
 
-/// Sums of one tile.
+/// Energy that left the patches of one group, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Lost {
+    /// By friction.
+    pub friction: f64,
+    /// By fracture.
+    pub fracture: f64,
+}
+
+impl Lost {
+    /// Adds another.
+    pub fn add(&mut self, other: &Self) {
+        self.friction += other.friction;
+        self.fracture += other.fracture;
+    }
+}
+
+/// Sums of one group of blocks.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Partial {
     pub(crate) arrival: Works,

@@ -9,10 +9,10 @@ use crate::deform::links::Links;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness};
 use crate::ledger::Works;
 
-/// Bodies per piece of work.
+/// Bodies per piece of work; sums run over a piece and then over a fixed tree of pieces.
 pub const BODIES: usize = 64;
-/// Facets per piece of work.
-pub const FACETS: usize = 256;
+/// Facets per piece of work, likewise.
+pub const FACETS: usize = 64;
 
 /// Shape, elements and masses of congruent bodies of one material.
 #[derive(Debug)]

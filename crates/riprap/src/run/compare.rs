@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use crate::laws::norm;
 use crate::record::folder::block_file;
 use crate::record::table::{Series, Table, TableError};
 use crate::record::vtu;
@@ -159,13 +160,13 @@ fn last_frames(first: &Path, second: &Path) -> Result<Option<Difference>, Compar
     }
     let size = |data: &[f64]| {
         data.chunks_exact(2)
-            .map(|v| v[0].hypot(v[1]))
+            .map(|v| norm(v[0], v[1]))
             .fold(0.0, f64::max)
     };
     let (mut largest, mut block) = (0.0, 0);
     let pairs = da.data.chunks_exact(2).zip(db.data.chunks_exact(2));
     for (i, (v, w)) in pairs.enumerate() {
-        let difference = (v[0] - w[0]).hypot(v[1] - w[1]);
+        let difference = norm(v[0] - w[0], v[1] - w[1]);
         if difference > largest || difference.is_nan() {
             (largest, block) = (difference, i);
         }

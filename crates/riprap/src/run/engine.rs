@@ -454,8 +454,8 @@ impl Engine {
     #[must_use]
     pub fn hash(&self) -> String {
         match self {
-            Self::Planar(e) => super::hash::planar(&e.world),
-            Self::Spatial(e) => super::hash::spatial(&e.world),
+            Self::Planar(e) => e.world.hash(),
+            Self::Spatial(e) => e.world.hash(),
         }
     }
 }

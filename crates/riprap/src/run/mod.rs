@@ -8,7 +8,6 @@ pub mod drive;
 pub mod engine;
 pub mod forecast;
 pub mod given_step;
-pub mod hash;
 pub mod job;
 pub mod plan;
 pub mod probe;

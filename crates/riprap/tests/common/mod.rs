@@ -83,7 +83,7 @@ pub fn points(list: &[(f64, f64)]) -> Vec<Vec2> {
 }
 
 pub fn turned(v: Vec2, angle: f64) -> Vec2 {
-    let (s, c) = angle.sin_cos();
+    let (s, c) = libm::sincos(angle);
     Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
 }
 
@@ -231,7 +231,7 @@ impl Random {
             .map(|k| {
                 let share = (k as f64 + 0.7 * self.unit()) / n as f64;
                 let a = std::f64::consts::TAU * share;
-                turned(Vec2::new(rx * a.cos(), ry * a.sin()), turn)
+                turned(Vec2::new(rx * libm::cos(a), ry * libm::sin(a)), turn)
             })
             .collect()
     }

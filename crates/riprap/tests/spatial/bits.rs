@@ -10,7 +10,8 @@ use riprap::spatial::setup::{
     Refinement, Region, Setup, Shape, Source,
 };
 use riprap::spatial::step::{Scratch, advance};
-use riprap::spatial::world::World;
+use riprap::spatial::tiles::Cut;
+use riprap::spatial::world::{World, flag};
 
 use crate::blast::AMMONIUM;
 use crate::rock::{Draws, Run, elastic, lattice, rock, strength};
@@ -103,6 +104,35 @@ fn the_width_of_instructions_does_not_change_a_bit() {
     };
     let expected = run(Width::Plain);
     assert!(run(Width::Four) == expected && run(Width::Eight) == expected);
+}
+
+/// Each patch alone or beside any others in its packet, and pieces of any size.
+#[test]
+fn the_cut_of_the_work_does_not_change_a_bit() {
+    let run = |kinematics: Kinematics, cut: Option<Cut>| {
+        let mut setup = everything();
+        setup.kinematics = kinematics;
+        let mut run = Run::on(setup, Exec::new(2).expect("threads"));
+        for _ in 0..2 {
+            if let Some(cut) = cut {
+                run.scratch.set_cut(&run.world, cut);
+            }
+            run.steps(20, DT);
+        }
+        println!("{} pieces", run.scratch.tiles.list.len());
+        let flags = run.world.patches.flags.iter();
+        let slide = flags.filter(|f| **f & flag::SLIDING != 0).count();
+        assert!(slide > 100 && run.world.works.fracture > 0.0, "{slide}");
+        (run.world.hash(), bytes(&run.world))
+    };
+    for kinematics in [Kinematics::Small, everything().kinematics] {
+        let expected = run(kinematics, None);
+        for (piece, packet) in [(64, 8), (192, 3), (2048, 1)] {
+            let found = run(kinematics, Some(Cut { piece, packet }));
+            assert_eq!(found.0, expected.0, "{piece} {packet}");
+            assert!(found.1 == expected.1, "{piece} {packet}");
+        }
+    }
 }
 
 #[test]

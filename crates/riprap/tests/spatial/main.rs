@@ -1,5 +1,10 @@
 //! The spatial engine against closed answers, without scenario files.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests may compare with the functions of the platform"
+)]
+
 mod bits;
 mod blast;
 mod conserve;

@@ -16,7 +16,7 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
-use super::{Springs, State, Strength, Traction, from_rest, slider};
+use super::{Springs, State, Strength, Traction, from_rest, norm, slider};
 
 /// Softening curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
@@ -107,7 +107,7 @@ pub fn cohesive(
     let (rubbed, slip) = slider(springs, strength.residual_friction, &e, &committed.slip);
     let peaks = [strength.tension, strength.cohesion];
     let opening = kn * e[0].max(0.0) / peaks[0];
-    let shear = ks * slip[0].hypot(slip[1]) / peaks[1];
+    let shear = ks * norm(slip[0], slip[1]) / peaks[1];
     let (a, b) = (opening * opening, shear * shear);
     let mut damage = committed.damage;
     if a + b > 1.0 && damage < 1.0 {

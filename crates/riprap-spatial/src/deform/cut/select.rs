@@ -253,6 +253,7 @@ pub(super) fn divide(
     let volumes = made.parts.iter().map(|p| p.mesh.volume());
     let least = volumes.clone().fold(f64::INFINITY, f64::min);
     let (total, whole) = (volumes.sum::<f64>(), solid.moments().volume);
-    let sound = (total - whole).abs() <= SAME_VOLUME * whole && least >= smallest.powi(3);
+    let sound =
+        (total - whole).abs() <= SAME_VOLUME * whole && least >= smallest * smallest * smallest;
     sound.then_some(made.parts)
 }

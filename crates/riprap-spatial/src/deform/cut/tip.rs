@@ -193,7 +193,7 @@ fn near(world: &World, deform: &Deform) -> f64 {
     let bodies = deform.bodies.iter().filter(|b| b.block < given);
     let volumes = bodies.map(|b| world.solid_of(b.block as usize).volume);
     let (count, sum) = volumes.fold((0.0, 0.0), |(n, s), v| (n + 1.0, s + v));
-    NEAR * f64::cbrt(sum / f64::max(count, 1.0))
+    NEAR * libm::cbrt(sum / f64::max(count, 1.0))
 }
 
 /// Numbers of the broken facets.

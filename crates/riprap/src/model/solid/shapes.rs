@@ -160,7 +160,7 @@ impl Builder<'_> {
         let key = |word: &str| format!("blocks.{}.grid.cells.{word}", block.name);
         let (min, max) = box_of(said);
         let cell = said.cell.si();
-        let count = (max - min).element_product() / cell.powi(3);
+        let count = (max - min).element_product() / (cell * cell * cell);
         if count.is_nan() || count > MOST_CELLS {
             let message = format!("`{}` would have about {count:.0} cells", block.name);
             let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
@@ -170,7 +170,7 @@ impl Builder<'_> {
         }
         let lattice = said.turned.is_some() || said.site.is_some();
         let extent = max - min;
-        let square = extent.x.hypot(extent.y).powi(2) * extent.z.max(cell) / cell.powi(3);
+        let square = extent.truncate().length_squared() * extent.z.max(cell) / (cell * cell * cell);
         if lattice && (square.is_nan() || square > 16.0 * MOST_CELLS) {
             let message = format!("`{}` is too slender for a turned lattice", block.name);
             let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());

@@ -1,0 +1,131 @@
+//! The state hash of a spatial model.
+
+use riprap_core::state_hash::StateHash;
+
+use super::deform::{Deform, State};
+use super::patches::{Patches, flag};
+use super::world::World;
+
+impl World {
+    /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.
+    ///
+    /// Covers what moves (blocks, nodes) and everything that interfaces, faces with a condition and cavities remember.
+    /// Interfaces come in the order of their blocks, however they are stored, and lists that are empty because nothing is
+    /// remembered yet count as zeros.
+    #[must_use]
+    pub fn hash(&self) -> String {
+        let mut hash = StateHash::default();
+        hash.numbers(&[self.time, self.last_dt]);
+        hash.count(self.step);
+        for list in self.bodies.pose.iter().chain(&self.bodies.rate) {
+            hash.numbers(list);
+        }
+        for (alive, turned) in self.alive.iter().zip(&self.turned) {
+            hash.count(u64::from(*alive) | u64::from(turned.is_some()) << 1);
+            if let Some(t) = turned {
+                hash.numbers(&t.attitude.to_array());
+                hash.numbers(&t.momentum.to_array());
+            }
+        }
+        self.patches(&mut hash);
+        for cavity in &self.cavities {
+            hash.numbers(&[
+                cavity.volume,
+                cavity.pressure,
+                cavity.work,
+                cavity.base,
+                cavity.removed,
+                cavity.held,
+                cavity.ignited.unwrap_or(-1.0),
+                cavity.venting.unwrap_or(-1.0),
+            ]);
+            for wall in &cavity.walls {
+                hash.numbers(&wall.hold.to_array());
+                hash.numbers(&wall.hold_moment.to_array());
+            }
+        }
+        for anchor in self.faces.iter().flat_map(|f| f.anchor) {
+            hash.numbers(&anchor.to_array());
+        }
+        if let Some(deform) = &self.deform {
+            bodies(&mut hash, deform);
+            bonds(&mut hash, deform);
+        }
+        hash.finish()
+    }
+
+    /// Patches by block i, block j, axis of the normal, and place in the lists where all these are equal.
+    fn patches(&self, hash: &mut StateHash) {
+        let list = &self.patches;
+        let axis = |p: usize| self.classes[list.class[p] as usize].axis;
+        let mut order: Vec<u32> = (0..list.len() as u32).collect();
+        order.sort_by_key(|p| (list.ends[*p as usize], axis(*p as usize)));
+        hash.count(order.len() as u64);
+        for p in order {
+            let p = p as usize;
+            let [i, j] = list.ends[p];
+            hash.count(u64::from(i) << 32 | u64::from(j));
+            let memory = memory(list, p);
+            // `OFFSET` only says that numbers are in use.
+            let flags = u64::from(list.flags[p] & !flag::OFFSET);
+            let any = memory.iter().any(|x| x.to_bits() != 0);
+            hash.count(flags << 8 | u64::from(axis(p)) << 1 | u64::from(any));
+            if any {
+                hash.numbers(&memory);
+            }
+        }
+    }
+}
+
+/// Slip, offset along the normal and accumulated slip of the points of a patch, m.
+fn memory(list: &Patches, p: usize) -> [f64; 16] {
+    let mut memory = [0.0; 16];
+    if let Some(slip) = list.slip.get(p) {
+        memory[..8].copy_from_slice(slip.as_flattened());
+    }
+    if let Some(lift) = list.lift.get(p) {
+        memory[8..12].copy_from_slice(lift);
+    }
+    if let Some(path) = list.path.get(p) {
+        memory[12..].copy_from_slice(path);
+    }
+    memory
+}
+
+fn bodies(hash: &mut StateHash, deform: &Deform) {
+    for body in &deform.bodies {
+        hash.count(u64::from(body.block) << 1 | u64::from(body.alive));
+    }
+    for list in [&deform.nodes.moved, &deform.nodes.rate] {
+        hash.numbers(list.as_flattened());
+    }
+    for start in &deform.start {
+        hash.number(start.energy);
+        for stress in &start.stresses {
+            hash.numbers(stress);
+        }
+    }
+}
+
+/// Bonds by their blocks, and by place in the lists where these are equal.
+fn bonds(hash: &mut StateHash, deform: &Deform) {
+    let mut order: Vec<u32> = (0..deform.facets.len() as u32).collect();
+    order.sort_by_key(|f| deform.facets[*f as usize].blocks);
+    hash.count(order.len() as u64);
+    for f in order {
+        let facet = &deform.facets[f as usize];
+        let [a, b] = facet.blocks;
+        hash.count(u64::from(a) << 32 | u64::from(b));
+        hash.count(facet.whole_until << 1 | u64::from(deform.worn[f as usize]));
+        for memory in &deform.memory[facet.points()] {
+            hash.numbers(&memory.start);
+            hash.numbers(&memory.law.slip);
+            hash.number(memory.law.damage);
+            hash.count(match memory.state {
+                State::Bonded => 0,
+                State::Opened => 1,
+                State::Sheared => 2,
+            });
+        }
+    }
+}
