@@ -1,6 +1,7 @@
 //! JSON schema of the language, and the documentation of its keys that is made from it.
 
 mod keys;
+mod reference;
 mod takes;
 
 use std::sync::LazyLock;
@@ -10,7 +11,8 @@ use serde_json::Value;
 use super::language::Scenario;
 use super::quantity::KindInfo;
 use super::vectors::InSpace;
-pub use keys::{KeyDoc, explain_key, keys, markdown};
+pub use keys::{KeyDoc, explain_key, keys};
+pub use reference::markdown;
 pub(super) use takes::{example, takes};
 
 /// The schema is a constant of the program; it is built once when first needed.
