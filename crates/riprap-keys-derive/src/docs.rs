@@ -12,6 +12,23 @@ pub fn meaning(attributes: &[Attribute]) -> String {
     first.join(" ")
 }
 
+/// The doc comment: lines of a paragraph joined, paragraphs apart.
+pub fn paragraphs(attributes: &[Attribute]) -> String {
+    let mut text = String::new();
+    for line in attributes.iter().filter_map(line) {
+        match (line.trim(), text.is_empty() || text.ends_with('\n')) {
+            ("", true) => {}
+            ("", false) => text.push_str("\n\n"),
+            (more, true) => text.push_str(more),
+            (more, false) => {
+                text.push(' ');
+                text.push_str(more);
+            }
+        }
+    }
+    text.trim_end().to_owned()
+}
+
 fn line(attribute: &Attribute) -> Option<String> {
     let Meta::NameValue(pair) = &attribute.meta else {
         return None;

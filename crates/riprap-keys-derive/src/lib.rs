@@ -1,6 +1,7 @@
 //! Derive macros of `riprap-keys`.
 
 mod docs;
+mod keys;
 mod words;
 
 use proc_macro::TokenStream;
@@ -15,6 +16,28 @@ use syn::{DeriveInput, parse_macro_input};
 pub fn words(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
     words::derive(&input)
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}
+
+/// Makes the fields of a struct keys of a table of the scenario language.
+///
+/// For structs of `riprap-scenario`, beside `Deserialize` with `deny_unknown_fields`. The word of a key is the name of its
+/// field (or that of `#[serde(rename = "...")]`), its meaning the documentation. What else there is to say stands in
+/// `#[key(...)]`:
+///
+/// - `default = "0 Pa"` for a quantity, `default = 3` for a number, `default` for an enum of words (its default variant),
+///   `planar = "0.2", spatial = "0.1"` for a quantity with a default in each space;
+/// - `space = "planar"`: the only space that has the key, `instead = "..."`: what to do in the other one;
+/// - `changes`: phases may change it.
+///
+/// The sentence about the default is added to the documentation. Implements `schemars::JsonSchema` and, for
+/// `read::Read` of the table, a method for each key that gives its SI value, default included, and writes down where it
+/// came from. `#[keys(change = Name, path = "interfaces.*")]` makes the struct `Name` of the keys that phases may change.
+#[proc_macro_derive(Keys, attributes(key, keys))]
+pub fn keys(input: TokenStream) -> TokenStream {
+    let input = parse_macro_input!(input as DeriveInput);
+    keys::derive(&input)
         .unwrap_or_else(syn::Error::into_compile_error)
         .into()
 }

@@ -8,7 +8,7 @@
 
 mod words;
 
-pub use riprap_keys_derive::Words;
+pub use riprap_keys_derive::{Keys, Words};
 pub use words::Words;
 
 /// What derived code uses; not for anybody else.

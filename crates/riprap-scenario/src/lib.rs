@@ -26,6 +26,7 @@ pub mod names;
 pub mod overrides;
 pub mod path;
 pub mod quantity;
+pub mod read;
 mod references;
 mod rules;
 pub mod schema;

@@ -1,5 +1,6 @@
 //! Conditions on free faces, and the stress at the start.
 
+use riprap_keys::Keys;
 use riprap_keys::Words;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -152,7 +153,7 @@ pub enum InSitu {
 }
 
 /// Stress from gravity: vertical density times g times depth, horizontal `k0` times that.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct GravityK0 {
     /// Height of the ground surface, m. Default the top of the model.
@@ -164,14 +165,16 @@ pub struct GravityK0 {
 }
 
 /// Stress along the axes, compression positive.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Compressive {
     /// Height at which the stresses hold, m. Default the top of the model.
     pub surface: Option<Quantity<Length>>,
-    /// Vertical stress, Pa. Default 0 Pa.
+    /// Vertical stress, Pa.
+    #[key(default = "0 Pa")]
     pub vertical: Option<Quantity<Pressure>>,
-    /// Its growth with depth, Pa/m. Default 0 Pa/m.
+    /// Its growth with depth, Pa/m.
+    #[key(default = "0 Pa/m")]
     pub vertical_gradient: Option<Quantity<PressureGradient>>,
     /// Stress along x, Pa. Default `k0` times `vertical`.
     pub x: Option<Quantity<Pressure>>,
@@ -182,7 +185,7 @@ pub struct Compressive {
     /// Its growth with depth, Pa/m. Default `k0` times `vertical_gradient`.
     pub y_gradient: Option<Quantity<PressureGradient>>,
     /// Horizontal over vertical stress where a horizontal one is not given; zero or more.
-    /// Default 0.
+    #[key(default = "0")]
     pub k0: Option<Quantity<NotNegativePlain>>,
 }
 

@@ -1,6 +1,6 @@
 //! Laws of contact between materials, and how phases change them.
 
-use schemars::JsonSchema;
+use riprap_keys::Keys;
 use serde::Deserialize;
 
 use crate::quantity::{
@@ -13,86 +13,112 @@ use riprap_core::laws::parameters::{
 };
 
 /// The law of contact between two materials.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(change = InterfaceChange, path = "interfaces.*")]
 pub struct Interface {
     /// The two materials that meet, for example `["rock", "steel"]`. Required, except in
     /// `default`, where it is forbidden.
     pub between: Option<[Name; 2]>,
-    /// Normal law of found contacts. Default `distance_potential`.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "joints are elastic up to their strength; leave it out"))]
+    /// Normal law of found contacts.
+    #[key(
+        space = "planar",
+        instead = "joints are elastic up to their strength; leave it out"
+    )]
+    #[key(default, changes)]
     pub law: Option<NormalLaw>,
-    /// How `penetration_potential` treats a reflex (inward) corner. Default `min`.
-    #[schemars(extend("x-space" = "planar"))]
+    /// How `penetration_potential` treats a reflex (inward) corner.
+    #[key(space = "planar")]
+    #[key(default, changes)]
     pub reflex: Option<Reflex>,
-    /// Where the stiffness of joints comes from. Default `material`, without
-    /// `normal_stiffness`.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "give `normal_stiffness`, or the elastic constants of the materials"))]
+    /// Where the stiffness of joints comes from, without `normal_stiffness`.
+    #[key(
+        space = "spatial",
+        instead = "give `normal_stiffness`, or the elastic constants of the materials"
+    )]
+    #[key(default)]
     pub stiffness: Option<StiffnessRule>,
     /// Normal stiffness per area of contact, Pa/m; greater than zero. Default in `[space.planar]`
     /// 10 (K + 4G/3)/L from `young` and `poisson` of the materials, L the median block size; in
     /// `[space.spatial]` by `stiffness`.
+    #[key(changes)]
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area of contact, Pa/m; greater than zero. Default half the normal one.
+    #[key(changes)]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether joints neither open nor slide. Default false: Mohr-Coulomb with a tension cut-off.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `bond` with a high strength"))]
+    #[key(space = "spatial", instead = "use `bond` with a high strength")]
     #[serde(default)]
     pub elastic: bool,
     /// Angle of friction, at least 0 and less than 90 deg. Give this or `friction_coefficient`.
+    #[key(changes)]
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Tangent of the friction angle, zero or more. Give this or `friction_angle`.
+    #[key(changes)]
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
-    /// Cohesion, Pa; zero or more. Default 0 Pa.
+    /// Cohesion, Pa; zero or more.
+    #[key(default = "0 Pa", changes)]
     pub cohesion: Option<Quantity<Strength>>,
-    /// Tensile strength of joints, Pa; zero or more. Default 0 Pa.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    /// Tensile strength of joints, Pa; zero or more.
+    #[key(space = "spatial", instead = "it belongs into `bond`")]
+    #[key(default = "0 Pa", changes)]
     pub tension: Option<Quantity<Strength>>,
     /// Angle of friction of joints that have failed. Default `friction_angle`.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    #[key(space = "spatial", instead = "it belongs into `bond`")]
+    #[key(changes)]
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Cohesion of joints that have failed, Pa; zero or more. Default 0 Pa.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "it belongs into `bond`"))]
+    /// Cohesion of joints that have failed, Pa; zero or more.
+    #[key(space = "spatial", instead = "it belongs into `bond`")]
+    #[key(default = "0 Pa", changes)]
     pub residual_cohesion: Option<Quantity<Strength>>,
-    /// Angle of dilation of joints that slide, at least 0 and less than 90 deg. Default 0 deg.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// Angle of dilation of joints that slide, at least 0 and less than 90 deg.
+    #[key(space = "spatial")]
+    #[key(default = "0 deg")]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
     /// Slip at which dilation ends, m. Needed with `dilation_angle`.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     pub dilation_end: Option<Quantity<PositiveLength>>,
-    /// What fails as one. Default `point`.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// What fails as one.
+    #[key(space = "spatial")]
+    #[key(default)]
     pub failure: Option<Failure>,
-    /// Where the four points of a joint lie. Default `gauss`.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// Where the four points of a joint lie.
+    #[key(space = "spatial")]
+    #[key(default)]
     pub points: Option<Points>,
-    /// Law of friction. Default `shear_spring`.
-    #[schemars(extend("x-space" = "planar"))]
+    /// Law of friction.
+    #[key(space = "planar")]
+    #[key(default, changes)]
     pub friction_law: Option<FrictionLaw>,
     /// Slip speed below which `clipped` friction grows linearly, m/s. Needed by `clipped` only.
-    #[schemars(extend("x-space" = "planar"))]
+    #[key(space = "planar")]
+    #[key(changes)]
     pub clip_speed: Option<Quantity<Speed>>,
-    /// Damping; zero or more. In `[space.planar]` a share of critical damping, default 0.2. In
-    /// `[space.spatial]` dashpots beside the springs of closed joints, with the time constant
-    /// `damping_ratio` times distance of the centroids over c_P; default 0.1, which needs `young`
-    /// and `poisson`.
+    /// Damping; zero or more. In `[space.planar]` a share of critical damping. In `[space.spatial]` dashpots beside the
+    /// springs of closed joints, with the time constant `damping_ratio` times distance of the centroids over c_P, which
+    /// needs `young` and `poisson`.
+    #[key(planar = "0.2", spatial = "0.1", changes)]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Points of a joint on which its dashpots act along it; across it they act on all closed points. Those of
-    /// `damping.stiffness` of a phase do likewise. Default `sticking`.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// `damping.stiffness` of a phase do likewise.
+    #[key(space = "spatial")]
+    #[key(default)]
     pub dashpots: Option<Dashpots>,
     /// Joins blocks that share an edge at the start with patches that can break.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "give `tension`, `cohesion`, ... of the interface itself: blocks that share a face are joined"))]
+    #[key(
+        space = "planar",
+        instead = "give `tension`, `cohesion`, ... of the interface itself: blocks that share a face are joined"
+    )]
     pub bond: Option<Bond>,
     /// Bonds between deformable blocks, and between a deformable and a rigid one. Strengths that the interface itself
     /// does not give are also those of its joints between rigid blocks.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `bond`"))]
+    #[key(space = "spatial", instead = "use `bond`")]
     pub brittle_bond: Option<BrittleBond>,
 }
 
 /// Springs over the shared part of two faces that break by Mohr-Coulomb with a tension cut-off; what is broken is a contact with
 /// friction.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct BrittleBond {
     /// Thickness L of the interface, m: springs E/L and G/L per area. One for all facets; 0.01 of the smallest block
@@ -115,24 +141,26 @@ pub struct BrittleBond {
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
     /// Lets bonds soften: the work of separation is then that of the material and not of the mesh.
     pub cohesive: Option<Cohesive>,
-    /// What fails as one. Default `spring`; `cohesive` goes with `spring` only.
+    /// What fails as one; `cohesive` goes with `spring` only.
+    #[key(default)]
     pub failure: Option<BondFailure>,
 }
 
 /// Energies of separation of softening bonds.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Cohesive {
     /// Fracture energy of opening, J/m2 = N/m; above tension^2 thickness/(2 E), below which the bond cannot resolve it.
     pub mode_1: Quantity<FractureEnergy>,
     /// Fracture energy of sliding, J/m2 = N/m; above cohesion^2 thickness/(2 G).
     pub mode_2: Quantity<FractureEnergy>,
-    /// Curve from the peak to nothing. Default `linear`.
+    /// Curve from the peak to nothing.
+    #[key(default)]
     pub softening: Option<Softening>,
 }
 
 /// Patches along edges that two blocks share at the start.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Bond {
     /// Normal stiffness per area, Pa/m; greater than zero. Default that of the contact.
@@ -148,50 +176,13 @@ pub struct Bond {
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Angle of friction once broken. Default `friction_angle`.
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Cohesion left once broken, Pa; zero or more. Default 0 Pa.
+    /// Cohesion left once broken, Pa; zero or more.
+    #[key(default = "0 Pa")]
     pub residual_cohesion: Option<Quantity<Strength>>,
-    /// Damping as a share of critical damping; zero or more. Default 0.2.
+    /// Damping as a share of critical damping; zero or more.
+    #[key(default = "0.2")]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
-    /// Points along a shared edge at which the law is evaluated, 1 to 5. Default 2.
+    /// Points along a shared edge at which the law is evaluated, 1 to 5.
+    #[key(default = 2)]
     pub points: Option<u8>,
-}
-
-/// Keys of an interface that change when a phase begins; all others stay.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[schemars(extend("x-change-of" = "interfaces.*"))]
-#[serde(deny_unknown_fields)]
-pub struct InterfaceChange {
-    /// Normal law of found contacts.
-    #[schemars(extend("x-space" = "planar"))]
-    pub law: Option<NormalLaw>,
-    /// How `penetration_potential` treats a reflex (inward) corner.
-    #[schemars(extend("x-space" = "planar"))]
-    pub reflex: Option<Reflex>,
-    /// Normal stiffness per area of contact, Pa/m; greater than zero.
-    pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
-    /// Shear stiffness per area of contact, Pa/m; greater than zero.
-    pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
-    /// Angle of friction, at least 0 and less than 90 deg.
-    pub friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Tangent of the friction angle, zero or more.
-    pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
-    /// Cohesion, Pa; zero or more.
-    pub cohesion: Option<Quantity<Strength>>,
-    /// Tensile strength, Pa; zero or more.
-    #[schemars(extend("x-space" = "spatial"))]
-    pub tension: Option<Quantity<Strength>>,
-    /// Angle of friction of joints that have failed.
-    #[schemars(extend("x-space" = "spatial"))]
-    pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Cohesion of joints that have failed, Pa; zero or more.
-    #[schemars(extend("x-space" = "spatial"))]
-    pub residual_cohesion: Option<Quantity<Strength>>,
-    /// Law of friction.
-    #[schemars(extend("x-space" = "planar"))]
-    pub friction_law: Option<FrictionLaw>,
-    /// Slip speed below which `clipped` friction grows linearly, m/s.
-    #[schemars(extend("x-space" = "planar"))]
-    pub clip_speed: Option<Quantity<Speed>>,
-    /// Damping, as in the interface itself; zero or more.
-    pub damping_ratio: Option<Quantity<NotNegativePlain>>,
 }

@@ -1,5 +1,6 @@
 //! The parts of a run.
 
+use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -14,24 +15,26 @@ use riprap_core::laws::parameters::CutAnchor;
 use riprap_core::laws::tetrahedron::Strain;
 
 /// A part of the run.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Phase {
     /// Name of the phase, once in the file.
     pub name: Name,
-    /// How the phase is calculated. Default `dynamic`.
+    /// How the phase is calculated.
+    #[key(default)]
     pub kind: Option<PhaseKind>,
     /// When the phase ends: the first condition that is reached.
     pub until: Until,
     /// Time step, s. Default automatic: `safety` times the stable one.
     pub time_step: Option<Quantity<TimeStep>>,
-    /// Share of the stable time step that is used when `time_step` is not given, greater than 0
-    /// and at most 1. Default 0.2 in `[space.planar]` and 0.5 in `[space.spatial]`.
+    /// Share of the stable time step that is used when `time_step` is not given, greater than 0 and at most 1.
+    #[key(planar = "0.2", spatial = "0.5")]
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
     pub damping: Option<Damping>,
     /// Largest energy residual (what the ledger cannot explain, as a share of the largest energy that moved) with which the
-    /// run goes on; beyond it the run is stopped, since what happens is not what the laws say. Default 1.
+    /// run goes on; beyond it the run is stopped, since what happens is not what the laws say.
+    #[key(default = "1")]
     pub max_residual: Option<Quantity<PositivePlain>>,
     /// Groups or blocks that are taken away when the phase begins.
     #[serde(default)]
@@ -54,31 +57,33 @@ pub struct Phase {
     /// Interfaces that change from this phase on, by name.
     #[serde(default)]
     pub interfaces: Table<InterfaceChange>,
-    /// Whether bonds of deformable blocks may break. Default true.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// Whether bonds of deformable blocks may break.
+    #[key(space = "spatial")]
+    #[key(default = true)]
     pub breaking: Option<bool>,
     /// Measure of strain of all deformable blocks from this phase on. Default: that of the blocks, or of the phase before.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     pub strain: Option<Strain>,
-    /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and driven
-    /// nodes follow it, and each step is relaxed to `until.unbalanced`. Default 1.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and
+    /// driven nodes follow it, and each step is relaxed to `until.unbalanced`.
+    #[key(space = "spatial")]
+    #[key(default = 1)]
     pub load_steps: Option<u64>,
-    /// Iterations after which a load step of deformable blocks that does not converge ends a `static` phase. Default
-    /// 200000.
-    #[schemars(extend("x-space" = "spatial"))]
+    /// Iterations after which a load step of deformable blocks that does not converge ends a `static` phase.
+    #[key(space = "spatial")]
+    #[key(default = 200_000)]
     pub iterations: Option<u64>,
     /// Other rules for a `static` phase of deformable blocks than the robust ones: those of Han, Liu & Li (2010). Default:
     /// adaptive damping, equilibrium by forces, breaking event by event.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     pub relaxation: Option<Relaxation>,
     /// Lets deformable blocks be cut where they are about to break. Default: none is cut.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     pub cut: Option<Cutting>,
 }
 
 /// How a static phase of deformable blocks relaxes, where it is not by default.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Relaxation {
     /// Constant damping c of `v' = ((2 - c) v + 2 r/m)/(2 + c)`, at least 0 and less than 1. Default adaptive.
@@ -86,30 +91,37 @@ pub struct Relaxation {
     /// Equilibrium where the elastic energy changes by less than this share in 25 iterations, whatever the forces. Default:
     /// by the forces (`until.unbalanced`).
     pub energy: Option<Quantity<PositivePlain>>,
-    /// When bonds break. Default `most`.
+    /// When bonds break.
+    #[key(default)]
     pub breaks: Option<Breaks>,
 }
 
 /// Cutting of deformable blocks by parallel planes, in `static` phases whenever the forces have converged, in `dynamic` ones
 /// every ten steps. The strength is
 /// that of the bonds within the material.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Cutting {
-    /// Planes per cut, 1 to 7. Default 3: four parts.
+    /// Planes per cut, 1 to 7: one part more.
+    #[key(default = 3)]
     pub planes: Option<u64>,
-    /// What decides. Default `larger`.
+    /// What decides.
+    #[key(default)]
     pub criterion: Option<Criterion>,
-    /// How much before the tensile strength a block is cut, Pa; zero or more. Default 0 Pa.
+    /// How much before the tensile strength a block is cut, Pa; zero or more.
+    #[key(default = "0 Pa")]
     pub margin_tension: Option<Quantity<Strength>>,
-    /// How much before the shear strength a block is cut, Pa; zero or more. Default 0 Pa.
+    /// How much before the shear strength a block is cut, Pa; zero or more.
+    #[key(default = "0 Pa")]
     pub margin_shear: Option<Quantity<Strength>>,
-    /// How often a block and its parts may be cut: (planes + 1)^generations parts at most, which must not be above 4096.
-    /// Default 1.
+    /// How often a block and its parts may be cut: (planes + 1)^generations parts at most, which must not be above
+    /// 4096.
+    #[key(default = 1)]
     pub generations: Option<u64>,
     /// Edge of a cube as large as the smallest part that may be made, m. Default none.
     pub smallest: Option<Quantity<PositiveLength>>,
-    /// Where the planes lie. Default `spacing`.
+    /// Where the planes lie.
+    #[key(default)]
     pub anchor: Option<CutAnchor>,
     /// With `anchor = "tip"`: whether only facets between parts of one block break. Default false.
     #[serde(default)]
@@ -117,13 +129,14 @@ pub struct Cutting {
     /// Axis that lies in all planes of cuts, for plane strain across it. Default: the direction of the middle principal
     /// stress.
     pub along: Option<CutAxis>,
-    /// Corners nearer than this share of the spacing of the planes to a plane are on it, at least 0 and less than 1. Default
-    /// 0.03.
+    /// Corners nearer than this share of the spacing of the planes to a plane are on it, at least 0 and less than 1.
+    #[key(default = "0.03")]
     pub snap: Option<Quantity<ShareBelowOne>>,
     /// Most times that blocks are cut in the phase. Default: no limit.
     pub stages: Option<u64>,
-    /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block, at least
-    /// 0 and less than 1. Default 0.1.
+    /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block,
+    /// at least 0 and less than 1.
+    #[key(default = "0.1")]
     pub step_floor: Option<Quantity<ShareBelowOne>>,
 }
 
@@ -140,7 +153,7 @@ pub enum CutAxis {
 }
 
 /// End of a phase; at least one condition, the first that is reached counts.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Until {
     /// Duration of the phase in model time, s.
@@ -154,19 +167,21 @@ pub struct Until {
 }
 
 /// Damping of the motion of blocks.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Damping {
-    /// Force against the velocity, proportional to mass, 1/s; zero or more. Default 0 1/s.
+    /// Force against the velocity, proportional to mass, 1/s; zero or more.
+    #[key(default = "0 1/s")]
     pub mass: Option<Quantity<Rate>>,
     /// The same for turning: moment against the spin, proportional to inertia, 1/s. Default as
     /// `mass`.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "`mass` damps turning too"))]
+    #[key(space = "spatial", instead = "`mass` damps turning too")]
     pub rotation: Option<Quantity<Rate>>,
-    /// Proportional to contact stiffness, s; zero or more. Default 0 s.
+    /// Proportional to contact stiffness, s; zero or more.
+    #[key(default = "0 s")]
     pub stiffness: Option<Quantity<NotNegativeTime>>,
-    /// Share of the unbalanced force taken off, against the motion; at least 0, less than 1.
-    /// Default 0. For static questions.
+    /// Share of the unbalanced force taken off, against the motion; at least 0, less than 1. For static questions.
+    #[key(default = "0")]
     pub local: Option<Quantity<ShareBelowOne>>,
 }
 

@@ -1,5 +1,6 @@
 //! Shapes of blocks in space, and places there.
 
+use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -112,10 +113,11 @@ pub enum Mechanics {
 }
 
 /// Deformable blocks.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Deformable {
-    /// Measure of strain. Default `small`.
+    /// Measure of strain.
+    #[key(default)]
     pub strain: Option<Strain>,
     /// Displacement of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m), for
     /// example `["1e-4*x", "0", "0"]`. Default none.

@@ -1,6 +1,7 @@
 //! The space of a scene and its materials.
 
 use riprap_core::laws::parameters::Kinematics;
+use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -22,12 +23,13 @@ pub enum Space {
 }
 
 /// Two dimensions.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Planar {
     /// Acceleration of gravity [x, y], m/s2; usually `["0 m/s2", "-9.81 m/s2"]`.
     pub gravity: [Quantity<Acceleration>; 2],
-    /// The gravity vector is turned clockwise by this angle: a tilting table. Default 0 deg.
+    /// The gravity vector is turned clockwise by this angle: a tilting table.
+    #[key(default = "0 deg")]
     pub tilt: Option<Quantity<Angle>>,
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
     /// block, or what the weight of the whole model could press in (up to 1 % of the block).
@@ -35,16 +37,17 @@ pub struct Planar {
 }
 
 /// Three dimensions.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Spatial {
     /// Acceleration of gravity, m/s2: one value that points down (against z), usually
     /// `"9.81 m/s2"`, or a vector.
     pub gravity: Down<Acceleration>,
-    /// How blocks turn. Default `automatic`.
+    /// How blocks turn.
+    #[key(default)]
     pub kinematics: Option<Kinematics>,
     /// Angle at which a block changes over to finite rotations, rad. For `automatic` only.
-    /// Default 0.01 rad.
+    #[key(default = "0.01 rad")]
     pub rotation_bound: Option<Quantity<PositiveAngle>>,
     /// Periods of the model along x, y, z: a length, or `"none"`. Blocks at opposite ends are
     /// neighbours. Default none.
@@ -67,7 +70,7 @@ pub struct Group {
 }
 
 /// A material.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Mass per volume, kg/m3; greater than zero. Not the unit weight in kN/m3.

@@ -86,6 +86,30 @@ impl Dim {
         }
     }
 
+    /// SI unit, for numbers that are shown; nothing for a pure number.
+    pub fn unit(self) -> String {
+        let named = [
+            (Dim::NONE, ""),
+            (Dim::DENSITY, "kg/m3"),
+            (Dim::PRESSURE, "Pa"),
+            (Dim::STIFFNESS_PER_AREA, "Pa/m"),
+            (Dim::VELOCITY, "m/s"),
+            (Dim::ACCELERATION, "m/s2"),
+            (Dim::SPIN, "rad/s"),
+            (Dim::SPIN_ACCELERATION, "rad/s2"),
+            (Dim::FORCE, "N"),
+            (Dim::FORCE_PER_LENGTH, "N/m"),
+            (Dim::ENERGY, "J"),
+            (Dim::SPECIFIC_ENERGY, "J/kg"),
+            (Dim::POWER, "W"),
+            (Dim::RATE, "1/s"),
+        ];
+        match named.iter().find(|(dim, _)| *dim == self) {
+            Some((_, unit)) => (*unit).to_owned(),
+            None => self.to_string(),
+        }
+    }
+
     fn times(self, other: Dim, power: i32) -> Option<Dim> {
         let mut exponents = self.0;
         for (exponent, factor) in exponents.iter_mut().zip(other.0) {

@@ -10,11 +10,11 @@ use riprap_geom::voronoi::{self, Cells};
 use riprap_geom::{GeomError, Vec2};
 
 use super::builder::{Builder, global};
-use super::explain::{Provenance, with_unit};
 use super::summary::Region;
 use crate::scenario::language::{
     Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
 };
+use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Name, Quantity, Span, csv_columns};
 
 /// What one table makes.

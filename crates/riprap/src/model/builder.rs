@@ -7,7 +7,6 @@ use riprap_geom::{Vec2, Vec3, polygon};
 use super::assertions::LIMIT;
 use super::blocks::Generated;
 use super::drawn::Drawn;
-use super::explain::{Explained, Provenance, with_unit};
 use super::names::{Directory, Entry};
 use super::{Model, Summary, inspect};
 use crate::planar::setup::{BlockSpec, Group, Setup};
@@ -15,6 +14,7 @@ use crate::record::field::FieldInfo;
 use crate::run::plan::Plan;
 use crate::scenario::language::{Block, BoxRegion, Planar, Point, Space, Target};
 use crate::scenario::quantity::{Acceleration, Axial, Down, Kind};
+use crate::scenario::read::{Explained, Provenance, Read, with_unit};
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Diagnostics, Name, Parsed, Quantity, Severity};
 use crate::spatial::setup as spatial;
@@ -148,6 +148,15 @@ impl Builder<'_> {
         });
     }
 
+    /// A table to be read.
+    pub(super) fn reading<'b, T>(
+        &'b mut self,
+        path: impl Into<String>,
+        said: &'b T,
+    ) -> Read<'b, T> {
+        Read::new(said, self.space, path, &mut self.explained)
+    }
+
     /// SI value of a key that has a default; written down.
     pub(super) fn or<K: Kind>(
         &mut self,
@@ -265,7 +274,7 @@ impl Builder<'_> {
         let [x, y] = [planar.gravity[0].si(), planar.gravity[1].si()];
         let raw = format!("[{}, {}]", planar.gravity[0].raw, planar.gravity[1].raw);
         self.explain("space.planar.gravity", raw, Provenance::Given, "");
-        let tilt = self.or("space.planar.tilt", planar.tilt.as_ref(), 0.0, "deg");
+        let tilt = self.reading("space.planar", planar).tilt();
         let (sin, cos) = (libm::sin(tilt), libm::cos(tilt));
         self.setup.gravity = [x * cos + y * sin, y * cos - x * sin];
     }
@@ -315,13 +324,8 @@ impl Builder<'_> {
         let scenario = &self.parsed.scenario;
         self.setup.materials = scenario.materials.names().map(str::to_owned).collect();
         for (name, material) in scenario.materials.iter() {
-            let density = material.density.raw.to_string();
-            self.explain(
-                format!("materials.{name}.density"),
-                density,
-                Provenance::Given,
-                "",
-            );
+            self.reading(format!("materials.{name}"), material)
+                .density();
         }
         for block in &scenario.blocks {
             let Some(generated) = self.generate(block) else {

@@ -7,13 +7,13 @@ use riprap_geom::polygon::{self, Collinear};
 
 use super::blocks::Generated;
 use super::builder::Builder;
-use super::explain::{Provenance, with_unit};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::foreign::dxf::{Drawing, parse_dxf};
 use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::foreign::{self, Place};
 use crate::scenario::language::{Block, Cut, Geometry, Polygons, Traces};
 use crate::scenario::quantity::PositiveLength;
+use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Name, Quantity};
 
 /// Polygons of a file in the coordinates of the scenario, m.

@@ -7,11 +7,11 @@ use riprap_geom::pairs::touching_boxes;
 use riprap_geom::polygon::{self, Aabb};
 
 use super::builder::Builder;
-use super::explain::with_unit;
 use crate::planar::setup::Motion;
 use crate::run::plan::PhaseKind;
 use crate::scenario::Diagnostic;
 use crate::scenario::language::Space;
+use crate::scenario::read::with_unit;
 
 /// Overlap at the start that needs no reason, as a share of the smaller block.
 const ACCEPTED: f64 = 1e-6;

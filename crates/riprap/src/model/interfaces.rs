@@ -1,13 +1,12 @@
 //! Laws of contact per pair of materials.
 
 use riprap_geom::polygon;
-use riprap_keys::Words;
 
 use super::builder::Builder;
-use super::explain::{Provenance, with_unit};
 use super::solid::reduce_joint;
 use crate::planar::setup::{self, BondLaw, ContactLaw, FrictionLaw, Motion};
 use crate::scenario::language::{self, Bond, InterfaceChange};
+use crate::scenario::read::{Given, Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity, Table};
 
 impl Builder<'_> {
@@ -94,100 +93,52 @@ impl Builder<'_> {
         interface: &language::Interface,
         size: f64,
     ) -> Option<ContactLaw> {
-        let key = |word: &str| format!("interfaces.{name}.{word}");
-        let normal = interface.law.unwrap_or_default();
-        let from = if interface.law.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
+        let estimate = match &interface.normal_stiffness {
+            Some(_) => None,
+            None => Some(self.default_stiffness(row, name, size)?),
         };
-        self.explain(key("law"), normal.word(), from, "");
-        let normal_stiffness = match &interface.normal_stiffness {
-            Some(given) => {
-                self.explain(
-                    key("normal_stiffness"),
-                    given.raw.to_string(),
-                    Provenance::Given,
-                    "",
-                );
-                given.si()
-            }
-            None => self.default_stiffness(row, name, size)?,
+        let friction = self.friction(name, interface)?;
+        let mut read = self.reading(format!("interfaces.{name}"), interface);
+        let normal = read.law();
+        let (value, why) = estimate.unwrap_or_default();
+        let normal_stiffness = read.normal_stiffness_or(value, Provenance::Derived, &why);
+        let half = 0.5 * normal_stiffness;
+        let shear_stiffness =
+            read.shear_stiffness_or(half, Provenance::Derived, "half the normal stiffness");
+        let friction_law = read.friction_law();
+        let clip_speed = match friction_law {
+            FrictionLaw::Clipped => read.clip_speed(),
+            FrictionLaw::ShearSpring | FrictionLaw::RateSign => None,
         };
-        let shear_stiffness = match &interface.shear_stiffness {
-            Some(given) => {
-                self.explain(
-                    key("shear_stiffness"),
-                    given.raw.to_string(),
-                    Provenance::Given,
-                    "",
-                );
-                given.si()
-            }
-            None => {
-                let value = 0.5 * normal_stiffness;
-                let why = "half the normal stiffness";
-                let text = with_unit(value, "Pa/m");
-                self.explain(key("shear_stiffness"), text, Provenance::Derived, why);
-                value
-            }
-        };
-        let friction = match (&interface.friction_angle, &interface.friction_coefficient) {
-            (Some(angle), _) => {
-                self.explain(
-                    key("friction_angle"),
-                    angle.raw.to_string(),
-                    Provenance::Given,
-                    "",
-                );
-                libm::tan(angle.si())
-            }
-            (None, Some(coefficient)) => {
-                let text = coefficient.raw.to_string();
-                self.explain(key("friction_coefficient"), text, Provenance::Given, "");
-                coefficient.si()
-            }
-            (None, None) => {
-                let message = format!("interfaces.{name} has no friction");
-                let error = Diagnostic::error("key.missing", message);
-                self.found
-                    .push(error.help("write for example friction_angle = \"30 deg\""));
-                return None;
-            }
-        };
-        let given = interface.friction_law.is_some();
-        let from = if given {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        let friction_law = interface.friction_law.unwrap_or_default();
-        self.explain(key("friction_law"), friction_law.word(), from, "");
-        let clip_speed = interface.clip_speed.as_ref().map_or(0.0, Quantity::si);
-        if let (FrictionLaw::Clipped, Some(speed)) = (friction_law, &interface.clip_speed) {
-            let raw = speed.raw.to_string();
-            self.explain(key("clip_speed"), raw, Provenance::Given, "");
-        }
         Some(ContactLaw {
             normal,
             reflex: interface.reflex.unwrap_or_default(),
             normal_stiffness,
             shear_stiffness,
             friction,
-            cohesion: self.or(&key("cohesion"), interface.cohesion.as_ref(), 0.0, "Pa"),
+            cohesion: read.cohesion(),
             friction_law,
-            clip_speed,
-            damping_ratio: self.or(
-                &key("damping_ratio"),
-                interface.damping_ratio.as_ref(),
-                0.2,
-                "",
-            ),
+            clip_speed: clip_speed.unwrap_or(0.0),
+            damping_ratio: read.damping_ratio(),
         })
     }
 
+    /// Tangent of the friction angle, given by either key.
+    fn friction(&mut self, name: &str, interface: &language::Interface) -> Option<f64> {
+        let mut read = self.reading(format!("interfaces.{name}"), interface);
+        let friction = read.friction_angle().map(libm::tan);
+        let friction = friction.or_else(|| read.friction_coefficient());
+        if friction.is_none() {
+            let message = format!("interfaces.{name} has no friction");
+            let error = Diagnostic::error("key.missing", message);
+            let help = "write for example friction_angle = \"30 deg\"";
+            self.found.push(error.help(help));
+        }
+        friction
+    }
+
     /// 10 (K + 4G/3)/L of the softest material that meets another one through this row.
-    fn default_stiffness(&mut self, row: usize, name: &str, size: f64) -> Option<f64> {
+    fn default_stiffness(&mut self, row: usize, name: &str, size: f64) -> Option<(f64, String)> {
         let scenario = &self.parsed.scenario;
         let n = self.setup.materials.len();
         let (mut softest, mut lacking): (Option<(f64, &str)>, Option<&str>) = (None, None);
@@ -224,9 +175,7 @@ impl Builder<'_> {
             "10 (K + 4G/3)/L with the median block size L = {} (material `{material}`)",
             with_unit(size, "m")
         );
-        let key = format!("interfaces.{name}.normal_stiffness");
-        self.explain(key, with_unit(stiffness, "Pa/m"), Provenance::Derived, &why);
-        Some(stiffness)
+        Some((stiffness, why))
     }
 
     /// Median of the square root of the area, of the blocks that are free to move if there are any:
@@ -258,112 +207,61 @@ impl Builder<'_> {
     }
 
     fn bond(&mut self, name: &str, bond: &Bond, contact: &ContactLaw) -> BondLaw {
-        let key = |word: &str| format!("interfaces.{name}.bond.{word}");
-        let kn = contact.normal_stiffness;
-        let normal_stiffness = self.or(
-            &key("normal_stiffness"),
-            bond.normal_stiffness.as_ref(),
-            kn,
-            "Pa/m",
-        );
-        let ks = contact.shear_stiffness;
-        let shear_stiffness = self.or(
-            &key("shear_stiffness"),
-            bond.shear_stiffness.as_ref(),
-            ks,
-            "Pa/m",
-        );
+        let mut read = self.reading(format!("interfaces.{name}.bond"), bond);
+        let default = Provenance::Default;
+        let normal_stiffness = read.normal_stiffness_or(contact.normal_stiffness, default, "");
+        let shear_stiffness = read.shear_stiffness_or(contact.shear_stiffness, default, "");
+        let angle = libm::atan(contact.friction);
         let friction = match &bond.friction_angle {
             Some(angle) => libm::tan(angle.si()),
             None => contact.friction,
         };
-        let degrees = |tangent: f64| with_unit(libm::atan(tangent).to_degrees(), "deg");
-        let from = |given: bool| {
-            if given {
-                Provenance::Given
-            } else {
-                Provenance::Default
-            }
-        };
-        let given = from(bond.friction_angle.is_some());
-        self.explain(key("friction_angle"), degrees(friction), given, "");
+        read.friction_angle_or(angle, default, "");
         let residual_friction = match &bond.residual_friction_angle {
             Some(angle) => libm::tan(angle.si()),
             None => friction,
         };
-        let given = from(bond.residual_friction_angle.is_some());
-        self.explain(
-            key("residual_friction_angle"),
-            degrees(residual_friction),
-            given,
-            "",
-        );
-        let points = bond.points.unwrap_or(2);
+        read.residual_friction_angle_or(libm::atan(friction), default, "");
+        let points = read.points();
+        let law = BondLaw {
+            normal_stiffness,
+            shear_stiffness,
+            tension: read.tension(),
+            cohesion: read.cohesion(),
+            friction,
+            residual_friction,
+            residual_cohesion: read.residual_cohesion(),
+            damping_ratio: read.damping_ratio(),
+            points,
+        };
         if !(1..=5).contains(&points) {
             let message = format!("`points` of interfaces.{name}.bond is {points}");
             let error = Diagnostic::error("value.range", message);
-            self.found.push(
-                error
-                    .at(bond.tension.span.clone())
-                    .help("from 1 to 5 is possible"),
-            );
+            let error = error.at(bond.tension.span.clone());
+            self.found.push(error.help("from 1 to 5 is possible"));
         }
-        self.explain(
-            key("points"),
-            points.to_string(),
-            from(bond.points.is_some()),
-            "",
-        );
-        self.explain(
-            key("tension"),
-            bond.tension.raw.to_string(),
-            Provenance::Given,
-            "",
-        );
-        self.explain(
-            key("cohesion"),
-            bond.cohesion.raw.to_string(),
-            Provenance::Given,
-            "",
-        );
-        BondLaw {
-            normal_stiffness,
-            shear_stiffness,
-            tension: bond.tension.si(),
-            cohesion: bond.cohesion.si(),
-            friction,
-            residual_friction,
-            residual_cohesion: self.or(
-                &key("residual_cohesion"),
-                bond.residual_cohesion.as_ref(),
-                0.0,
-                "Pa",
-            ),
-            damping_ratio: self.or(&key("damping_ratio"), bond.damping_ratio.as_ref(), 0.2, ""),
-            points,
-        }
+        law
     }
 }
 
-/// A law after the changes of a phase; keys that are not given stay.
-pub(super) fn changed(law: &ContactLaw, change: &InterfaceChange) -> ContactLaw {
-    fn si<K: crate::scenario::quantity::Kind>(q: Option<&Quantity<K>>, old: f64) -> f64 {
-        q.map_or(old, Quantity::si)
-    }
-    let friction = match (&change.friction_angle, &change.friction_coefficient) {
-        (Some(angle), _) => libm::tan(angle.si()),
-        (None, Some(coefficient)) => coefficient.si(),
-        (None, None) => law.friction,
-    };
-    ContactLaw {
+/// Tangent of a changed friction angle, if it changes.
+pub(super) fn changed_friction(change: &InterfaceChange) -> Option<f64> {
+    let angle = change.friction_angle.as_ref().map(Quantity::si);
+    let coefficient = change.friction_coefficient.as_ref().map(Quantity::si);
+    angle.map(libm::tan).or(coefficient)
+}
+
+/// Changes a law as a phase says; keys that are not given stay.
+pub(super) fn change_contact(law: &mut ContactLaw, change: &InterfaceChange) {
+    *law = ContactLaw {
         normal: change.law.unwrap_or(law.normal),
         reflex: change.reflex.unwrap_or(law.reflex),
-        normal_stiffness: si(change.normal_stiffness.as_ref(), law.normal_stiffness),
-        shear_stiffness: si(change.shear_stiffness.as_ref(), law.shear_stiffness),
-        friction,
-        cohesion: si(change.cohesion.as_ref(), law.cohesion),
+        normal_stiffness: change.normal_stiffness.si_or(law.normal_stiffness),
+        shear_stiffness: change.shear_stiffness.si_or(law.shear_stiffness),
+        friction: changed_friction(change).unwrap_or(law.friction),
+        cohesion: change.cohesion.si_or(law.cohesion),
         friction_law: change.friction_law.unwrap_or(law.friction_law),
-        clip_speed: si(change.clip_speed.as_ref(), law.clip_speed),
-        damping_ratio: si(change.damping_ratio.as_ref(), law.damping_ratio),
-    }
+        clip_speed: change.clip_speed.si_or(law.clip_speed),
+        damping_ratio: change.damping_ratio.si_or(law.damping_ratio),
+    };
 }

@@ -16,7 +16,6 @@ mod assertions;
 mod blocks;
 mod builder;
 mod drawn;
-mod explain;
 mod fields;
 mod inspect;
 mod interfaces;
@@ -26,9 +25,9 @@ mod phases;
 mod solid;
 mod summary;
 
+pub use crate::scenario::read::{Explained, Provenance};
 pub use assertions::{Bisection, LIMIT};
 pub use builder::build;
-pub use explain::{Explained, Provenance};
 pub use summary::{Charge, Region, Summary};
 
 use crate::run::checks::Check;

@@ -1,10 +1,9 @@
 //! Phases and outputs.
 
 use super::builder::Builder;
-use super::explain::{Provenance, with_unit};
 use super::fields::Said as Place;
-use super::interfaces::changed;
-use super::solid::changed_joint;
+use super::interfaces::change_contact;
+use super::solid::change_joint;
 use crate::laws::fracture::Margins;
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{
@@ -13,16 +12,13 @@ use crate::run::plan::{
 };
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::quantity::Interval;
-use crate::scenario::vectors::InSpace;
+use crate::scenario::read::{Given, Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::JointLaw;
 use riprap_geom::Vec3;
-use riprap_keys::Words;
 
 /// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
 const RELAXED: f64 = 1e-6;
-/// Default of `iterations`.
-const MOST_ITERATIONS: u64 = 200_000;
 
 impl Builder<'_> {
     pub(super) fn phases(&mut self) {
@@ -40,55 +36,26 @@ impl Builder<'_> {
     }
 
     fn phase(&mut self, said: &language::Phase, laws: &mut Laws) -> Phase {
-        let key = |word: &str| format!("phases.{}.{word}", said.name);
-        let kind = said.kind.unwrap_or_default();
-        let from = if said.kind.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        self.explain(key("kind"), kind.word(), from, "");
-        let time_step = match &said.time_step {
-            Some(given) => {
-                self.explain(
-                    key("time_step"),
-                    given.raw.to_string(),
-                    Provenance::Given,
-                    "",
-                );
-                TimeStep::Given { dt: given.si() }
-            }
+        let mut read = self.reading(format!("phases.{}", said.name), said);
+        let kind = read.kind();
+        let time_step = match read.time_step() {
+            Some(dt) => TimeStep::Given { dt },
             None => {
-                let default = match self.space {
-                    InSpace::Planar => crate::run::plan::SAFETY,
-                    InSpace::Spatial => 0.5,
-                };
-                let safety = self.or(&key("safety"), said.safety.as_ref(), default, "");
+                let safety = read.safety();
                 let text = format!("{} of the stable one", with_unit(safety, ""));
-                self.explain(key("time_step"), text, Provenance::Default, "");
+                read.note("time_step", text, Provenance::Default, "");
                 TimeStep::Auto { safety }
             }
         };
-        let damping = said.damping.as_ref();
-        let part = |q: Option<f64>| q.unwrap_or(0.0);
+        let max_residual = read.max_residual();
+        let none = language::Damping::default();
+        let mut read = read.within("damping", said.damping.as_ref().unwrap_or(&none));
         let damping = Damping {
-            mass: part(damping.and_then(|d| d.mass.as_ref()).map(Quantity::si)),
-            rotation: damping.and_then(|d| d.rotation.as_ref()).map(Quantity::si),
-            stiffness: part(damping.and_then(|d| d.stiffness.as_ref()).map(Quantity::si)),
-            local: part(damping.and_then(|d| d.local.as_ref()).map(Quantity::si)),
+            mass: read.mass(),
+            rotation: read.rotation(),
+            stiffness: read.stiffness(),
+            local: read.local(),
         };
-        let text = format!(
-            "mass {}, stiffness {}, local {}",
-            with_unit(damping.mass, "1/s"),
-            with_unit(damping.stiffness, "s"),
-            with_unit(damping.local, "")
-        );
-        let from = if said.damping.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        self.explain(key("damping"), text, from, "");
         let (mut contacts, mut joints) = (Vec::new(), Vec::new());
         for (name, change) in said.interfaces.iter() {
             let mut names = self.parsed.scenario.interfaces.names();
@@ -97,11 +64,11 @@ impl Builder<'_> {
                 continue;
             };
             if let Some(law) = laws.contacts.get_mut(row) {
-                *law = changed(law, change);
+                change_contact(law, change);
                 contacts.push((row as u16, *law));
             }
             if let Some(law) = laws.joints.get_mut(row) {
-                *law = changed_joint(law, change);
+                change_joint(law, change);
                 joints.push((row as u16, *law));
             }
         }
@@ -134,7 +101,7 @@ impl Builder<'_> {
             zero_velocities: said.reset.contains(&Reset::Velocities),
             zero_displacements: said.reset.contains(&Reset::Displacements),
             deform: self.deforming(said),
-            max_residual: self.or(&key("max_residual"), said.max_residual.as_ref(), 1.0, ""),
+            max_residual,
         }
     }
 
@@ -143,33 +110,15 @@ impl Builder<'_> {
         if self.spatial.deform.sets.is_empty() {
             return None;
         }
-        let key = |word: &str| format!("phases.{}.{word}", said.name);
-        let given = |there: bool| {
-            if there {
-                Provenance::Given
-            } else {
-                Provenance::Default
-            }
-        };
-        let breaking = said.breaking.unwrap_or(true);
-        self.explain(
-            key("breaking"),
-            breaking.to_string(),
-            given(said.breaking.is_some()),
-            "",
-        );
-        let relaxes = said.kind == Some(PhaseKind::Static) && self.all_free_deform();
-        let relax = relaxes.then(|| {
-            let tolerance = said.until.unbalanced.as_ref().map(Quantity::si);
-            let iterations = said.iterations.unwrap_or(MOST_ITERATIONS);
-            let from = given(said.iterations.is_some());
-            self.explain(key("iterations"), iterations.to_string(), from, "");
-            Relaxing {
-                tolerance: tolerance.unwrap_or(RELAXED),
-                load_steps: said.load_steps.unwrap_or(1),
-                iterations,
-                way: said.relaxation.as_ref().map_or(Way::default(), way),
-            }
+        let all_deform = self.all_free_deform();
+        let mut read = self.reading(format!("phases.{}", said.name), said);
+        let breaking = read.breaking();
+        let relaxes = said.kind == Some(PhaseKind::Static) && all_deform;
+        let relax = relaxes.then(|| Relaxing {
+            tolerance: said.until.unbalanced.si_or(RELAXED),
+            load_steps: read.load_steps(),
+            iterations: read.iterations(),
+            way: said.relaxation.as_ref().map_or(Way::default(), way),
         });
         let cut = said
             .cut
@@ -185,44 +134,26 @@ impl Builder<'_> {
 
     /// Rules of cutting with their defaults.
     fn cutting(&mut self, phase: &str, said: &language::Cutting) -> Cutting {
-        let key = |word: &str| format!("phases.{phase}.cut.{word}");
-        let (planes, generations) = (said.planes.unwrap_or(3), said.generations.unwrap_or(1));
-        for (word, value, given) in [
-            ("planes", planes, said.planes.is_some()),
-            ("generations", generations, said.generations.is_some()),
-        ] {
-            let from = if given {
-                Provenance::Given
-            } else {
-                Provenance::Default
-            };
-            self.explain(key(word), value.to_string(), from, "");
-        }
-        let margins = Margins {
-            tension: self.or(
-                &key("margin_tension"),
-                said.margin_tension.as_ref(),
-                0.0,
-                "Pa",
-            ),
-            shear: self.or(&key("margin_shear"), said.margin_shear.as_ref(), 0.0, "Pa"),
-        };
+        let mut read = self.reading(format!("phases.{phase}.cut"), said);
         Cutting {
-            planes: planes as u32,
-            criterion: said.criterion.unwrap_or_default(),
-            margins,
-            generations: generations as u8,
-            smallest: said.smallest.as_ref().map_or(0.0, Quantity::si),
-            anchor: said.anchor.unwrap_or_default(),
+            planes: read.planes() as u32,
+            generations: read.generations() as u8,
+            margins: Margins {
+                tension: read.margin_tension(),
+                shear: read.margin_shear(),
+            },
+            criterion: read.criterion(),
+            smallest: read.smallest().unwrap_or(0.0),
+            anchor: read.anchor(),
             only_cut: said.only_cut,
             along: said.along.map(|axis| match axis {
                 CutAxis::X => Vec3::X,
                 CutAxis::Y => Vec3::Y,
                 CutAxis::Z => Vec3::Z,
             }),
-            snap: self.or(&key("snap"), said.snap.as_ref(), 0.03, ""),
+            snap: read.snap(),
             stages: said.stages.unwrap_or(u64::MAX),
-            step_floor: self.or(&key("step_floor"), said.step_floor.as_ref(), 0.1, ""),
+            step_floor: read.step_floor(),
         }
     }
 

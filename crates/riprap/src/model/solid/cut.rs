@@ -8,9 +8,9 @@ use super::global;
 use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
-use crate::model::explain::Provenance;
 use crate::scenario::csv_columns::csv_quantities;
 use crate::scenario::language::{Block, Cut};
+use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name, Quantity};
 

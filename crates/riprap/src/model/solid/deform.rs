@@ -2,11 +2,10 @@
 
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
-use crate::model::explain::Provenance;
 use crate::scenario::language::{self, Mechanics, Support, Target};
-use crate::scenario::{Diagnostic, Name, Quantity, target_span};
+use crate::scenario::read::Given;
+use crate::scenario::{Diagnostic, Name, target_span};
 use crate::spatial::setup::deform::{BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Strength};
-use riprap_keys::Words;
 
 impl Builder<'_> {
     /// Enters the blocks of one table, numbers `first` and following, if they are deformable.
@@ -14,14 +13,8 @@ impl Builder<'_> {
         let Some(Mechanics::Deformable(said)) = &block.mechanics else {
             return;
         };
-        let strain = said.strain.unwrap_or_default();
-        let from = if said.strain.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        let key = format!("blocks.{}.mechanics.deformable.strain", block.name);
-        self.explain(key, strain.word(), from, "");
+        let path = format!("blocks.{}.mechanics.deformable", block.name);
+        let strain = self.reading(path, &**said).strain();
         let mut field = |names: &Option<[Name; 3]>| {
             [0, 1, 2].map(|k: usize| {
                 let text = &names.as_ref()?[k];
@@ -54,54 +47,40 @@ impl Builder<'_> {
     }
 
     fn bond_law(&mut self, name: &str, said: &language::BrittleBond) -> BondLaw {
-        let key = |word: &str| format!("interfaces.{name}.brittle_bond.{word}");
-        let raw = said.thickness.raw.to_string();
-        self.explain(key("thickness"), raw, Provenance::Given, "");
+        let mut read = self.reading(format!("interfaces.{name}.brittle_bond"), said);
+        let thickness = read.thickness();
         let moduli = said.young.as_ref().zip(said.poisson.as_ref());
         let moduli = moduli.map(|(young, poisson)| {
             let young = young.si();
             [young, 0.5 * young / (1.0 + poisson.si())]
         });
-        let failure = said.failure.unwrap_or_default();
-        let from = if said.failure.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        if !said.elastic {
-            self.explain(key("failure"), failure.word(), from, "");
-        }
-        let strength = (!said.elastic).then(|| {
-            let si = |q: Option<f64>| q.unwrap_or(0.0);
-            let tangent = |angle: f64| libm::tan(angle);
-            let friction = tangent(si(said.friction_angle.as_ref().map(Quantity::si)));
-            let residual = said.residual_friction_angle.as_ref().map(Quantity::si);
-            Strength {
-                tension: si(said.tension.as_ref().map(Quantity::si)),
-                cohesion: si(said.cohesion.as_ref().map(Quantity::si)),
-                friction,
-                residual_friction: residual.map_or(friction, tangent),
-            }
-        });
-        let cohesive = said.cohesive.as_ref().zip(strength);
-        let cohesive = cohesive.map(|(said, strength)| {
-            let softening = said.softening.unwrap_or_default();
-            let from = if said.softening.is_some() {
-                Provenance::Given
-            } else {
-                Provenance::Default
+        if said.elastic {
+            return BondLaw {
+                thickness,
+                moduli,
+                strength: None,
+                cohesive: None,
+                failure: said.failure.unwrap_or_default(),
             };
-            self.explain(key("cohesive.softening"), softening.word(), from, "");
-            Cohesive {
-                strength,
-                energy: [said.mode_1.si(), said.mode_2.si()],
-                softening,
-            }
+        }
+        let failure = read.failure();
+        let friction = libm::tan(said.friction_angle.si_or(0.0));
+        let residual = said.residual_friction_angle.as_ref();
+        let strength = Strength {
+            tension: said.tension.si_or(0.0),
+            cohesion: said.cohesion.si_or(0.0),
+            friction,
+            residual_friction: residual.map_or(friction, |angle| libm::tan(angle.si())),
+        };
+        let cohesive = said.cohesive.as_ref().map(|said| Cohesive {
+            strength,
+            energy: [said.mode_1.si(), said.mode_2.si()],
+            softening: read.within("cohesive", said).softening(),
         });
         BondLaw {
-            thickness: said.thickness.si(),
+            thickness,
             moduli,
-            strength,
+            strength: Some(strength),
             cohesive,
             failure,
         }

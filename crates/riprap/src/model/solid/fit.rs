@@ -9,10 +9,10 @@ use riprap_geom::Vec3;
 use super::grid::{Lattice, grid_of, said_corner, said_size};
 use super::{global, triple};
 use crate::model::builder::Builder;
-use crate::model::explain::{Provenance, with_unit};
 use crate::scenario::Diagnostic;
 use crate::scenario::Name;
 use crate::scenario::language::{Around, Block, Explosive, GasCavity, GridBox, Source};
+use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::words::WordOr;
 
 /// Most levels that are tried.

@@ -4,8 +4,8 @@ use riprap_geom::Vec3;
 
 use super::{global, triple};
 use crate::model::builder::Builder;
-use crate::model::explain::{Provenance, with_unit};
 use crate::scenario::language::{Block, Geometry, Grid, GridBox};
+use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity};
 
 /// Most bricks that a grid may have.

@@ -1,9 +1,9 @@
 //! Stress at the start.
 
 use crate::model::builder::Builder;
-use crate::model::explain::{Provenance, with_unit};
 use crate::scenario::language::{self, Compressive, GravityK0, TensionPositive};
-use crate::scenario::quantity::{Kind, Length};
+use crate::scenario::quantity::Length;
+use crate::scenario::read::{Given, Provenance};
 use crate::scenario::{Diagnostic, Quantity, Span};
 use crate::spatial::setup::InSitu;
 
@@ -35,21 +35,12 @@ impl Builder<'_> {
 
     /// Height at which stresses hold, local z, m; by default the top of the model.
     fn surface(&mut self, form: &str, said: Option<&Quantity<Length>>) -> f64 {
-        let key = format!("in_situ.{form}.surface");
         let (_, top) = self.model_bounds();
         let origin = self.spatial.origin.z;
-        match said {
-            Some(surface) => {
-                let raw = surface.raw.to_string();
-                self.explain(key, raw, Provenance::Given, "");
-                surface.si() - origin
-            }
-            None => {
-                let text = with_unit(top.z + origin, "m");
-                self.explain(key, text, Provenance::Derived, "top of the model");
-                top.z
-            }
-        }
+        let mut read = self.reading(format!("in_situ.{form}"), &());
+        let (from, why) = (Provenance::Derived, "top of the model");
+        let surface = read.or("surface", said, top.z + origin, from, why);
+        said.map_or(top.z, |_| surface - origin)
     }
 
     fn gravity_k0(&mut self, said: &GravityK0) -> Option<InSitu> {
@@ -72,17 +63,8 @@ impl Builder<'_> {
             .map(|(_, material)| material.density)
             .collect();
         let density = match (&said.density, &used[..]) {
-            (Some(density), _) => {
-                let raw = density.raw.to_string();
-                self.explain("in_situ.gravity_k0.density", raw, Provenance::Given, "");
-                density.si()
-            }
-            (None, [first, rest @ ..]) if rest.iter().all(|other| other == first) => {
-                let text = with_unit(*first, "kg/m3");
-                let why = "of the material";
-                self.explain("in_situ.gravity_k0.density", text, Provenance::Derived, why);
-                *first
-            }
+            (Some(density), _) => density.si(),
+            (None, [first, rest @ ..]) if rest.iter().all(|other| other == first) => *first,
             (None, _) => {
                 let error =
                     Diagnostic::error("in_situ.density", "the materials have different densities");
@@ -93,10 +75,10 @@ impl Builder<'_> {
             }
         };
         let datum = self.surface("gravity_k0", said.surface.as_ref());
-        let k0 = said.k0.raw.to_string();
-        self.explain("in_situ.gravity_k0.k0", k0, Provenance::Given, "");
+        let mut read = self.reading("in_situ.gravity_k0", said);
+        read.density_or(density, Provenance::Derived, "of the material");
         let vertical = density * gravity.z;
-        let sideways = said.k0.si() * vertical;
+        let sideways = read.k0() * vertical;
         Some(InSitu {
             stress: [0.0; 6],
             gradient: [sideways, sideways, vertical, 0.0, 0.0, 0.0],
@@ -105,19 +87,13 @@ impl Builder<'_> {
     }
 
     fn compressive(&mut self, said: &Compressive) -> InSitu {
-        fn si<K: Kind>(q: Option<&Quantity<K>>) -> f64 {
-            q.map_or(0.0, Quantity::si)
-        }
-        let k0 = si(said.k0.as_ref());
-        let (vertical, below) = (
-            si(said.vertical.as_ref()),
-            si(said.vertical_gradient.as_ref()),
-        );
-        let value = |q: Option<f64>, other: f64| -(q.unwrap_or(k0 * other));
-        let x = value(said.x.as_ref().map(Quantity::si), vertical);
-        let y = value(said.y.as_ref().map(Quantity::si), vertical);
-        let x_below = value(said.x_gradient.as_ref().map(Quantity::si), below);
-        let y_below = value(said.y_gradient.as_ref().map(Quantity::si), below);
+        let mut read = self.reading("in_situ.compressive", said);
+        let k0 = read.k0();
+        let (vertical, below) = (read.vertical(), read.vertical_gradient());
+        let x = -said.x.si_or(k0 * vertical);
+        let y = -said.y.si_or(k0 * vertical);
+        let x_below = -said.x_gradient.si_or(k0 * below);
+        let y_below = -said.y_gradient.si_or(k0 * below);
         let datum = self.surface("compressive", said.surface.as_ref());
         InSitu {
             stress: [x, y, -vertical, 0.0, 0.0, 0.0],

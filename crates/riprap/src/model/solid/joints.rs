@@ -1,15 +1,11 @@
 //! Laws of joints per pair of materials.
 
 use crate::model::builder::Builder;
-use crate::model::explain::{Provenance, with_unit};
+use crate::model::interfaces::changed_friction;
 use crate::scenario::language::{self, InterfaceChange};
-use crate::scenario::quantity::Kind;
-use crate::scenario::{Diagnostic, Quantity};
+use crate::scenario::read::{Given, Provenance, Read};
+use crate::scenario::{Diagnostic, Quantity, quantity};
 use crate::spatial::setup::{Interface, JointLaw, Stiffness, StiffnessRule, Strength};
-use riprap_keys::Words;
-
-/// Default of `damping_ratio`: the value with which the source's blasts were calibrated.
-const DAMPING: f64 = 0.1;
 
 impl Builder<'_> {
     /// Fills `interfaces` and `pair_table`.
@@ -43,141 +39,82 @@ impl Builder<'_> {
     }
 
     fn joint(&mut self, name: &str, said: &language::Interface) -> JointLaw {
-        let key = |word: &str| format!("interfaces.{name}.{word}");
-        let stiffness = self.stiffness(name, said);
+        let mut read = self.reading(format!("interfaces.{name}"), said);
+        let stiffness = stiffness(&mut read);
         let bond = said.brittle_bond.as_ref();
         let strength = if said.elastic || bond.is_some_and(|b| b.elastic) {
-            self.explain(key("elastic"), "true", Provenance::Given, "");
+            read.note("elastic", "true", Provenance::Given, "");
             None
         } else {
-            Some(self.strength(name, said))
+            Some(strength(&mut read))
         };
-        let failure = said.failure.unwrap_or_default();
-        if strength.is_some() {
-            let given = from(said.failure.is_some());
-            self.explain(key("failure"), failure.word(), given, "");
-        }
-        let points = said.points.unwrap_or_default();
-        let given = from(said.points.is_some());
-        self.explain(key("points"), points.word(), given, "");
-        let dashpots = said.dashpots.unwrap_or_default();
-        if strength.is_some() {
-            let given = from(said.dashpots.is_some());
-            self.explain(key("dashpots"), dashpots.word(), given, "");
-        }
+        // An elastic joint does not fail, and no point of it slides.
+        let (failure, dashpots) = match strength {
+            Some(_) => (read.failure(), read.dashpots()),
+            None => (
+                said.failure.unwrap_or_default(),
+                said.dashpots.unwrap_or_default(),
+            ),
+        };
         JointLaw {
             stiffness,
             strength,
             failure,
-            points,
-            damping: self.or(
-                &key("damping_ratio"),
-                said.damping_ratio.as_ref(),
-                DAMPING,
-                "",
-            ),
+            points: read.points(),
+            damping: read.damping_ratio(),
             dashpots,
-        }
-    }
-
-    fn stiffness(&mut self, name: &str, said: &language::Interface) -> Stiffness {
-        let key = |word: &str| format!("interfaces.{name}.{word}");
-        if let Some(normal) = &said.normal_stiffness {
-            let raw = normal.raw.to_string();
-            self.explain(key("normal_stiffness"), raw, Provenance::Given, "");
-            let normal = normal.si();
-            let shear = match &said.shear_stiffness {
-                Some(shear) => {
-                    let raw = shear.raw.to_string();
-                    self.explain(key("shear_stiffness"), raw, Provenance::Given, "");
-                    shear.si()
-                }
-                None => {
-                    let (value, why) = (0.5 * normal, "half the normal stiffness");
-                    let text = with_unit(value, "Pa/m");
-                    self.explain(key("shear_stiffness"), text, Provenance::Derived, why);
-                    value
-                }
-            };
-            return Stiffness::Given { normal, shear };
-        }
-        let rule = said.stiffness.unwrap_or_default();
-        let why = match rule {
-            StiffnessRule::Material => "M/d and 2G/d, d the distance of the centroids",
-            StiffnessRule::Uniaxial => "E/d and 2G/d, d the distance of the centroids",
-        };
-        let given = from(said.stiffness.is_some());
-        self.explain(key("stiffness"), rule.word(), given, why);
-        Stiffness::Rule(rule)
-    }
-
-    fn strength(&mut self, name: &str, said: &language::Interface) -> Strength {
-        let key = |word: &str| format!("interfaces.{name}.{word}");
-        let bond = said.brittle_bond.as_ref();
-        let degrees = |tangent: f64| with_unit(libm::atan(tangent).to_degrees(), "deg");
-        let friction = match (&said.friction_angle, &said.friction_coefficient) {
-            (Some(angle), _) => {
-                let raw = angle.raw.to_string();
-                self.explain(key("friction_angle"), raw, Provenance::Given, "");
-                libm::tan(angle.si())
-            }
-            (None, Some(coefficient)) => {
-                let raw = coefficient.raw.to_string();
-                self.explain(key("friction_coefficient"), raw, Provenance::Given, "");
-                coefficient.si()
-            }
-            // Reported by the rules of the language, unless bonds have one.
-            (None, None) => bond
-                .and_then(|b| b.friction_angle.as_ref())
-                .map_or(0.0, |angle| libm::tan(angle.si())),
-        };
-        let residual_friction = match &said.residual_friction_angle {
-            Some(angle) => libm::tan(angle.si()),
-            None => friction,
-        };
-        let given = from(said.residual_friction_angle.is_some());
-        let text = degrees(residual_friction);
-        self.explain(key("residual_friction_angle"), text, given, "");
-        let dilation = self.or(
-            &key("dilation_angle"),
-            said.dilation_angle.as_ref(),
-            0.0,
-            "deg",
-        );
-        Strength {
-            cohesion: self.or(
-                &key("cohesion"),
-                said.cohesion.as_ref(),
-                bond.and_then(|b| b.cohesion.as_ref())
-                    .map_or(0.0, Quantity::si),
-                "Pa",
-            ),
-            tension: self.or(
-                &key("tension"),
-                said.tension.as_ref(),
-                bond.and_then(|b| b.tension.as_ref())
-                    .map_or(0.0, Quantity::si),
-                "Pa",
-            ),
-            friction,
-            residual_friction,
-            residual_cohesion: self.or(
-                &key("residual_cohesion"),
-                said.residual_cohesion.as_ref(),
-                0.0,
-                "Pa",
-            ),
-            dilation: libm::tan(dilation),
-            dilation_end: said.dilation_end.as_ref().map_or(0.0, Quantity::si),
         }
     }
 }
 
-fn from(given: bool) -> Provenance {
-    if given {
-        Provenance::Given
-    } else {
-        Provenance::Default
+fn stiffness(read: &mut Read<'_, language::Interface>) -> Stiffness {
+    if let Some(normal) = read.normal_stiffness() {
+        let (half, why) = (0.5 * normal, "half the normal stiffness");
+        let shear = read.shear_stiffness_or(half, Provenance::Derived, why);
+        return Stiffness::Given { normal, shear };
+    }
+    let rule = read.stiffness();
+    let why = match rule {
+        StiffnessRule::Material => "M/d and 2G/d, d the distance of the centroids",
+        StiffnessRule::Uniaxial => "E/d and 2G/d, d the distance of the centroids",
+    };
+    read.because(why);
+    Stiffness::Rule(rule)
+}
+
+/// Strength of joints; what the interface does not give is that of its bonds.
+fn strength(read: &mut Read<'_, language::Interface>) -> Strength {
+    let said = read.said();
+    let bond = said.brittle_bond.as_ref();
+    let friction = read.friction_angle().map(libm::tan);
+    let friction = friction.or_else(|| read.friction_coefficient());
+    // Without any it is reported by the rules of the language, unless bonds have one.
+    let of_bond = bond.and_then(|b| b.friction_angle.as_ref());
+    let friction = friction.unwrap_or_else(|| of_bond.map_or(0.0, |angle| libm::tan(angle.si())));
+    let residual_friction = match &said.residual_friction_angle {
+        Some(angle) => libm::tan(angle.si()),
+        None => friction,
+    };
+    read.residual_friction_angle_or(libm::atan(friction), Provenance::Default, "");
+    let of_bond = |key: fn(&language::BrittleBond) -> &Option<Quantity<quantity::Strength>>| {
+        bond.and_then(|b| key(b).as_ref()).map(Quantity::si)
+    };
+    let cohesion = match of_bond(|b| &b.cohesion) {
+        Some(value) => read.cohesion_or(value, Provenance::Default, ""),
+        None => read.cohesion(),
+    };
+    let tension = match of_bond(|b| &b.tension) {
+        Some(value) => read.tension_or(value, Provenance::Default, ""),
+        None => read.tension(),
+    };
+    Strength {
+        cohesion,
+        tension,
+        friction,
+        residual_friction,
+        residual_cohesion: read.residual_cohesion(),
+        dilation: libm::tan(read.dilation_angle()),
+        dilation_end: read.dilation_end().unwrap_or(0.0),
     }
 }
 
@@ -197,47 +134,37 @@ pub(in crate::model) fn reduce_joint(law: &mut JointLaw, factor: f64) {
     }
 }
 
-/// A law after the changes of a phase; keys that are not given stay. A new friction angle without a
+/// Changes a law as a phase says; keys that are not given stay. A new friction angle without a
 /// residual one holds for both.
-pub(in crate::model) fn changed_joint(law: &JointLaw, change: &InterfaceChange) -> JointLaw {
-    fn si<K: Kind>(q: Option<&Quantity<K>>, old: f64) -> f64 {
-        q.map_or(old, Quantity::si)
-    }
-    let friction = match (&change.friction_angle, &change.friction_coefficient) {
-        (Some(angle), _) => Some(libm::tan(angle.si())),
-        (None, Some(coefficient)) => Some(coefficient.si()),
-        (None, None) => None,
-    };
+pub(in crate::model) fn change_joint(law: &mut JointLaw, change: &InterfaceChange) {
+    let friction = changed_friction(change);
     let residual = change.residual_friction_angle.as_ref();
     let residual = residual.map(|angle| libm::tan(angle.si()));
-    let strength = law.strength.map(|old| Strength {
-        cohesion: si(change.cohesion.as_ref(), old.cohesion),
-        tension: si(change.tension.as_ref(), old.tension),
-        friction: friction.unwrap_or(old.friction),
-        residual_friction: residual.or(friction).unwrap_or(old.residual_friction),
-        residual_cohesion: si(change.residual_cohesion.as_ref(), old.residual_cohesion),
-        ..old
-    });
-    let stiffness = match (&change.normal_stiffness, law.stiffness) {
+    if let Some(strength) = &mut law.strength {
+        *strength = Strength {
+            cohesion: change.cohesion.si_or(strength.cohesion),
+            tension: change.tension.si_or(strength.tension),
+            friction: friction.unwrap_or(strength.friction),
+            residual_friction: residual.or(friction).unwrap_or(strength.residual_friction),
+            residual_cohesion: change.residual_cohesion.si_or(strength.residual_cohesion),
+            ..*strength
+        };
+    }
+    law.stiffness = match (&change.normal_stiffness, law.stiffness) {
         (Some(normal), old) => {
             let ratio = match old {
                 Stiffness::Given { normal, shear } => shear / normal,
                 Stiffness::Rule(_) => 0.5,
             };
             let normal = normal.si();
-            let shear = si(change.shear_stiffness.as_ref(), ratio * normal);
+            let shear = change.shear_stiffness.si_or(ratio * normal);
             Stiffness::Given { normal, shear }
         }
         (None, Stiffness::Given { normal, shear }) => Stiffness::Given {
             normal,
-            shear: si(change.shear_stiffness.as_ref(), shear),
+            shear: change.shear_stiffness.si_or(shear),
         },
         (None, rule @ Stiffness::Rule(_)) => rule,
     };
-    JointLaw {
-        stiffness,
-        strength,
-        damping: si(change.damping_ratio.as_ref(), law.damping),
-        ..*law
-    }
+    law.damping = change.damping_ratio.si_or(law.damping);
 }

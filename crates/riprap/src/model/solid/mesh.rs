@@ -6,12 +6,12 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
 
 use crate::model::builder::Builder;
-use crate::model::explain::Provenance;
 use crate::scenario::Name;
 use crate::scenario::foreign::stl::parse_stl;
 use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::language::{self, Block};
 use crate::scenario::msh::{Mesh, read_msh};
+use crate::scenario::read::Provenance;
 use crate::spatial::setup::{Shape, Solid};
 
 /// Most elements of a mesh.

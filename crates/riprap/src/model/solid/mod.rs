@@ -23,16 +23,15 @@ mod shapes;
 mod sources;
 mod supports;
 
-pub(super) use joints::{changed_joint, reduce_joint};
+pub(super) use joints::{change_joint, reduce_joint};
 
 use riprap_geom::Vec3;
-use riprap_keys::Words;
 
 use super::builder::Builder;
-use super::explain::{Provenance, with_unit};
 use crate::scenario::language::{Point3, Spatial};
+use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity};
-use crate::spatial::setup::{Group, Kinematics, Material, ROTATION_BOUND};
+use crate::spatial::setup::{Group, Kinematics, Material};
 
 /// A point in the coordinates of the file.
 fn global(point: &Point3) -> Vec3 {
@@ -88,20 +87,11 @@ impl Builder<'_> {
         self.spatial.gravity = gravity.into();
         let raw = space.gravity.raw();
         self.explain("space.spatial.gravity", raw, Provenance::Given, "");
-        let kinematics = space.kinematics.unwrap_or_default();
-        let from = if space.kinematics.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        let key = "space.spatial.kinematics";
-        self.explain(key, kinematics.word(), from, "");
+        let mut read = self.reading("space.spatial", space);
+        let kinematics = read.kinematics();
+        let bound = (kinematics == Kinematics::Automatic).then(|| read.rotation_bound());
         self.spatial.kinematics = kinematics;
-        if kinematics == Kinematics::Automatic {
-            let bound = space.rotation_bound.as_ref();
-            let key = "space.spatial.rotation_bound";
-            self.spatial.rotation_bound = Some(self.or(key, bound, ROTATION_BOUND, "rad"));
-        }
+        self.spatial.rotation_bound = bound;
         if let Some(periods) = &space.periodic {
             self.spatial.periodic = [0, 1, 2].map(|k: usize| periods[k].read());
             let raw = periods.each_ref().map(|period| period.raw.to_string());
@@ -112,11 +102,10 @@ impl Builder<'_> {
 
     fn solid_materials(&mut self) {
         for (name, said) in self.parsed.scenario.materials.iter() {
-            let key = format!("materials.{name}.density");
-            self.explain(key, said.density.raw.to_string(), Provenance::Given, "");
+            let density = self.reading(format!("materials.{name}"), said).density();
             self.spatial.materials.push(Material {
                 name: name.text.clone(),
-                density: said.density.si(),
+                density,
                 young: said.young.as_ref().map(Quantity::si),
                 poisson: said.poisson.as_ref().map(Quantity::si),
             });

@@ -9,9 +9,9 @@ use super::global;
 use super::grid::{Grids, Lattice};
 use super::mesh::Made;
 use crate::model::builder::Builder;
-use crate::model::explain::Provenance;
 use crate::model::names::Entry;
 use crate::scenario::language::{self, Block, Brick, Geometry, Grid, GridCells, span_of};
+use crate::scenario::read::Provenance;
 use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::{BlockName, BlockSpec, Shape, Solid};
 

@@ -7,12 +7,12 @@ use super::pattern::Hole;
 use super::places::region_of;
 use crate::laws::explosive::{Explosive, ExplosiveError};
 use crate::model::builder::Builder;
-use crate::model::explain::{Provenance, with_unit};
 use crate::model::summary::Charge;
 use crate::scenario::language::{
     self, Around, CouplingWord, GasCavity, Point3, PressureCavity, Refine, Segment, span_of,
 };
 use crate::scenario::quantity::Interval;
+use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
 use crate::scenario::{Diagnostic, Name, Quantity, Span};

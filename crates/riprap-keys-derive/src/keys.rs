@@ -1,0 +1,379 @@
+//! `#[derive(Keys)]`.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+use syn::{
+    Attribute, Data, DeriveInput, Error, Fields, GenericArgument, Ident, Lit, LitStr,
+    PathArguments, Result, Type,
+};
+
+use crate::docs::paragraphs;
+
+/// What a key is when the file does not have it.
+enum Default {
+    /// Nothing: the key is required, or absent.
+    None,
+    /// One text in all spaces.
+    Text(String),
+    /// One text in the plane, another one in space.
+    Spaces(String, String),
+    /// The default variant of an enum of words.
+    Word,
+    /// A number or a truth value.
+    Plain(Lit),
+}
+
+/// One key.
+struct Key<'a> {
+    ident: &'a Ident,
+    ty: &'a Type,
+    word: String,
+    meaning: String,
+    default: Default,
+    space: Option<String>,
+    instead: Option<String>,
+    /// Whether phases may change it.
+    changes: bool,
+    /// Whether the file may leave it out.
+    optional: bool,
+    serde: Vec<&'a Attribute>,
+}
+
+pub fn derive(input: &DeriveInput) -> Result<TokenStream> {
+    let Data::Struct(data) = &input.data else {
+        return Err(Error::new_spanned(
+            &input.ident,
+            "keys are fields of a struct",
+        ));
+    };
+    let Fields::Named(fields) = &data.fields else {
+        return Err(Error::new_spanned(
+            &input.ident,
+            "keys are fields with names",
+        ));
+    };
+    let keys: Vec<Key<'_>> = fields.named.iter().map(Key::new).collect::<Result<_>>()?;
+    let (change, change_of) = table_attributes(input)?;
+    let schema = schema(input, &keys, change_of.as_deref())?;
+    let read = read(&input.ident, &keys)?;
+    let change = change.map(|(name, of)| changed_form(&name, &of, &keys));
+    Ok(quote! { #schema #read #change })
+}
+
+/// `#[keys(change = Name, path = "...")]`: the form of the table in which a phase changes it, and where the table itself
+/// stands; `#[keys(change_of = "...")]` on that form.
+fn table_attributes(input: &DeriveInput) -> Result<(Option<(Ident, String)>, Option<String>)> {
+    let (mut name, mut path, mut of) = (None, None, None);
+    for attribute in input.attrs.iter().filter(|a| a.path().is_ident("keys")) {
+        attribute.parse_nested_meta(|meta| {
+            if meta.path.is_ident("change") {
+                name = Some(meta.value()?.parse::<Ident>()?);
+            } else if meta.path.is_ident("path") {
+                path = Some(meta.value()?.parse::<LitStr>()?.value());
+            } else if meta.path.is_ident("change_of") {
+                of = Some(meta.value()?.parse::<LitStr>()?.value());
+            } else {
+                return Err(meta.error("`change`, `path` or `change_of` is expected"));
+            }
+            Ok(())
+        })?;
+    }
+    Ok((name.zip(path), of))
+}
+
+impl<'a> Key<'a> {
+    fn new(field: &'a syn::Field) -> Result<Self> {
+        let ident = field.ident.as_ref().expect("named fields have names");
+        let mut key = Key {
+            ident,
+            ty: &field.ty,
+            word: ident.unraw().to_string(),
+            meaning: paragraphs(&field.attrs),
+            default: Default::None,
+            space: None,
+            instead: None,
+            changes: false,
+            optional: inner(&field.ty, "Option").is_some(),
+            serde: field
+                .attrs
+                .iter()
+                .filter(|a| a.path().is_ident("serde"))
+                .collect(),
+        };
+        for attribute in &field.attrs {
+            if attribute.path().is_ident("serde") {
+                attribute.parse_nested_meta(|meta| {
+                    if meta.path.is_ident("rename") {
+                        key.word = meta.value()?.parse::<LitStr>()?.value();
+                    } else if meta.path.is_ident("default") {
+                        key.optional = true;
+                    }
+                    Ok(())
+                })?;
+            } else if attribute.path().is_ident("key") {
+                key.attribute(attribute)?;
+            }
+        }
+        if key.meaning.is_empty() {
+            let message = "the documentation is what users read: say what this means";
+            return Err(Error::new_spanned(ident, message));
+        }
+        Ok(key)
+    }
+
+    fn attribute(&mut self, attribute: &Attribute) -> Result<()> {
+        let (mut planar, mut spatial) = (None, None);
+        attribute.parse_nested_meta(|meta| {
+            let path = &meta.path;
+            if path.is_ident("default") {
+                self.default = match meta.value() {
+                    Err(_) => Default::Word,
+                    Ok(value) => match value.parse::<Lit>()? {
+                        Lit::Str(text) => Default::Text(text.value()),
+                        other => Default::Plain(other),
+                    },
+                };
+            } else if path.is_ident("planar") {
+                planar = Some(meta.value()?.parse::<LitStr>()?.value());
+            } else if path.is_ident("spatial") {
+                spatial = Some(meta.value()?.parse::<LitStr>()?.value());
+            } else if path.is_ident("space") {
+                self.space = Some(meta.value()?.parse::<LitStr>()?.value());
+            } else if path.is_ident("instead") {
+                self.instead = Some(meta.value()?.parse::<LitStr>()?.value());
+            } else if path.is_ident("changes") {
+                self.changes = true;
+            } else {
+                return Err(meta.error(
+                    "`default`, `planar`, `spatial`, `space`, `instead` or `changes` is expected",
+                ));
+            }
+            Ok(())
+        })?;
+        if let Some((planar, spatial)) = planar.zip(spatial) {
+            self.default = Default::Spaces(planar, spatial);
+        }
+        Ok(())
+    }
+
+    /// The defaults of a quantity, one or one for each space.
+    fn texts(&self) -> Vec<&str> {
+        match &self.default {
+            Default::Text(text) => vec![text],
+            Default::Spaces(planar, spatial) => vec![planar, spatial],
+            Default::None | Default::Word | Default::Plain(_) => Vec::new(),
+        }
+    }
+
+    /// The sentence about the default.
+    fn sentence(&self) -> TokenStream {
+        let text = match &self.default {
+            Default::None => String::new(),
+            Default::Text(text) => format!(" Default {text}."),
+            Default::Spaces(planar, spatial) => {
+                format!(" Default {planar} in `[space.planar]` and {spatial} in `[space.spatial]`.")
+            }
+            Default::Plain(lit) => match lit {
+                Lit::Int(number) => format!(" Default {}.", number.base10_digits()),
+                Lit::Bool(value) => format!(" Default {}.", value.value),
+                _ => String::new(),
+            },
+            Default::Word => {
+                let ty = inner(self.ty, "Option").unwrap_or(self.ty);
+                return quote! {
+                    format!(" Default `{}`.", ::riprap_keys::Words::word(<#ty as ::std::default::Default>::default()))
+                };
+            }
+        };
+        quote! { #text.to_owned() }
+    }
+}
+
+/// The JSON schema of the table.
+fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Result<TokenStream> {
+    let name = &input.ident;
+    let about = paragraphs(&input.attrs);
+    if about.is_empty() {
+        return Err(Error::new_spanned(
+            name,
+            "the documentation is what users read: say what this means",
+        ));
+    }
+    let change_of = option(change_of);
+    let each = keys.iter().map(|key| {
+        let (ty, word, meaning, sentence) = (key.ty, &key.word, &key.meaning, key.sentence());
+        let (space, instead) = (option(key.space.as_deref()), option(key.instead.as_deref()));
+        let required = !key.optional;
+        let texts = key.texts();
+        quote! {
+            table.key(crate::read::KeySchema {
+                word: #word,
+                schema: generator.subschema_for::<#ty>(),
+                meaning: #meaning,
+                default: #sentence,
+                texts: &[#(#texts),*],
+                space: #space,
+                instead: #instead,
+                required: #required,
+            });
+        }
+    });
+    Ok(quote! {
+        impl ::schemars::JsonSchema for #name {
+            fn schema_name() -> ::std::borrow::Cow<'static, str> {
+                ::std::borrow::Cow::Borrowed(stringify!(#name))
+            }
+            fn schema_id() -> ::std::borrow::Cow<'static, str> {
+                ::std::borrow::Cow::Borrowed(concat!(module_path!(), "::", stringify!(#name)))
+            }
+            fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
+                let mut table = crate::read::TableSchema::new(#about, #change_of);
+                #(#each)*
+                table.finish()
+            }
+        }
+    })
+}
+
+/// The values of the table in SI, each written down when it is read.
+fn read(name: &Ident, keys: &[Key<'_>]) -> Result<TokenStream> {
+    let mut methods = Vec::new();
+    for key in keys {
+        methods.push(reader(key)?);
+    }
+    Ok(quote! {
+        impl crate::read::Read<'_, #name> {
+            #(#methods)*
+        }
+    })
+}
+
+fn reader(key: &Key<'_>) -> Result<Option<TokenStream>> {
+    let (ident, word, ty) = (key.ident, &key.word, key.ty);
+    let doc = format!("`{word}` in SI, written down.");
+    let quantity = inner(inner(ty, "Option").unwrap_or(ty), "Quantity");
+    let optional = inner(ty, "Option");
+    Ok(Some(match (&key.default, quantity, optional) {
+        (Default::Text(text), Some(_), Some(_)) => {
+            let other = other(key);
+            quote! {
+                #[doc = #doc]
+                pub fn #ident(&mut self) -> f64 {
+                    self.quantity(#word, self.said().#ident.as_ref(), #text)
+                }
+                #other
+            }
+        }
+        (Default::Spaces(planar, spatial), Some(_), Some(_)) => quote! {
+            #[doc = #doc]
+            pub fn #ident(&mut self) -> f64 {
+                let default = match self.space() {
+                    crate::vectors::InSpace::Planar => #planar,
+                    crate::vectors::InSpace::Spatial => #spatial,
+                };
+                self.quantity(#word, self.said().#ident.as_ref(), default)
+            }
+        },
+        (Default::None, Some(_), None) => quote! {
+            #[doc = #doc]
+            pub fn #ident(&mut self) -> f64 {
+                self.required(#word, &self.said().#ident)
+            }
+        },
+        (Default::None, Some(_), Some(_)) => {
+            let other = other(key);
+            quote! {
+                #[doc = #doc]
+                pub fn #ident(&mut self) -> Option<f64> {
+                    self.given(#word, self.said().#ident.as_ref())
+                }
+                #other
+            }
+        }
+        (Default::Word, None, Some(inner)) => quote! {
+            #[doc = #doc]
+            pub fn #ident(&mut self) -> #inner {
+                self.word(#word, self.said().#ident)
+            }
+        },
+        (Default::Plain(lit), None, Some(inner)) => quote! {
+            #[doc = #doc]
+            pub fn #ident(&mut self) -> #inner {
+                self.plain(#word, self.said().#ident, #lit)
+            }
+        },
+        (Default::None, None, _) => return Ok(None),
+        (_, _, _) => {
+            return Err(Error::new_spanned(
+                key.ident,
+                "this default does not suit the type of the key",
+            ));
+        }
+    }))
+}
+
+/// A method for a value that comes from elsewhere where the key is not given.
+fn other(key: &Key<'_>) -> TokenStream {
+    let (ident, word) = (key.ident, &key.word);
+    let name = format_ident!("{}_or", ident);
+    let doc = format!("`{word}` in SI, or a value that comes from elsewhere; written down.");
+    quote! {
+        #[doc = #doc]
+        pub fn #name(&mut self, value: f64, from: crate::read::Provenance, why: &str) -> f64 {
+            self.or(#word, self.said().#ident.as_ref(), value, from, why)
+        }
+    }
+}
+
+/// The keys that a phase may change, all optional.
+fn changed_form(name: &Ident, of: &str, keys: &[Key<'_>]) -> TokenStream {
+    let about = format!("Keys of `{of}` that change when a phase begins; all others stay.");
+    let fields = keys.iter().filter(|key| key.changes).map(|key| {
+        let (ident, meaning, serde) = (key.ident, &key.meaning, &key.serde);
+        let ty = inner(key.ty, "Option").unwrap_or(key.ty);
+        let space = key
+            .space
+            .as_ref()
+            .map(|space| quote! { #[key(space = #space)] });
+        quote! {
+            #[doc = #meaning]
+            #(#serde)*
+            #space
+            pub #ident: Option<#ty>,
+        }
+    });
+    quote! {
+        #[doc = #about]
+        #[derive(Debug, Clone, PartialEq, ::serde::Deserialize, ::riprap_keys::Keys)]
+        #[serde(deny_unknown_fields)]
+        #[keys(change_of = #of)]
+        pub struct #name {
+            #(#fields)*
+        }
+    }
+}
+
+fn option(text: Option<&str>) -> TokenStream {
+    match text {
+        Some(text) => quote! { Some(#text) },
+        None => quote! { None },
+    }
+}
+
+/// `T` of `Name<T>`.
+fn inner<'a>(ty: &'a Type, name: &str) -> Option<&'a Type> {
+    let Type::Path(path) = ty else { return None };
+    let last = path
+        .path
+        .segments
+        .last()
+        .filter(|last| last.ident == name)?;
+    let PathArguments::AngleBracketed(arguments) = &last.arguments else {
+        return None;
+    };
+    arguments.args.iter().find_map(|argument| match argument {
+        GenericArgument::Type(ty) => Some(ty),
+        _ => None,
+    })
+}
