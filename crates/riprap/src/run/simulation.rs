@@ -455,6 +455,7 @@ impl Simulation {
             return Ok(last);
         }
         Err(RunError::NoStep {
+            dt,
             step: self.steps(),
             time: self.time(),
         })

@@ -35,10 +35,16 @@ pub enum RunError {
     },
     /// The time step is not a number above zero.
     #[error(
-        "there is no time step at step {step} (t = {time:.6e} s): nothing holds the blocks, so that none is the stable one; \
-         give `time_step`, or `until.time`"
+        "there is no time step at step {step} (t = {time:.6e} s), it came out as {dt:e} s: {}",
+        if *.dt == f64::INFINITY {
+            "nothing holds the blocks, so that none is the stable one; give `time_step`, or `until.time`"
+        } else {
+            "a block is too fast, or what the stable step is found from is not finite"
+        }
     )]
     NoStep {
+        /// What came out, s.
+        dt: f64,
         /// Step.
         step: u64,
         /// Model time, s.
