@@ -17,8 +17,10 @@
 use riprap_geom::Vec3;
 
 use super::boundary;
-use super::kick::{Acting, Kick};
+use super::kick::{Acting, Kick, Moving};
 use super::lanes::{LANES, Lanes, Width};
+use super::patch::Poses;
+use super::state::bodies::{Bodies, Turned};
 use super::state::face::Face;
 use super::state::push::{Pushes, Wrench};
 use super::state::scratch::{NonFinite, Partial, Scratch};
@@ -61,12 +63,28 @@ impl Divide for Second<'_> {
 
 /// Second pass: slots, faces, loads, gravity; works of the kick.
 pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), NonFinite> {
-    let mut faces = std::mem::take(&mut world.faces);
-    let kick = scratch.kick(world);
+    let (bodies, turned) = (&world.bodies, world.turned.as_slice());
     let gathering = Gathering {
-        world,
-        boundary: boundary::Context::new(world),
-        kick,
+        bodies,
+        turned,
+        boundary: boundary::Context {
+            poses: Poses { bodies, turned },
+            boundaries: &world.setup.boundaries,
+            in_situ: world.setup.in_situ.as_ref(),
+            reference: &world.reference,
+            time: world.time,
+            pending: world.pending,
+        },
+        kick: Kick {
+            solids: &world.solids,
+            solid: &world.solid,
+            motion: &world.motion,
+            gravity: world.gravity,
+            time: world.time,
+            damping: scratch.damping,
+            half: [0.5 * world.pending, 0.5 * scratch.coming_dt],
+            span: 0.5 * (world.last_dt + scratch.coming_dt),
+        },
         tiles: &scratch.tiles,
         slots: &scratch.slots,
         pushes: &scratch.pushes,
@@ -76,14 +94,13 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
     let work = Second {
         tiles: &scratch.tiles.list,
         net: [scratch.net.whole(), scratch.drag.whole()],
-        faces: &mut faces,
+        faces: &mut world.faces,
         partial: &mut scratch.partial,
     };
     let count = scratch.tiles.list.len();
     scratch
         .exec
         .divided(work, count, |_, piece| gathering.tile(piece));
-    world.faces = faces;
     let bad = scratch.partial.iter().find_map(|p| p.bad);
     sums::tree(&mut scratch.partial, |sum, other| {
         sum.arrival.add(&other.arrival);
@@ -96,7 +113,8 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
 }
 
 struct Gathering<'a> {
-    world: &'a World,
+    bodies: &'a Bodies,
+    turned: &'a [Option<Box<Turned>>],
     boundary: boundary::Context<'a>,
     kick: Kick<'a>,
     tiles: &'a Tiles,
@@ -163,7 +181,7 @@ impl Gathering<'_> {
         let [net, drag] = net;
         let damped = !drag.0[0].is_empty();
         let [before, after] = self.kick.half;
-        let rates = &self.world.bodies.rate;
+        let rates = &self.bodies.rate;
         let change = self.kick.span / solid.mass;
         let mut sum = Lanes::default();
         for (k, rates) in rates.iter().take(3).enumerate() {
@@ -223,7 +241,7 @@ impl Gathering<'_> {
             };
             let change = self.kick.span * ease;
             let here = row.blocks.start - base..row.blocks.end - base;
-            let v = self.world.bodies.rate[k][row.blocks.clone()].chunks(LANES);
+            let v = self.bodies.rate[k][row.blocks.clone()].chunks(LANES);
             let (f, d) = (&net.0[k][here.clone()], &drag.0[k][here]);
             let (mut early, mut late) = (Lanes::default(), Lanes::default());
             for ((v, f), d) in v.zip(f.chunks(LANES)).zip(d.chunks(LANES)) {
@@ -262,7 +280,11 @@ impl Gathering<'_> {
             weight + load.force + other.force,
             load.moment + other.moment,
         );
-        let moving = self.world.moving(b);
+        let moving = Moving {
+            velocity: self.bodies.velocity(b),
+            spin: self.bodies.spin(b),
+            turned: self.turned[b].as_deref(),
+        };
         let (v, w) = (moving.velocity, moving.spin);
         let dashpot = dashpots.map(|d| {
             let (force, moment) = net[0].get(b - base);
