@@ -13,7 +13,9 @@ use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 pub use crate::laws::explosive::Explosive;
 pub use crate::laws::face_joint::Strength;
-pub use crate::laws::parameters::{Dashpots, Failure, Kinematics, Points, StiffnessRule};
+pub use crate::laws::parameters::{
+    Dashpots, Failure, JointLaw, Kinematics, Points, Stiffness, StiffnessRule,
+};
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -175,38 +177,6 @@ pub struct Interface {
     pub name: String,
     /// Law of the patches.
     pub joint: JointLaw,
-}
-
-/// Law of a patch.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct JointLaw {
-    /// Where the stiffness comes from.
-    pub stiffness: Stiffness,
-    /// Strength; `None` is elastic: it neither opens nor slides.
-    pub strength: Option<Strength>,
-    /// What fails as one.
-    pub failure: Failure,
-    /// Where the four points lie.
-    pub points: Points,
-    /// Dashpots parallel to the springs of closed points: `beta = damping * d / c_P` with d the distance of the
-    /// centroids across the patch, so that fine and coarse blocks are damped alike.
-    pub damping: f64,
-    /// Where those along the patch act.
-    pub dashpots: Dashpots,
-}
-
-/// Stiffness of a patch per area.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Stiffness {
-    /// Half-block compliances of both sides in series: `Kn = M/d`, `Ks = 2G/d` for equal materials, or `Kn = E/d`.
-    Rule(StiffnessRule),
-    /// Given.
-    Given {
-        /// Normal, Pa/m.
-        normal: f64,
-        /// Shear, Pa/m.
-        shear: f64,
-    },
 }
 
 /// Fixes or drives some blocks.

@@ -3,6 +3,8 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
+use super::face_joint::Strength;
+
 /// Normal law of a found contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
 pub enum NormalLaw {
@@ -91,6 +93,38 @@ pub struct BondLaw {
     pub damping_ratio: f64,
     /// Number of points along the edge (Gauss points), 1 to 5.
     pub points: u8,
+}
+
+/// Law of a patch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointLaw {
+    /// Where the stiffness comes from.
+    pub stiffness: Stiffness,
+    /// Strength; `None` is elastic: it neither opens nor slides.
+    pub strength: Option<Strength>,
+    /// What fails as one.
+    pub failure: Failure,
+    /// Where the four points lie.
+    pub points: Points,
+    /// Dashpots parallel to the springs of closed points: `beta = damping * d / c_P` with d the distance of the
+    /// centroids across the patch, so that fine and coarse blocks are damped alike.
+    pub damping: f64,
+    /// Where those along the patch act.
+    pub dashpots: Dashpots,
+}
+
+/// Stiffness of a patch per area.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Stiffness {
+    /// Half-block compliances of both sides in series: `Kn = M/d`, `Ks = 2G/d` for equal materials, or `Kn = E/d`.
+    Rule(StiffnessRule),
+    /// Given.
+    Given {
+        /// Normal, Pa/m.
+        normal: f64,
+        /// Shear, Pa/m.
+        shear: f64,
+    },
 }
 
 /// What fails as one.
