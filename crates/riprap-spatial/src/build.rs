@@ -14,6 +14,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::boundary;
 use super::cavity;
+use super::contacts;
 use super::deform;
 use super::meet::{self, Cell};
 use super::meet_solids::meet_solids;
@@ -22,6 +23,7 @@ use super::refine;
 use super::setup::{InSitu, Setup, Shape};
 use super::state::cavity::{Cavity, Wall};
 use super::state::face::Face;
+use super::state::found::FoundContacts;
 use super::state::lineage::Origin;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
@@ -66,6 +68,7 @@ impl World {
             faces: Vec::new(),
             cavities: Vec::new(),
             deform: None,
+            found: FoundContacts::default(),
             looked: 0,
             events: Vec::new(),
             works: Works::default(),
@@ -85,6 +88,7 @@ impl World {
         world.hold_driven();
         let charges = cavity::charges(&world.setup, &world.lineage, &world.alive)?;
         world.build_patches(&charges)?;
+        contacts::check(&world)?;
         let scratch = Scratch::new(&mut world, exec);
         Ok((world, scratch))
     }

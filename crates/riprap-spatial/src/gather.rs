@@ -17,6 +17,7 @@
 use riprap_geom::Vec3;
 
 use super::boundary;
+use super::found::desk::Acting as Found;
 use super::kick::{Acting, Kick, Moving};
 use super::lanes::{LANES, Lanes, Width};
 use super::patch::Poses;
@@ -88,6 +89,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         tiles: &scratch.tiles,
         slots: &scratch.slots,
         pushes: &scratch.pushes,
+        found: &scratch.desk.acting,
         plain: scratch.plain(),
         width: scratch.width,
     };
@@ -120,6 +122,8 @@ struct Gathering<'a> {
     tiles: &'a Tiles,
     slots: &'a [Sums; 2],
     pushes: &'a Pushes,
+    /// What found contacts do to each block; empty without any.
+    found: &'a [Found],
     /// Whether blocks in rows need nothing but gravity.
     plain: bool,
     width: Width,
@@ -280,6 +284,15 @@ impl Gathering<'_> {
             weight + load.force + other.force,
             load.moment + other.moment,
         );
+        let found = self.found.get(b);
+        if let Some(found) = found {
+            for share in [&found.elastic, &found.spring] {
+                net[0].add(b - base, share.force, share.moment);
+            }
+            if !net[1].0[0].is_empty() {
+                net[1].add(b - base, found.drag.force, found.drag.moment);
+            }
+        }
         let moving = Moving {
             velocity: self.bodies.velocity(b),
             spin: self.bodies.spin(b),
@@ -304,6 +317,12 @@ impl Gathering<'_> {
         let change = self
             .kick
             .works(b, &moving, &acting, loads, arrival, departure);
+        if let Some(found) = found {
+            let [before, after] = self.kick.half;
+            let power = |v: Vec3, w: Vec3| found.elastic.force.dot(v) + found.elastic.moment.dot(w);
+            arrival.contact_path -= before * power(v, w);
+            departure.contact_path -= after * power(v + change.velocity, w + change.spin);
+        }
         if let Some(dashpot) = &dashpot {
             let [before, after] = self.kick.half;
             arrival.absorbed -= before * dashpot.power(v, w);

@@ -9,6 +9,7 @@ use super::tiles::{Cut, Tiles};
 use super::wide::Wide;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::found::desk::Desk;
 use crate::lanes::Width;
 use crate::ledger::Works;
 use crate::profile::Profile;
@@ -28,6 +29,7 @@ impl Scratch {
             damping: Damping::default(),
             rebuilds: 0,
             deform: None,
+            desk: Desk::default(),
             slots: [Sums::default(), Sums::default()],
             wide: Vec::new(),
             strong: false,
@@ -91,7 +93,9 @@ impl Scratch {
 
     /// Makes room for the sums of dashpots when there are any.
     pub(super) fn need_drag(&mut self, world: &World, stiffness_damping: f64) {
-        let damped = stiffness_damping > 0.0 || world.classes.iter().any(|c| c.beta > 0.0);
+        let damped = stiffness_damping > 0.0
+            || self.desk.damped
+            || world.classes.iter().any(|c| c.beta > 0.0);
         if damped == self.drag.is_empty() {
             let (n, slots) = if damped {
                 (world.alive.len(), self.tiles.slots)

@@ -7,6 +7,7 @@ pub mod anchor;
 pub mod boundary;
 pub mod build;
 pub mod cavity;
+pub mod contacts;
 pub mod deform;
 pub mod edit;
 pub mod forces;

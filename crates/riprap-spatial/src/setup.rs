@@ -57,6 +57,8 @@ pub struct Setup {
     pub rotation_bound: Option<f64>,
     /// Deformable blocks and their bonds.
     pub deform: deform::Deformables,
+    /// Whether blocks that no patch joins are watched for contact.
+    pub found_contacts: bool,
 }
 
 /// Angle at which a block changes over to finite rotations where none is given, rad.

@@ -6,6 +6,7 @@
 
 use std::time::Instant;
 
+use super::contacts;
 use super::deform;
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
@@ -43,6 +44,7 @@ pub fn evaluate(
         }
     });
     stage(scratch, "kinematics", |scratch| change_over(world, scratch));
+    let meet = contacts::refresh(world, scratch);
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
     });
@@ -52,6 +54,9 @@ pub fn evaluate(
         });
     }
     stage(scratch, "patches", |scratch| patches(world, scratch));
+    if meet {
+        stage(scratch, "contacts", |scratch| contacts::act(world, scratch));
+    }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
         let nodes = stage(scratch, "nodes", |scratch| {

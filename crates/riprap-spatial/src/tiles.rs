@@ -102,7 +102,7 @@ impl Packet {
     }
 }
 
-/// Blocks in a row, of one group, that are alike and free: same mass, no support, no load, no wall of a cavity, no face with a
+/// Blocks in a row, of one group, that are alike and free: same mass, no support, no load, no wall of a cavity, no found contact near, no face with a
 /// condition, small rotations.
 #[derive(Clone, Debug, Default)]
 pub struct Row {
@@ -276,7 +276,10 @@ impl Tiles {
     pub fn make_rows(&mut self, world: &World) {
         self.rows.clear();
         self.special.clear();
-        let pushed = world.pushed();
+        let mut pushed = world.pushed();
+        for b in world.found.pairs.iter().flat_map(|pair| pair.ends) {
+            pushed[b as usize] = true;
+        }
         let mut faces = world
             .faces
             .iter()

@@ -53,9 +53,22 @@ pub struct Memory {
     pub polar: f64,
     /// Whether it slid in the last step.
     pub sliding: bool,
+    /// Point of the last step from the centroids of A and B, m.
+    pub arms: [Vec3; 2],
 }
 
 impl Memory {
+    /// Work done on the springs in half a step of `dt` with these velocities and the forces they have, J. Both halves of a step,
+    /// each with its own forces, are the trapezoid that the ledger books.
+    #[must_use]
+    pub fn work(&self, motion: &[Motion; 2], dt: f64) -> f64 {
+        let [a, b] = motion;
+        let velocity =
+            (b.velocity + b.spin.cross(self.arms[1])) - (a.velocity + a.spin.cross(self.arms[0]));
+        let twist = (b.spin - a.spin).dot(self.normal);
+        -0.5 * dt * (self.shear.dot(velocity) + self.torsion * twist)
+    }
+
     /// Energy in the shear springs, J.
     #[must_use]
     pub fn stored(&self, law: &ContactLaw) -> f64 {
@@ -93,6 +106,18 @@ pub struct Wrench {
     pub moment_b: Vec3,
 }
 
+impl Wrench {
+    /// Both together.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            force: self.force + other.force,
+            moment_a: self.moment_a + other.moment_a,
+            moment_b: self.moment_b + other.moment_b,
+        }
+    }
+}
+
 /// The answer of a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reply {
@@ -100,6 +125,10 @@ pub struct Reply {
     pub wrench: Wrench,
     /// The pressure alone.
     pub elastic: Wrench,
+    /// The shear springs alone.
+    pub spring: Wrench,
+    /// All dashpots.
+    pub drag: Wrench,
     /// Normal force, N: pressure and dashpot, never negative.
     pub normal: f64,
     /// Shear force on B, N: spring and dashpot.
@@ -167,13 +196,14 @@ struct Relative {
 pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
     let k = 2.0 * law.normal_stiffness;
     let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
+    let mut work = memory.work(&q.motion, q.dt);
     let Some(c) = contact(law, q) else {
         let lost = memory.stored(law);
         *memory = Memory::default();
         return Reply {
             wrench: elastic,
             elastic,
-            friction: lost,
+            friction: work + lost,
             stored: -lost,
             point: q.origin,
             ..Reply::default()
@@ -199,11 +229,12 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
         exact: false,
     };
     let before = memory.stored(law);
-    let mut work = 0.0;
     if q.dt > 0.0 || memory.normal == Vec3::ZERO {
         let turning = 0.5 * (a.spin + b.spin).dot(c.normal) * q.dt;
-        work = advance(law, memory, &c, &v, turning, q, &mut limit);
+        memory.arms = arms;
+        advance(law, memory, &c, &v, turning, q, &mut limit);
     }
+    work += memory.work(&q.motion, q.dt);
     let (mut shear, mut torsion) = (memory.shear, memory.torsion);
     if !memory.sliding {
         let along = dashpot(law.shear_stiffness);
@@ -216,15 +247,21 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
         }
     }
     let stored = memory.stored(law);
-    let extra = (normal - c.elastic) * c.normal + shear;
-    let couple = rocking + torsion * c.normal;
+    let at_point = |force: Vec3, couple: Vec3| Wrench {
+        force,
+        moment_a: -(arms[0].cross(force) + couple),
+        moment_b: arms[1].cross(force) + couple,
+    };
+    let spring = at_point(memory.shear, memory.torsion * c.normal);
+    let drag = at_point(
+        (normal - c.elastic) * c.normal + (shear - memory.shear),
+        rocking + (torsion - memory.torsion) * c.normal,
+    );
     Reply {
-        wrench: Wrench {
-            force: elastic.force + extra,
-            moment_a: elastic.moment_a - (arms[0].cross(extra) + couple),
-            moment_b: elastic.moment_b + (arms[1].cross(extra) + couple),
-        },
+        wrench: elastic.plus(&spring).plus(&drag),
         elastic,
+        spring,
+        drag,
         normal,
         shear,
         friction: work - (stored - before),
@@ -251,7 +288,7 @@ fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {
     }
 }
 
-/// Turns, shrinks and loads the shear springs and lets them slide; returns the work done on them, J.
+/// Turns, shrinks and loads the shear springs and lets them slide.
 fn advance(
     law: &ContactLaw,
     memory: &mut Memory,
@@ -260,7 +297,7 @@ fn advance(
     turning: f64,
     q: &Question,
     limit: &mut Limit,
-) -> f64 {
+) {
     // The normal has turned, and the contact about it with the mean spin of both blocks.
     let length = memory.shear.length();
     let mut shear = memory.shear + memory.normal.cross(c.normal).cross(memory.shear);
@@ -286,9 +323,6 @@ fn advance(
     memory.normal = c.normal;
     memory.area = c.area;
     memory.polar = c.polar;
-    let force = 0.5 * (shear + memory.shear);
-    let couple = 0.5 * (torsion + memory.torsion);
-    -(force.dot(v.along) + couple * v.twist) * q.dt
 }
 
 /// The ellipse of sliding.

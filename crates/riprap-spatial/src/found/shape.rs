@@ -55,7 +55,7 @@ pub enum ShapeError {
 }
 
 /// A convex solid in the frame of its body, about its centroid. Faces in one plane count as one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shape {
     /// Unit outward normal of each face.
     pub normals: Vec<Vec3>,

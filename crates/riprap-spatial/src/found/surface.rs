@@ -56,6 +56,10 @@ pub struct Sums {
 }
 
 /// What was found of a pair.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it lives on the stack of one evaluation; a box would take memory in every step"
+)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Found {
     /// They do not touch; at least so far apart, m (0 where it is not known).

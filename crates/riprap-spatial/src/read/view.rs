@@ -366,6 +366,9 @@ impl View<'_> {
         let patches = self.world.patches.len();
         [out.contact_normal, out.contact_shear] =
             self.scratch.exec.sums(patches, |p| self.patch_energy(p));
+        out.contact_normal += self.world.works.contact_path;
+        let found = self.world.found.pairs.iter();
+        out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
         out.bond = self.boundary_energy() + self.strain_energy();
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
@@ -385,7 +388,20 @@ impl View<'_> {
             let deepest = at.iter().map(|a| -a[0]).fold(0.0, f64::max);
             Some((deepest / class.distance, list.ends[p]))
         };
-        let (ratio, [i, j]) = self.scratch.exec.largest(list.len(), one)?;
-        Some((ratio, i, j))
+        let patches = self.scratch.exec.largest(list.len(), one);
+        let patches = patches.map(|(ratio, [i, j])| (ratio, i, j));
+        patches
+            .into_iter()
+            .chain(self.found_overlaps())
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Depth of each found contact over the smaller inscribed radius, with the blocks.
+    fn found_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
+        let pairs = self.world.found.pairs.iter();
+        pairs
+            .zip(&self.scratch.desk.constants)
+            .filter(|(pair, _)| pair.depth > 0.0)
+            .map(|(pair, k)| (pair.depth / k.inradius, pair.ends[0], pair.ends[1]))
     }
 }

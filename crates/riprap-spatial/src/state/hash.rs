@@ -47,6 +47,13 @@ impl World {
         for anchor in self.faces.iter().flat_map(|f| f.anchor) {
             hash.numbers(&anchor.to_array());
         }
+        for pair in self.found.pairs.iter().filter(|p| p.depth > 0.0) {
+            let (m, [i, j]) = (&pair.memory, pair.ends);
+            hash.count(u64::from(i) << 32 | u64::from(j));
+            hash.numbers(&m.shear.to_array());
+            hash.numbers(&m.normal.to_array());
+            hash.numbers(&[m.torsion, m.area, m.polar]);
+        }
         if let Some(deform) = &self.deform {
             bodies(&mut hash, deform);
             bonds(&mut hash, deform);

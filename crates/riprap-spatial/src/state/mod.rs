@@ -9,6 +9,7 @@ pub mod cutting;
 pub mod deform;
 pub mod event;
 pub mod face;
+pub mod found;
 mod hash;
 pub mod hold;
 pub mod lineage;

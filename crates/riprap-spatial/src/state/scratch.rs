@@ -5,6 +5,7 @@ use super::sums::Sums;
 use super::workspace::Workspace;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::found::desk::Desk;
 use crate::lanes::Width;
 use crate::ledger::Works;
 use crate::profile::Profile;
@@ -34,6 +35,8 @@ pub struct Scratch {
     pub rebuilds: u64,
     /// Of deformable blocks, where there are any.
     pub deform: Option<Box<Workspace>>,
+    /// Of found contacts.
+    pub desk: Desk,
     pub(crate) slots: [Sums; 2],
     pub(crate) wide: Vec<Wide>,
     pub(crate) strong: bool,

@@ -12,6 +12,7 @@ use super::cavity::Cavity;
 use super::deform::Deform;
 use super::event::{EditEvent, EditKind};
 use super::face::Face;
+use super::found::FoundContacts;
 use super::lineage::Origin;
 pub use super::patches::{PatchClass, Patches, flag};
 use crate::anchor::{Anchor, Freedoms};
@@ -68,6 +69,8 @@ pub struct World {
     pub cavities: Vec<Cavity>,
     /// Nodes, bonds and conditions of deformable blocks; `None` if all blocks are rigid.
     pub deform: Option<Box<Deform>>,
+    /// Contacts that are found anew in each step.
+    pub found: FoundContacts,
     /// Step at which the criteria of splitting were last looked at: once a step is enough.
     pub looked: u64,
     /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.

@@ -270,7 +270,10 @@ impl Engine {
     pub fn step_limit(&self) -> f64 {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
-            Self::Spatial(e) => spatial::cavity::step_limit(&e.world),
+            Self::Spatial(e) => {
+                let found = spatial::contacts::step_limit(&e.world, &e.scratch);
+                spatial::cavity::step_limit(&e.world).min(found)
+            }
         }
     }
 

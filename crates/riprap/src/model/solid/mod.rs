@@ -90,6 +90,7 @@ impl Builder<'_> {
         let mut read = self.reading("space.spatial", space);
         let kinematics = read.kinematics();
         let bound = (kinematics == Kinematics::Automatic).then(|| read.rotation_bound());
+        self.spatial.found_contacts = read.found_contacts();
         self.spatial.kinematics = kinematics;
         self.spatial.rotation_bound = bound;
         if let Some(periods) = &space.periodic {

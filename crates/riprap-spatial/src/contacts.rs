@@ -1,0 +1,584 @@
+//! Found contacts in a step: who can meet whom, what they exert, and the sums on each block.
+//!
+//! `found` knows two blocks at two poses; here are all blocks of the model. Blocks of the largest lattice whose joints are whole
+//! cannot come together: they are targets, and two targets never make a pair. All others are seekers: separate bodies, and
+//! blocks with a joint that has failed at any of its points. Pairs that a patch joins are its business, and two blocks whose
+//! motion is prescribed never act on each other.
+//!
+//! Every pair writes what it exerts to its own slot, and each block adds its slots in the order of the pairs: the same bits for any
+//! number of threads.
+
+use riprap_geom::Vec3;
+use riprap_geom::polyhedron::Polyhedron;
+
+mod limit;
+
+use super::build::{BuildError, stiffness};
+use super::found::desk::{Acting, Constants, Desk, Room, Slot};
+use super::found::{
+    Blocks, Body, ContactLaw, Found, Motion, Pair, Pose, Question, Role, Shape, respond, turn,
+};
+use super::patch;
+use super::setup::{self, Setup};
+use super::state::found::FoundPair;
+use super::state::scratch::Scratch;
+use super::world::{World, flag};
+use crate::exec::CHUNK;
+
+/// Steps between two looks at joints that have failed since.
+const LOOK: u64 = 16;
+/// Way in steps of the present length that margins are made for.
+const LOOKAHEAD: f64 = 50.0;
+/// Share of the smallest inscribed radius that a block may go in one step.
+const TRANSIT: f64 = 0.1;
+
+/// Brings the candidate list up to date; whether any pair can touch.
+///
+/// Calling it again without moving changes nothing.
+pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
+    if !world.setup.found_contacts {
+        return false;
+    }
+    let n = world.alive.len();
+    let known = world.found.roles.len() == n;
+    let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
+    let mut renew = false;
+    if !known || world.fresh || look {
+        let roles = roles(world);
+        renew = roles != world.found.roles;
+        world.found.roles = roles;
+    }
+    if world.fresh {
+        scratch.desk.ready = false;
+    }
+    if !world.found.roles.contains(&Role::Seeker) {
+        if !world.found.pairs.is_empty() {
+            leave(world, scratch);
+        }
+        scratch.desk.limit = f64::INFINITY;
+        return false;
+    }
+    make_shapes(world, &mut scratch.desk);
+    let desk = &mut scratch.desk;
+    let blocks = Blocks {
+        shapes: &desk.shapes,
+        shape: &world.solid,
+        roles: &world.found.roles,
+    };
+    let pose = |b: usize| world.pose(b);
+    let speed = |b: usize| {
+        world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
+    };
+    let next = |b: usize| speed(b) * scratch.coming_dt;
+    renew |= desk
+        .candidates
+        .outdated(&blocks, &world.found.search, pose, next, &scratch.exec);
+    if renew {
+        let lookahead = LOOKAHEAD * world.last_dt;
+        let mut search = world.found.search.clone();
+        search.renew(&blocks, pose, speed, lookahead);
+        world.found.search = search;
+        desk.ready = false;
+    }
+    if !desk.ready {
+        rebuild(world, scratch);
+    }
+    !world.found.pairs.is_empty()
+}
+
+/// Ends all found contacts: what their springs still hold is friction.
+fn leave(world: &mut World, scratch: &mut Scratch) {
+    for pair in std::mem::take(&mut world.found.pairs) {
+        world.works.friction += pair.stored;
+    }
+    world.found.search = Default::default();
+    scratch.desk = Desk::default();
+    scratch.tiles.make_rows(world);
+}
+
+/// Who can meet whom.
+fn roles(world: &World) -> Vec<Role> {
+    let n = world.alive.len();
+    let mut roles: Vec<Role> = (0..n)
+        .map(|b| {
+            if !world.alive[b] || world.deforms(b) {
+                Role::Absent
+            } else {
+                Role::Seeker
+            }
+        })
+        .collect();
+    let mut whole = vec![true; n];
+    let patches = &world.patches;
+    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        if flags & flag::BROKEN != 0 {
+            for b in ends {
+                whole[*b as usize] = false;
+            }
+        }
+    }
+    for b in largest_lattice(world) {
+        if whole[b] && roles[b] == Role::Seeker {
+            roles[b] = Role::Target;
+        }
+    }
+    roles
+}
+
+/// Blocks of the largest set that patches join, if it has at least two.
+fn largest_lattice(world: &World) -> Vec<usize> {
+    let n = world.alive.len();
+    let mut root: Vec<u32> = (0..n as u32).collect();
+    fn find(root: &mut [u32], mut b: u32) -> u32 {
+        while root[b as usize] != b {
+            root[b as usize] = root[root[b as usize] as usize];
+            b = root[b as usize];
+        }
+        b
+    }
+    for ends in &world.patches.ends {
+        let [a, b] = ends.map(|b| find(&mut root, b));
+        root[a.max(b) as usize] = a.min(b);
+    }
+    let mut count = vec![0u32; n];
+    for b in (0..n).filter(|b| world.alive[*b]) {
+        count[find(&mut root, b as u32) as usize] += 1;
+    }
+    let mut largest = 0;
+    for b in 0..n {
+        if count[b] > count[largest] {
+            largest = b;
+        }
+    }
+    if n == 0 || count[largest] < 2 {
+        return Vec::new();
+    }
+    (0..n)
+        .filter(|b| find(&mut root, *b as u32) as usize == largest)
+        .collect()
+}
+
+/// Looks at all that found contacts will ask of blocks and materials, so that nothing is missing in the middle of a run.
+///
+/// # Errors
+/// A block that is no convex body with its centroid inside; a stiffness without modulus.
+pub(crate) fn check(world: &World) -> Result<(), BuildError> {
+    if !world.setup.found_contacts {
+        return Ok(());
+    }
+    let roles = roles(world);
+    let count = roles.iter().filter(|role| **role != Role::Absent).count();
+    if count < 2 || !roles.contains(&Role::Seeker) {
+        return Ok(());
+    }
+    let mut used = vec![[false; 2]; world.setup.materials.len()];
+    let mut seen = vec![false; world.solids.len()];
+    for (b, role) in roles
+        .iter()
+        .enumerate()
+        .filter(|(_, r)| **r != Role::Absent)
+    {
+        let spec = &world.setup.blocks[b];
+        used[spec.material as usize][usize::from(*role == Role::Seeker)] = true;
+        if std::mem::replace(&mut seen[world.solid[b] as usize], true) {
+            continue;
+        }
+        if let Err(reason) = shape_of(&spec.shape, world.reference[b]) {
+            let block = world.name(b);
+            return Err(BuildError::Shape { block, reason });
+        }
+    }
+    let materials = || (0..used.len()).filter(|m| used[*m] != [false; 2]);
+    for a in materials().filter(|a| used[*a][1]) {
+        for b in materials() {
+            let row = world.setup.pair_table[a * used.len() + b];
+            stiffness(&world.setup, row, [a, b], [1.0; 2])?;
+        }
+    }
+    Ok(())
+}
+
+/// The shape of a block about its centroid at the start.
+///
+/// # Errors
+/// What is wrong with it, in words.
+pub(crate) fn shape_of(shape: &setup::Shape, centre: Vec3) -> Result<Shape, String> {
+    match shape {
+        setup::Shape::Brick { half, .. } => Shape::brick(*half),
+        setup::Shape::Polyhedron(solid) => {
+            let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
+            Shape::new(&Polyhedron { vertices, faces }, centre)
+        }
+    }
+    .map_err(|error| error.to_string())
+}
+
+/// Makes the shapes of the mass classes that have none yet. A class whose blocks take no part, or whose shape is refused (a block
+/// that building let pass is none of these), has that of a small cube, which nothing asks for.
+fn make_shapes(world: &World, desk: &mut Desk) {
+    if desk.shapes.len() == world.solids.len() {
+        return;
+    }
+    let mut chosen: Vec<Option<usize>> = vec![None; world.solids.len()];
+    for b in (0..world.alive.len()).rev() {
+        if world.found.roles[b] != Role::Absent {
+            chosen[world.solid[b] as usize] = Some(b);
+        }
+    }
+    let made = desk.shapes.len();
+    for block in &chosen[made..] {
+        let shape =
+            block.and_then(|b| shape_of(&world.setup.blocks[b].shape, world.reference[b]).ok());
+        desk.shapes
+            .push(shape.unwrap_or_else(|| Shape::brick(Vec3::ONE).unwrap_or_default()));
+    }
+}
+
+impl World {
+    /// Where the frame of block `b` stands now; at the start it was parallel to the axes.
+    #[must_use]
+    pub fn pose(&self, b: usize) -> Pose {
+        let rotation = match &self.turned[b] {
+            Some(turned) => turned.attitude,
+            None => patch::rotation(self.bodies.rotation(b)),
+        };
+        Pose {
+            position: self.reference[b] + self.bodies.displacement(b),
+            rotation,
+        }
+    }
+}
+
+/// Makes the candidate list of the state, and what follows from it.
+fn rebuild(world: &mut World, scratch: &mut Scratch) {
+    let desk = &mut scratch.desk;
+    let blocks = Blocks {
+        shapes: &desk.shapes,
+        shape: &world.solid,
+        roles: &world.found.roles,
+    };
+    let mut joined: Vec<[u32; 2]> = world
+        .patches
+        .ends
+        .iter()
+        .map(|[i, j]| [*i.min(j), *i.max(j)])
+        .collect();
+    joined.sort_unstable();
+    desk.candidates.rebuild(
+        &blocks,
+        &world.found.search,
+        |i, j| {
+            joined.binary_search(&[i, j]).is_ok()
+                || !(world.is_free(i as usize) || world.is_free(j as usize))
+        },
+        &scratch.exec,
+    );
+    let old = std::mem::take(&mut world.found.pairs);
+    let mut lost = 0.0;
+    world.found.pairs = desk.candidates.carry(
+        old.into_iter().map(|pair| (pair.ends, pair)),
+        |candidate| FoundPair {
+            ends: [candidate.i, candidate.j],
+            ..FoundPair::default()
+        },
+        |_, pair| lost += pair.stored,
+    );
+    world.works.friction += lost;
+    let pairs = &world.found.pairs;
+    let (lists, shapes) = (&desk.candidates.lists, &desk.shapes);
+    let candidates = desk.candidates.pairs.iter();
+    desk.constants = candidates
+        .map(|c| constants(world, shapes, [c.i, c.j], c.faces(lists)))
+        .collect();
+    desk.damped = desk.constants.iter().any(|c| c.law.damping_ratio > 0.0);
+    desk.slots.clear();
+    desk.slots.resize(pairs.len(), Slot::default());
+    desk.rooms
+        .resize_with(pairs.len().div_ceil(CHUNK), Room::default);
+    incidence(world, desk);
+    desk.ready = true;
+    scratch.tiles.make_rows(world);
+}
+
+/// Which pairs each block is in.
+fn incidence(world: &World, desk: &mut Desk) {
+    let pairs = &world.found.pairs;
+    desk.blocks = pairs.iter().flat_map(|p| p.ends).collect();
+    desk.blocks.sort_unstable();
+    desk.blocks.dedup();
+    desk.place = vec![u32::MAX; world.alive.len()];
+    desk.first_normal = vec![0];
+    let mut normals = 0;
+    for (k, &b) in desk.blocks.iter().enumerate() {
+        desk.place[b as usize] = k as u32;
+        normals += desk.shapes[world.solid[b as usize] as usize].faces() as u32;
+        desk.first_normal.push(normals);
+    }
+    let mut counts = vec![0u32; desk.blocks.len() + 1];
+    for b in pairs.iter().flat_map(|p| p.ends) {
+        counts[desk.place[b as usize] as usize + 1] += 1;
+    }
+    for k in 1..counts.len() {
+        counts[k] += counts[k - 1];
+    }
+    desk.incidence = vec![(0, false); 2 * pairs.len()];
+    let mut next = counts.clone();
+    for (k, pair) in pairs.iter().enumerate() {
+        for (b, second) in pair.ends.into_iter().zip([false, true]) {
+            let at = &mut next[desk.place[b as usize] as usize];
+            desk.incidence[*at as usize] = (k as u32, second);
+            *at += 1;
+        }
+    }
+    desk.first_pair = counts;
+    desk.acting = vec![Acting::default(); world.alive.len()];
+}
+
+/// What is the same in all steps for a pair.
+fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]) -> Constants {
+    let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
+    let law = law(&world.setup, ends, shape.map(|s| s.inradius));
+    Constants {
+        law,
+        inverse_masses: ends.map(|b| {
+            let [free, _] = world.freedoms(b as usize);
+            if free == Vec3::ZERO {
+                0.0
+            } else {
+                1.0 / world.solid_of(b as usize).mass
+            }
+        }),
+        radius: shape[0].radius.min(shape[1].radius),
+        inradius: shape[0].inradius.min(shape[1].inradius),
+        facing: limit::facing_area(world, shape, ends, faces),
+        largest: limit::largest_area(shape, faces),
+    }
+}
+
+/// The law between two blocks: stiffness, residual strength and damping of their interface; `depths` are their inradii, m.
+fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
+    let materials = ends.map(|b| setup.blocks[b as usize].material as usize);
+    let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
+    let joint = &setup.interfaces[row as usize].joint;
+    // Checked when the model was built; NaN would stop the run at once.
+    let [normal_stiffness, shear_stiffness] =
+        stiffness(setup, row, materials, depths).map_or([f64::NAN; 2], |found| found.0);
+    // An elastic joint neither opens nor slides; a found contact under its law must open, but does not slide.
+    let (friction, cohesion) = joint.strength.map_or((f64::INFINITY, 0.0), |s| {
+        (s.residual_friction, s.residual_cohesion)
+    });
+    ContactLaw {
+        normal_stiffness,
+        shear_stiffness,
+        friction,
+        cohesion,
+        damping_ratio: joint.damping,
+    }
+}
+
+/// Finds what all pairs exert, and the sums on each block.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
+    let desk = &mut scratch.desk;
+    place(world, desk);
+    let mut pairs = std::mem::take(&mut world.found.pairs);
+    let mut slots = std::mem::take(&mut desk.slots);
+    let mut rooms = std::mem::take(&mut desk.rooms);
+    {
+        let evaluation = Evaluation {
+            world,
+            desk,
+            dt: world.pending,
+        };
+        scratch.exec.chunks2(
+            &mut pairs,
+            &mut slots,
+            &mut rooms,
+            |first, pairs, slots, room| {
+                room.friction = 0.0;
+                for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
+                    evaluation.pair(first + k, pair, slot, room);
+                }
+            },
+        );
+    }
+    for room in &rooms {
+        world.works.friction += room.friction;
+    }
+    world.found.pairs = pairs;
+    desk.slots = slots;
+    desk.rooms = rooms;
+    sum(desk);
+    desk.limit = limit::longest_step(world, desk);
+}
+
+/// Turns the blocks that are in a pair to where they are now.
+fn place(world: &World, desk: &mut Desk) {
+    desk.normals.clear();
+    desk.turns.clear();
+    desk.poses.clear();
+    for &b in &desk.blocks {
+        let b = b as usize;
+        let pose = world.pose(b);
+        let shape = &desk.shapes[world.solid[b] as usize];
+        desk.turns
+            .push(turn(shape, pose.rotation, &mut desk.normals));
+        desk.poses.push(pose);
+        let way = world.bodies.velocity(b).length() + world.bodies.spin(b).length() * shape.radius;
+        desk.candidates.travelled[b] += way * world.pending;
+    }
+}
+
+struct Evaluation<'a> {
+    world: &'a World,
+    desk: &'a Desk,
+    dt: f64,
+}
+
+impl Evaluation<'_> {
+    fn body(&self, b: u32) -> Body<'_> {
+        let at = self.desk.place[b as usize] as usize;
+        let normals = self.desk.first_normal[at] as usize..self.desk.first_normal[at + 1] as usize;
+        Body {
+            shape: &self.desk.shapes[self.world.solid[b as usize] as usize],
+            normals: &self.desk.normals[normals],
+            turn: self.desk.turns[at],
+            position: self.desk.poses[at].position,
+        }
+    }
+
+    /// Motion of both blocks of pair `k`, half a step ago.
+    fn motion(&self, k: usize, pair: &FoundPair) -> [Motion; 2] {
+        [0, 1].map(|s| Motion {
+            velocity: self.world.bodies.velocity(pair.ends[s] as usize),
+            spin: self.world.bodies.spin(pair.ends[s] as usize),
+            inverse_mass: self.desk.constants[k].inverse_masses[s],
+        })
+    }
+
+    fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, room: &mut Room) {
+        let candidate = &self.desk.candidates.pairs[k];
+        let travelled = &self.desk.candidates.travelled;
+        let [i, j] = pair.ends.map(|b| b as usize);
+        if travelled[i] + travelled[j] <= slot.asleep_until {
+            return;
+        }
+        let faces = candidate.faces(&self.desk.candidates.lists);
+        if self.dt > 0.0 {
+            pair.start = pair.next;
+        }
+        let place =
+            |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
+        let hint = pair
+            .start
+            .and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
+        let bodies = pair.ends.map(|b| self.body(b));
+        let found = room.walker.find(&Pair {
+            bodies: [&bodies[0], &bodies[1]],
+            faces,
+            ties: candidate.ties,
+            hint,
+        });
+        let sums = match found {
+            Found::Touching(sums) => sums,
+            Found::Apart(gap) => {
+                let asleep_until = self.desk.candidates.sleep(candidate, gap);
+                let motion = self.motion(k, pair);
+                room.friction += pair.memory.work(&motion, self.dt) + pair.stored;
+                *pair = FoundPair {
+                    ends: pair.ends,
+                    ..FoundPair::default()
+                };
+                *slot = Slot {
+                    asleep_until,
+                    ..Slot::default()
+                };
+                return;
+            }
+            Found::Swallowed(_) => {
+                // No force can be given: not a number stops the run with the name of a block.
+                *slot = Slot::default();
+                slot.elastic.force = Vec3::NAN;
+                pair.depth = f64::INFINITY;
+                return;
+            }
+        };
+        room.unlabelled += u64::from(sums.unlabelled);
+        pair.next = sums
+            .hint
+            .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
+        let constants = &self.desk.constants[k];
+        let reply = respond(
+            &constants.law,
+            &Question {
+                sums: &sums,
+                largest: (&room.walker.largest, &room.walker.largest_frame),
+                origin: super::found::planes::origin(&bodies[0], &bodies[1]),
+                centres: bodies.map(|b| b.position),
+                motion: self.motion(k, pair),
+                radius: constants.radius,
+                dt: self.dt,
+            },
+            &mut pair.memory,
+        );
+        room.friction += reply.friction;
+        pair.stored = pair.memory.stored(&constants.law);
+        pair.force = reply.wrench.force;
+        pair.depth = sums.depth;
+        *slot = Slot {
+            elastic: reply.elastic,
+            spring: reply.spring,
+            drag: reply.drag,
+            touching: true,
+            area: reply.area,
+            asleep_until: f64::NEG_INFINITY,
+        };
+    }
+}
+
+/// Adds what the pairs exert, block by block in the order of the pairs.
+fn sum(desk: &mut Desk) {
+    for (at, &b) in desk.blocks.iter().enumerate() {
+        let mut acting = Acting::default();
+        let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
+        for &(k, second) in &desk.incidence[pairs] {
+            let slot = &desk.slots[k as usize];
+            if slot.touching || slot.elastic.force.is_nan() {
+                acting.elastic.add(&slot.elastic, second);
+                acting.spring.add(&slot.spring, second);
+                acting.drag.add(&slot.drag, second);
+            }
+        }
+        desk.acting[b as usize] = acting;
+    }
+}
+
+/// Largest step that found contacts allow at the present state, s: stability of those that can touch, and no block may go farther
+/// than a tenth of the smallest inscribed radius, falling included.
+#[must_use]
+pub fn step_limit(world: &World, scratch: &Scratch) -> f64 {
+    let found = &world.found;
+    if !found.roles.contains(&Role::Seeker) {
+        return f64::INFINITY;
+    }
+    let (mut speed, mut least) = (0.0_f64, f64::INFINITY);
+    for (b, role) in found.roles.iter().enumerate() {
+        if *role != Role::Absent {
+            if let Some(shape) = scratch.desk.shapes.get(world.solid[b] as usize) {
+                least = least.min(shape.inradius);
+            }
+            if *role == Role::Seeker || world.motion[b].is_some() {
+                speed = speed.max(world.bodies.velocity(b).length());
+            }
+        }
+    }
+    if !least.is_finite() {
+        return scratch.desk.limit;
+    }
+    // v t + g t²/2 = way, in the form without cancellation.
+    let (way, g) = (TRANSIT * least, world.gravity.length());
+    let transit = 2.0 * way / (speed + (speed * speed + 2.0 * g * way).sqrt());
+    scratch.desk.limit.min(transit)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,156 @@
+//! How long a step may be for the contacts that are there, and for those that can form in it.
+//!
+//! A contact of the area A counts in the squared frequency of each of its blocks with `2 k A (1/m + (h² + 2 A/3)/I)`, with k the larger
+//! stiffness and h the distance of the centroid from the farthest face that can take part. Pairs that do not touch yet count
+//! only with what can happen in the coming step: two faces that can come flat onto each other from the moment they meet,
+//! edges and corners with the area that the way of the blocks makes.
+
+use riprap_geom::Vec3;
+
+use crate::found::Shape;
+use crate::found::desk::Desk;
+use crate::world::World;
+
+/// Share of the stable step: the stiffness grows with the area.
+const SAFETY: f64 = 0.2;
+/// Cosine between normals of faces that can come flat onto each other before the next look of the search.
+const FACING: f64 = -0.98;
+
+/// Longest step, s.
+pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
+    let gravity = world.gravity.length();
+    let mut longest = f64::INFINITY;
+    for (at, &b) in desk.blocks.iter().enumerate() {
+        let b = b as usize;
+        let ease = Ease::of(world, desk, b);
+        let (mut sum, mut damping) = (0.0, 0.0_f64);
+        let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
+        for &(k, _) in &desk.incidence[pairs] {
+            let k = k as usize;
+            let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
+            let law = &constants.law;
+            let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+            let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
+            if slot.touching {
+                let area = slot.area.max(constants.facing);
+                sum += stiffness * area * ease.of_area(area);
+                damping = damping.max(law.damping_ratio);
+                continue;
+            }
+            let candidate = &desk.candidates.pairs[k];
+            let ends = [candidate.i as usize, candidate.j as usize];
+            let travelled = ends.map(|e| desk.candidates.travelled[e]);
+            let gap = (slot.asleep_until - travelled[0] - travelled[1]).max(0.0);
+            let speed: f64 = ends.map(|e| speed(world, e)).iter().sum();
+            // The moment they meet: v t + g t²/2 = gap, in the form without cancellation.
+            let meet = if gap > 0.0 {
+                2.0 * gap / (speed + (speed * speed + 2.0 * gravity * gap).sqrt())
+            } else {
+                0.0
+            };
+            if constants.facing > 0.0 {
+                let rate = stiffness * constants.facing * ease.of_area(constants.facing);
+                longest = longest.min(meet.max(SAFETY * 2.0 * loss / rate.sqrt()));
+            }
+            // An edge: its area is its length times the way; dt² K v dt = (2 f)².
+            let rate =
+                stiffness * constants.largest.sqrt() * speed * ease.of_area(constants.largest);
+            if rate > 0.0 {
+                let allowed = 2.0 * SAFETY * loss;
+                longest = longest.min(meet + libm::cbrt(allowed * allowed / rate));
+            }
+        }
+        if sum > 0.0 {
+            let loss = (1.0 + damping * damping).sqrt() - damping;
+            longest = longest.min(SAFETY * 2.0 * loss / sum.sqrt());
+        }
+    }
+    longest
+}
+
+/// How easily forces move and turn a block.
+struct Ease {
+    /// 1/kg.
+    mass: f64,
+    /// 1/(kg m²).
+    inertia: f64,
+    /// Square of the distance of its farthest face, m².
+    height: f64,
+}
+
+impl Ease {
+    fn of(world: &World, desk: &Desk, b: usize) -> Self {
+        let [free, turns] = world.freedoms(b);
+        let solid = world.solid_of(b);
+        let diagonal = Vec3::new(
+            solid.inverse.x_axis.x,
+            solid.inverse.y_axis.y,
+            solid.inverse.z_axis.z,
+        );
+        let offsets = &desk.shapes[world.solid[b] as usize].offsets;
+        let height = offsets.iter().copied().fold(0.0, f64::max);
+        Self {
+            mass: free.max_element() / solid.mass,
+            inertia: turns.max_element() * diagonal.max_element(),
+            height: height * height,
+        }
+    }
+
+    /// `1/m + (h² + 2 A/3)/I`.
+    fn of_area(&self, area: f64) -> f64 {
+        self.mass + (self.height + 2.0 * area / 3.0) * self.inertia
+    }
+}
+
+/// Bound of the speed of the points of a block, m/s.
+fn speed(world: &World, b: usize) -> f64 {
+    world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
+}
+
+/// Smaller one of the largest listed faces of both blocks, m².
+pub(super) fn largest_area(shapes: [&Shape; 2], faces: [&[u16]; 2]) -> f64 {
+    let [a, b] = [0, 1].map(|s| {
+        let areas = faces[s].iter().map(|f| shapes[s].areas[*f as usize]);
+        areas.fold(0.0, f64::max)
+    });
+    a.min(b)
+}
+
+/// Largest area of two listed faces that can come flat onto each other before the next look of the search, m².
+pub(super) fn facing_area(
+    world: &World,
+    shapes: [&Shape; 2],
+    ends: [u32; 2],
+    faces: [&[u16]; 2],
+) -> f64 {
+    let poses = ends.map(|b| world.found.search.pose[b as usize]);
+    let margin: f64 = ends
+        .iter()
+        .map(|b| world.found.search.margin[*b as usize])
+        .sum();
+    let mut most: f64 = 0.0;
+    for &f in faces[0] {
+        let n = poses[0].rotation * shapes[0].normals[f as usize];
+        let [_, e, h] = riprap_geom::polyhedron::frame(n);
+        for &g in faces[1] {
+            let m = poses[1].rotation * shapes[1].normals[g as usize];
+            if n.dot(m) > FACING {
+                continue;
+            }
+            let sides = [e, h].map(|axis| {
+                let reach = |s: usize, face: u16, axis: Vec3| {
+                    let corners = shapes[s].outline(face as usize).iter();
+                    corners
+                        .map(|v| axis.dot(poses[s].place(shapes[s].vertices[*v as usize])))
+                        .fold(f64::NEG_INFINITY, f64::max)
+                };
+                let high = reach(0, f, axis).min(reach(1, g, axis));
+                let low = (-reach(0, f, -axis)).max(-reach(1, g, -axis));
+                (high - low + margin).max(0.0)
+            });
+            let areas = shapes[0].areas[f as usize].min(shapes[1].areas[g as usize]);
+            most = most.max(areas.min(sides[0] * sides[1]));
+        }
+    }
+    most
+}

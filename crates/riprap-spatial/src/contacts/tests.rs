@@ -1,0 +1,245 @@
+//! Separate blocks that fall, slide and rebound in the engine; threads and restart.
+
+use riprap_geom::Vec3;
+
+use crate::dynamics::damping::Damping;
+use crate::exec::Exec;
+use crate::setup::{
+    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Material, Motion, Points, Setup,
+    Shape, Stiffness, Strength, Support,
+};
+use crate::state::scratch::Scratch;
+use crate::step;
+use crate::view::View;
+use crate::world::World;
+
+fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
+    let half = 0.5 * Vec3::from_array(size);
+    BlockSpec {
+        name: BlockName { base: 0, number: 0 },
+        shape: Shape::Brick {
+            centre: Vec3::from_array(low) + half,
+            half,
+        },
+        material: 0,
+        velocity: Vec3::ZERO,
+        spin: Vec3::ZERO,
+    }
+}
+
+/// A fixed floor with its top at z = 0, and blocks above it; tan of the friction angle and damping ratio of all contacts.
+fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -> Setup {
+    let mut setup = Setup {
+        gravity: Vec3::new(0.0, 0.0, -9.81),
+        names: vec!["rock".into()],
+        blocks: vec![brick([-4.0, -4.0, -1.0], [8.0, 8.0, 1.0])],
+        pair_table: vec![0],
+        found_contacts: true,
+        ..Setup::default()
+    };
+    setup.materials.push(Material {
+        name: "rock".into(),
+        density: 2500.0,
+        young: None,
+        poisson: None,
+    });
+    setup.interfaces.push(Interface {
+        name: "default".into(),
+        joint: JointLaw {
+            stiffness: Stiffness::Given {
+                normal: 1e9,
+                shear: 5e8,
+            },
+            strength: Some(Strength {
+                cohesion: 0.0,
+                tension: 0.0,
+                friction,
+                residual_friction: friction,
+                residual_cohesion: 0.0,
+                dilation: 0.0,
+                dilation_end: 1.0,
+            }),
+            failure: Failure::Point,
+            points: Points::Gauss,
+            damping,
+            dashpots: Dashpots::Sticking,
+        },
+    });
+    setup.supports.push(Support {
+        blocks: vec![0],
+        motion: Motion::Fixed {
+            translation: [true; 3],
+            rotation: [true; 3],
+        },
+    });
+    setup.blocks.extend(blocks);
+    for (k, block) in setup.blocks.iter_mut().enumerate() {
+        block.name.number = k as u32 + 1;
+    }
+    setup
+}
+
+struct Run {
+    world: World,
+    scratch: Scratch,
+    dt: f64,
+}
+
+impl Run {
+    fn new(setup: Setup, threads: usize, dt: f64) -> Self {
+        let (world, scratch) = World::new(setup, Exec::new(threads).unwrap()).unwrap();
+        Self { world, scratch, dt }
+    }
+
+    fn evaluate(&mut self) {
+        step::evaluate(
+            &mut self.world,
+            &mut self.scratch,
+            &Damping::default(),
+            self.dt,
+        )
+        .unwrap();
+    }
+
+    /// On to `time`; the forces there are found.
+    fn until(&mut self, time: f64) {
+        self.evaluate();
+        if self.world.start_energy.is_none() {
+            self.world.start_energy = Some(self.view().balance().total());
+        }
+        while self.world.time < time - 0.5 * self.dt {
+            step::advance(&mut self.world, &mut self.scratch, self.dt);
+            self.evaluate();
+        }
+    }
+
+    fn view(&self) -> View<'_> {
+        View {
+            world: &self.world,
+            scratch: &self.scratch,
+        }
+    }
+
+    fn place(&self, b: usize) -> Vec3 {
+        self.world.pose(b).position
+    }
+}
+
+#[test]
+fn two_bricks_fall_on_a_floor_and_rest_on_each_other() {
+    let blocks = vec![
+        brick([-0.25, -0.25, 0.05], [0.5; 3]),
+        brick([-0.2, -0.25, 0.65], [0.5; 3]),
+    ];
+    let mut run = Run::new(above_floor(blocks, 0.6, 0.2), 1, 1e-4);
+    run.until(1.5);
+    // Pressed in by their weight over the stiffness.
+    let (low, high) = (run.place(1), run.place(2));
+    assert!((low.z - 0.25).abs() < 1e-4, "{low}");
+    assert!((high.z - 0.75).abs() < 1e-4, "{high}");
+    // It has rocked a little as it landed.
+    assert!((high.x - 0.05).abs() < 2e-2, "{high}");
+    // The rocking of the column fades slowly.
+    assert!(run.view().kinetic(1) + run.view().kinetic(2) < 0.1);
+    // The floor carries both.
+    let weight = 2.0 * 2500.0 * 0.125 * 9.81;
+    let floor = run.world.found.pairs.iter().find(|p| p.ends == [0, 1]);
+    let force = floor.map_or(0.0, |p| p.force.z);
+    assert!((force / weight - 1.0).abs() < 1e-3, "{force} {weight}");
+    let balance = run.view().balance();
+    assert!(balance.residual_relative().abs() < 1e-6, "{balance:?}");
+}
+
+#[test]
+fn a_thrown_brick_hands_its_speed_over() {
+    let mut thrown = brick([0.0, 0.0, 1.0], [0.5; 3]);
+    thrown.velocity = Vec3::new(2.0, 0.0, 0.0);
+    let still = brick([1.0, 0.0, 1.0], [0.5; 3]);
+    let mut setup = above_floor(vec![thrown, still], 0.6, 0.0);
+    setup.gravity = Vec3::ZERO;
+    let mut run = Run::new(setup, 1, 5e-5);
+    run.until(0.5);
+    let [a, b] = [1, 2].map(|b| run.world.bodies.velocity(b));
+    assert!(a.length() < 0.01, "{a}");
+    assert!((b.x - 2.0).abs() < 0.01, "{b}");
+    assert!(run.view().balance().residual_relative().abs() < 1e-9);
+    assert!(run.world.found.pairs.iter().all(|p| p.depth == 0.0));
+}
+
+#[test]
+fn a_sliding_brick_is_stopped_by_friction() {
+    let mut sliding = brick([-2.0, -0.25, 0.0005], [0.5, 0.5, 0.25]);
+    sliding.velocity = Vec3::new(2.0, 0.0, 0.0);
+    let mut run = Run::new(above_floor(vec![sliding], 0.5, 0.2), 1, 1e-4);
+    run.until(1.0);
+    let way = run.place(1).x + 1.75;
+    assert!(
+        (way / (4.0 / (2.0 * 0.5 * 9.81)) - 1.0).abs() < 0.02,
+        "{way}"
+    );
+    let works = &run.world.works;
+    assert!(works.friction > 0.9 * 0.5 * 2500.0 * 0.0625 * 4.0);
+    let residual = run.view().balance().residual_relative();
+    assert!(residual.abs() < 1e-9, "{residual:e}");
+}
+
+/// Many bricks that fall in disorder: the same bits with threads, and after a restart in the middle.
+#[test]
+fn threads_and_restart_change_no_bit() {
+    let setup = || {
+        let mut blocks = Vec::new();
+        for k in 0..700_u32 {
+            let at = |p: u32| f64::from(p);
+            let (x, y, z) = (at(k % 9), at(k / 9 % 9), at(k / 81));
+            let low = [0.45 * x - 2.0 + 0.02 * z, 0.45 * y - 2.0, 0.001 + 0.301 * z];
+            let mut block = brick(low, [0.4, 0.3, 0.3]);
+            block.spin = Vec3::new(0.3 * y, -0.2 * x, 0.1 * z);
+            blocks.push(block);
+        }
+        above_floor(blocks, 0.5, 0.2)
+    };
+    let bits = |run: &Run| -> Vec<u64> {
+        let bodies = &run.world.bodies;
+        let lists = bodies.pose.iter().chain(&bodies.rate).flatten();
+        let shear = run.world.found.pairs.iter().map(|p| &p.memory.shear.x);
+        lists.chain(shear).map(|x| x.to_bits()).collect()
+    };
+    let mut one = Run::new(setup(), 1, 2e-4);
+    one.until(0.06);
+    let world = one.world.clone();
+    one.until(0.1);
+    let touching = one.world.found.pairs.iter().filter(|p| p.depth > 0.0);
+    assert!(touching.count() > 100);
+    let mut two = Run::new(setup(), 2, 2e-4);
+    two.until(0.1);
+    assert!(bits(&one) == bits(&two), "threads change bits");
+    let mut world = world;
+    let scratch = Scratch::new(&mut world, Exec::serial());
+    let mut again = Run {
+        world,
+        scratch,
+        dt: 2e-4,
+    };
+    again.until(0.1);
+    assert!(bits(&one) == bits(&again), "a restart changes bits");
+}
+
+/// Blocks of one lattice whose joints are whole are no candidates: nothing is searched, nothing kept.
+#[test]
+fn a_whole_lattice_has_no_candidates() {
+    let mut setup = above_floor(
+        vec![
+            brick([0.0, 0.0, 0.0], [0.5; 3]),
+            brick([0.5, 0.0, 0.0], [0.5; 3]),
+            brick([0.0, 0.5, 0.0], [0.5; 3]),
+            brick([0.5, 0.5, 0.0], [0.5; 3]),
+        ],
+        0.6,
+        0.1,
+    );
+    setup.interfaces[0].joint.strength = None;
+    let mut run = Run::new(setup, 1, 1e-5);
+    run.until(1e-3);
+    assert!(run.world.found.pairs.is_empty());
+    assert!(run.world.found.search.pose.is_empty());
+}

@@ -1,0 +1,138 @@
+//! What the evaluation of found contacts works with; can be dropped and laid out anew without changing a result.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::friction::{ContactLaw, Wrench};
+use super::search::Candidates;
+use super::shape::{Pose, Shape};
+use super::surface::Walker;
+
+/// Room for all found contacts of a model.
+#[derive(Debug, Default)]
+pub struct Desk {
+    /// Whether the candidate list is that of the state.
+    pub ready: bool,
+    /// Shapes, one for each mass class.
+    pub shapes: Vec<Shape>,
+    /// Pairs that can touch.
+    pub candidates: Candidates,
+    /// What is the same in all steps, per pair.
+    pub constants: Vec<Constants>,
+    /// Blocks that are in a pair, ascending.
+    pub blocks: Vec<u32>,
+    /// Place of a block in `blocks`, per block; `u32::MAX` for others.
+    pub place: Vec<u32>,
+    /// Where the normals of each of `blocks` begin; one entry more.
+    pub first_normal: Vec<u32>,
+    /// Normals of all faces of `blocks`, turned into space.
+    pub normals: Vec<Vec3>,
+    /// Rotation of each of `blocks` as a matrix.
+    pub turns: Vec<Mat3>,
+    /// Pose of each of `blocks`.
+    pub poses: Vec<Pose>,
+    /// What each pair exerts.
+    pub slots: Vec<Slot>,
+    /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
+    pub incidence: Vec<(u32, bool)>,
+    /// Where the pairs of each of `blocks` begin; one entry more.
+    pub first_pair: Vec<u32>,
+    /// What acts on each block of the model; empty without pairs.
+    pub acting: Vec<Acting>,
+    /// Room of each run of pairs.
+    pub rooms: Vec<Room>,
+    /// Whether any contact has dashpots.
+    pub damped: bool,
+    /// Longest step that contacts which can touch allow, s.
+    pub limit: f64,
+}
+
+/// What is the same in all steps for a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    /// The law.
+    pub law: ContactLaw,
+    /// 1 over the masses, 1/kg; 0 for what no contact can move.
+    pub inverse_masses: [f64; 2],
+    /// Smaller radius, m.
+    pub radius: f64,
+    /// Smaller inradius, m.
+    pub inradius: f64,
+    /// Largest area of two faces that can come flat onto each other, m²; 0 where none can.
+    pub facing: f64,
+    /// Smaller one of the largest listed faces of both, m².
+    pub largest: f64,
+}
+
+/// What a pair exerts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slot {
+    /// Pressure.
+    pub elastic: Wrench,
+    /// Springs along the contact.
+    pub spring: Wrench,
+    /// Dashpots.
+    pub drag: Wrench,
+    /// Whether they touch.
+    pub touching: bool,
+    /// Area across the normal, m².
+    pub area: f64,
+    /// While the ways of both blocks together are not above this, a pair that is apart cannot touch, m.
+    pub asleep_until: f64,
+}
+
+impl Default for Slot {
+    fn default() -> Self {
+        Self {
+            elastic: Wrench::default(),
+            spring: Wrench::default(),
+            drag: Wrench::default(),
+            touching: false,
+            area: 0.0,
+            asleep_until: f64::NEG_INFINITY,
+        }
+    }
+}
+
+/// Force (N) and moment about the centroid (N m).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Share {
+    /// N.
+    pub force: Vec3,
+    /// N m.
+    pub moment: Vec3,
+}
+
+impl Share {
+    /// Adds what a contact does to its first or second block.
+    pub fn add(&mut self, wrench: &Wrench, second: bool) {
+        if second {
+            self.force += wrench.force;
+            self.moment += wrench.moment_b;
+        } else {
+            self.force -= wrench.force;
+            self.moment += wrench.moment_a;
+        }
+    }
+}
+
+/// What all found contacts of a block do to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Acting {
+    /// Pressure.
+    pub elastic: Share,
+    /// Springs along the contacts.
+    pub spring: Share,
+    /// Dashpots.
+    pub drag: Share,
+}
+
+/// Room and sums of a run of pairs.
+#[derive(Debug, Default)]
+pub struct Room {
+    /// Walks over surfaces.
+    pub walker: Walker,
+    /// Heat of friction in this step, J.
+    pub friction: f64,
+    /// Edges that no listed plane has made: none, or the lists are wrong.
+    pub unlabelled: u64,
+}
