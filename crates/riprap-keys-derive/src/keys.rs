@@ -61,9 +61,12 @@ pub fn derive(input: &DeriveInput) -> Result<TokenStream> {
     Ok(quote! { #schema #read #change })
 }
 
+/// What [`table_attributes`] finds: the changed form with the place of its table, and the table that a changed form is of.
+type TableAttributes = (Option<(Ident, String)>, Option<String>);
+
 /// `#[keys(change = Name, path = "...")]`: the form of the table in which a phase changes it, and where the table itself
 /// stands; `#[keys(change_of = "...")]` on that form.
-fn table_attributes(input: &DeriveInput) -> Result<(Option<(Ident, String)>, Option<String>)> {
+fn table_attributes(input: &DeriveInput) -> Result<TableAttributes> {
     let (mut name, mut path, mut of) = (None, None, None);
     for attribute in input.attrs.iter().filter(|a| a.path().is_ident("keys")) {
         attribute.parse_nested_meta(|meta| {

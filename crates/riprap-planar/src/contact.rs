@@ -224,7 +224,7 @@ fn general_pair(
     room.old.clear();
     room.old.append(&mut state.regions);
     let mut total = Wrench::default();
-    let by_path = matches!(law.normal, NormalLaw::PenetrationPotential { .. });
+    let by_path = matches!(law.normal, NormalLaw::PenetrationPotential);
     let stored = if context.begins && by_path && room.old.is_empty() {
         parting::energies(context, candidate, &relative)
     } else {
