@@ -5,7 +5,7 @@
 //!
 //! - no memory, normal to an axis, and certainly elastic: [`wide::springs`], all four points at once;
 //! - else, normal to an axis, small rotations, and a law that [`wide::points`] knows: that, point by point;
-//! - else: [`single`], for any state.
+//! - else: `single`, for any state.
 //!
 //! A packet runs each kernel for eight patches and each lane takes from it what is its own.
 

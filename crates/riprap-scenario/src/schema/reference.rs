@@ -9,7 +9,7 @@ use super::{Node, schema};
 use crate::diagnostic;
 use crate::quantity::{KINDS, KindInfo};
 use crate::units::Dim;
-use crate::vectors::FormInfo;
+use crate::vectors::{FormInfo, InSpace};
 
 const HEAD: &str = "# Scenario reference
 
@@ -150,7 +150,7 @@ impl Page {
             Some(_) if !own.is_empty() => own.to_owned(),
             _ => meaning(documented, node),
         };
-        let space = super::only_space(documented).map(|space| space.word());
+        let space = super::only_space(documented).map(InSpace::word);
         let only = space.map(|space| format!("Only in [space.{space}]."));
         let said = match &only {
             Some(only) => said.replacen(only, "", 1),
@@ -228,9 +228,8 @@ impl Page {
                 _ => format!("vector: {of}"),
             };
         }
-        match node.type_name {
-            Some("Every" | "Moment" | "Names" | "Period") => return super::takes(node),
-            _ => {}
+        if let Some("Every" | "Moment" | "Names" | "Period") = node.type_name {
+            return super::takes(node);
         }
         let alternatives = node.alternatives();
         if !alternatives.is_empty() {

@@ -2,7 +2,7 @@
 //!
 //! All of it goes into one buffer, [`Pushes`](crate::state::push::Pushes), through anchors or as force and moment on a rigid block:
 //!
-//! 1. [`begin`] clears the buffer at the head of an evaluation.
+//! 1. `begin` clears the buffer at the head of an evaluation.
 //! 2. Writers add to it, one after the other in the order of `step::evaluate`: loads, tractions on deformable blocks, cavities,
 //!    bonds on rigid blocks; last, block by block in the gathering, faces of rigid blocks. A writer that comes later goes behind
 //!    those that are there, so that their sums stay the same bits. What a writer adds must not depend on the number of threads.
