@@ -84,7 +84,7 @@ fn others() -> Vec<Case> {
     let hexagon = (0..6)
         .map(|k| {
             let angle = (f64::from(k) - 2.0) * std::f64::consts::FRAC_PI_3;
-            Vec2::new(0.5 + angle.cos(), angle.sin() + 0.75f64.sqrt())
+            Vec2::new(0.5 + libm::cos(angle), libm::sin(angle) + 0.75f64.sqrt())
         })
         .collect();
     vec![
@@ -155,7 +155,7 @@ fn fault(case: &Case, normal: NormalLaw, depth: f64, angle: f64) -> Option<Strin
     let (band, off_centre) = match normal {
         NormalLaw::DistancePotential => ([1.0, 1.0], 0.0),
         // One end on an own crossing, the other on none: (5/12 - 1/2) L at most.
-        NormalLaw::PenetrationPotential { .. } => ([1.0, 1.5], 1.0 / 12.0),
+        NormalLaw::PenetrationPotential => ([1.0, 1.5], 1.0 / 12.0),
     };
     // Round-off of the place over the depth.
     let noise = 4e-15 / d;
@@ -202,7 +202,7 @@ fn flat_contact_is_one_contact_with_the_force_of_its_law_in_any_orientation() {
 
 /// A number of either sign, its magnitude spread evenly over 13 decades below `top`, or 0.
 fn any_size(random: &mut Random, top: f64) -> f64 {
-    let size = top * 10f64.powf(random.between(-13.0, 0.0));
+    let size = top * libm::pow(10.0, random.between(-13.0, 0.0));
     [0.0, size, -size][random.between(0.0, 3.0) as usize]
 }
 
