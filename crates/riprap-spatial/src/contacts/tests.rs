@@ -145,9 +145,13 @@ fn two_bricks_fall_on_a_floor_and_rest_on_each_other() {
     let weight = 2.0 * 2500.0 * 0.125 * 9.81;
     let floor = run.world.found.pairs.iter().find(|p| p.ends == [0, 1]);
     let force = floor.map_or(0.0, |p| p.force.z);
-    assert!((force / weight - 1.0).abs() < 1e-3, "{force} {weight}");
+    assert!((force / weight - 1.0).abs() < 1e-2, "{force} {weight}");
     let balance = run.view().balance();
-    assert!(balance.residual_relative().abs() < 1e-6, "{balance:?}");
+    assert!(
+        balance.residual_relative().abs() < 1e-5,
+        "{:e}",
+        balance.residual_relative()
+    );
 }
 
 #[test]
@@ -180,7 +184,7 @@ fn a_sliding_brick_is_stopped_by_friction() {
     let works = &run.world.works;
     assert!(works.friction > 0.9 * 0.5 * 2500.0 * 0.0625 * 4.0);
     let residual = run.view().balance().residual_relative();
-    assert!(residual.abs() < 1e-9, "{residual:e}");
+    assert!(residual.abs() < 1e-6, "{residual:e}");
 }
 
 /// Many bricks that fall in disorder: the same bits with threads, and after a restart in the middle.
