@@ -11,6 +11,7 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
+mod give_way;
 mod limit;
 
 use super::build::{BuildError, stiffness};
@@ -24,6 +25,7 @@ use super::state::found::FoundPair;
 use super::state::scratch::Scratch;
 use super::world::{World, flag};
 use crate::exec::CHUNK;
+pub(crate) use give_way::give_way;
 
 /// Steps between two looks at joints that have failed since.
 const LOOK: u64 = 16;

@@ -15,6 +15,7 @@ mod split;
 pub use error::EditError;
 
 use super::build;
+use super::overlap::bare;
 use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
 use super::setup::{During, Shape};
@@ -189,7 +190,7 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
         match ends.map(gone) {
             [false, false] => keep.push(p as u32),
             [true, true] => {}
-            [i_gone, _] => bared.push(patches::bare(world, p, usize::from(i_gone))),
+            [i_gone, _] => bared.push(bare(world, p, usize::from(i_gone))),
         }
     }
     let mut faces: Vec<Face> = std::mem::take(&mut world.faces);

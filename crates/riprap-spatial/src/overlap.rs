@@ -3,7 +3,9 @@
 use riprap_geom::Vec3;
 
 use super::meet::{Cell, Free, Rectangle, Shared};
+use super::setup::Points;
 use super::state::face::Face;
+use super::state::world::World;
 
 /// Two blocks that share a part of a face, in the reference configuration.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +72,32 @@ pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
         frame,
         arm: arm(cell, free.axis, sign, &free.part),
         area: length_b * length_c,
+        reach,
+        stiffness: [0.0; 2],
+        impedance: [0.0; 2],
+        anchor: [Vec3::ZERO; 4],
+    }
+}
+
+/// The free face that patch `p` leaves on its block number `side` (0 or 1) when the other block goes.
+pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
+    let class = &world.classes[world.patches.class[p] as usize];
+    let [n, b, c] = class.frame;
+    let joint = &world.setup.interfaces[class.row as usize].joint;
+    let spread = match joint.points {
+        Points::Gauss => 1.0,
+        Points::Quarter => 0.75f64.sqrt(),
+    };
+    let mut reach = class.reach.map(|r| r / spread);
+    if side == 1 {
+        reach.swap(0, 1);
+    }
+    Face {
+        block: world.patches.ends[p][side],
+        boundary: None,
+        frame: if side == 0 { [n, b, c] } else { [-n, c, b] },
+        arm: class.arms[side],
+        area: class.area,
         reach,
         stiffness: [0.0; 2],
         impedance: [0.0; 2],

@@ -44,6 +44,7 @@ pub fn evaluate(
         }
     });
     stage(scratch, "kinematics", |scratch| change_over(world, scratch));
+    contacts::give_way(world, scratch);
     let meet = contacts::refresh(world, scratch);
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);

@@ -13,7 +13,7 @@ use crate::step;
 use crate::view::View;
 use crate::world::World;
 
-fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
+pub(super) fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
     let half = 0.5 * Vec3::from_array(size);
     BlockSpec {
         name: BlockName { base: 0, number: 0 },
@@ -28,7 +28,7 @@ fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
 }
 
 /// A fixed floor with its top at z = 0, and blocks above it; tan of the friction angle and damping ratio of all contacts.
-fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -> Setup {
+pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -> Setup {
     let mut setup = Setup {
         gravity: Vec3::new(0.0, 0.0, -9.81),
         names: vec!["rock".into()],
@@ -79,14 +79,14 @@ fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -> Setup {
     setup
 }
 
-struct Run {
-    world: World,
+pub(super) struct Run {
+    pub(super) world: World,
     scratch: Scratch,
     dt: f64,
 }
 
 impl Run {
-    fn new(setup: Setup, threads: usize, dt: f64) -> Self {
+    pub(super) fn new(setup: Setup, threads: usize, dt: f64) -> Self {
         let (world, scratch) = World::new(setup, Exec::new(threads).unwrap()).unwrap();
         Self { world, scratch, dt }
     }
@@ -102,7 +102,7 @@ impl Run {
     }
 
     /// On to `time`; the forces there are found.
-    fn until(&mut self, time: f64) {
+    pub(super) fn until(&mut self, time: f64) {
         self.evaluate();
         if self.world.start_energy.is_none() {
             self.world.start_energy = Some(self.view().balance().total());
@@ -113,14 +113,14 @@ impl Run {
         }
     }
 
-    fn view(&self) -> View<'_> {
+    pub(super) fn view(&self) -> View<'_> {
         View {
             world: &self.world,
             scratch: &self.scratch,
         }
     }
 
-    fn place(&self, b: usize) -> Vec3 {
+    pub(super) fn place(&self, b: usize) -> Vec3 {
         self.world.pose(b).position
     }
 }

@@ -5,8 +5,6 @@ use riprap_geom::{Mat3, Vec3};
 use crate::laws::face_joint::{SIGNS, Traction};
 use crate::patch::{self, Poses};
 use crate::read::view::View;
-use crate::setup::Points;
-use crate::state::face::Face;
 use crate::world::{PatchClass, World, flag};
 
 /// A patch whose block is about to be split.
@@ -179,30 +177,4 @@ pub(super) fn inside(world: &mut World, p: usize, stress: &Mat3, finite: bool) {
         path: [0.0; 4],
     };
     new.put(world, p, if finite { flag::FINITE } else { 0 });
-}
-
-/// The free face that patch `p` leaves on its block number `side` (0 or 1) when the other block goes.
-pub(super) fn bare(world: &World, p: usize, side: usize) -> Face {
-    let class = &world.classes[world.patches.class[p] as usize];
-    let [n, b, c] = class.frame;
-    let joint = &world.setup.interfaces[class.row as usize].joint;
-    let spread = match joint.points {
-        Points::Gauss => 1.0,
-        Points::Quarter => 0.75f64.sqrt(),
-    };
-    let mut reach = class.reach.map(|r| r / spread);
-    if side == 1 {
-        reach.swap(0, 1);
-    }
-    Face {
-        block: world.patches.ends[p][side],
-        boundary: None,
-        frame: if side == 0 { [n, b, c] } else { [-n, c, b] },
-        arm: class.arms[side],
-        area: class.area,
-        reach,
-        stiffness: [0.0; 2],
-        impedance: [0.0; 2],
-        anchor: [Vec3::ZERO; 4],
-    }
 }

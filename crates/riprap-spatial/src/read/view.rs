@@ -242,7 +242,7 @@ impl View<'_> {
             .max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    fn poses(&self) -> Poses<'_> {
+    pub(crate) fn poses(&self) -> Poses<'_> {
         Poses {
             bodies: &self.world.bodies,
             turned: &self.world.turned,

@@ -1,0 +1,246 @@
+//! Patches that let go: found contact takes over what they carry.
+//!
+//! A patch knows two faces as they lay on each other when it was built. Once all of its points have failed and it has slid,
+//! turned or opened too far for that, it goes, and its pair becomes one that is searched for. What opens and closes in place
+//! stays a patch, which is far cheaper.
+//!
+//! Shear and torsion go on as springs of the found contact. The pressure of the patch and that of the law of found contact
+//! agree but for the share of the area that has slid off (a twentieth at most) and for rocking.
+//! Deviation: the offset that would make both equal at that instant and fade with further slip is left out.
+//! The energy of the normal springs goes on as that of the pressure; the difference in shear is booked with edits.
+
+use riprap_geom::Vec3;
+
+use super::LOOK;
+use crate::found::Memory;
+use crate::overlap::bare;
+use crate::patch::{self, Poses};
+use crate::read::view::View;
+use crate::setup::Points;
+use crate::state::found::FoundPair;
+use crate::state::scratch::Scratch;
+use crate::world::{World, flag};
+
+/// Slip over the smaller side of the patch.
+const SLID: f64 = 0.05;
+/// Opening of all points over the smaller side.
+const OPEN: f64 = 0.01;
+/// Rotation of both blocks against each other, rad.
+const TURNED: f64 = 0.02;
+
+/// Lets patches go that no longer describe where their blocks touch; every [`LOOK`] steps.
+pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
+    let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
+    if !world.setup.found_contacts || !look {
+        return;
+    }
+    let mut pairs: Vec<[u32; 2]> = (0..world.patches.len())
+        .filter(|&p| world.patches.flags[p] & flag::BROKEN == flag::BROKEN && is_past(world, p))
+        .map(|p| sorted(world.patches.ends[p]))
+        .collect();
+    if pairs.is_empty() {
+        return;
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    let (mut keep, mut gone) = (Vec::new(), Vec::new());
+    for (p, &ends) in world.patches.ends.iter().enumerate() {
+        // Two convex blocks share one plane: all of its patches go at once.
+        if pairs.binary_search(&sorted(ends)).is_ok() {
+            gone.push(p);
+        } else {
+            keep.push(p as u32);
+        }
+    }
+    for &p in &gone {
+        hand_over(world, scratch, p);
+        let faces = [0, 1].map(|side| bare(world, p, side));
+        world.faces.extend(faces);
+    }
+    world.faces.sort_by_key(|face| face.block);
+    world.patches.keep(&keep);
+    // The stable step can only grow: what was found for it stays.
+    let rebuilds = scratch.rebuilds;
+    scratch.invalidate(world);
+    scratch.rebuilds = rebuilds;
+}
+
+fn sorted([i, j]: [u32; 2]) -> [u32; 2] {
+    [i.min(j), i.max(j)]
+}
+
+/// Half the sides of a patch along b and c over the root of 3, m.
+fn gyration(world: &World, p: usize) -> [f64; 2] {
+    let class = &world.classes[world.patches.class[p] as usize];
+    let joint = patch::joint(&world.setup.interfaces, class);
+    let spread = match joint.points {
+        Points::Gauss => 1.0,
+        Points::Quarter => 0.75f64.sqrt(),
+    };
+    class.reach.map(|reach| reach / spread)
+}
+
+/// Whether a broken patch has slid, turned or opened too far.
+fn is_past(world: &World, p: usize) -> bool {
+    let list = &world.patches;
+    let class = &world.classes[list.class[p] as usize];
+    let poses = Poses {
+        bodies: &world.bodies,
+        turned: &world.turned,
+    };
+    let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
+    let [b, c] = gyration(world, p);
+    let side = 2.0 * 3.0f64.sqrt() * b.min(c);
+    let lift = list.lift.get(p).copied().unwrap_or_default();
+    if (points.at.iter().zip(lift)).all(|(at, lift)| at[0] - lift > OPEN * side) {
+        return true;
+    }
+    let slip = [1, 2].map(|k| 0.25 * points.at.iter().map(|at| at[k]).sum::<f64>());
+    if slip[0] * slip[0] + slip[1] * slip[1] > (SLID * side) * (SLID * side) {
+        return true;
+    }
+    let [i, j] = list.ends[p].map(|b| poses.attitude(b as usize));
+    // Quaternions of attitudes an angle a apart differ by 2 sin(a/4).
+    let apart = (i - j).length_squared().min((i + j).length_squared());
+    4.0 * apart > TURNED * TURNED
+}
+
+/// Gives what patch `p` carries to the found contact of its blocks.
+fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
+    let view = View { world, scratch };
+    let (points, mut tractions) = (view.patch_points(p), view.patch_tractions(p));
+    let [normal_energy, _] = view.patch_energy(p);
+    let [normal, b, c] = points.frame;
+    let class = *view.patch_class(p);
+    let share = 0.25 * class.area;
+    let (mut shear, mut torsion, mut shear_energy) = (Vec3::ZERO, 0.0, 0.0);
+    let joint = patch::joint(&world.setup.interfaces, &class);
+    for (q, traction) in tractions.iter_mut().enumerate() {
+        if let Some(strength) = &joint.strength {
+            // The blocks have moved since the points last slid: what is beyond their strength slides now.
+            let pressure = (-traction[0]).max(0.0);
+            let limit = strength.residual_cohesion + pressure * strength.residual_friction;
+            let size = (traction[1] * traction[1] + traction[2] * traction[2]).sqrt();
+            if size > limit {
+                traction[1] *= limit / size;
+                traction[2] *= limit / size;
+            }
+        }
+        let squared = traction[1] * traction[1] + traction[2] * traction[2];
+        shear_energy += share * squared / (2.0 * class.stiffness[1]);
+        let at = patch::place(&class, q);
+        let [y, z] = [class.frame[1].dot(at), class.frame[2].dot(at)];
+        shear += share * (traction[1] * b + traction[2] * c);
+        torsion += share * (y * traction[2] - z * traction[1]);
+    }
+    let radii = gyration(world, p);
+    let [i, j] = world.patches.ends[p];
+    let arms = [(i, class.arms[0]), (j, class.arms[1])]
+        .map(|(b, arm)| view.poses().attitude(b as usize) * arm);
+    // Tractions are those on i; the found contact counts what acts on the second block, and its normal points there.
+    let sign: f64 = if i < j { 1.0 } else { -1.0 };
+    let ends = sorted([i, j]);
+    let pairs = &mut world.found.pairs;
+    let at = pairs.partition_point(|pair| pair.ends < ends);
+    if pairs.get(at).is_none_or(|pair| pair.ends != ends) {
+        pairs.insert(
+            at,
+            FoundPair {
+                ends,
+                ..FoundPair::default()
+            },
+        );
+    }
+    let pair = &mut pairs[at];
+    let memory = Memory {
+        shear: pair.memory.shear - sign * shear,
+        torsion: pair.memory.torsion - torsion,
+        normal: sign * normal,
+        area: pair.memory.area + class.area,
+        polar: pair.memory.polar + class.area * (radii[0] * radii[0] + radii[1] * radii[1]),
+        sliding: true,
+        arms: if i < j { arms } else { [arms[1], arms[0]] },
+    };
+    let stiffness = class.stiffness[1];
+    let stored = memory.shear.length_squared() / (2.0 * stiffness * memory.area)
+        + memory.torsion * memory.torsion / (2.0 * stiffness * memory.polar);
+    let change = stored - pair.stored;
+    pair.memory = memory;
+    pair.stored = stored;
+    world.works.contact_path += normal_energy;
+    world.works.edit_defect += change - shear_energy;
+}
+
+#[cfg(test)]
+mod tests {
+    use riprap_geom::Vec3;
+
+    use super::super::tests::{Run, above_floor, brick};
+
+    /// A brick of half a metre on the floor, whose edge is at x = 4 m, joined to it without strength.
+    fn joined(x: f64, velocity: Vec3, friction: f64) -> Run {
+        let mut block = brick([x, -0.25, 0.0], [0.5; 3]);
+        block.velocity = velocity;
+        let run = Run::new(above_floor(vec![block], friction, 0.1), 1, 1e-4);
+        assert_eq!(run.world.patches.len(), 1);
+        run
+    }
+
+    #[test]
+    fn a_brick_that_slides_off_the_edge_falls() {
+        let mut run = joined(2.5, Vec3::new(3.0, 0.0, 0.0), 0.0);
+        run.until(0.2);
+        assert!(run.world.patches.is_empty());
+        // Still on the floor, and carried by it.
+        let place = run.place(1);
+        assert!(
+            (place.z - 0.25).abs() < 1e-3 && (place.x - 3.35).abs() < 1e-3,
+            "{place}"
+        );
+        let weight = 2500.0 * 0.125 * 9.81;
+        let carried = run.world.found.pairs[0].force.z;
+        assert!((carried / weight - 1.0).abs() < 0.02, "{carried}");
+        run.until(0.9);
+        assert!(run.place(1).z < -0.5, "{}", run.place(1));
+        let balance = run.view().balance();
+        assert!(balance.residual_relative().abs() < 1e-3, "{balance:?}");
+    }
+
+    #[test]
+    fn friction_goes_on_when_the_joint_gives_way() {
+        let mut run = joined(-2.0, Vec3::new(1.5, 0.0, 0.0), 0.5);
+        run.until(0.5);
+        assert!(run.world.patches.is_empty());
+        let way = run.place(1).x + 1.75;
+        let wanted = 1.5 * 1.5 / (2.0 * 0.5 * 9.81);
+        assert!((way / wanted - 1.0).abs() < 0.02, "{way} {wanted}");
+        assert!((run.place(1).z - 0.25).abs() < 1e-4);
+        let balance = run.view().balance();
+        assert!(balance.residual_relative().abs() < 1e-2, "{balance:?}");
+    }
+
+    #[test]
+    fn nothing_is_left_of_a_joint_that_has_opened() {
+        let mut run = joined(2.0, Vec3::new(0.5, 0.0, 4.0), 0.5);
+        run.until(0.3);
+        assert!(run.world.patches.is_empty());
+        let place = run.place(1);
+        let height = 0.25 + 4.0 * 0.3 - 0.5 * 9.81 * 0.09;
+        assert!(
+            (place.z - height).abs() < 1e-2 && (place.x - 2.4).abs() < 5e-3,
+            "{place}"
+        );
+        // And it comes down on the floor again.
+        run.until(2.0);
+        let height = run.place(1).z;
+        assert!(height > 0.249 && height < 0.4, "{height}");
+    }
+
+    #[test]
+    fn what_rocks_in_place_stays_a_joint() {
+        let mut run = joined(2.0, Vec3::new(0.02, 0.0, 0.02), 0.5);
+        run.until(0.3);
+        assert_eq!(run.world.patches.len(), 1);
+        assert!(run.world.found.pairs.is_empty() || run.world.found.pairs[0].depth == 0.0);
+    }
+}
