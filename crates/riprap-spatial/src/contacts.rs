@@ -57,7 +57,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         if !world.found.pairs.is_empty() {
             leave(world, scratch);
         }
-        scratch.desk.limit = f64::INFINITY;
+        world.found.longest_step = Some(f64::INFINITY);
         return false;
     }
     make_shapes(world, &mut scratch.desk);
@@ -85,6 +85,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if !desk.ready {
         rebuild(world, scratch);
     }
+    world.found.longest_step = Some(transit(world, &scratch.desk));
     !world.found.pairs.is_empty()
 }
 
@@ -410,7 +411,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     desk.slots = slots;
     desk.rooms = rooms;
     sum(desk);
-    desk.limit = limit::longest_step(world, desk);
+    let stable = limit::longest_step(world, desk);
+    world.found.longest_step = world.found.longest_step.map(|transit| transit.min(stable));
 }
 
 /// Turns the blocks that are in a pair to where they are now.
@@ -554,18 +556,12 @@ fn sum(desk: &mut Desk) {
     }
 }
 
-/// Largest step that found contacts allow at the present state, s: stability of those that can touch, and no block may go farther
-/// than a tenth of the smallest inscribed radius, falling included.
-#[must_use]
-pub fn step_limit(world: &World, scratch: &Scratch) -> f64 {
-    let found = &world.found;
-    if !found.roles.contains(&Role::Seeker) {
-        return f64::INFINITY;
-    }
+/// Longest step in which no block goes farther than a tenth of the smallest inscribed radius, falling included, s.
+fn transit(world: &World, desk: &Desk) -> f64 {
     let (mut speed, mut least) = (0.0_f64, f64::INFINITY);
-    for (b, role) in found.roles.iter().enumerate() {
+    for (b, role) in world.found.roles.iter().enumerate() {
         if *role != Role::Absent {
-            if let Some(shape) = scratch.desk.shapes.get(world.solid[b] as usize) {
+            if let Some(shape) = desk.shapes.get(world.solid[b] as usize) {
                 least = least.min(shape.inradius);
             }
             if *role == Role::Seeker || world.motion[b].is_some() {
@@ -574,12 +570,18 @@ pub fn step_limit(world: &World, scratch: &Scratch) -> f64 {
         }
     }
     if !least.is_finite() {
-        return scratch.desk.limit;
+        return f64::INFINITY;
     }
     // v t + g t²/2 = way, in the form without cancellation.
     let (way, g) = (TRANSIT * least, world.gravity.length());
-    let transit = 2.0 * way / (speed + (speed * speed + 2.0 * g * way).sqrt());
-    scratch.desk.limit.min(transit)
+    2.0 * way / (speed + (speed * speed + 2.0 * g * way).sqrt())
+}
+
+/// Largest step that found contacts allow, s: stability of those that can touch, and no block may go farther than a tenth of the
+/// smallest inscribed radius. Infinite before the first evaluation and where none can touch.
+#[must_use]
+pub fn step_limit(world: &World) -> f64 {
+    world.found.longest_step.unwrap_or(f64::INFINITY)
 }
 
 #[cfg(test)]

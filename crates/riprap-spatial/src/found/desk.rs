@@ -42,8 +42,6 @@ pub struct Desk {
     pub rooms: Vec<Room>,
     /// Whether any contact has dashpots.
     pub damped: bool,
-    /// Longest step that contacts which can touch allow, s.
-    pub limit: f64,
 }
 
 /// What is the same in all steps for a pair.

@@ -13,6 +13,9 @@ pub struct FoundContacts {
     pub search: Search,
     /// The candidates, sorted by their blocks.
     pub pairs: Vec<FoundPair>,
+    /// Longest step that the contacts allowed at the last evaluation, s; `None` before the first. State, so that a run that goes
+    /// on from a checkpoint takes the steps of one that never stopped.
+    pub longest_step: Option<f64>,
 }
 
 /// Two blocks that can touch.

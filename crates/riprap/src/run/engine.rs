@@ -271,9 +271,17 @@ impl Engine {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
             Self::Spatial(e) => {
-                let found = spatial::contacts::step_limit(&e.world, &e.scratch);
-                spatial::cavity::step_limit(&e.world).min(found)
+                spatial::cavity::step_limit(&e.world).min(self.contact_step_limit())
             }
+        }
+    }
+
+    /// Longest step that contacts found in space allow, s; infinite where there are none.
+    #[must_use]
+    pub fn contact_step_limit(&self) -> f64 {
+        match self {
+            Self::Planar(_) => f64::INFINITY,
+            Self::Spatial(e) => spatial::contacts::step_limit(&e.world),
         }
     }
 

@@ -220,7 +220,8 @@ impl Simulation {
         self.evaluate(&damping, self.dt)?;
         self.refine(&damping)?;
         self.cut()?;
-        if self.engine.revision() != revision {
+        let sudden = self.engine.contact_step_limit() < SUDDEN * self.dt;
+        if self.engine.revision() != revision || sudden {
             // New neighbours can shorten the step.
             let dt = self.checked_step(&phase)?;
             if dt != self.dt {
@@ -486,6 +487,10 @@ impl Simulation {
         dt
     }
 }
+
+/// Contacts whose longest step has fallen below this share of the coming one count at once, not from the next step on: those of
+/// the first instant, and of blocks that a change of the model has set free.
+const SUDDEN: f64 = 0.5;
 
 /// What the loop needs of a phase at each step.
 #[derive(Clone, Copy, Debug)]
