@@ -51,13 +51,14 @@ fn numbers_that_overflow_stop_the_run() {
 }
 
 #[test]
-fn a_step_far_above_the_stable_one_is_found_by_its_residual() {
+fn a_step_far_above_the_stable_one_stops_the_run_and_is_named() {
     let long = (
         "time_step = \"10 us\"",
-        "time_step = \"1 s\"\nmax_residual = 0.1",
+        "time_step = \"20 ms\"\nmax_residual = 0.1",
     );
     let touching = ("\"0.2 m\"]", "\"0 m\"]");
-    let (bench, said) = run(&[long, touching]);
+    let end = ("time = \"0.2 s\"", "time = \"2 s\"");
+    let (bench, said) = run(&[long, touching, end]);
     said.expect(1).warns(&["times the stable one"]);
     assert!(
         bench

@@ -426,7 +426,7 @@ mod tests {
         let page = markdown();
         assert_eq!(page.matches("duvall.rise`**").count(), 1);
         assert!(
-            page.contains("[time function](#time-function): velocity"),
+            page.contains("[time function](#time-function): pressure"),
             "{page}"
         );
         assert!(page.contains("\n### Time function\n"));

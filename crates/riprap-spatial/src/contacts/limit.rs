@@ -13,6 +13,9 @@ use crate::world::World;
 
 /// Share of the stable step: the stiffness grows with the area.
 const SAFETY: f64 = 0.2;
+/// Share of the time until two blocks can meet that a step may take. The kick of a step spans half of the step before it too, and
+/// the limit is that of the last evaluation: steps shrink with the gap, so that the first kick of a contact is a short one.
+const APPROACH: f64 = 0.25;
 /// Cosine between normals of faces that can come flat onto each other before the next look of the search.
 const FACING: f64 = -0.98;
 
@@ -42,9 +45,9 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
             let travelled = ends.map(|e| desk.candidates.travelled[e]);
             let gap = (slot.asleep_until - travelled[0] - travelled[1]).max(0.0);
             let speed: f64 = ends.map(|e| speed(world, e)).iter().sum();
-            // The moment they meet: v t + g t²/2 = gap, in the form without cancellation.
+            // A share of the time until they meet: v t + g t²/2 = gap, in the form without cancellation.
             let meet = if gap > 0.0 {
-                2.0 * gap / (speed + (speed * speed + 2.0 * gravity * gap).sqrt())
+                APPROACH * 2.0 * gap / (speed + (speed * speed + 2.0 * gravity * gap).sqrt())
             } else {
                 0.0
             };
