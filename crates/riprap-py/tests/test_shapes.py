@@ -29,7 +29,7 @@ def in_space(blocks):
         "materials": {"rock": {"density": "2400 kg/m3", "young": "18 GPa", "poisson": 0.25}},
         "interfaces": {"default": {"cohesion": "4 MPa", "friction_angle": "30 deg"}},
         "blocks": blocks,
-        "phases": [{"name": "a", "until": {"steps": 5}}],
+        "phases": [{"name": "a", "until": {"steps": 5, "time": "1 ms"}}],
     }
 
 
