@@ -176,31 +176,31 @@ fn packets(shared: &Shared, mut work: First) {
         let places = Places::of(shared, packet);
         let class = Class::load(shared, packet);
         let flags = &work.memory.flags[at..at + usize::from(packet.count)];
-        let mut rest = with_memory(packet, flags);
-        let mut response = Response::default();
-        if rest != packet.all() {
-            rest |= wide::springs(shared, packet, &places, &class, &mut response);
-            rest &= packet.all();
-        }
+        let rest = with_memory(packet, flags);
         if rest == 0 {
-            for (kind, force) in response.kinds(shared.damped).iter().enumerate() {
-                let shares = Shares::new(&class, force);
-                to.add(kind, packet, &places, &shares);
+            let (elastic, doubtful) = wide::springs(shared, packet, &places, &class);
+            if doubtful == 0 {
+                // Most packets of most models: nothing of this may pass through memory.
+                to.add(0, packet, &places, &Shares::new(&class, &elastic));
+                if shared.damped {
+                    let drag = wide::dashpots(shared, &places, &class);
+                    to.add(1, packet, &places, &Shares::new(&class, &drag));
+                }
+                continue;
             }
-        } else {
-            let block = shared.ends[packet.first as usize][0] as usize;
-            let lost = &mut work.lost[tile.group(block)];
-            let memory = &mut work.memory;
-            mixed(
-                shared,
-                packet,
-                (&places, &class),
-                (rest, response),
-                (memory, at),
-                lost,
-                &mut to,
-            );
         }
+        let block = shared.ends[packet.first as usize][0] as usize;
+        let lost = &mut work.lost[tile.group(block)];
+        let memory = (&mut work.memory, at);
+        mixed(
+            shared,
+            packet,
+            (&places, &class),
+            rest,
+            memory,
+            lost,
+            &mut to,
+        );
     }
 }
 
@@ -217,49 +217,75 @@ fn with_memory(packet: &Packet, flags: &[u16]) -> u8 {
     bits
 }
 
-/// A packet of which the patches `rest` are not certainly elastic; `response` has the forces of the others.
+/// A packet of which some patches are not certainly elastic: those of `rest`, which remember something, and perhaps others.
 #[inline(always)]
 fn mixed(
     shared: &Shared,
     packet: &Packet,
     (places, class): (&Places, &Class),
-    (mut rest, mut response): (u8, Response),
+    mut rest: u8,
     (memory, at): (&mut Memory, usize),
     lost: &mut Lost,
     to: &mut Targets,
 ) {
-    let mut gone = [Lanes::default(); 2];
-    if packet.axis < 3 && shared.elapsed.is_some() {
-        let chosen = rest & plain(shared, packet, &memory.flags[at..]);
-        if chosen != 0 {
-            let memory = (&mut *memory, at);
-            let (answer, loss) = wide::points(shared, packet, chosen, memory, (places, class));
-            response.take(chosen, &answer);
-            gone = loss;
-            rest &= !chosen;
+    let mut elastic = Response::default();
+    if rest != packet.all() {
+        let (springs, doubtful) = wide::springs(shared, packet, places, class);
+        rest |= doubtful;
+        elastic.0[0] = springs;
+        if shared.damped {
+            elastic.0[1] = wide::dashpots(shared, places, class);
         }
     }
-    let mut shares = response.0.map(|force| Shares::new(class, &force));
+    let mut chosen = 0;
+    if packet.axis < 3 && shared.elapsed.is_some() {
+        chosen = rest & plain(shared, packet, &memory.flags[at..]);
+    }
+    let (mut answer, mut gone) = (Response::default(), [Lanes::default(); 2]);
+    if chosen != 0 {
+        let memory = (&mut *memory, at);
+        (answer, gone) = wide::points(shared, packet, chosen, memory, (places, class));
+    }
+    if chosen == packet.all() {
+        to.add(0, packet, places, &Shares::new(class, &answer.0[0]));
+        if shared.damped {
+            to.add(1, packet, places, &Shares::new(class, &answer.0[1]));
+        }
+        book(lost, packet, gone);
+        return;
+    }
+    let mut response = elastic;
+    response.take(chosen, &answer);
+    rest &= !chosen;
+    let mut springs = Shares::new(class, &response.0[0]);
+    let mut dashpots = Shares::new(class, &response.0[1]);
+    let mut loss = gone;
     for lane in 0..usize::from(packet.count) {
         if rest & (1 << lane) != 0 {
             let state = memory.state(at + lane);
             let alone = single(shared, packet.first as usize + lane, state);
-            for (shares, resultant) in shares.iter_mut().zip(&alone.resultants) {
-                shares.set(lane, resultant);
-            }
-            gone[0].0[lane] = alone.lost.friction;
-            gone[1].0[lane] = alone.lost.fracture;
+            springs.set(lane, &alone.resultants[0]);
+            dashpots.set(lane, &alone.resultants[1]);
+            loss[0].0[lane] = alone.lost.friction;
+            loss[1].0[lane] = alone.lost.fracture;
         }
     }
-    let kinds = if shared.damped { 2 } else { 1 };
-    for (kind, shares) in shares.iter().take(kinds).enumerate() {
-        to.add(kind, packet, places, shares);
+    to.add(0, packet, places, &springs);
+    if shared.damped {
+        to.add(1, packet, places, &dashpots);
     }
-    // One after the other: how a group is cut into packets does not matter then.
+    book(lost, packet, loss);
+}
+
+/// Books the losses of a packet patch after patch: how a group is cut into packets does not matter then.
+#[inline(always)]
+fn book(lost: &mut Lost, packet: &Packet, [friction, fracture]: [Lanes; 2]) {
+    let mut sum = *lost;
     for lane in 0..usize::from(packet.count) {
-        lost.friction += gone[0].0[lane];
-        lost.fracture += gone[1].0[lane];
+        sum.friction += friction.0[lane];
+        sum.fracture += fracture.0[lane];
     }
+    *lost = sum;
 }
 
 /// Bits of the patches of a packet that [`wide::points`] can do.

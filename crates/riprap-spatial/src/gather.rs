@@ -139,8 +139,15 @@ impl Gathering<'_> {
                 continue;
             }
             for (list, slots) in net.0.iter_mut().zip(&slots.lists) {
-                for &[slot, j] in &self.tiles.incoming[tile.incoming.clone()] {
-                    list[j as usize - base] += slots[slot as usize];
+                for run in &self.tiles.incoming[tile.incoming.clone()] {
+                    let (at, slot) = (run.block as usize - base, run.slot as usize);
+                    let count = run.count as usize;
+                    for (sum, x) in list[at..at + count]
+                        .iter_mut()
+                        .zip(&slots[slot..slot + count])
+                    {
+                        *sum += x;
+                    }
                 }
             }
         }

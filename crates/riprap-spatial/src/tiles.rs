@@ -36,8 +36,9 @@ pub const GROUP: usize = 64;
 /// Most blocks in a piece: what a piece touches stays in the cache of a core.
 const LARGEST_PIECE: usize = 2048;
 
-/// Pieces that a model should have: several for each thread.
-const PIECES: usize = 64;
+/// Pieces that a model should have, several for each thread, unless they get larger than that. More of them would send more
+/// patches through slots.
+const PIECES: usize = 16;
 
 /// Group of a block.
 #[inline]
@@ -148,6 +149,17 @@ impl Tile {
     }
 }
 
+/// Slots in a row that belong to blocks j in a row.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Incoming {
+    /// First slot.
+    pub slot: u32,
+    /// First block.
+    pub block: u32,
+    /// Number of both.
+    pub count: u32,
+}
+
 /// How the model is cut.
 #[derive(Clone, Debug, Default)]
 pub struct Tiles {
@@ -155,8 +167,8 @@ pub struct Tiles {
     pub list: Vec<Tile>,
     /// Number of slots.
     pub slots: usize,
-    /// Slot and block j of the patches that have slots, by the piece of j, in the order of the sums.
-    pub incoming: Vec<[u32; 2]>,
+    /// Slots by the piece of block j, in the order of the sums.
+    pub incoming: Vec<Incoming>,
     /// Packets of all tiles.
     pub packets: Vec<Packet>,
     /// Blocks that are done in rows.
@@ -266,9 +278,24 @@ impl Tiles {
             incoming[*at] = [slot, j];
             *at += 1;
         }
-        self.incoming = incoming;
         for (t, tile) in self.list.iter_mut().enumerate() {
-            tile.incoming = counts[t]..counts[t + 1];
+            let first = self.incoming.len();
+            for &[slot, block] in &incoming[counts[t]..counts[t + 1]] {
+                match self.incoming[first..].last_mut() {
+                    Some(r)
+                        if [slot.wrapping_sub(r.slot), block.wrapping_sub(r.block)]
+                            == [r.count; 2] =>
+                    {
+                        r.count += 1;
+                    }
+                    _ => self.incoming.push(Incoming {
+                        slot,
+                        block,
+                        count: 1,
+                    }),
+                }
+            }
+            tile.incoming = first..self.incoming.len();
         }
     }
 

@@ -144,13 +144,6 @@ pub struct Force {
 pub struct Response(pub [Force; 2]);
 
 impl Response {
-    /// Springs, and dashpots where there are any.
-    #[inline(always)]
-    #[must_use]
-    pub fn kinds(&self, damped: bool) -> &[Force] {
-        &self.0[..if damped { 2 } else { 1 }]
-    }
-
     /// Takes the lanes `chosen` over from another.
     #[inline(always)]
     pub fn take(&mut self, chosen: u8, other: &Self) {
@@ -168,7 +161,7 @@ impl Response {
 }
 
 /// What a packet adds to both blocks of each lane: forces (x, y, z), N, then moments about the centroids, N m.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct Shares {
     on: [[Lanes; 6]; 2],
 }
@@ -216,63 +209,113 @@ impl Targets<'_, '_> {
     #[inline(always)]
     pub fn add(&mut self, kind: usize, packet: &Packet, places: &Places, shares: &Shares) {
         let (base, count) = (self.base, usize::from(packet.count));
-        for (k, list) in self.net[kind].0.iter_mut().enumerate() {
-            let [i, j] = [&shares.on[0][k], &shares.on[1][k]];
-            match (places, self.slot) {
-                (Places::Runs(from), Some(slot)) => {
-                    self.slots[kind].0[k][slot..slot + count].copy_from_slice(&j.0[..count]);
-                    add_run(list, from[0] - base, count, i);
-                }
-                // A block that is j of one lane and i of another gets the part of the earlier lane first.
-                (Places::Runs(from), None) if from[0] <= from[1] => {
-                    add_run(list, from[1] - base, count, j);
-                    add_run(list, from[0] - base, count, i);
-                }
-                (Places::Runs(from), None) => {
-                    add_run(list, from[0] - base, count, i);
-                    add_run(list, from[1] - base, count, j);
-                }
-                (Places::Each(index), Some(slot)) => {
-                    self.slots[kind].0[k][slot..slot + count].copy_from_slice(&j.0[..count]);
-                    for lane in 0..count {
-                        list[index[0][lane] - base] += i.0[lane];
-                    }
-                }
-                (Places::Each(index), None) => {
-                    for lane in 0..count {
-                        list[index[1][lane] - base] += j.0[lane];
-                        list[index[0][lane] - base] += i.0[lane];
-                    }
-                }
-            }
+        let net = &mut self.net[kind].0;
+        let slots = &mut self.slots[kind].0;
+        let [on_i, on_j] = &shares.on;
+        match (places, self.slot) {
+            (Places::Runs([i, _]), Some(slot)) => six(
+                #[inline(always)]
+                |k| {
+                    put_run(slots[k], slot, count, on_j[k]);
+                    add_run(net[k], i - base, count, on_i[k]);
+                },
+            ),
+            // A block that is j of one lane and i of another gets the part of the earlier lane first.
+            (Places::Runs([i, j]), None) if i <= j => six(
+                #[inline(always)]
+                |k| {
+                    add_run(net[k], j - base, count, on_j[k]);
+                    add_run(net[k], i - base, count, on_i[k]);
+                },
+            ),
+            (Places::Runs([i, j]), None) => six(
+                #[inline(always)]
+                |k| {
+                    add_run(net[k], i - base, count, on_i[k]);
+                    add_run(net[k], j - base, count, on_j[k]);
+                },
+            ),
+            (Places::Each([i, _]), Some(slot)) => six(
+                #[inline(always)]
+                |k| {
+                    put_run(slots[k], slot, count, on_j[k]);
+                    add_each(net[k], base, i, count, on_i[k]);
+                },
+            ),
+            (Places::Each([i, j]), None) => six(
+                #[inline(always)]
+                |k| add_pairs(net[k], base, [i, j], count, [on_i[k], on_j[k]]),
+            ),
         }
     }
 }
 
-/// Adds the first `count` lanes to neighbours of a list.
+/// Does something for each component. Written out, so that components are known to the compiler and stay in registers.
 #[inline(always)]
-fn add_run(list: &mut [f64], first: usize, count: usize, lanes: &Lanes) {
+fn six(mut f: impl FnMut(usize)) {
+    f(0);
+    f(1);
+    f(2);
+    f(3);
+    f(4);
+    f(5);
+}
+
+/// Adds the first `count` lanes to neighbours of a list. Lanes are taken by value here and below: a number of lanes that the
+/// compiler does not know must not force all lanes through memory.
+#[inline(always)]
+fn add_run(list: &mut [f64], first: usize, count: usize, lanes: Lanes) {
     if count == LANES {
         for (x, y) in list[first..first + LANES].iter_mut().zip(lanes.0) {
             *x += y;
         }
     } else {
-        for (x, y) in list[first..first + count].iter_mut().zip(lanes.0) {
+        let some = lanes.0;
+        for (x, y) in list[first..first + count].iter_mut().zip(&some) {
             *x += y;
         }
     }
 }
 
-/// Forces of the patches of a packet as if all were elastic; lanes in the result's bits (which may lie beyond the packet's
-/// count) may not be, and keep no meaning.
+/// Writes the first `count` lanes to neighbours of a list.
 #[inline(always)]
-pub fn springs(
-    shared: &Shared,
-    packet: &Packet,
-    places: &Places,
-    class: &Class,
-    to: &mut Response,
-) -> u8 {
+fn put_run(list: &mut [f64], first: usize, count: usize, lanes: Lanes) {
+    if count == LANES {
+        list[first..first + LANES].copy_from_slice(&lanes.0);
+    } else {
+        let some = lanes.0;
+        list[first..first + count].copy_from_slice(&some[..count]);
+    }
+}
+
+/// Adds the first `count` lanes to entries of a list.
+#[inline(always)]
+fn add_each(list: &mut [f64], base: usize, at: &[usize; LANES], count: usize, lanes: Lanes) {
+    let some = lanes.0;
+    for (x, at) in some.iter().zip(at).take(count) {
+        list[at - base] += x;
+    }
+}
+
+/// Adds the first `count` lanes to entries on both sides, lane by lane.
+#[inline(always)]
+fn add_pairs(
+    list: &mut [f64],
+    base: usize,
+    [i, j]: [&[usize; LANES]; 2],
+    count: usize,
+    [on_i, on_j]: [Lanes; 2],
+) {
+    let (on_i, on_j) = (on_i.0, on_j.0);
+    for lane in 0..count {
+        list[j[lane] - base] += on_j[lane];
+        list[i[lane] - base] += on_i[lane];
+    }
+}
+
+/// Forces of the springs of a packet as if all were elastic, and the bits of the patches that may not be.
+#[inline(always)]
+pub fn springs(shared: &Shared, packet: &Packet, places: &Places, class: &Class) -> (Force, u8) {
     let bodies = shared.poses.bodies;
     let (d, w) = relative(&bodies.pose, places, &class.arms);
     let mut force = times(&class.stiffness, &d);
@@ -283,19 +326,21 @@ pub fn springs(
         force = plus(&force, &load);
         moment = plus(&moment, &class.moment);
     }
-    to.0[0] = Force { force, moment };
-    if shared.damped {
-        let (v, spin) = relative(&bodies.rate, places, &class.arms);
-        let beta = class.beta + Lanes::all(shared.stiffness_damping);
-        to.0[1] = Force {
-            force: scaled(beta, &times(&class.stiffness, &v)),
-            moment: scaled(beta, &times(&class.turning, &spin)),
-        };
-    }
+    let mut doubtful = 0;
     if shared.strong {
-        class.doubtful(usize::from(packet.axis), &start, &d, &w)
-    } else {
-        0
+        doubtful = class.doubtful(usize::from(packet.axis), &start, &d, &w) & packet.all();
+    }
+    (Force { force, moment }, doubtful)
+}
+
+/// Forces of the dashpots of a packet where all patches are elastic.
+#[inline(always)]
+pub fn dashpots(shared: &Shared, places: &Places, class: &Class) -> Force {
+    let (v, spin) = relative(&shared.poses.bodies.rate, places, &class.arms);
+    let beta = class.beta + Lanes::all(shared.stiffness_damping);
+    Force {
+        force: scaled(beta, &times(&class.stiffness, &v)),
+        moment: scaled(beta, &times(&class.turning, &spin)),
     }
 }
 
@@ -397,23 +442,27 @@ pub fn points(
         }
     }
     let share = Lanes::all(0.25) * class.area;
-    // Back to the axes of space: component `axis` is the normal one.
-    let global = |v: &Vectors| {
-        let back = (3 - axis) % 3;
-        [
-            share * v[back],
-            share * v[(back + 1) % 3],
-            share * v[(back + 2) % 3],
-        ]
-    };
-    let force = |kind: usize| Force {
-        force: global(&sums[kind]),
-        moment: global(&moments[kind]),
-    };
-    (
-        Response([force(0), force(1)]),
-        lost.map(|lost| chosen_lanes(chosen, share * lost)),
-    )
+    let springs = to_space(axis, share, &sums[0], &moments[0]);
+    let mut dashpots = Force::default();
+    if shared.damped {
+        dashpots = to_space(axis, share, &sums[1], &moments[1]);
+    }
+    let lost = [
+        chosen_lanes(chosen, share * lost[0]),
+        chosen_lanes(chosen, share * lost[1]),
+    ];
+    (Response([springs, dashpots]), lost)
+}
+
+/// Back to the axes of space, where component `axis` is the normal one, times the share of the area of a point.
+#[inline(always)]
+fn to_space(axis: usize, share: Lanes, force: &Vectors, moment: &Vectors) -> Force {
+    let back = (3 - axis) % 3;
+    let [a, b, c] = [back, (back + 1) % 3, (back + 2) % 3];
+    Force {
+        force: [share * force[a], share * force[b], share * force[c]],
+        moment: [share * moment[a], share * moment[b], share * moment[c]],
+    }
 }
 
 /// Laws of the lanes.
