@@ -184,13 +184,13 @@ impl Exec {
 
     /// `f` of each run of [`CHUNK`] (the last one may be shorter) of the numbers below `n`, in order.
     pub fn chunked<R: Send>(&self, n: usize, f: impl Fn(Range<usize>) -> R + Sync) -> Vec<R> {
-        let one = |chunk: usize| f(chunk * CHUNK..n.min((chunk + 1) * CHUNK));
         let chunks = n.div_ceil(CHUNK);
         match &self.pool {
-            Some(pool) if chunks > 1 => {
-                pool.install(|| (0..chunks).into_par_iter().map(one).collect())
-            }
-            _ => (0..chunks).map(one).collect(),
+            Some(pool) if chunks > 1 => pool.install(|| {
+                let numbers = (0..chunks).into_par_iter();
+                numbers.map(|chunk| f(chunk_at(chunk, n))).collect()
+            }),
+            _ => chunks_of(n).map(f).collect(),
         }
     }
 
@@ -198,12 +198,11 @@ impl Exec {
     pub fn sums<const N: usize>(&self, n: usize, f: impl Fn(usize) -> [f64; N] + Sync) -> [f64; N] {
         let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|k| sum[k] + x[k]);
         let one = |range: Range<usize>| range.map(&f).fold([0.0; N], add);
-        if n <= CHUNK {
-            // Without a list: looks at small models allocate nothing.
-            return one(0..n);
+        match self.pool {
+            Some(_) => self.chunked(n, one).into_iter().fold([0.0; N], add),
+            // Without a list: a look on one thread allocates nothing.
+            None => chunks_of(n).map(one).fold([0.0; N], add),
         }
-        let partial = self.chunked(n, one);
-        partial.into_iter().fold([0.0; N], add)
     }
 
     /// Sum of `f` over the numbers below `n`, added as in [`Exec::sums`].
@@ -221,11 +220,10 @@ impl Exec {
     ) -> Option<(f64, T)> {
         let later = |a: &(f64, T), b: &(f64, T)| a.0.total_cmp(&b.0);
         let one = |range: Range<usize>| range.filter_map(&f).max_by(later);
-        if n <= CHUNK {
-            return one(0..n);
+        match self.pool {
+            Some(_) => self.chunked(n, one).into_iter().flatten().max_by(later),
+            None => chunks_of(n).filter_map(one).max_by(later),
         }
-        let found = self.chunked(n, one);
-        found.into_iter().flatten().max_by(later)
     }
 
     /// Calls `f(chunk, piece)` once for each of `chunks` chunks of `work`; on a pool in any order.
@@ -246,6 +244,16 @@ impl Exec {
             }
         }
     }
+}
+
+/// Run number `chunk` of [`CHUNK`] of the numbers below `n`.
+fn chunk_at(chunk: usize, n: usize) -> Range<usize> {
+    chunk * CHUNK..n.min((chunk + 1) * CHUNK)
+}
+
+/// All runs of [`CHUNK`] of the numbers below `n`, in order.
+fn chunks_of(n: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..n.div_ceil(CHUNK)).map(move |chunk| chunk_at(chunk, n))
 }
 
 fn halve<W: Divide>(work: W, at: usize, chunks: usize, f: &(impl Fn(usize, W) + Sync)) {
