@@ -1,11 +1,39 @@
 //! Changes of topology between two steps: splitting blocks 1 to 8, taking blocks out.
 //!
-//! One transaction: plan (read only) -> apply -> audit -> lay out and evaluate anew. It happens between
-//! `step::evaluate` and `step::advance`, when forces and positions belong to one instant. Children start with the rigid
-//! motion of their parent, so mass, momentum, angular momentum and kinetic energy stay; outer patches keep their
-//! tractions at the new stiffness, inner ones get that of the parent's average stress. What this does to the
-//! energy of springs, and to the time-centred kinetic energy through new forces, is booked as edit defect: the residual
-//! of the ledger is the same before and after.
+//! One transaction, between `step::evaluate` and `step::advance`, when forces and positions belong to one instant:
+//!
+//! ```text
+//!            forces known at t                                             forces known at t, new blocks
+//!   ---- evaluate ----+                                                       +---- advance ---->
+//!                     |                                                       |
+//!                   plan   ->   apply   ->   audit   ->   lay out   ->   evaluate   ->   book
+//!                 reads only    world        refuses      scratch       no time goes    edit defect =
+//!                 stress of     alone:       what was     made anew     by: works and   residual after
+//!                 parents,      children,    not kept:                  slips stay      - residual before
+//!                 old slips     patches,     mass,
+//!                               faces,       momenta,
+//!                               conditions   volume
+//! ```
+//!
+//! Why in this order. The plan reads forces, so it must come before anything moves, and it changes nothing, so a plan that is
+//! refused (too many blocks) leaves the run whole. Apply touches the `World` alone: whatever `Scratch` holds (pieces, slots, packets) is
+//! a function of the world and is made anew, never patched, and so cannot disagree with it. The audit compares sums of children with
+//! their parent before the first force is found with them: a wrong mass is named at the block, not met as a strange motion later.
+//! Evaluating again books no work, because no time has gone by (`World::pending` is 0 after the first call).
+//!
+//! What is kept, and how:
+//!
+//! ```text
+//!     parent                 children          rigid motion  v + w x r, w      mass, momentum, angular momentum, kinetic energy
+//!   +---------+             +----+----+        outer patches displacement and  tractions at the new stiffness; what this does to the
+//!   |    o-> v|     ->      | o->| o->|        +             slip              energy of springs is edit defect
+//!   |    w    |             +----+----+        inner patches start with the parent's average stress (1/V) sum r (x) f, symmetrised:
+//!   +---------+             | o->| o->|        ##            the block that carried a load goes on carrying it
+//!                           +----+----+        groups, names, supports, loads, walls of cavities go on to the parts they touch
+//! ```
+//!
+//! New forces on new masses also change the time-centred kinetic energy. Both changes are the difference of the ledger's residual before
+//! and after, booked as one line, so the residual itself is the same before and after: an edit can neither hide nor make a fault of the steps.
 
 pub(super) mod error;
 mod measure;
