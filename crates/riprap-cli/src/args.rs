@@ -62,6 +62,7 @@ pub enum Verb {
     Resume(Resume),
     Sweep(Sweep),
     Bisect(Bisect),
+    Safety(Safety),
     Compare(Compare),
     ProbeContact(ProbeContact),
     Verify(Verify),
@@ -242,6 +243,54 @@ pub struct Bisect {
     #[command(flatten)]
     pub how: How,
     /// Print each run and the result as JSON lines
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Find the factor of safety of a scene by reduction of strengths.
+///
+/// Cohesion, tension and tan(friction angle) of the interfaces are divided by a factor F, which is searched for by doubling
+/// and halving: at the largest F with which the model comes to rest it is safe. The phases of the scene are run
+/// first; every trial then goes on from the last stable state, as a static phase. Writes a table of the trials and a
+/// run of the mechanism into a folder.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap safety slope.toml
+  riprap safety slope.toml --interfaces plane --width 0.002
+
+A trial is stable when the unbalanced forces have died down, failing when a block has moved more than --moved
+and the kinetic energy goes on growing, undecided otherwise; the answer is then a wider range.")]
+pub struct Safety {
+    #[command(flatten)]
+    pub scene: Scene,
+    #[command(flatten)]
+    pub how: How,
+    /// Width of the answer
+    #[arg(long, value_name = "F", default_value_t = 0.01)]
+    pub width: f64,
+    /// Interfaces whose strength is reduced, with commas between [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub interfaces: Vec<String>,
+    /// Displacement from which on a trial may count as failing, with its unit [default: a thousandth of a block]
+    #[arg(long, value_name = "LENGTH")]
+    pub moved: Option<String>,
+    /// Unbalanced forces over all forces at which a trial is stable
+    #[arg(long, value_name = "RATIO", default_value_t = 1e-5)]
+    pub balance: f64,
+    /// Steps after which a trial is undecided
+    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    pub steps: u64,
+    /// Run the scene from its start with reduced strengths in every trial: slower, and another stress path
+    #[arg(long)]
+    pub from_start: bool,
+    /// Folder for the results [default: the scene's name with .safety, in the working folder]
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace results that are already there
+    #[arg(long)]
+    pub force: bool,
+    /// Print each trial and the answer as JSON lines
     #[arg(long)]
     pub json: bool,
 }

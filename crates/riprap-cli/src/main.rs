@@ -46,6 +46,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Resume(args) => commands::run::resume(&args),
         Verb::Sweep(args) => commands::trials::sweep(&args),
         Verb::Bisect(args) => commands::trials::bisect(&args),
+        Verb::Safety(args) => commands::safety::run(&args, style),
         Verb::Compare(args) => commands::trials::compare(&args),
         Verb::ProbeContact(args) => commands::probe::run(&args, style),
         Verb::Verify(args) => commands::verify::run(&args),

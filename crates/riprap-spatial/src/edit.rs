@@ -72,6 +72,18 @@ pub fn renew_laws(world: &mut World) {
     }
 }
 
+/// Divides the strengths of the given rows of the interface table by `factor`: of patches, found contacts and bonds of
+/// deformable blocks. Nothing else changes; what is beyond the new strength slides or breaks in the next step.
+pub fn reduce_strengths(world: &mut World, rows: &[u16], factor: f64) {
+    for &row in rows {
+        let joint = &mut world.setup.interfaces[row as usize].joint;
+        joint.strength = joint.strength.map(|s| s.reduced(factor));
+        if let Some(Some(bond)) = world.setup.deform.bonds.get_mut(row as usize) {
+            *bond = bond.reduced(factor);
+        }
+    }
+}
+
 /// Splits the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance`; a second
 /// call at the same step does nothing.
 ///

@@ -55,6 +55,7 @@ fn plan(time_step: TimeStep) -> Plan {
             gravity_ramp: None,
             contacts: vec![],
             joints: vec![],
+            reduction: None,
             zero_velocities: false,
             zero_displacements: false,
             deform: None,

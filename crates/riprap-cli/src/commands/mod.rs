@@ -9,6 +9,7 @@ pub mod plot;
 pub mod probe;
 pub mod report;
 pub mod run;
+pub mod safety;
 pub mod shell;
 pub mod trials;
 pub mod verify;

@@ -223,7 +223,7 @@ impl<'a> Asked<'a> {
 }
 
 /// A quantity with its unit.
-fn quantity(text: &str, wanted: Dim, what: &str, example: &str) -> Result<f64, Failure> {
+pub fn quantity(text: &str, wanted: Dim, what: &str, example: &str) -> Result<f64, Failure> {
     match units::parse(text) {
         Ok((value, dim)) if dim == wanted => Ok(value),
         Ok(_) | Err(_) => Err(Failure::Input(format!(

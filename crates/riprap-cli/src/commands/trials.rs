@@ -82,7 +82,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
 }
 
 /// Makes the folder that holds the sub-folders of several runs.
-fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
+pub fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
     let occupied = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
     if occupied && existing == Existing::Refuse {
         return Err(Failure::Input(format!(

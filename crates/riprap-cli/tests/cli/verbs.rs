@@ -84,6 +84,7 @@ fn wrong_scenes_point_at_the_place() {
             "verify",
             "sweep",
             "bisect",
+            "safety",
             "compare",
             "probe-contact",
             "hash",
@@ -102,6 +103,7 @@ fn wrong_scenes_point_at_the_place() {
         "run",
         "sweep",
         "bisect",
+        "safety",
         "compare",
         "probe-contact",
         "explain",
@@ -221,6 +223,75 @@ fn bisect_finds_the_limit() {
         .expect(2)
         .warns(&["no [bisect] table"]);
 }
+
+#[test]
+fn safety_finds_the_factor_and_leaves_a_run_of_the_mechanism() {
+    let bench = Bench::new();
+    bench.file("stone.toml", STONE);
+    let said = bench
+        .run(&["safety", "stone.toml", "--width", "0.02"])
+        .expect(0);
+    assert!(said.out.contains("factor of safety: 1.4"), "{}", said.out);
+    assert!(
+        said.out
+            .contains("mechanism: 1 block slides or falls without turning: stone"),
+        "{}",
+        said.out
+    );
+    for file in ["safety.csv", "safety.json", "mechanism.run/manifest.json"] {
+        assert!(bench.path("stone.safety").join(file).exists(), "{file}");
+    }
+    bench
+        .run(&["safety", "stone.toml", "--out", "stone.safety"])
+        .expect(2);
+    bench
+        .run(&[
+            "safety",
+            "stone.toml",
+            "--force",
+            "--out",
+            "stone.safety",
+            "--moved",
+            "5 kg",
+        ])
+        .expect(2)
+        .warns(&["length"]);
+    bench
+        .run(&["safety", "stone.toml", "--interfaces", "plane"])
+        .expect(2)
+        .warns(&["plane", "default"]);
+}
+
+/// On 30 deg with a friction angle of 40 deg: F = 1.4534.
+const STONE: &str = r#"
+riprap = 1
+title = "A stone on a slope"
+[space.planar]
+gravity = ["0 m/s2", "-9.81 m/s2"]
+tilt = "30 deg"
+[materials.rock]
+density = "2500 kg/m3"
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+shear_stiffness = "1 GPa/m"
+friction_angle = "40 deg"
+damping_ratio = 0.2
+[[blocks]]
+name = "slope"
+material = "rock"
+rectangle = { size = ["20 m", "1 m"], corner = ["-10 m", "-1 m"] }
+[[blocks]]
+name = "stone"
+material = "rock"
+rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+[[supports]]
+on = { block = "slope" }
+fixed = {}
+[[phases]]
+name = "settle"
+kind = "static"
+until = { unbalanced = 1e-6, steps = 50000 }
+"#;
 
 #[test]
 fn compare_runs_both_laws() {

@@ -2,13 +2,14 @@
 
 use crate::bench::Bench;
 
-const VERBS: [&str; 20] = [
+const VERBS: [&str; 21] = [
     "new",
     "check",
     "run",
     "resume",
     "sweep",
     "bisect",
+    "safety",
     "compare",
     "probe-contact",
     "verify",

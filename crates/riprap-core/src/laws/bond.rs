@@ -67,6 +67,20 @@ pub enum Mode {
 }
 
 impl Strength {
+    /// The strength divided by `factor`, that after failure too.
+    #[must_use]
+    pub fn reduced(mut self, factor: f64) -> Self {
+        for strength in [
+            &mut self.tension,
+            &mut self.cohesion,
+            &mut self.friction,
+            &mut self.residual_friction,
+        ] {
+            *strength /= factor;
+        }
+        self
+    }
+
     /// Tension at which no shear strength is left, `c cot(phi)`, Pa: a larger tensile strength is never reached.
     #[inline]
     #[must_use]

@@ -38,6 +38,23 @@ pub struct Strength {
     pub dilation_end: f64,
 }
 
+impl Strength {
+    /// The strength divided by `factor` (Zienkiewicz, Humpheson and Lewis 1975), residual values too; dilation stays.
+    #[must_use]
+    pub fn reduced(mut self, factor: f64) -> Self {
+        for strength in [
+            &mut self.cohesion,
+            &mut self.tension,
+            &mut self.friction,
+            &mut self.residual_friction,
+            &mut self.residual_cohesion,
+        ] {
+            *strength /= factor;
+        }
+        self
+    }
+}
+
 /// Traction at a point: n, b, c, Pa.
 pub type Traction = [f64; 3];
 

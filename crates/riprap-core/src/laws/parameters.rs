@@ -72,6 +72,23 @@ pub struct ContactLaw {
     pub damping_ratio: f64,
 }
 
+impl ContactLaw {
+    /// The law with its strength divided by `factor` (Zienkiewicz, Humpheson and Lewis 1975): cohesion and the tangent of the
+    /// friction angle; stiffness and damping stay.
+    #[must_use]
+    pub fn reduced(mut self, factor: f64) -> Self {
+        self.friction /= factor;
+        self.cohesion /= factor;
+        self
+    }
+
+    /// Whether there is anything that [`ContactLaw::reduced`] divides.
+    #[must_use]
+    pub fn has_strength(&self) -> bool {
+        self.friction > 0.0 || self.cohesion > 0.0
+    }
+}
+
 /// Law of a patch built along an edge shared at the start.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BondLaw {
@@ -93,6 +110,23 @@ pub struct BondLaw {
     pub damping_ratio: f64,
     /// Number of points along the edge (Gauss points), 1 to 5.
     pub points: u8,
+}
+
+impl BondLaw {
+    /// The law with all its strengths divided by `factor`, residual ones too.
+    #[must_use]
+    pub fn reduced(mut self, factor: f64) -> Self {
+        for strength in [
+            &mut self.tension,
+            &mut self.cohesion,
+            &mut self.friction,
+            &mut self.residual_friction,
+            &mut self.residual_cohesion,
+        ] {
+            *strength /= factor;
+        }
+        self
+    }
 }
 
 /// Law of a patch.

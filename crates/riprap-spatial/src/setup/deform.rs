@@ -70,6 +70,18 @@ pub struct BondLaw {
     pub failure: BondFailure,
 }
 
+impl BondLaw {
+    /// The law with its strengths divided by `factor`; energies of fracture stay.
+    #[must_use]
+    pub fn reduced(mut self, factor: f64) -> Self {
+        self.strength = self.strength.map(|s| s.reduced(factor));
+        if let Some(cohesive) = &mut self.cohesive {
+            cohesive.strength = cohesive.strength.reduced(factor);
+        }
+        self
+    }
+}
+
 /// Rules of cutting in a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CutRules {

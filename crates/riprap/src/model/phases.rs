@@ -98,6 +98,7 @@ impl Builder<'_> {
                 .filter(|&t| t > 0.0),
             contacts,
             joints,
+            reduction: None,
             zero_velocities: said.reset.contains(&Reset::Velocities),
             zero_displacements: said.reset.contains(&Reset::Displacements),
             deform: self.deforming(said),

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use reading::Reading;
-pub use view::View;
+pub use view::{Movement, View};
 
 use super::plan::{Damping, Phase};
 use crate::exec::Exec;

@@ -12,6 +12,7 @@ pub mod job;
 pub mod plan;
 pub mod probe;
 pub mod recorder;
+pub mod safety;
 #[cfg(feature = "scenario")]
 pub mod scene;
 pub mod simulation;

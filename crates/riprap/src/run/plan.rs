@@ -59,6 +59,8 @@ pub struct Phase {
     pub contacts: Vec<(u16, ContactLaw)>,
     /// Rows of the interface table of the spatial engine replaced at the start of the phase.
     pub joints: Vec<(u16, JointLaw)>,
+    /// Strengths divided at the start of the phase.
+    pub reduction: Option<Reduction>,
     /// Sets all velocities to zero at the start.
     pub zero_velocities: bool,
     /// Measures displacements from the start of this phase on.
@@ -115,6 +117,7 @@ impl Phase {
             gravity_ramp: None,
             contacts: Vec::new(),
             joints: Vec::new(),
+            reduction: None,
             zero_velocities: false,
             zero_displacements: false,
             deform: None,
@@ -144,9 +147,19 @@ impl Phase {
             || !self.release.is_empty()
             || !self.contacts.is_empty()
             || !self.joints.is_empty()
+            || self.reduction.is_some()
             || self.zero_velocities
             || self.deform.is_some()
     }
+}
+
+/// Division of the strengths of interfaces: cohesion, tension and the tangent of the friction angle, before and after failure.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reduction {
+    /// What they are divided by.
+    pub factor: f64,
+    /// Rows of the interface table.
+    pub rows: Vec<u16>,
 }
 
 /// Stop criteria of a phase.

@@ -66,6 +66,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         gravity_ramp: None,
         contacts: Vec::new(),
         joints: Vec::new(),
+        reduction: None,
         zero_velocities: false,
         zero_displacements: false,
         deform: None,

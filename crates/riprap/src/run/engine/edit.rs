@@ -28,6 +28,13 @@ pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
     for (row, law) in &phase.contacts {
         world.setup.interfaces[*row as usize].contact = *law;
     }
+    if let Some(reduction) = &phase.reduction {
+        for &row in &reduction.rows {
+            let interface = &mut world.setup.interfaces[row as usize];
+            interface.contact = interface.contact.reduced(reduction.factor);
+            interface.bond = interface.bond.map(|law| law.reduced(reduction.factor));
+        }
+    }
     if phase.zero_velocities {
         for body in &mut world.bodies {
             body.velocity = Vec2::ZERO;
@@ -53,6 +60,9 @@ pub(super) fn spatial(world: &mut spatial::world::World, phase: &Phase) {
     }
     for (row, law) in &phase.joints {
         world.setup.interfaces[*row as usize].joint = *law;
+    }
+    if let Some(reduction) = &phase.reduction {
+        spatial::edit::reduce_strengths(world, &reduction.rows, reduction.factor);
     }
     if !phase.joints.is_empty() {
         spatial::edit::renew_laws(world);

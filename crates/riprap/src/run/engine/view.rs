@@ -8,6 +8,19 @@ use crate::record::manifest::Source;
 use crate::record::names::Names;
 use crate::{planar, spatial};
 
+/// How far a block has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Movement {
+    /// The block.
+    pub block: u32,
+    /// Displacement, m; in the plane the third component is 0.
+    pub shift: [f64; 3],
+    /// Rotation about x, y, z, rad; in the plane about z alone.
+    pub turn: [f64; 3],
+    /// Edge of a square or cube of the same area or volume, m.
+    pub size: f64,
+}
+
 /// An engine with its forces evaluated, ready to be read.
 #[derive(Clone, Copy)]
 pub enum View<'a> {
@@ -172,6 +185,37 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => v.living().map(|b| v.scratch.shapes.mass[b]).sum(),
             Self::Spatial(v) => v.living().map(|b| v.world.solid_of(b).mass).sum(),
+        }
+    }
+
+    /// Free blocks that are there, with displacement (m) and rotation (rad, about the axes) since displacements were last set
+    /// to zero, and size, m: the edge of a square or cube of the same area or volume.
+    pub fn movements(&self) -> Vec<Movement> {
+        match self {
+            Self::Planar(v) => {
+                let free = v.living().filter(|b| v.world.motion[*b].is_none());
+                free.map(|b| {
+                    let shift = v.displacement(b);
+                    let area = v.scratch.shapes.mass[b] / v.world.setup.blocks[b].density;
+                    Movement {
+                        block: b as u32,
+                        shift: [shift.x, shift.y, 0.0],
+                        turn: [0.0, 0.0, v.rotation(b)],
+                        size: area.sqrt(),
+                    }
+                })
+                .collect()
+            }
+            Self::Spatial(v) => {
+                let free = v.living().filter(|b| v.world.motion[*b].is_none());
+                free.map(|b| Movement {
+                    block: b as u32,
+                    shift: v.displacement(b).to_array(),
+                    turn: v.rotation(b).to_array(),
+                    size: libm::cbrt(v.world.solid_of(b).volume),
+                })
+                .collect()
+            }
         }
     }
 

@@ -66,6 +66,7 @@ fn falling() -> Job {
         gravity_ramp: None,
         contacts: Vec::new(),
         joints: Vec::new(),
+        reduction: None,
         zero_velocities: false,
         zero_displacements: false,
         deform: None,

@@ -1,0 +1,221 @@
+//! Whether a trial is failing, and how.
+
+use serde::Serialize;
+
+use super::MOVED;
+use crate::run::engine::Movement;
+use crate::run::simulation::Simulation;
+
+/// Growth of the mean kinetic energy from one quarter of a trial to the next that tells of a mechanism: a steady pull gives 2.7 and
+/// 1.9, what swings and calms down less than 1.
+const GROWTH: f64 = 1.3;
+/// Looks before anything is said.
+const FEWEST: usize = 12;
+/// Share of the farthest displacement from which on a block belongs to the mechanism.
+const MOVING: f64 = 0.3;
+
+/// What came of a trial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum State {
+    /// The forces came into balance.
+    Stable,
+    /// Blocks move on and on.
+    Failing,
+    /// Neither, when its steps were used up or the physics stopped it.
+    Undecided,
+}
+
+/// How the blocks of a mechanism move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Mode {
+    /// They only slide or fall: turning moves their edges by less than a tenth of the displacement.
+    Sliding,
+    /// They only turn: edges move by more than the displacement of the centroids.
+    Turning,
+    /// Both.
+    Both,
+}
+
+/// One look at a trial.
+pub struct Look {
+    /// Steps since the trial began.
+    steps: u64,
+    /// Kinetic energy, J or J/m.
+    kinetic: f64,
+    /// Free blocks since the trial began.
+    movements: Vec<Movement>,
+}
+
+impl Look {
+    /// At the present, prepared state; the trial began at step `begin`.
+    pub fn of(simulation: &Simulation, begin: u64) -> Self {
+        let view = simulation.view();
+        Self {
+            steps: simulation.steps() - begin,
+            kinetic: view.kinetic(),
+            movements: view.movements(),
+        }
+    }
+}
+
+/// What has been seen of a trial.
+pub struct Watch {
+    moved: Option<f64>,
+    looks: Vec<(u64, f64)>,
+    movements: Vec<Movement>,
+}
+
+impl Watch {
+    /// Nothing yet; `moved` as in the rules, m.
+    pub fn new(moved: Option<f64>) -> Self {
+        Self {
+            moved,
+            looks: Vec::new(),
+            movements: Vec::new(),
+        }
+    }
+
+    /// Adds a look.
+    pub fn look(&mut self, look: Look) {
+        self.looks.push((look.steps, look.kinetic));
+        self.movements = look.movements;
+    }
+
+    /// The block that has come farthest, and how far, m.
+    pub fn farthest(&self) -> Option<(f64, u32)> {
+        let all = self.movements.iter().map(|m| (length(m.shift), m.block));
+        all.fold(None, |far, one| {
+            if far.is_none_or(|far: (f64, u32)| one.0 > far.0) {
+                Some(one)
+            } else {
+                far
+            }
+        })
+    }
+
+    /// Whether it has moved far enough to be asked.
+    fn has_moved(&self) -> bool {
+        let limit = self.moved.unwrap_or_else(|| {
+            let mut sizes: Vec<f64> = self.movements.iter().map(|m| m.size).collect();
+            sizes.sort_by(f64::total_cmp);
+            sizes.get(sizes.len() / 2).map_or(0.0, |size| MOVED * size)
+        });
+        self.farthest().is_some_and(|(moved, _)| moved > limit)
+    }
+
+    /// Whether it moves on and on.
+    pub fn is_failing(&self) -> bool {
+        self.looks.len() >= FEWEST && self.has_moved() && grows(&self.looks)
+    }
+
+    /// What it is when it ends without balance: failing if it was at its end, else undecided.
+    pub fn stopped(&self) -> State {
+        if self.is_failing() {
+            State::Failing
+        } else {
+            State::Undecided
+        }
+    }
+
+    /// Blocks of the mechanism, the farthest first.
+    pub fn moving(&self) -> Vec<Movement> {
+        let far = self.farthest().map_or(0.0, |(far, _)| far);
+        let mut moving: Vec<Movement> = self
+            .movements
+            .iter()
+            .filter(|m| far > 0.0 && length(m.shift) >= MOVING * far)
+            .copied()
+            .collect();
+        moving.sort_by(|a, b| {
+            length(b.shift)
+                .total_cmp(&length(a.shift))
+                .then(a.block.cmp(&b.block))
+        });
+        moving
+    }
+}
+
+/// Whether the mean kinetic energy grows from quarter to quarter of the steps.
+fn grows(looks: &[(u64, f64)]) -> bool {
+    let Some(&(last, _)) = looks.last() else {
+        return false;
+    };
+    let mean = |quarter: u64| {
+        let inside = |step: u64| 4 * step > quarter * last && 4 * step <= (quarter + 1) * last;
+        let (sum, count) = (looks.iter().filter(|(step, _)| inside(*step)))
+            .fold((0.0, 0u32), |(sum, count), (_, kinetic)| {
+                (sum + kinetic, count + 1)
+            });
+        sum / f64::from(count.max(1))
+    };
+    let [second, third, fourth] = [1, 2, 3].map(mean);
+    third > GROWTH * second && fourth > GROWTH * third
+}
+
+/// Length of a vector.
+pub fn length(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// How the blocks of a mechanism move; `None` without any.
+pub fn mode(moving: &[Movement]) -> Option<Mode> {
+    if moving.is_empty() {
+        return None;
+    }
+    let edges = |m: &Movement| 0.5 * m.size * length(m.turn);
+    if moving.iter().all(|m| edges(m) < 0.1 * length(m.shift)) {
+        Some(Mode::Sliding)
+    } else if moving.iter().all(|m| edges(m) > length(m.shift)) {
+        Some(Mode::Turning)
+    } else {
+        Some(Mode::Both)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn looks(kinetic: impl Fn(f64) -> f64) -> Vec<(u64, f64)> {
+        (0..=40)
+            .map(|k| (50 * k, kinetic(50.0 * k as f64)))
+            .collect()
+    }
+
+    #[test]
+    fn a_steady_pull_grows_and_swings_do_not() {
+        assert!(grows(&looks(|t| t * t)));
+        assert!(grows(&looks(|t| libm::exp(t / 300.0))));
+        // With the ripple of an elastic vibration on top.
+        assert!(grows(&looks(|t| t * t * (1.0 + 0.5 * libm::sin(t / 37.0)))));
+        for period in [60.0, 300.0, 900.0] {
+            let swing =
+                |t: f64| libm::exp(-t / 2000.0) * libm::sin(t / period) * libm::sin(t / period);
+            assert!(!grows(&looks(swing)), "{period}");
+        }
+        assert!(!grows(&looks(|_| 1.0)));
+        assert!(!grows(&[]));
+    }
+
+    fn movement(shift: f64, turn: f64) -> Movement {
+        Movement {
+            block: 0,
+            shift: [shift, 0.0, 0.0],
+            turn: [0.0, 0.0, turn],
+            size: 2.0,
+        }
+    }
+
+    #[test]
+    fn modes_in_words() {
+        assert_eq!(mode(&[]), None);
+        assert_eq!(mode(&[movement(1.0, 0.01)]), Some(Mode::Sliding));
+        assert_eq!(mode(&[movement(0.1, 0.2)]), Some(Mode::Turning));
+        assert_eq!(
+            mode(&[movement(1.0, 0.01), movement(1.0, 0.5)]),
+            Some(Mode::Both)
+        );
+    }
+}
