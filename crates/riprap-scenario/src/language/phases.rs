@@ -34,7 +34,7 @@ pub struct Phase {
     pub damping: Option<Damping>,
     /// Largest energy residual (what the ledger cannot explain, as a share of the largest energy that moved) with which the
     /// run goes on; beyond it the run is stopped, since what happens is not what the laws say.
-    #[key(default = "1")]
+    #[key(default = "0.1")]
     pub max_residual: Option<Quantity<PositivePlain>>,
     /// Groups or blocks that are taken away when the phase begins.
     #[serde(default)]

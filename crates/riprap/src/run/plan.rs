@@ -121,7 +121,7 @@ impl Phase {
             zero_velocities: false,
             zero_displacements: false,
             deform: None,
-            max_residual: 1.0,
+            max_residual: 0.1,
         }
     }
 
