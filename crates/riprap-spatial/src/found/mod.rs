@@ -22,6 +22,7 @@ pub mod planes;
 pub mod search;
 pub mod shape;
 pub mod surface;
+pub mod tetra;
 
 pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
 pub use grid::Role;
