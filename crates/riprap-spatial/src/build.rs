@@ -89,6 +89,7 @@ impl World {
         let charges = cavity::charges(&world.setup, &world.lineage, &world.alive)?;
         world.build_patches(&charges)?;
         contacts::check(&world)?;
+        deform::contact::check(&world)?;
         let scratch = Scratch::new(&mut world, exec);
         Ok((world, scratch))
     }

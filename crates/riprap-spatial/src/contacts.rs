@@ -581,7 +581,8 @@ fn transit(world: &World, desk: &Desk) -> f64 {
 /// smallest inscribed radius. Infinite before the first evaluation and where none can touch.
 #[must_use]
 pub fn step_limit(world: &World) -> f64 {
-    world.found.longest_step.unwrap_or(f64::INFINITY)
+    let longest = [world.found.longest_step, world.found.soft.longest_step];
+    (longest.into_iter().flatten()).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use super::tiles::{Cut, Tiles};
 use super::wide::Wide;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::found::cells::CellDesk;
 use crate::found::desk::Desk;
 use crate::lanes::Width;
 use crate::ledger::Works;
@@ -30,6 +31,7 @@ impl Scratch {
             rebuilds: 0,
             deform: None,
             desk: Desk::default(),
+            soft: CellDesk::default(),
             slots: [Sums::default(), Sums::default()],
             wide: Vec::new(),
             strong: false,

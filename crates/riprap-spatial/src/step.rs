@@ -45,7 +45,9 @@ pub fn evaluate(
     });
     stage(scratch, "kinematics", |scratch| change_over(world, scratch));
     contacts::give_way(world, scratch);
+    deform::contact::part(world, scratch);
     let meet = contacts::refresh(world, scratch);
+    let soft = deform::contact::refresh(world, scratch);
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
     });
@@ -57,6 +59,11 @@ pub fn evaluate(
     stage(scratch, "patches", |scratch| patches(world, scratch));
     if meet {
         stage(scratch, "contacts", |scratch| contacts::act(world, scratch));
+    }
+    if soft {
+        stage(scratch, "contacts", |scratch| {
+            deform::contact::act(world, scratch);
+        });
     }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
@@ -81,6 +88,7 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
             deform::step::advance(world, scratch, dt)
         });
     }
+    deform::contact::depart(world, scratch, dt);
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();

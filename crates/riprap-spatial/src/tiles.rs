@@ -304,7 +304,8 @@ impl Tiles {
         self.rows.clear();
         self.special.clear();
         let mut pushed = world.pushed();
-        for b in world.found.pairs.iter().flat_map(|pair| pair.ends) {
+        let soft = world.found.soft.pairs.iter().flat_map(|pair| pair.ends);
+        for b in (world.found.pairs.iter().flat_map(|pair| pair.ends)).chain(soft) {
             pushed[b as usize] = true;
         }
         let mut faces = world

@@ -160,6 +160,10 @@ impl Context<'_> {
                 ..(facet.first + facet.count) as usize - piece.first;
             let points = &self.points[facet.points()];
             let (memory, slots) = (&mut piece.memory[here.clone()], &mut piece.slots[here]);
+            if facet.parted {
+                slots.fill([0.0; 3]);
+                continue;
+            }
             self.worn(facet, law, points, memory, slots, &mut works);
         }
         piece.works[0] = works;

@@ -162,6 +162,7 @@ pub fn join(
             row,
             rigid,
             whole_until: 0,
+            parted: false,
         });
         deform.points.extend(points);
     }

@@ -13,6 +13,7 @@
 
 pub mod bonds;
 pub mod build;
+pub(crate) mod contact;
 pub mod cut;
 pub mod elements;
 pub mod fracture;

@@ -14,7 +14,7 @@ use riprap_geom::Vec3;
 /// Iterations between two looks at convergence and damping.
 pub const LOOK: u32 = 25;
 /// Share by which the masses exceed the limit of stability.
-const MARGIN: f64 = 1.05;
+pub(super) const MARGIN: f64 = 1.05;
 /// Largest damping.
 const MOST: f64 = 1.5;
 /// Forces below this share of the largest so far are none: a body in two parts would never be at rest by round-off.

@@ -291,6 +291,7 @@ mod tests {
             row: 0,
             rigid: [false; 2],
             whole_until: 0,
+            parted: false,
         };
         let mut facets: Vec<Facet> = (0..LANES).map(facet).collect();
         let sides: [[Mat3; 2]; LANES] = std::array::from_fn(|k| [spin(k), spin(k) * spin(7)]);

@@ -12,6 +12,7 @@
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
+pub mod cells;
 pub mod desk;
 pub mod friction;
 pub mod grid;

@@ -41,8 +41,7 @@ impl Cell {
         let [e1, e2, e3] = [1, 2, 3].map(|k| corners[k] - corners[0]);
         let normals = [e2.cross(e3), e3.cross(e1), e1.cross(e2)];
         let det = e1.dot(normals[0]);
-        // Not `<= 0`: NaN is refused too.
-        if !(det > 0.0) {
+        if det.is_nan() || det <= 0.0 {
             return None;
         }
         let [g1, g2, g3] = normals.map(|n| n / det);
@@ -203,7 +202,7 @@ impl Room {
             }
         }
         let (volume, first) = self.solid.moments();
-        if !(volume > 0.0) {
+        if volume.is_nan() || volume <= 0.0 {
             return None;
         }
         let half = |volume: f64, first: Vec3| {

@@ -242,10 +242,17 @@ impl<'a> View<'a> {
             .zip(self.scratch.deform.as_deref())
     }
 
-    /// Force of the bonds of block b on block a, N.
+    /// Force of the bonds and the found contact of block b on block a, one of them deformable, N.
     #[must_use]
     pub fn facet_force(&self, (a, b): (u32, u32)) -> Vec3 {
         let mut sum = Vec3::ZERO;
+        for pair in &self.world.found.soft.pairs {
+            if pair.ends == [a, b] {
+                sum -= pair.force;
+            } else if pair.ends == [b, a] {
+                sum += pair.force;
+            }
+        }
         if let Some((deform, work)) = self.softs() {
             for facet in &deform.facets {
                 let sign = match facet.blocks {
@@ -317,6 +324,9 @@ impl<'a> View<'a> {
             let linear = !worn && law.is_none_or(|l| l.cohesive.is_none());
             let points = &deform.points[facet.points()];
             let mut sum = [0.0; 2];
+            if facet.parted {
+                return sum;
+            }
             for (point, memory) in points.iter().zip(&deform.memory[facet.points()]) {
                 let jump = freedoms.jump(&point.anchors);
                 let at = facet.now.map(|e| e.dot(jump));

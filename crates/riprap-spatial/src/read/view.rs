@@ -369,6 +369,10 @@ impl View<'_> {
         out.contact_normal += self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
         out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
+        for pair in &self.world.found.soft.pairs {
+            out.contact_normal += pair.energy;
+            out.contact_shear += pair.stored;
+        }
         out.bond = self.boundary_energy() + self.strain_energy();
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
@@ -403,5 +407,15 @@ impl View<'_> {
             .zip(&self.scratch.desk.constants)
             .filter(|(pair, _)| pair.depth > 0.0)
             .map(|(pair, k)| (pair.depth / k.inradius, pair.ends[0], pair.ends[1]))
+            .chain(self.soft_overlaps())
+    }
+
+    /// Depth of each found contact of deformable blocks over the smaller distance of the centres from the surface, with the blocks.
+    fn soft_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
+        let pairs = self.world.found.soft.pairs.iter();
+        pairs
+            .zip(&self.scratch.soft.constants)
+            .filter(|(pair, _)| pair.depth > 0.0)
+            .map(|(pair, k)| (pair.depth / k.peak, pair.ends[0], pair.ends[1]))
     }
 }

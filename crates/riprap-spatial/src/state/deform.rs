@@ -194,6 +194,8 @@ pub struct Facet {
     pub rigid: [bool; 2],
     /// Step before which it does not break: a facet made by a cut in a dynamic phase waits for the next look.
     pub whole_until: u64,
+    /// Whether its blocks have slid or come apart so far that it carries nothing any more: they find each other anew.
+    pub parted: bool,
 }
 
 impl Facet {

@@ -16,6 +16,8 @@ pub struct FoundContacts {
     /// Longest step that the contacts allowed at the last evaluation, s; `None` before the first. State, so that a run that goes
     /// on from a checkpoint takes the steps of one that never stopped.
     pub longest_step: Option<f64>,
+    /// Those of deformable blocks.
+    pub soft: super::soft::SoftContacts,
 }
 
 /// Two blocks that can touch.

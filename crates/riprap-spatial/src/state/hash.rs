@@ -54,6 +54,13 @@ impl World {
             hash.numbers(&m.normal.to_array());
             hash.numbers(&[m.torsion, m.area, m.polar]);
         }
+        for pair in self.found.soft.pairs.iter().filter(|p| p.depth > 0.0) {
+            let (m, [i, j]) = (&pair.memory, pair.ends);
+            hash.count(u64::from(i) << 32 | u64::from(j));
+            hash.numbers(&m.shear.to_array());
+            hash.numbers(&m.normal.to_array());
+            hash.numbers(&[m.torsion, m.area, m.polar]);
+        }
         if let Some(deform) = &self.deform {
             bodies(&mut hash, deform);
             bonds(&mut hash, deform);
@@ -124,6 +131,9 @@ fn bonds(hash: &mut StateHash, deform: &Deform) {
         let [a, b] = facet.blocks;
         hash.count(u64::from(a) << 32 | u64::from(b));
         hash.count(facet.whole_until << 1 | u64::from(deform.worn[f as usize]));
+        if facet.parted {
+            hash.count(1);
+        }
         for memory in &deform.memory[facet.points()] {
             hash.numbers(&memory.start);
             hash.numbers(&memory.law.slip);

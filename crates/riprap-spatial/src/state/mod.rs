@@ -17,6 +17,7 @@ pub mod patches;
 pub mod push;
 pub mod relax;
 pub mod scratch;
+pub mod soft;
 pub mod sums;
 pub mod workspace;
 pub mod world;

@@ -5,6 +5,7 @@ use super::sums::Sums;
 use super::workspace::Workspace;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::found::cells::CellDesk;
 use crate::found::desk::Desk;
 use crate::lanes::Width;
 use crate::ledger::Works;
@@ -37,6 +38,8 @@ pub struct Scratch {
     pub deform: Option<Box<Workspace>>,
     /// Of found contacts.
     pub desk: Desk,
+    /// Of found contacts of deformable blocks.
+    pub soft: CellDesk,
     pub(crate) slots: [Sums; 2],
     pub(crate) wide: Vec<Wide>,
     pub(crate) strong: bool,

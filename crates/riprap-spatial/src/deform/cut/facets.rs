@@ -447,6 +447,7 @@ impl Maker<'_> {
                 row,
                 rigid: [false; 2],
                 whole_until: 0,
+                parted: false,
             };
             let (facet, points) = self.place(lists, facet, &joints, Vec3::ZERO);
             let freedoms = self.world.freedoms_with(self.deform);

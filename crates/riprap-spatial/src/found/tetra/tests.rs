@@ -116,8 +116,8 @@ fn forces_are_minus_the_gradient_of_the_energy() {
             let mut pair = bent(&mut chance, kind);
             let forces = contact([&pair[0], &pair[1]]).forces;
             let size = forces[0].iter().map(|f| f.length()).fold(0.0, f64::max);
-            for side in 0..2 {
-                for node in 0..pair[side].nodes.len() {
+            for (side, forces) in forces.iter().enumerate() {
+                for (node, found) in forces.iter().enumerate() {
                     for axis in 0..3 {
                         let at = pair[side].nodes[node];
                         let mut energy = |step: f64| {
@@ -131,7 +131,7 @@ fn forces_are_minus_the_gradient_of_the_energy() {
                         let slope = (8.0 * (energy(h) - energy(-h)) - energy(2.0 * h)
                             + energy(-2.0 * h))
                             / (12.0 * h);
-                        let found = forces[side][node][axis];
+                        let found = found[axis];
                         assert!(
                             (found + slope).abs() < 2e-6 * size,
                             "{kind:?} {side} {node} {axis}: {found} {slope} of {size}"
@@ -176,8 +176,8 @@ fn exchanged_blocks_feel_opposite_forces() {
         let pair = bent(&mut chance, kind);
         let (one, two) = (contact([&pair[0], &pair[1]]), contact([&pair[1], &pair[0]]));
         assert!((one.energy / two.energy - 1.0).abs() < 1e-12);
-        for side in 0..2 {
-            for (a, b) in one.forces[side].iter().zip(&two.forces[1 - side]) {
+        for (first, second) in one.forces.iter().zip(two.forces.iter().rev()) {
+            for (a, b) in first.iter().zip(second) {
                 assert!((*a - *b).length() < 1e-11 * one.energy, "{a} {b}");
             }
         }

@@ -1,0 +1,318 @@
+//! What pairs of blocks of cells exert on each other in a step.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::law::{Asked, Sides, respond};
+use super::limit;
+use crate::found::cells::{CellDesk, Member, PairRoom, PairSlot, Spot, Star};
+use crate::found::grid::Box3;
+use crate::found::tetra::Piece;
+use crate::state::deform::Deform;
+use crate::state::scratch::Scratch;
+use crate::state::soft::{SoftMemory, SoftPair};
+use crate::state::workspace::Workspace;
+use crate::world::World;
+
+/// Finds what all pairs exert and pushes blocks and nodes with it, in the order of the pairs.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
+    let mut pairs = std::mem::take(&mut world.found.soft.pairs);
+    let mut desk = std::mem::take(&mut scratch.soft);
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
+        return;
+    };
+    let mut stars = std::mem::take(&mut desk.stars);
+    scratch.exec.chunks(&mut stars, |first, stars| {
+        for (k, star) in stars.iter_mut().enumerate() {
+            put(world, deform, work, &desk.members[first + k], star);
+        }
+    });
+    desk.stars = stars;
+    let (mut slots, mut rooms) = (
+        std::mem::take(&mut desk.slots),
+        std::mem::take(&mut desk.rooms),
+    );
+    let evaluation = Evaluation {
+        world,
+        deform,
+        work,
+        desk: &desk,
+        dt: world.pending,
+        relaxing: deform.relax.is_some(),
+    };
+    scratch.exec.chunks2(
+        &mut pairs,
+        &mut slots,
+        &mut rooms,
+        |first, pairs, slots, room| {
+            [room.friction, room.damping, room.brought] = [0.0; 3];
+            room.touching = 0;
+            for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
+                evaluation.pair(first + k, pair, slot, room);
+            }
+        },
+    );
+    let own = &mut scratch.pushes.own;
+    own.need_blocks(world.alive.len());
+    own.need_nodes(deform.nodes.len());
+    for (slot, constants) in slots.iter().zip(&desk.constants) {
+        if !slot.touching {
+            continue;
+        }
+        for (forces, member) in slot.forces.iter().zip(constants.members) {
+            let member = &desk.members[member as usize];
+            match member.body {
+                Some(k) => {
+                    let first = deform.bodies[k as usize].first;
+                    for (node, f) in forces.iter().enumerate() {
+                        own.on_node(first + node as u32, *f);
+                    }
+                }
+                None => own.on_block(member.block, forces[0], forces[1]),
+            }
+        }
+    }
+    desk.slots = slots;
+    desk.rooms = rooms;
+    let longest = limit::longest_step(world, &desk);
+    for room in &desk.rooms {
+        world.works.friction += room.friction;
+        world.works.damping += room.damping;
+        // What stands pressed at the start of a run is part of the energy that it starts with.
+        if world.start_energy.is_some() {
+            world.works.edit_defect += room.brought;
+        }
+    }
+    world.found.soft.pairs = pairs;
+    let soft = &mut world.found.soft;
+    soft.longest_step = soft.longest_step.map(|limit| limit.min(longest));
+    scratch.soft = desk;
+}
+
+/// Puts a star where its block is now.
+fn put(world: &World, deform: &Deform, work: &Workspace, member: &Member, star: &mut Star) {
+    match member.body {
+        Some(k) => {
+            let body = &deform.bodies[k as usize];
+            let place = |n: u32| {
+                let n = (body.first + n) as usize;
+                deform.nodes.place[n] + Vec3::from_array(deform.nodes.moved[n])
+            };
+            let tets = &work.kind(body).mesh.tets;
+            star.put(tets, member.peak, place(body.count - 1), place);
+        }
+        None => {
+            let Some(mesh) = &member.mesh else {
+                return;
+            };
+            let pose = world.pose(member.block as usize);
+            let turn = Mat3::from_quat(pose.rotation);
+            let place = |n: u32| pose.position + turn * mesh.nodes[n as usize];
+            star.put(&mesh.tets, member.peak, pose.position, place);
+        }
+    }
+}
+
+struct Evaluation<'a> {
+    world: &'a World,
+    deform: &'a Deform,
+    work: &'a Workspace,
+    desk: &'a CellDesk,
+    dt: f64,
+    relaxing: bool,
+}
+
+impl Evaluation<'_> {
+    fn pair(&self, k: usize, pair: &mut SoftPair, slot: &mut PairSlot, room: &mut PairRoom) {
+        let constants = &self.desk.constants[k];
+        let stars = constants.members.map(|m| &self.desk.stars[m as usize]);
+        let sides = Sides {
+            deform: self.deform,
+            bodies: &self.world.bodies,
+            work: self.work,
+            members: constants.members.map(|m| &self.desk.members[m as usize]),
+        };
+        let known = std::mem::replace(&mut pair.known, true);
+        let before = std::mem::take(&mut pair.energy);
+        if stars[0].bounds.meets(&stars[1].bounds) {
+            press(
+                stars,
+                &sides,
+                constants.law.normal_stiffness,
+                pair,
+                slot,
+                room,
+            );
+        } else {
+            slot.touching = false;
+        }
+        if !stars.iter().all(|star| star.sound) {
+            pair.depth = f64::INFINITY;
+        }
+        if !known {
+            // Pairs that meet on their way are listed before they touch.
+            room.brought += pair.energy - before;
+        }
+        if !slot.touching {
+            room.friction += pair.stored;
+            let depth = if pair.depth == f64::INFINITY {
+                pair.depth
+            } else {
+                0.0
+            };
+            *pair = SoftPair {
+                ends: pair.ends,
+                known: true,
+                depth,
+                ..SoftPair::default()
+            };
+            slot.spots.clear();
+            return;
+        }
+        let mut law = constants.law;
+        if self.relaxing {
+            law.damping_ratio = 0.0;
+        }
+        let stored = pair.stored;
+        let elastic = pair.force;
+        let reply = respond(
+            &law,
+            &Asked {
+                surface: &room.surface,
+                elastic,
+                sides,
+                dt: self.dt,
+            },
+            &mut slot.spots,
+            &mut room.shares,
+            &mut pair.memory,
+        );
+        slot.area = reply.area;
+        pair.stored = reply.stored;
+        room.friction += reply.friction - (reply.stored - stored);
+        room.damping += reply.damping;
+        for spot in &slot.spots {
+            let force = spot.spring + spot.drag;
+            pair.force += spot.spring;
+            for (side, forces) in slot.forces.iter_mut().enumerate() {
+                let (weights, arm) = (&spot.weights[side], spot.arms[side]);
+                let own = [-force, force][side];
+                sides.add(side, forces, spot.tets[side], weights, arm, own);
+            }
+        }
+    }
+}
+
+/// Pressure of a pair: forces, energy, the surface of equal depth and the spots of friction on it.
+fn press(
+    stars: [&Star; 2],
+    sides: &Sides,
+    stiffness: f64,
+    pair: &mut SoftPair,
+    slot: &mut PairSlot,
+    room: &mut PairRoom,
+) {
+    let common = Box3 {
+        low: stars[0].bounds.low.max(stars[1].bounds.low),
+        high: stars[0].bounds.high.min(stars[1].bounds.high),
+    };
+    for (list, star) in room.lists.iter_mut().zip(stars) {
+        list.clear();
+        let boxes = star.boxes.iter().enumerate();
+        list.extend(
+            boxes
+                .filter(|(_, b)| b.meets(&common))
+                .map(|(k, _)| k as u32),
+        );
+    }
+    let shift = stars[1].origin - stars[0].origin;
+    room.shifted.clear();
+    let second = room.lists[1]
+        .iter()
+        .map(|k| stars[1].cells[*k as usize].shifted(shift));
+    room.shifted.extend(second);
+    slot.forces
+        .iter_mut()
+        .for_each(|list| list.fill(Vec3::ZERO));
+    slot.spots.clear();
+    room.surface = Piece::default();
+    slot.touching = false;
+    pair.force = Vec3::ZERO;
+    pair.depth = 0.0;
+    let scale = 2.0 * stiffness;
+    for &i in &room.lists[0] {
+        let (first, around) = (&stars[0].cells[i as usize], &stars[0].boxes[i as usize]);
+        for (&j, second) in room.lists[1].iter().zip(&room.shifted) {
+            if !around.meets(&stars[1].boxes[j as usize]) {
+                continue;
+            }
+            let Some(overlap) = room.overlapping.overlap([first, second]) else {
+                continue;
+            };
+            slot.touching = true;
+            room.touching += 1;
+            for (side, (cell, tet)) in [(first, i), (second, j)].into_iter().enumerate() {
+                let half = &overlap.halves[side];
+                if half.volume == 0.0 {
+                    continue;
+                }
+                pair.energy += scale * half.volume * cell.depth(half.centroid);
+                let force = scale * half.volume * cell.slope;
+                if side == 1 {
+                    pair.force += force;
+                }
+                let arm = [half.centroid, half.centroid - shift][side];
+                let weights = cell.weights(half.centroid);
+                sides.add(side, &mut slot.forces[side], tet, &weights, arm, force);
+            }
+            let surface = &overlap.surface;
+            if surface.weight > 0.0 {
+                room.surface.add(surface);
+                let at = surface.weight_first / surface.weight;
+                slot.spots.push(Spot {
+                    tets: [i, j],
+                    weights: [first.weights(at), second.weights(at)],
+                    arms: [at, at - shift],
+                    pressure: scale * surface.weight,
+                    ..Spot::default()
+                });
+                let slopes = [first, second].map(|c| c.slope.length());
+                let deep = surface.depth * (1.0 / slopes[0] + 1.0 / slopes[1]);
+                pair.depth = pair.depth.max(deep);
+            }
+        }
+    }
+}
+
+/// Books what friction and dashpots do in the half step after the present time, with the velocities that the kick has made.
+pub(crate) fn depart(world: &mut World, scratch: &Scratch, dt: f64) {
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
+        return;
+    };
+    let desk = &scratch.soft;
+    let [mut friction, mut damping] = [0.0; 2];
+    for (slot, constants) in desk.slots.iter().zip(&desk.constants) {
+        if slot.spots.is_empty() {
+            continue;
+        }
+        let sides = Sides {
+            deform,
+            bodies: &world.bodies,
+            work,
+            members: constants.members.map(|m| &desk.members[m as usize]),
+        };
+        for spot in &slot.spots {
+            let rate = sides.rate(spot);
+            friction -= 0.5 * dt * spot.spring.dot(rate);
+            damping -= 0.5 * dt * spot.drag.dot(rate);
+        }
+    }
+    world.works.friction += friction;
+    world.works.damping += damping;
+}
+
+impl SoftMemory {
+    /// A contact without memory.
+    pub(super) fn forget(&mut self) {
+        *self = Self::default();
+    }
+}

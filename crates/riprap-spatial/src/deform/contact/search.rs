@@ -1,0 +1,449 @@
+//! Who can touch before the next look: the list of pairs, a function of the state of the last look.
+//!
+//! Blocks of the largest lattice whose joints and bonds are whole are targets, and two targets never make a pair; all others are seekers.
+//! A look is due when a point of a block will have left the block's margin by the end of the coming step.
+
+use riprap_geom::polyhedron::Tetrahedra;
+use riprap_geom::{Mat3, Vec3};
+
+use crate::deform::relax;
+use crate::deform::shape::centred;
+use crate::exec::{CHUNK, Exec};
+use crate::found::cells::{CellDesk, Member, PairConstants, PairRoom, PairSlot, Star, peak};
+use crate::found::grid::{Box3, Role};
+use crate::found::search::moved;
+use crate::state::deform::{Body, Deform};
+use crate::state::scratch::Scratch;
+use crate::state::soft::{SoftPair, SoftSearch};
+use crate::state::workspace::{Kind, Workspace};
+use crate::world::{World, flag};
+
+/// Margin of a block over its size (the smaller of its radius and twice the median radius).
+const MARGIN: f64 = 0.04;
+/// Margin of the fastest blocks over their size.
+const FAST_MARGIN: f64 = 0.4;
+/// Way in steps of the present length that margins are made for.
+const LOOKAHEAD: f64 = 50.0;
+/// Largest sum of magnitudes in a row of a spring that is as stiff in all directions, or across only: between 1 and root 3.
+const ROWS: f64 = 1.7321;
+
+/// Brings the list of pairs up to date; whether there is any. Calling it again without moving changes nothing.
+pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
+    if !world.setup.found_contacts || world.deform.is_none() {
+        return false;
+    }
+    let known = world.found.soft.roles.len() == world.alive.len();
+    let look = world.pending > 0.0 && world.step.is_multiple_of(super::LOOK);
+    let mut renew = false;
+    if !known || world.fresh || look {
+        let roles = roles(world);
+        renew = roles != world.found.soft.roles;
+        world.found.soft.roles = roles;
+    }
+    if world.fresh {
+        scratch.soft.ready = false;
+    }
+    if !world.found.soft.roles.contains(&Role::Seeker) {
+        if !world.found.soft.pairs.is_empty() {
+            super::leave(world, scratch);
+        }
+        world.found.soft.longest_step = Some(f64::INFINITY);
+        return false;
+    }
+    renew |= outdated(
+        world,
+        &mut scratch.soft.outside,
+        scratch.coming_dt,
+        &scratch.exec,
+    );
+    if renew {
+        take_over(world);
+        scratch.soft.ready = false;
+    }
+    if !scratch.soft.ready {
+        rebuild(world, scratch);
+    }
+    world.found.soft.longest_step = Some(f64::INFINITY);
+    !world.found.soft.pairs.is_empty()
+}
+
+/// Who can meet whom.
+fn roles(world: &World) -> Vec<Role> {
+    let n = world.alive.len();
+    let Some(deform) = world.deform.as_deref() else {
+        return vec![Role::Absent; n];
+    };
+    let mut root: Vec<u32> = (0..n as u32).collect();
+    let mut torn: Vec<[u32; 2]> = Vec::new();
+    let patches = &world.patches;
+    for (&ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        join(&mut root, ends);
+        if flags & flag::BROKEN != 0 {
+            torn.push(ends);
+        }
+    }
+    for (facet, worn) in deform.facets.iter().zip(&deform.worn) {
+        if facet.parted {
+            torn.push(facet.blocks);
+            continue;
+        }
+        join(&mut root, facet.blocks);
+        let memory = &deform.memory[facet.points()];
+        if *worn && memory.iter().any(|m| m.state.is_broken()) {
+            torn.push(facet.blocks);
+        }
+    }
+    let mut whole = vec![true; n];
+    for b in torn.into_iter().flatten() {
+        whole[b as usize] = false;
+    }
+    let mut count = vec![0u32; n];
+    for b in (0..n).filter(|b| world.alive[*b]) {
+        count[find(&mut root, b as u32) as usize] += 1;
+    }
+    let mut largest = 0;
+    for b in 0..n {
+        if count[b] > count[largest] {
+            largest = b;
+        }
+    }
+    let lattice = n > 0 && count[largest] > 1;
+    let role = |b: usize| {
+        if !world.alive[b] {
+            Role::Absent
+        } else if lattice && whole[b] && find(&mut root, b as u32) as usize == largest {
+            Role::Target
+        } else {
+            Role::Seeker
+        }
+    };
+    (0..n).map(role).collect()
+}
+
+fn find(root: &mut [u32], mut b: u32) -> u32 {
+    while root[b as usize] != b {
+        root[b as usize] = root[root[b as usize] as usize];
+        b = root[b as usize];
+    }
+    b
+}
+
+fn join(root: &mut [u32], ends: [u32; 2]) {
+    let [a, b] = ends.map(|b| find(root, b));
+    root[a.max(b) as usize] = a.min(b);
+}
+
+/// Whether a point of a block will have left the margin of its block by the end of the coming step.
+fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> bool {
+    let (soft, count) = (&world.found.soft, world.alive.len());
+    let Some(deform) = world.deform.as_deref() else {
+        return false;
+    };
+    let search = &soft.search;
+    if search.margins.len() != count || search.moved.len() != deform.nodes.len() {
+        return true;
+    }
+    let leaves = |b: usize| {
+        let margin = search.margins[b];
+        let beyond = |way: f64| way > margin || way.is_nan();
+        match deform.body(b) {
+            Some(body) => body.nodes().any(|n| {
+                let now = Vec3::from_array(deform.nodes.moved[n]);
+                let rate = Vec3::from_array(deform.nodes.rate[n]);
+                let then = Vec3::from_array(search.moved[n]);
+                beyond((now - then).length() + dt * rate.length())
+            }),
+            None => {
+                let radius = world.solid_of(b).radius;
+                let way = moved(&search.poses[b], &world.pose(b), radius);
+                beyond(way + dt * speed(world, b))
+            }
+        }
+    };
+    outside.clear();
+    outside.resize(count.div_ceil(CHUNK), false);
+    exec.ranges(count, outside, |mut range, outside| {
+        *outside = range.any(|b| soft.roles[b] != Role::Absent && leaves(b));
+    });
+    outside.contains(&true)
+}
+
+/// Bound of the speed of the points of a rigid block, m/s.
+pub(super) fn speed(world: &World, b: usize) -> f64 {
+    world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
+}
+
+/// Largest speed of the points of a block, m/s.
+pub(super) fn fastest(world: &World, deform: &Deform, b: usize) -> f64 {
+    match deform.body(b) {
+        Some(body) => deform.nodes.rate[body.nodes()]
+            .iter()
+            .map(|v| Vec3::from_array(*v).length())
+            .fold(0.0, f64::max),
+        None => speed(world, b),
+    }
+}
+
+/// Takes over where everything is now.
+fn take_over(world: &mut World) {
+    let Some(deform) = world.deform.as_deref() else {
+        return;
+    };
+    let roles = &world.found.soft.roles;
+    let there = |b: &usize| roles[*b] != Role::Absent;
+    let count = world.alive.len();
+    let mut radii: Vec<f64> = (0..count)
+        .filter(there)
+        .map(|b| world.solid_of(b).radius)
+        .collect();
+    let middle = radii.len() / 2;
+    let median = if radii.is_empty() {
+        0.0
+    } else {
+        *radii.select_nth_unstable_by(middle, f64::total_cmp).1
+    };
+    let lookahead = LOOKAHEAD * world.last_dt;
+    let margin = |b: usize| {
+        let size = world.solid_of(b).radius.min(2.0 * median);
+        (fastest(world, deform, b) * lookahead)
+            .min(FAST_MARGIN * size)
+            .max(MARGIN * size)
+    };
+    let search = SoftSearch {
+        moved: deform.nodes.moved.clone(),
+        poses: (0..count).map(|b| world.pose(b)).collect(),
+        margins: (0..count).map(margin).collect(),
+    };
+    world.found.soft.search = search;
+}
+
+/// Box of a block at the last look, grown by its margin.
+fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
+    let search = &world.found.soft.search;
+    let mut around = Box3::EMPTY;
+    let mut add = |at: Vec3| {
+        around.low = around.low.min(at);
+        around.high = around.high.max(at);
+    };
+    match deform.body(b) {
+        Some(body) => {
+            for n in body.nodes() {
+                add(deform.nodes.place[n] + Vec3::from_array(search.moved[n]));
+            }
+        }
+        None => {
+            let pose = &search.poses[b];
+            let turn = Mat3::from_quat(pose.rotation);
+            let half = world.solid_of(b).half;
+            let reach = turn.x_axis.abs() * half.x
+                + turn.y_axis.abs() * half.y
+                + turn.z_axis.abs() * half.z;
+            add(pose.position - reach);
+            add(pose.position + reach);
+        }
+    }
+    let margin = Vec3::splat(search.margins[b]);
+    Box3 {
+        low: around.low - margin,
+        high: around.high + margin,
+    }
+}
+
+/// Makes the list of pairs of the state, and what follows from it.
+fn rebuild(world: &mut World, scratch: &mut Scratch) {
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
+    else {
+        return;
+    };
+    let desk = &mut scratch.soft;
+    let roles = &world.found.soft.roles;
+    desk.boxes.clear();
+    desk.boxes.extend((0..roles.len()).map(|b| match roles[b] {
+        Role::Absent => Box3::EMPTY,
+        Role::Target | Role::Seeker => grown_box(world, deform, b),
+    }));
+    let facets = deform.facets.iter().filter(|f| !f.parted);
+    let ends = facets
+        .map(|f| f.blocks)
+        .chain(world.patches.ends.iter().copied());
+    let mut joined: Vec<[u32; 2]> = ends.map(|[i, j]| [i.min(j), i.max(j)]).collect();
+    joined.sort_unstable();
+    let close = desk.grid.close_pairs(
+        &desk.boxes,
+        roles,
+        |i, j| {
+            let ends = [i, j].map(|b| b as usize);
+            ends.iter().all(|b| deform.body(*b).is_none())
+                || ends.iter().all(|b| !world.is_free(*b))
+                || joined.binary_search(&[i, j]).is_ok()
+        },
+        &scratch.exec,
+    );
+    let mut old = std::mem::take(&mut world.found.soft.pairs)
+        .into_iter()
+        .peekable();
+    let mut pairs = Vec::with_capacity(close.len());
+    let works = &mut world.works;
+    let mut lost = |pair: SoftPair| {
+        works.friction += pair.stored;
+        works.edit_defect -= pair.energy;
+    };
+    for &ends in close {
+        while let Some(gone) = old.next_if(|pair| pair.ends < ends) {
+            lost(gone);
+        }
+        let fresh = SoftPair {
+            ends,
+            ..SoftPair::default()
+        };
+        pairs.push(old.next_if(|pair| pair.ends == ends).unwrap_or(fresh));
+    }
+    old.for_each(lost);
+    world.found.soft.pairs = pairs;
+    lay_out(world, work, desk);
+    if deform.relax.is_some() {
+        work.fictitious = relax::masses(deform, &work.kinds);
+        weigh(deform, desk, &mut work.fictitious);
+    }
+    // Rigid blocks that are no longer in a pair keep nothing of what pushed them.
+    scratch.pushes.own.blocks.clear();
+    scratch.tiles.make_rows(world);
+    scratch.soft.ready = true;
+}
+
+/// What follows from the list of pairs.
+fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
+    let Some(deform) = world.deform.as_deref() else {
+        return;
+    };
+    let pairs = &world.found.soft.pairs;
+    let mut blocks: Vec<u32> = pairs.iter().flat_map(|p| p.ends).collect();
+    blocks.sort_unstable();
+    blocks.dedup();
+    desk.members = blocks
+        .iter()
+        .map(|b| member(world, deform, work, *b))
+        .collect();
+    desk.stars.clear();
+    desk.stars.resize_with(blocks.len(), Star::default);
+    let place = |b: u32| blocks.partition_point(|other| *other < b) as u32;
+    let members = &desk.members;
+    desk.constants = pairs
+        .iter()
+        .map(|pair| {
+            let places = pair.ends.map(place);
+            let two = places.map(|k| &members[k as usize]);
+            let peaks = two.map(|m| m.peak);
+            let rigid = two.map(|m| m.body.is_none());
+            // Looked at when the model was built; NaN would stop the run at once.
+            let law = super::between(&world.setup, pair.ends, rigid, peaks).unwrap_or(
+                crate::found::ContactLaw {
+                    normal_stiffness: f64::NAN,
+                    shear_stiffness: f64::NAN,
+                    friction: 0.0,
+                    cohesion: 0.0,
+                    damping_ratio: 0.0,
+                },
+            );
+            PairConstants {
+                law,
+                members: places,
+                peak: peaks[0].min(peaks[1]),
+            }
+        })
+        .collect();
+    desk.slots.clear();
+    desk.slots.extend(desk.constants.iter().map(|c| {
+        let room = |k: u32| {
+            let body = members[k as usize].body;
+            let count = body.map_or(2, |k| deform.bodies[k as usize].count);
+            vec![Vec3::ZERO; count as usize]
+        };
+        PairSlot {
+            forces: c.members.map(room),
+            ..PairSlot::default()
+        }
+    }));
+    desk.rooms
+        .resize_with(pairs.len().div_ceil(CHUNK), PairRoom::default);
+}
+
+fn member(world: &World, deform: &Deform, work: &Workspace, block: u32) -> Member {
+    let Some(body) = deform.body(block as usize) else {
+        let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
+        let mesh = Tetrahedra::new(&solid).ok();
+        let largest = (0..solid.faces.len())
+            .map(|f| solid.area_vector(f).length())
+            .fold(0.0, f64::max);
+        return Member {
+            block,
+            body: None,
+            peak: mesh.as_ref().map_or(f64::NAN, peak),
+            mesh,
+            largest,
+            areas: Vec::new(),
+            ease: world.freedoms(block as usize)[0].max_element()
+                / world.solid_of(block as usize).mass,
+            own: 0.0,
+        };
+    };
+    let kind = work.kind(body);
+    let (areas, largest) = shown(kind);
+    let ratios = areas.iter().zip(kind.masses()).map(|(a, m)| a / m);
+    let ease = ratios.fold(0.0, f64::max);
+    Member {
+        block,
+        body: Some(deform.slot[block as usize]),
+        mesh: None,
+        peak: peak(&kind.mesh),
+        largest,
+        areas,
+        ease,
+        own: own_frequency(kind, body),
+    }
+}
+
+/// Area that each node stands for and that of the largest face, m².
+fn shown(kind: &Kind) -> (Vec<f64>, f64) {
+    let mut areas = vec![0.0; kind.mesh.nodes.len()];
+    let mut largest = 0.0_f64;
+    for face in 0..kind.faces.len() {
+        let mut whole = 0.0;
+        for (node, area) in kind.mesh.tributary(face) {
+            areas[node as usize] += area;
+            whole += area;
+        }
+        largest = largest.max(whole);
+    }
+    (areas, largest)
+}
+
+/// Bound of the square of the highest frequency of a block by itself (Gershgorin), 1/s².
+fn own_frequency(kind: &Kind, body: &Body) -> f64 {
+    debug_assert_eq!(kind.mesh.nodes.len(), body.count as usize);
+    let sums = crate::laws::tetrahedron::row_sums(&kind.mesh, &kind.law);
+    let ratios = sums.iter().zip(kind.masses()).map(|(sum, m)| sum / m);
+    ratios.fold(0.0, f64::max)
+}
+
+/// Adds to the fictitious masses of a relaxing phase (kg) what contacts ask for: as bonds of the same stiffness on all of the surface
+/// would, with the largest sum in a row of `kn n nᵀ + ks (1 - n nᵀ)`.
+fn weigh(deform: &Deform, desk: &CellDesk, fictitious: &mut [f64]) {
+    let mut stiffness = vec![0.0_f64; desk.members.len()];
+    for constants in &desk.constants {
+        let law = &constants.law;
+        for member in constants.members {
+            let most = &mut stiffness[member as usize];
+            *most = most.max(law.normal_stiffness.max(law.shear_stiffness));
+        }
+    }
+    for (member, stiffness) in desk.members.iter().zip(stiffness) {
+        let Some(body) = member.body else {
+            continue;
+        };
+        let nodes = deform.bodies[body as usize].nodes();
+        for (mass, area) in fictitious[nodes].iter_mut().zip(&member.areas) {
+            *mass += relax::MARGIN / 4.0 * 2.0 * ROWS * stiffness * area;
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! Deformable blocks that meet: energy, momenta, rest, sliding, parting; threads and restart.
+
+use riprap_geom::polyhedron::Polyhedron;
+use riprap_geom::{Quat, Vec3};
+
+use crate::dynamics::damping::Damping;
+use crate::exec::Exec;
+use crate::setup::deform::{
+    BondFailure, BondLaw, DeformableSet, Deformables, Strain, Strength as BondStrength,
+};
+use crate::setup::{
+    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Material, Motion, Points, Setup,
+    Shape, Solid, Stiffness, Strength, Support,
+};
+use crate::state::deform::Masses;
+use crate::state::scratch::Scratch;
+use crate::step;
+use crate::view::View;
+use crate::world::World;
+
+fn spec(shape: Shape) -> BlockSpec {
+    BlockSpec {
+        name: BlockName { base: 0, number: 0 },
+        shape,
+        material: 0,
+        velocity: Vec3::ZERO,
+        spin: Vec3::ZERO,
+    }
+}
+
+fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
+    let half = 0.5 * Vec3::from_array(size);
+    let centre = Vec3::from_array(low) + half;
+    spec(Shape::Brick { centre, half })
+}
+
+/// A cube of a metre, turned.
+fn cube(centre: Vec3, turn: Quat) -> BlockSpec {
+    let solid = Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5));
+    spec(Shape::Polyhedron(Box::new(Solid {
+        vertices: solid.vertices.iter().map(|v| centre + turn * *v).collect(),
+        faces: solid.faces,
+    })))
+}
+
+/// Blocks of E = 100 MPa, nu = 0.25, those named deformable; contact stiffness 1e9 and 5e8 Pa/m; all bonds without strength.
+fn model(blocks: Vec<BlockSpec>, soft: &[u32], friction: f64, damping: f64) -> Setup {
+    let mut setup = Setup {
+        names: vec!["rock".into()],
+        blocks,
+        pair_table: vec![0],
+        found_contacts: true,
+        ..Setup::default()
+    };
+    setup.materials.push(Material {
+        name: "rock".into(),
+        density: 2500.0,
+        young: Some(1e8),
+        poisson: Some(0.25),
+    });
+    setup.interfaces.push(Interface {
+        name: "default".into(),
+        joint: JointLaw {
+            stiffness: Stiffness::Given {
+                normal: 1e9,
+                shear: 5e8,
+            },
+            strength: Some(Strength {
+                cohesion: 0.0,
+                tension: 0.0,
+                friction,
+                residual_friction: friction,
+                residual_cohesion: 0.0,
+                dilation: 0.0,
+                dilation_end: 1.0,
+            }),
+            failure: Failure::Point,
+            points: Points::Gauss,
+            damping,
+            dashpots: Dashpots::Sticking,
+        },
+    });
+    setup.deform = Deformables {
+        sets: vec![DeformableSet {
+            blocks: soft.to_vec(),
+            strain: Strain::Large,
+            displacement: [None, None, None],
+            velocity: [None, None, None],
+        }],
+        bonds: vec![Some(BondLaw {
+            thickness: 1e-3,
+            moduli: Some([1e6, 5e5]),
+            strength: Some(BondStrength {
+                tension: 0.0,
+                cohesion: 0.0,
+                friction,
+                residual_friction: friction,
+            }),
+            cohesive: None,
+            failure: BondFailure::Spring,
+        })],
+        ..Deformables::default()
+    };
+    for (k, block) in setup.blocks.iter_mut().enumerate() {
+        block.name.number = k as u32 + 1;
+    }
+    setup
+}
+
+fn fixed(mut setup: Setup, blocks: &[u32]) -> Setup {
+    setup.supports.push(Support {
+        blocks: blocks.to_vec(),
+        motion: Motion::Fixed {
+            translation: [true; 3],
+            rotation: [true; 3],
+        },
+    });
+    setup
+}
+
+struct Run {
+    world: World,
+    scratch: Scratch,
+    dt: f64,
+}
+
+impl Run {
+    fn new(setup: Setup, threads: usize, dt: f64) -> Self {
+        let (mut world, _) = World::new(setup, Exec::serial()).unwrap();
+        if let Some(deform) = world.deform.as_deref_mut() {
+            deform.masses = Masses::Inertia;
+        }
+        let scratch = Scratch::new(&mut world, Exec::new(threads).unwrap());
+        Self { world, scratch, dt }
+    }
+
+    fn evaluate(&mut self) {
+        let damping = Damping::default();
+        step::evaluate(&mut self.world, &mut self.scratch, &damping, self.dt).unwrap();
+    }
+
+    fn until(&mut self, time: f64) {
+        self.watch(time, |_| {});
+    }
+
+    fn watch(&mut self, time: f64, mut look: impl FnMut(&Self)) {
+        self.evaluate();
+        while self.world.time < time - 0.5 * self.dt {
+            if self.world.start_energy.is_none() {
+                self.world.start_energy = Some(self.view().balance().total());
+            }
+            step::advance(&mut self.world, &mut self.scratch, self.dt);
+            self.evaluate();
+            look(self);
+        }
+    }
+
+    fn view(&self) -> View<'_> {
+        View {
+            world: &self.world,
+            scratch: &self.scratch,
+        }
+    }
+
+    fn residual(&self) -> f64 {
+        self.view().balance().residual_relative()
+    }
+}
+
+/// Two deformable cubes that come together at 10 m/s: largest error of the energy over the energy, and drift of the momenta.
+fn collision(turn: Quat, dt: f64) -> [f64; 3] {
+    let mut blocks = vec![
+        cube(Vec3::ZERO, Quat::IDENTITY),
+        cube(Vec3::new(0.15, 0.2, 1.45), turn),
+    ];
+    blocks[0].velocity = Vec3::new(0.0, 0.0, 5.0);
+    blocks[1].velocity = Vec3::new(0.0, 0.0, -5.0);
+    let mut run = Run::new(model(blocks, &[0, 1], 0.0, 0.0), 1, dt);
+    run.evaluate();
+    let start = run.view().kinetic_energy();
+    let spin = |run: &Run| run.view().angular_momentum();
+    let before = spin(&run);
+    let (mut worst, mut pressed, mut turned) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let mut drift = 0.0_f64;
+    run.watch(0.16, |run| {
+        let balance = run.view().balance();
+        worst = worst.max((balance.residual() / start).abs());
+        pressed = pressed.max(balance.contact_normal / start);
+        drift = drift.max(run.view().momentum().length() / (2500.0 * 10.0));
+        turned = turned.max((spin(run) - before).length() / (2500.0 * 10.0));
+    });
+    // They have touched and are apart again.
+    assert!(pressed > 0.1, "{pressed}");
+    assert!(run.world.found.soft.pairs.iter().all(|p| p.depth == 0.0));
+    [worst, drift, turned]
+}
+
+#[test]
+fn elastic_collisions_keep_energy_and_momenta() {
+    let turns = [
+        Quat::from_rotation_arc(Vec3::ONE.normalize(), -Vec3::Z),
+        Quat::from_rotation_x(0.9),
+        Quat::from_scaled_axis(Vec3::new(0.3, -0.7, 0.5)),
+    ];
+    for turn in turns {
+        let found = [4e-5, 2e-5].map(|dt| collision(turn, dt));
+        println!("{found:?}");
+        let [[worst, drift, spin], [finer, ..]] = found;
+        assert!(worst < 1e-5, "{worst:e}");
+        assert!((worst / finer - 4.0).abs() < 0.6, "{worst:e} {finer:e}");
+        assert!(drift < 1e-13, "{drift:e}");
+        assert!(spin < 1e-12, "{spin:e}");
+    }
+}
+
+#[test]
+fn a_cube_comes_to_rest_with_its_weight_on_a_rigid_floor() {
+    let blocks = vec![
+        brick([-2.0, -2.0, -0.5], [4.0, 4.0, 0.5]),
+        brick([-0.1, 0.15, 0.02], [0.5; 3]),
+    ];
+    let mut setup = fixed(model(blocks, &[1], 0.5, 0.3), &[0]);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut run = Run::new(setup, 1, 5e-5);
+    let mut deepest = 0.0_f64;
+    run.watch(1.0, |run| {
+        for pair in &run.world.found.soft.pairs {
+            deepest = deepest.max(pair.depth);
+        }
+    });
+    assert!(deepest > 1e-5, "it has landed: {deepest}");
+    let weight = 2500.0 * 0.125 * 9.81;
+    // The block itself swings on with nothing to damp it: mean over a while.
+    let (mut sum, mut count) = (0.0, 0);
+    run.watch(1.3, |run| {
+        sum += run.world.found.soft.pairs[0].force.z;
+        count += 1;
+    });
+    let mean = sum / f64::from(count);
+    assert!((mean / weight - 1.0).abs() < 0.02, "{mean} {weight}");
+    let height = run.view().position(1).z;
+    assert!((height - 0.25).abs() < 3e-4, "{height}");
+    assert!(run.residual().abs() < 5e-4, "{:e}", run.residual());
+    assert!(run.world.works.damping > 0.0);
+}
+
+/// A cube that lies on another one, joined without strength, slides off its edge and falls.
+#[test]
+fn a_cube_that_slides_off_another_one_falls() {
+    let mut blocks = vec![
+        brick([0.0, 0.0, 0.0], [0.5; 3]),
+        brick([0.0, 0.0, 0.5], [0.5; 3]),
+    ];
+    blocks[1].velocity = Vec3::new(4.0, 0.0, 0.0);
+    let mut setup = fixed(model(blocks, &[0, 1], 0.1, 0.0), &[0]);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut run = Run::new(setup, 1, 5e-5);
+    let mut highest = 0.0_f64;
+    run.watch(0.1, |run| {
+        highest = highest.max(run.view().displacement(1).z);
+    });
+    let deform = run.world.deform.as_deref().unwrap();
+    assert!(deform.facets.iter().all(|f| f.parted));
+    assert!(highest < 2e-3, "{highest}");
+    run.until(0.6);
+    let moved = run.view().displacement(1);
+    assert!(moved.z < -0.3, "{moved}");
+    assert!(moved.x > 1.5, "{moved}");
+    assert!(run.residual().abs() < 1e-3, "{:e}", run.residual());
+}
+
+#[test]
+fn friction_stops_a_cube_that_slides_on_a_rigid_floor() {
+    let mut blocks = vec![
+        brick([-1.0, -1.0, -0.5], [4.0, 2.0, 0.5]),
+        brick([-0.5, -0.2, 0.0], [0.4, 0.4, 0.2]),
+    ];
+    blocks[1].velocity = Vec3::new(2.0, 0.0, 0.0);
+    let mut setup = fixed(model(blocks, &[1], 0.5, 0.1), &[0]);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut run = Run::new(setup, 1, 5e-5);
+    run.until(0.6);
+    let way = run.view().displacement(1).x;
+    let wanted = 4.0 / (2.0 * 0.5 * 9.81);
+    assert!((way / wanted - 1.0).abs() < 0.03, "{way} {wanted}");
+    assert!(run.residual().abs() < 2e-3, "{:e}", run.residual());
+}
+
+/// Layers of cubes on a floor: the same bits with threads, and after a restart in the middle.
+#[test]
+fn threads_and_restart_change_no_bit() {
+    let setup = || {
+        let mut blocks = vec![brick([-3.0, -3.0, -0.5], [6.0, 6.0, 0.5])];
+        for k in 0..160_u32 {
+            let at = |p: u32| f64::from(p);
+            let (x, y, z) = (at(k % 8), at(k / 8 % 8), at(k / 64));
+            let low = [0.45 * x - 2.0 + 0.02 * z, 0.45 * y - 2.0, 0.001 + 0.302 * z];
+            let mut block = brick(low, [0.4, 0.3, 0.3]);
+            block.spin = Vec3::new(0.3 * y, -0.2 * x, 0.1 * z);
+            blocks.push(block);
+        }
+        let soft: Vec<u32> = (1..161).filter(|b| b % 5 != 0).collect();
+        let mut setup = fixed(model(blocks, &soft, 0.5, 0.2), &[0]);
+        setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+        setup
+    };
+    let mut one = Run::new(setup(), 1, 1e-4);
+    one.until(0.03);
+    let world = one.world.clone();
+    one.until(0.045);
+    let touching = one.world.found.soft.pairs.iter().filter(|p| p.depth > 0.0);
+    assert!(touching.count() > 30);
+    let mut two = Run::new(setup(), 2, 1e-4);
+    two.until(0.045);
+    assert!(one.world.hash() == two.world.hash(), "threads change bits");
+    let mut world = world;
+    let scratch = Scratch::new(&mut world, Exec::serial());
+    let mut again = Run {
+        world,
+        scratch,
+        dt: 1e-4,
+    };
+    again.until(0.045);
+    assert!(
+        one.world.hash() == again.world.hash(),
+        "a restart changes bits"
+    );
+    assert_eq!(one.world.works, again.world.works);
+}
+
+/// Bricks that are whole and joined find nothing, and keep nothing.
+#[test]
+fn a_whole_lattice_has_no_pairs() {
+    let blocks = (0..8).map(|k| {
+        let at = |bit: u32| f64::from(k >> bit & 1) * 0.5;
+        brick([at(0), at(1), at(2)], [0.5; 3])
+    });
+    let mut setup = model(blocks.collect(), &[0, 1, 2, 3, 4, 5, 6, 7], 0.5, 0.0);
+    if let Some(law) = &mut setup.deform.bonds[0] {
+        law.strength = None;
+    }
+    let mut run = Run::new(setup, 1, 1e-5);
+    run.until(1e-3);
+    assert!(run.world.found.soft.pairs.is_empty());
+    assert!(run.world.found.soft.search.moved.is_empty());
+}

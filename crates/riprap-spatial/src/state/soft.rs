@@ -1,0 +1,66 @@
+//! What is known of contacts that deformable blocks find anew in each step.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::found::{Pose, Role};
+
+/// Found contacts of deformable blocks with each other and with rigid ones.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SoftContacts {
+    /// Who can meet whom, per block.
+    pub roles: Vec<Role>,
+    /// What the list of pairs is made of.
+    pub search: SoftSearch,
+    /// Pairs of blocks that can touch, sorted by their blocks.
+    pub pairs: Vec<SoftPair>,
+    /// Longest step that these contacts allowed at the last evaluation, s; `None` before the first.
+    pub longest_step: Option<f64>,
+}
+
+/// Where everything was at the last look, and how far it may go until the next one.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SoftSearch {
+    /// Displacements of all nodes, m.
+    pub moved: Vec<[f64; 3]>,
+    /// Poses of all blocks, of use for rigid ones.
+    pub poses: Vec<Pose>,
+    /// How far a point of each block may move, m.
+    pub margins: Vec<f64>,
+}
+
+/// Two blocks that can touch, at least one of them deformable.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SoftPair {
+    /// The blocks; the smaller number first.
+    pub ends: [u32; 2],
+    /// Whether the pair has been evaluated before: what a new one stores already comes from an edit.
+    pub known: bool,
+    /// Springs along the contact.
+    pub memory: SoftMemory,
+    /// Energy in these springs, J.
+    pub stored: f64,
+    /// Energy of the pressure, J.
+    pub energy: f64,
+    /// Force of the first on the second at the last evaluation, N; 0 when apart.
+    pub force: Vec3,
+    /// How far the blocks lie in each other, m; 0 when apart.
+    pub depth: f64,
+}
+
+/// What a contact remembers from step to step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SoftMemory {
+    /// Shear force on the second block, N.
+    pub shear: Vec3,
+    /// Torsion on the second block about the normal, N m.
+    pub torsion: f64,
+    /// Unit normal of the last step, from the first to the second; zero before the first.
+    pub normal: Vec3,
+    /// Area of the last step, m².
+    pub area: f64,
+    /// Polar second moment of the area of the last step, m⁴.
+    pub polar: f64,
+    /// Whether it slid in the last step.
+    pub sliding: bool,
+}
