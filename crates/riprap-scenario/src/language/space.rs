@@ -52,7 +52,7 @@ pub struct Spatial {
     /// Periods of the model along x, y, z: a length, or `"none"`. Blocks at opposite ends are
     /// neighbours. Default none.
     pub periodic: Option<[Period; 3]>,
-    /// Whether rigid blocks that no joint joins are watched for contact, and press, slide and rebound where they meet.
+    /// Whether blocks that no joint joins are watched for contact, and press, slide and rebound where they meet.
     #[key(default = false)]
     pub found_contacts: Option<bool>,
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
