@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 use syn::{
-    Attribute, Data, DeriveInput, Error, Fields, GenericArgument, Ident, Lit, LitStr,
-    PathArguments, Result, Type,
+    Attribute, Data, DeriveInput, Error, Expr, ExprLit, Fields, GenericArgument, GenericParam,
+    Ident, Lit, LitStr, PathArguments, Result, Type, parse_quote,
 };
 
 use crate::docs::paragraphs;
@@ -20,8 +20,8 @@ enum Default {
     Spaces(String, String),
     /// The default variant of an enum of words.
     Word,
-    /// A number or a truth value.
-    Plain(Lit),
+    /// A number, a truth value or a list of them.
+    Plain(Expr),
 }
 
 /// One key.
@@ -35,6 +35,12 @@ struct Key<'a> {
     instead: Option<String>,
     /// Whether phases may change it.
     changes: bool,
+    /// Whether it is written down as it stands, components and all.
+    told: bool,
+    /// Lowest and highest whole number.
+    range: [Option<Expr>; 2],
+    /// The type whose schema is taken instead of its own.
+    schema_of: Option<Type>,
     /// Whether the file may leave it out.
     optional: bool,
     serde: Vec<&'a Attribute>,
@@ -56,7 +62,7 @@ pub fn derive(input: &DeriveInput) -> Result<TokenStream> {
     let keys: Vec<Key<'_>> = fields.named.iter().map(Key::new).collect::<Result<_>>()?;
     let (change, change_of) = table_attributes(input)?;
     let schema = schema(input, &keys, change_of.as_deref())?;
-    let read = read(&input.ident, &keys)?;
+    let read = read(input, &keys)?;
     let change = change.map(|(name, of)| changed_form(&name, &of, &keys));
     Ok(quote! { #schema #read #change })
 }
@@ -97,6 +103,9 @@ impl<'a> Key<'a> {
             space: None,
             instead: None,
             changes: false,
+            told: false,
+            range: [None, None],
+            schema_of: None,
             optional: inner(&field.ty, "Option").is_some(),
             serde: field
                 .attrs
@@ -112,6 +121,17 @@ impl<'a> Key<'a> {
                     } else if meta.path.is_ident("default") {
                         key.optional = true;
                     }
+                    Ok(())
+                })?;
+            } else if attribute.path().is_ident("schemars") {
+                attribute.parse_nested_meta(|meta| {
+                    if !meta.path.is_ident("with") {
+                        return Err(
+                            meta.error("only `with` is known; say the rest in `#[key(...)]`")
+                        );
+                    }
+                    let text = meta.value()?.parse::<LitStr>()?;
+                    key.schema_of = Some(text.parse::<Type>()?);
                     Ok(())
                 })?;
             } else if attribute.path().is_ident("key") {
@@ -132,8 +152,11 @@ impl<'a> Key<'a> {
             if path.is_ident("default") {
                 self.default = match meta.value() {
                     Err(_) => Default::Word,
-                    Ok(value) => match value.parse::<Lit>()? {
-                        Lit::Str(text) => Default::Text(text.value()),
+                    Ok(value) => match value.parse::<Expr>()? {
+                        Expr::Lit(ExprLit {
+                            lit: Lit::Str(text),
+                            ..
+                        }) => Default::Text(text.value()),
                         other => Default::Plain(other),
                     },
                 };
@@ -147,9 +170,15 @@ impl<'a> Key<'a> {
                 self.instead = Some(meta.value()?.parse::<LitStr>()?.value());
             } else if path.is_ident("changes") {
                 self.changes = true;
+            } else if path.is_ident("told") {
+                self.told = true;
+            } else if path.is_ident("min") {
+                self.range[0] = Some(meta.value()?.parse::<Expr>()?);
+            } else if path.is_ident("max") {
+                self.range[1] = Some(meta.value()?.parse::<Expr>()?);
             } else {
                 return Err(meta.error(
-                    "`default`, `planar`, `spatial`, `space`, `instead` or `changes` is expected",
+                    "`default`, `planar`, `spatial`, `space`, `instead`, `min`, `max`, `told` or `changes` is expected",
                 ));
             }
             Ok(())
@@ -177,11 +206,11 @@ impl<'a> Key<'a> {
             Default::Spaces(planar, spatial) => {
                 format!(" Default {planar} in `[space.planar]` and {spatial} in `[space.spatial]`.")
             }
-            Default::Plain(lit) => match lit {
-                Lit::Int(number) => format!(" Default {}.", number.base10_digits()),
-                Lit::Bool(value) => format!(" Default {}.", value.value),
-                _ => String::new(),
-            },
+            Default::Plain(Expr::Lit(ExprLit {
+                lit: Lit::Int(number),
+                ..
+            })) => format!(" Default {}.", number.base10_digits()),
+            Default::Plain(value) => return quote! { format!(" Default {:?}.", #value) },
             Default::Word => {
                 let ty = inner(self.ty, "Option").unwrap_or(self.ty);
                 return quote! {
@@ -205,7 +234,12 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Res
     }
     let change_of = option(change_of);
     let each = keys.iter().map(|key| {
-        let (ty, word, meaning, sentence) = (key.ty, &key.word, &key.meaning, key.sentence());
+        let ty = key.schema_of.as_ref().unwrap_or(key.ty);
+        let (word, meaning, sentence) = (&key.word, &key.meaning, key.sentence());
+        let range = key.range.iter().map(|end| match end {
+            Some(end) => quote! { Some::<u64>(#end) },
+            None => quote! { None },
+        });
         let (space, instead) = (option(key.space.as_deref()), option(key.instead.as_deref()));
         let required = !key.optional;
         let texts = key.texts();
@@ -219,16 +253,27 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Res
                 space: #space,
                 instead: #instead,
                 required: #required,
+                range: [#(#range),*],
             });
         }
     });
+    let mut generics = input.generics.clone();
+    for parameter in generics.type_params_mut() {
+        parameter.bounds.push(parse_quote!(::schemars::JsonSchema));
+    }
+    let (head, types, conditions) = generics.split_for_impl();
+    let of: Vec<&Ident> = generics.type_params().map(|p| &p.ident).collect();
     Ok(quote! {
-        impl ::schemars::JsonSchema for #name {
+        impl #head ::schemars::JsonSchema for #name #types #conditions {
+            // Types that differ in a parameter only get numbers behind this name.
             fn schema_name() -> ::std::borrow::Cow<'static, str> {
                 ::std::borrow::Cow::Borrowed(stringify!(#name))
             }
             fn schema_id() -> ::std::borrow::Cow<'static, str> {
-                ::std::borrow::Cow::Borrowed(concat!(module_path!(), "::", stringify!(#name)))
+                let parameters: &[::std::borrow::Cow<'static, str>] =
+                    &[#(<#of as ::schemars::JsonSchema>::schema_id()),*];
+                let id = concat!(module_path!(), "::", stringify!(#name));
+                ::std::borrow::Cow::Owned(format!("{id}<{}>", parameters.join(",")))
             }
             fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
                 let mut table = crate::read::TableSchema::new(#about, #change_of);
@@ -240,14 +285,25 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Res
 }
 
 /// The values of the table in SI, each written down when it is read.
-fn read(name: &Ident, keys: &[Key<'_>]) -> Result<TokenStream> {
+fn read(input: &DeriveInput, keys: &[Key<'_>]) -> Result<TokenStream> {
     let mut methods = Vec::new();
     for key in keys {
         methods.push(reader(key)?);
     }
+    let name = &input.ident;
+    let (plain, types, conditions) = input.generics.split_for_impl();
+    let values = keys.iter().filter_map(or_default);
+    let mut generics = input.generics.clone();
+    generics
+        .params
+        .insert(0, GenericParam::Lifetime(parse_quote!('said)));
+    let (head, _, _) = generics.split_for_impl();
     Ok(quote! {
-        impl crate::read::Read<'_, #name> {
+        impl #head crate::read::Read<'said, #name #types> #conditions {
             #(#methods)*
+        }
+        impl #plain #name #types #conditions {
+            #(#values)*
         }
     })
 }
@@ -300,12 +356,44 @@ fn reader(key: &Key<'_>) -> Result<Option<TokenStream>> {
                 self.word(#word, self.said().#ident)
             }
         },
-        (Default::Plain(lit), None, Some(inner)) => quote! {
+        (Default::Plain(value), None, Some(inner)) => quote! {
             #[doc = #doc]
             pub fn #ident(&mut self) -> #inner {
-                self.plain(#word, self.said().#ident, #lit)
+                self.plain(#word, self.said().#ident, #value)
             }
         },
+        (Default::None, None, None) if key.told => {
+            let doc = format!("`{word}` as it stands, written down.");
+            quote! {
+                #[doc = #doc]
+                pub fn #ident(&mut self) -> &'said #ty {
+                    let said = &self.said().#ident;
+                    self.told(#word, said);
+                    said
+                }
+            }
+        }
+        (Default::None, None, Some(inner)) if key.told => {
+            let doc = format!("`{word}` as it stands, if it does; written down.");
+            quote! {
+                #[doc = #doc]
+                pub fn #ident(&mut self) -> Option<&'said #inner> {
+                    let said = self.said().#ident.as_ref()?;
+                    self.told(#word, said);
+                    Some(said)
+                }
+            }
+        }
+        (Default::None, None, Some(inner)) if is_plain(inner) => {
+            let name = format_ident!("{}_or", ident);
+            let doc = format!("`{word}`, or a value that comes from elsewhere; written down.");
+            quote! {
+                #[doc = #doc]
+                pub fn #name(&mut self, value: #inner, from: crate::read::Provenance, why: &str) -> #inner {
+                    self.plain_or(#word, self.said().#ident, value, from, why)
+                }
+            }
+        }
         (Default::None, None, _) => return Ok(None),
         (_, _, _) => {
             return Err(Error::new_spanned(
@@ -314,6 +402,22 @@ fn reader(key: &Key<'_>) -> Result<Option<TokenStream>> {
             ));
         }
     }))
+}
+
+/// The value of a number, for those who do not build the model: nothing is written down.
+fn or_default(key: &Key<'_>) -> Option<TokenStream> {
+    let Default::Plain(value) = &key.default else {
+        return None;
+    };
+    let (ident, inner) = (key.ident, inner(key.ty, "Option")?);
+    let name = format_ident!("{}_or_default", ident);
+    let doc = format!("`{}`, default included.", key.word);
+    Some(quote! {
+        #[doc = #doc]
+        pub fn #name(&self) -> #inner {
+            self.#ident.unwrap_or(#value)
+        }
+    })
 }
 
 /// A method for a value that comes from elsewhere where the key is not given.
@@ -362,6 +466,14 @@ fn option(text: Option<&str>) -> TokenStream {
         Some(text) => quote! { Some(#text) },
         None => quote! { None },
     }
+}
+
+/// Whether a type is a truth value or a whole number.
+fn is_plain(ty: &Type) -> bool {
+    let Type::Path(path) = ty else { return false };
+    ["bool", "u8", "u32", "u64"]
+        .iter()
+        .any(|plain| path.path.is_ident(plain))
 }
 
 /// `T` of `Name<T>`.

@@ -26,15 +26,17 @@ pub fn words(input: TokenStream) -> TokenStream {
 /// field (or that of `#[serde(rename = "...")]`), its meaning the documentation. What else there is to say stands in
 /// `#[key(...)]`:
 ///
-/// - `default = "0 Pa"` for a quantity, `default = 3` for a number, `default` for an enum of words (its default variant),
-///   `planar = "0.2", spatial = "0.1"` for a quantity with a default in each space;
+/// - `default = "0 Pa"` for a quantity, `default = 3` for a number or a list, `default` for an enum of words (its default
+///   variant), `planar = "0.2", spatial = "0.1"` for a quantity with a default in each space;
 /// - `space = "planar"`: the only space that has the key, `instead = "..."`: what to do in the other one;
+/// - `min = 3`, `max = 1000`: the range of a whole number;
+/// - `told`: it is written down as it stands, for values with components;
 /// - `changes`: phases may change it.
 ///
 /// The sentence about the default is added to the documentation. Implements `schemars::JsonSchema` and, for
 /// `read::Read` of the table, a method for each key that gives its SI value, default included, and writes down where it
 /// came from. `#[keys(change = Name, path = "interfaces.*")]` makes the struct `Name` of the keys that phases may change.
-#[proc_macro_derive(Keys, attributes(key, keys))]
+#[proc_macro_derive(Keys, attributes(key, keys, schemars))]
 pub fn keys(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
     keys::derive(&input)

@@ -410,7 +410,26 @@ fn quantity_schema<K: Kind>() -> Schema {
         }
         None => "A number with a unit; the unit must suit what it is compared with.".to_owned(),
     };
-    json_schema!({ "type": ["string", "number"], "description": description })
+    let mut schema = json_schema!({ "type": ["string", "number"], "description": description });
+    let bounds = K::BOUNDS;
+    // Of bare numbers, which are SI; in texts the unit decides.
+    for (end, closed, word, open_word) in [
+        (bounds.low, bounds.low_closed, "minimum", "exclusiveMinimum"),
+        (
+            bounds.high,
+            bounds.high_closed,
+            "maximum",
+            "exclusiveMaximum",
+        ),
+    ] {
+        if end.is_finite() {
+            schema.insert(
+                (if closed { word } else { open_word }).to_owned(),
+                end.into(),
+            );
+        }
+    }
+    schema
 }
 
 /// First letter in upper case.
@@ -419,4 +438,30 @@ fn capital(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bare_numbers_have_their_range_in_the_schema() {
+        let range = |schema: Schema| {
+            let words = ["minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"];
+            words.map(|word| schema.get(word).and_then(serde_json::Value::as_f64))
+        };
+        assert_eq!(
+            range(quantity_schema::<Poisson>()),
+            [None, Some(-1.0), None, Some(0.5)]
+        );
+        assert_eq!(
+            range(quantity_schema::<Share>()),
+            [None, Some(0.0), Some(1.0), None]
+        );
+        assert_eq!(
+            range(quantity_schema::<FrictionAngle>()),
+            [Some(0.0), None, None, Some(RIGHT_ANGLE)]
+        );
+        assert_eq!(range(quantity_schema::<Length>()), [None; 4]);
+    }
 }

@@ -3,16 +3,17 @@
 //! `#[derive(Keys)]` makes the methods of [`Read`] from the keys of a table: what is read is written down once, at the
 //! place where it is used, and a default stands once, at the key.
 
-use std::fmt::Display;
+use std::fmt::Debug;
 
 use riprap_keys::Words;
 use schemars::Schema;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
+use crate::language::Period;
 use crate::quantity::{Kind, Quantity};
 use crate::units::Dim;
-use crate::vectors::InSpace;
+use crate::vectors::{Components, Form, InSpace};
 
 /// Where a value came from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -125,8 +126,13 @@ impl<'a, T> Read<'a, T> {
 
     /// Writes down a value of this table.
     pub fn note(&mut self, word: &str, value: impl Into<String>, from: Provenance, why: &str) {
+        let key = if self.path.is_empty() {
+            word.to_owned()
+        } else {
+            format!("{}.{word}", self.path)
+        };
         self.explained.push(Explained {
-            key: format!("{}.{word}", self.path),
+            key,
             value: value.into(),
             from,
             why: why.to_owned(),
@@ -186,16 +192,57 @@ impl<'a, T> Read<'a, T> {
         value
     }
 
-    pub(crate) fn plain<V: Display + Copy>(
+    /// Truth values, whole numbers, and lists of them: their debug form is how the file says them.
+    pub(crate) fn plain<V: Debug + Copy>(&mut self, word: &str, given: Option<V>, default: V) -> V {
+        self.plain_or(word, given, default, Provenance::Default, "")
+    }
+
+    pub(crate) fn plain_or<V: Debug + Copy>(
         &mut self,
         word: &str,
         given: Option<V>,
-        default: V,
+        value: V,
+        from: Provenance,
+        why: &str,
     ) -> V {
-        let value = given.unwrap_or(default);
-        let from = Provenance::given(given.is_some());
-        self.note(word, value.to_string(), from, "");
+        let (value, from, why) = given.map_or((value, from, why), |v| (v, Provenance::Given, ""));
+        self.note(word, format!("{value:?}"), from, why);
         value
+    }
+
+    pub(crate) fn told(&mut self, word: &str, said: &impl Told) {
+        self.note(word, said.told(), Provenance::Given, "");
+    }
+}
+
+/// A value that is written down as it stands in the file.
+pub trait Told {
+    /// As it stands.
+    fn told(&self) -> String;
+}
+
+impl<K: Kind> Told for Quantity<K> {
+    fn told(&self) -> String {
+        self.raw.to_string()
+    }
+}
+
+impl Told for Period {
+    fn told(&self) -> String {
+        self.raw.to_string()
+    }
+}
+
+impl<K: Kind, F: Form> Told for Components<K, F> {
+    fn told(&self) -> String {
+        self.raw()
+    }
+}
+
+impl<T: Told, const N: usize> Told for [T; N] {
+    fn told(&self) -> String {
+        let parts = self.each_ref().map(Told::told);
+        format!("[{}]", parts.join(", "))
     }
 }
 
@@ -226,6 +273,8 @@ pub(crate) struct KeySchema {
     /// What to do in the other space.
     pub instead: Option<&'static str>,
     pub required: bool,
+    /// Lowest and highest whole number.
+    pub range: [Option<u64>; 2],
 }
 
 /// JSON schema of a table with fixed keys.
@@ -264,6 +313,11 @@ impl TableSchema {
             }
             if let Some(instead) = key.instead {
                 object.insert("x-instead".to_owned(), json!(instead));
+            }
+            for (word, end) in ["minimum", "maximum"].into_iter().zip(key.range) {
+                if let Some(end) = end {
+                    object.insert(word.to_owned(), json!(end));
+                }
             }
         }
         self.keys.insert(key.word.to_owned(), schema);

@@ -102,7 +102,7 @@ pub struct Triangle<K: Kind> {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CsvFunction {
-    /// Path of the CSV file, seen from the scenario file.
+    /// Path of the CSV file.
     pub file: Name,
     /// Name of the column with the time in seconds; must grow.
     pub time: Name,

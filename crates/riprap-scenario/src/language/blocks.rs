@@ -1,5 +1,6 @@
 //! Blocks and generators of blocks.
 
+use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -12,10 +13,13 @@ use crate::quantity::{
     Vector, Velocity,
 };
 
+/// Most blocks that one generator may make.
+pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
+
 /// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
 /// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
 /// `grid`, `polyhedron` or `mesh`, which `cut` may divide.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
     /// Name of the block, once in the file. Blocks of a generator or of `copies` are called
@@ -27,51 +31,57 @@ pub struct Block {
     /// Name of the material, from `[materials]`.
     pub material: Name,
     /// A polygon by its corners, in the file or from a CSV file.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub polygon: Option<Polygon>,
     /// Polygons of a drawing or a tessellation, each a block.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `mesh`"))]
+    #[key(space = "planar", instead = "use `mesh`")]
     pub polygons: Option<Polygons>,
     /// A rectangle with sides along x and y.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub rectangle: Option<Rectangle>,
     /// A regular polygon.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub regular: Option<Regular>,
     /// A wall of rectangular blocks.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub wall: Option<Wall>,
     /// A circular arch of wedge-shaped blocks.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub arch: Option<Arch>,
     /// Joints that divide: in the plane a region, in space every block of the shape beside it (`brick`,
     /// `grid`, `polyhedron` or `mesh`).
     pub cut: Option<Cut>,
     /// A region divided into random cells.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub voronoi: Option<Voronoi>,
     /// Random convex polygons, apart from each other, to be poured.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `brick`, `grid` or `polyhedron`"))]
+    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub pour: Option<Pour>,
     /// A box with faces normal to the axes.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use a polygon, for example `rectangle`"))]
+    #[key(space = "spatial", instead = "use a polygon, for example `rectangle`")]
     pub brick: Option<Brick>,
     /// A region filled with equal bricks.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `wall`, `cut` or `voronoi`"))]
+    #[key(space = "spatial", instead = "use `wall`, `cut` or `voronoi`")]
     pub grid: Option<Grid>,
     /// A convex polyhedron.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `polygon`"))]
+    #[key(space = "spatial", instead = "use `polygon`")]
     pub polyhedron: Option<Polyhedron>,
     /// Cells of a mesh of Gmsh, a tessellation of Neper or surfaces in STL.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `voronoi` or `cut`"))]
+    #[key(space = "spatial", instead = "use `voronoi` or `cut`")]
     pub mesh: Option<Mesh>,
     /// How the blocks deform. Default rigid.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "leave it out: blocks of the plane are rigid"))]
+    #[key(
+        space = "spatial",
+        instead = "leave it out: blocks of the plane are rigid"
+    )]
     pub mechanics: Option<Mechanics>,
     /// Repeats a single shape at equal steps.
     pub copies: Option<Copies>,
     /// Turns the shape after it was made.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "give the corners of a `polyhedron` in their final places"))]
+    #[key(
+        space = "planar",
+        instead = "give the corners of a `polyhedron` in their final places"
+    )]
     pub rotate: Option<Rotate>,
     /// Moves the shape after it was made and turned, m. Default no shift.
     pub shift: Option<Vector<Length>>,
@@ -195,12 +205,12 @@ impl Block {
 pub enum Polygon {
     /// Corners [x, y], m, in order along the boundary; the last is joined to the first.
     Points(Vec<Point>),
-    /// Path of a CSV file, seen from the scenario file, with columns `x_m` and `y_m`.
+    /// Path of a CSV file, with columns `x_m` and `y_m`.
     Csv(Name),
 }
 
 /// A rectangle with sides along x and y. Give `corner` or `centre`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
     /// Width and height, m.
@@ -212,10 +222,11 @@ pub struct Rectangle {
 }
 
 /// A regular polygon standing on an edge.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Regular {
     /// Number of sides, 3 to 1000.
+    #[key(min = 3, max = 1000)]
     pub sides: u32,
     /// Distance of the corners from the centre, m.
     pub radius: Quantity<PositiveLength>,
@@ -224,7 +235,7 @@ pub struct Regular {
 }
 
 /// A wall of rectangular blocks.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Wall {
     /// Lower left corner of the wall [x, y], m.
@@ -232,10 +243,13 @@ pub struct Wall {
     /// Width and height of one block, m.
     pub block: [Quantity<PositiveLength>; 2],
     /// Number of rows, at least 1.
+    #[key(min = 1, max = MAX_BLOCKS)]
     pub courses: u32,
     /// Number of whole blocks in a row, at least 1.
+    #[key(min = 1, max = MAX_BLOCKS)]
     pub per_course: u32,
-    /// How the rows stand on each other. Default `running`.
+    /// How the rows stand on each other.
+    #[key(default)]
     pub bond: Option<WallBond>,
     /// Whether every second row of a `running` wall is closed by half blocks at its ends.
     /// Default false.
@@ -244,9 +258,9 @@ pub struct Wall {
 }
 
 /// How rows of a wall stand on each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
 pub enum WallBond {
+    #[default]
     /// Every second row is shifted by half a block.
     Running,
     /// Blocks stand exactly on each other.
@@ -254,7 +268,7 @@ pub enum WallBond {
 }
 
 /// A circular arch.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Arch {
     /// Centre of the circle [x, y], m.
@@ -266,26 +280,31 @@ pub struct Arch {
     /// Angle from the crown to a springing: 90 deg is a half circle.
     pub half_angle: Quantity<HalfAngle>,
     /// Number of blocks (voussoirs), at least 1.
+    #[key(min = 1, max = 100_000)]
     pub voussoirs: u32,
 }
 
 /// Joints that divide a region of the plane, or blocks in space: sets of them, or one by one.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Cut {
     /// Corners of the region [x, y], m.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "give the shape beside `cut`: `brick`, `grid`, `polyhedron` or `mesh`"))]
+    #[key(
+        space = "planar",
+        instead = "give the shape beside `cut`: `brick`, `grid`, `polyhedron` or `mesh`"
+    )]
     pub region: Option<Vec<Point>>,
     /// The sets of joints.
     #[serde(default)]
     pub joint_sets: Vec<JointSet>,
     /// Joints one by one, as they were mapped.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `joints`"))]
+    #[key(space = "planar", instead = "use `joints`")]
     pub traces: Option<Traces>,
     /// Joints one by one: planes, or disks. They cut before the sets do.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `traces`"))]
+    #[key(space = "spatial", instead = "use `traces`")]
     pub joints: Option<JointPlanes>,
-    /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
+    /// Seed of the random numbers: the same seed gives the same blocks.
+    #[key(default = 1)]
     pub seed: Option<u64>,
     /// Blocks with a shorter edge are reported as slivers and healed where possible, m. In space a joint does not
     /// cut a block of which a thinner part would come off. Default: only reported, at 1/50 of the median edge.
@@ -293,50 +312,56 @@ pub struct Cut {
 }
 
 /// A region divided into random (Voronoi) cells.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Voronoi {
     /// Corners of the region [x, y], m.
     pub region: Vec<Point>,
     /// Side of a square with the mean area of a cell, m.
     pub cell_size: Quantity<PositiveLength>,
-    /// Seed of the random numbers: the same seed gives the same cells. Default 1.
+    /// Seed of the random numbers: the same seed gives the same cells.
+    #[key(default = 1)]
     pub seed: Option<u64>,
     /// Rounds of moving each seed point to the centroid of its cell: more rounds, more regular
-    /// cells. Default 2.
+    /// cells.
+    #[key(default = 2, max = 1000)]
     pub relax: Option<u32>,
     /// Shorter edges are reported and healed where possible, m. Default: only reported.
     pub smallest_edge: Option<Quantity<NotNegativeLength>>,
 }
 
 /// Random convex polygons without overlap in a rectangle.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Pour {
     /// Lower left and upper right corner of the rectangle, m.
     pub region: [Point; 2],
     /// Number of blocks, at least 1.
+    #[key(min = 1, max = MAX_BLOCKS)]
     pub count: u32,
     /// Smallest and largest diameter of a block, m.
     pub size: [Quantity<PositiveLength>; 2],
-    /// Smallest and largest number of corners, each 3 to 100. Default [4, 7].
+    /// Smallest and largest number of corners, each 3 to 100.
+    #[key(default = [4, 7])]
     pub vertices: Option<[u32; 2]>,
-    /// Seed of the random numbers: the same seed gives the same blocks. Default 1.
+    /// Seed of the random numbers: the same seed gives the same blocks.
+    #[key(default = 1)]
     pub seed: Option<u64>,
 }
 
 /// Repeats a single shape.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Copies {
     /// Number of blocks in all, at least 1.
+    #[key(min = 1, max = MAX_BLOCKS)]
     pub count: u32,
     /// From one block to the next, m.
     pub step: Vector<Length>,
 }
 
 /// Turns a shape.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Rotate {
     /// Angle, anticlockwise.

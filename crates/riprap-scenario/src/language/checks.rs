@@ -1,6 +1,6 @@
 //! Numbers that a run must reproduce, and the search for a limit.
 
-use schemars::JsonSchema;
+use riprap_keys::{Keys, Words};
 use serde::Deserialize;
 
 use super::outputs::Moment;
@@ -11,7 +11,7 @@ use crate::quantity::{
 use crate::time_function::CsvFunction;
 
 /// Search for the value of a key at which the scene begins to fail.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Bisect {
     /// Key with dots, for example `interfaces.default.friction_angle`.
@@ -27,7 +27,7 @@ pub struct Bisect {
 }
 
 /// A field compared with a limit. Exactly one of `above` and `below`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Criterion {
     /// Field, for example `model.max_displacement`.
@@ -49,7 +49,7 @@ pub struct Criterion {
 }
 
 /// A number that the run must reproduce. Exactly one of `value`, `formula`, `csv`, `between`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Check {
     /// What is checked, in words; printed by `riprap verify`.
@@ -104,8 +104,7 @@ pub struct Check {
 }
 
 /// How values over an interval become one number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Words)]
 pub enum Reduce {
     /// Largest value.
     Max,

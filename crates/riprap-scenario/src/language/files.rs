@@ -1,18 +1,18 @@
 //! Blocks and traces from the files of other tools.
 
-use schemars::JsonSchema;
+use riprap_keys::Keys;
 use serde::Deserialize;
 
 use crate::quantity::{Name, PositiveLength, Quantity};
 
 /// Polygons of a file, each a block. Exactly one of `dxf` and `tess`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Polygons {
-    /// Path of a DXF drawing (text or binary), seen from the scenario file: its closed polylines. Each layer becomes a
+    /// Path of a DXF drawing (text or binary): its closed polylines. Each layer becomes a
     /// group of its blocks.
     pub dxf: Option<Name>,
-    /// Path of a tessellation of Neper in two dimensions, seen from the scenario file.
+    /// Path of a tessellation of Neper in two dimensions.
     pub tess: Option<Name>,
     /// What the length 1 in the file stands for, m. Default as a drawing says (`$INSUNITS`), else 1 m.
     pub unit: Option<Quantity<PositiveLength>>,
@@ -24,13 +24,13 @@ pub struct Polygons {
 
 /// Mapped joints. The part of a trace that ends within a block divides nothing and is left out. Exactly one of `csv` and
 /// `dxf`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Traces {
-    /// Path of a CSV file, seen from the scenario file, with the ends of a trace in each row: columns `x1_m`, `y1_m`, `x2_m`
+    /// Path of a CSV file, with the ends of a trace in each row: columns `x1_m`, `y1_m`, `x2_m`
     /// and `y2_m`.
     pub csv: Option<Name>,
-    /// Path of a DXF drawing (text or binary), seen from the scenario file: its lines and open polylines.
+    /// Path of a DXF drawing (text or binary): its lines and open polylines.
     pub dxf: Option<Name>,
     /// What the length 1 in the drawing stands for, m. Default as the drawing says (`$INSUNITS`), else 1 m.
     pub unit: Option<Quantity<PositiveLength>>,

@@ -1,7 +1,6 @@
 //! Conditions on free faces, and the stress at the start.
 
-use riprap_keys::Keys;
-use riprap_keys::Words;
+use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -18,7 +17,7 @@ use crate::words::{OneWord, WordOr};
 /// A condition on free faces: faces, or parts of them, on which no other block lies. At most one of
 /// `held`, `roller`, `moved`, `viscous`, `pressure`, `traction`; of several conditions for one face
 /// the last counts.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Boundary {
     /// Name for messages. Default the plane or the blocks.
@@ -46,7 +45,7 @@ pub struct Boundary {
 }
 
 /// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`, `surface`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Faces {
     /// The faces on a plane: a side of the whole model, or a normal and an offset.
@@ -90,7 +89,7 @@ pub enum Side {
 }
 
 /// A plane by its outward normal.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct FacePlane {
     /// Outward normal [x, y, z] of the faces, of any length.
@@ -100,7 +99,7 @@ pub struct FacePlane {
 }
 
 /// Prescribed motion of faces.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Moved {
     /// Velocity along x, y, z over time; a direction that is not given is free.
@@ -108,30 +107,33 @@ pub struct Moved {
 }
 
 /// An absorbing face.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Viscous {
     /// Whether the dashpot stands behind the half block between centroid and face, which reflects
-    /// less. Default true.
+    /// less.
+    #[key(default = true)]
     pub half_cell: Option<bool>,
 }
 
 /// A pressure on faces.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct FacePressure {
     /// Pressure into the blocks, Pa; at the height `datum` if there is a gradient.
     pub value: Quantity<Pressure>,
-    /// What is added for each metre of depth below `datum`, Pa/m. Default 0 Pa/m.
+    /// What is added for each metre of depth below `datum`, Pa/m.
+    #[key(default = "0 Pa/m")]
     pub gradient: Option<Quantity<PressureGradient>>,
-    /// Height at which `value` holds, m. Default 0 m.
+    /// Height at which `value` holds, m.
+    #[key(default = "0 m")]
     pub datum: Option<Quantity<Length>>,
     /// Factor over time. Default constant 1.
     pub time: Option<TimeFunction<Plain>>,
 }
 
 /// A traction on faces.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct FaceTraction {
     /// Force per area [x, y, z], Pa.
@@ -190,7 +192,7 @@ pub struct Compressive {
 }
 
 /// Stress by its six components, tension positive.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct TensionPositive {
     /// Height at which the stresses hold, m. Default the top of the model.

@@ -183,6 +183,6 @@ pub struct Bond {
     #[key(default = "0.2")]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Points along a shared edge at which the law is evaluated, 1 to 5.
-    #[key(default = 2)]
+    #[key(default = 2, min = 1, max = 5)]
     pub points: Option<u8>,
 }

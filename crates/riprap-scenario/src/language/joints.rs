@@ -1,6 +1,6 @@
 //! Joints that divide blocks: sets of them, and one by one in space.
 
-use schemars::JsonSchema;
+use riprap_keys::Keys;
 use serde::Deserialize;
 
 use super::Point3;
@@ -9,39 +9,49 @@ use crate::quantity::{
 };
 
 /// A set of parallel joints.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointSet {
     /// In the plane the angle of the traces, anticlockwise from the x axis; in space the angle of the planes below the
     /// horizontal.
     pub dip: Quantity<Angle>,
     /// Bearing of the line of dip: clockwise from north (y) seen from above.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "give `dip` alone"))]
+    #[key(space = "spatial", instead = "give `dip` alone")]
     pub dip_direction: Option<Quantity<Angle>>,
     /// Distance between neighbours, measured across the joints, m.
     pub spacing: Quantity<PositiveLength>,
-    /// Standard deviation of the spacing, m. Default 0 m.
+    /// Standard deviation of the spacing, m.
+    #[key(default = "0 m")]
     pub spacing_scatter: Option<Quantity<NotNegativeLength>>,
-    /// Standard deviation of the angle; in space of the normal about each of two axes. Default 0 deg.
+    /// Standard deviation of the angle; in space of the normal about each of two axes.
+    #[key(default = "0 deg")]
     pub angle_scatter: Option<Quantity<NotNegativeAngle>>,
-    /// Share of the length of a trace that is cut; 1 is fully persistent. Default 1.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "give joints one by one with a radius (`joints.csv`)"))]
+    /// Share of the length of a trace that is cut; 1 is fully persistent.
+    #[key(default = "1")]
+    #[key(
+        space = "planar",
+        instead = "give joints one by one with a radius (`joints.csv`)"
+    )]
     pub persistence: Option<Quantity<Share>>,
     /// Mean length of one cut piece when `persistence` is less than 1, m.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "give joints one by one with a radius (`joints.csv`)"))]
+    #[key(
+        space = "planar",
+        instead = "give joints one by one with a radius (`joints.csv`)"
+    )]
     pub trace_length: Option<Quantity<PositiveLength>>,
     /// A point [x, y, z] through which a joint of the set goes, m. Default the origin.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `offset`"))]
+    #[key(space = "spatial", instead = "use `offset`")]
     pub origin: Option<Point3>,
-    /// Shifts the whole set across the joints, in space upwards, m. Default 0 m.
+    /// Shifts the whole set across the joints, in space upwards, m.
+    #[key(default = "0 m")]
     pub offset: Option<Quantity<Length>>,
 }
 
 /// Joints in space.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointPlanes {
-    /// Path of a CSV file, seen from the scenario file, with a joint in each row: columns `x_m`, `y_m`, `z_m`, `dip_deg`,
+    /// Path of a CSV file, with a joint in each row: columns `x_m`, `y_m`, `z_m`, `dip_deg`,
     /// `dip_direction_deg` and, if wanted, `radius_m`. Without a radius (or with 0) a joint is a plane that cuts every
     /// block. With one it is a disk: it cuts the blocks that it touches, and those all through.
     pub csv: Name,

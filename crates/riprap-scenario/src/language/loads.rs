@@ -1,5 +1,6 @@
 //! Supports and loads: what holds, moves and pushes blocks.
 
+use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -29,7 +30,7 @@ pub enum Target {
 }
 
 /// Blocks that are held or moved. Exactly one of `fixed` and `motion`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
     /// Which blocks.
@@ -41,35 +42,31 @@ pub struct Support {
 }
 
 /// Directions that are held.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Fixed {
-    /// Whether the block is held along x. Default true.
-    #[serde(default = "yes")]
-    pub x: bool,
-    /// Whether the block is held along y. Default true.
-    #[serde(default = "yes")]
-    pub y: bool,
-    /// Whether the block is held along z. Default true.
-    #[schemars(extend("x-space" = "spatial"))]
-    #[serde(default = "yes")]
-    pub z: bool,
-    /// Whether the block is kept from turning. Default true.
-    #[serde(default = "yes")]
-    pub rotation: bool,
+    /// Whether the block is held along x.
+    #[key(default = true)]
+    pub x: Option<bool>,
+    /// Whether the block is held along y.
+    #[key(default = true)]
+    pub y: Option<bool>,
+    /// Whether the block is held along z.
+    #[key(space = "spatial")]
+    #[key(default = true)]
+    pub z: Option<bool>,
+    /// Whether the block is kept from turning.
+    #[key(default = true)]
+    pub rotation: Option<bool>,
     /// Whether it is kept from turning about x. Default as `rotation`.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    #[key(space = "spatial", instead = "use `rotation`")]
     pub rotation_x: Option<bool>,
     /// Whether it is kept from turning about y. Default as `rotation`.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    #[key(space = "spatial", instead = "use `rotation`")]
     pub rotation_y: Option<bool>,
     /// Whether it is kept from turning about z. Default as `rotation`.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `rotation`"))]
+    #[key(space = "spatial", instead = "use `rotation`")]
     pub rotation_z: Option<bool>,
-}
-
-fn yes() -> bool {
-    true
 }
 
 /// Prescribed motion. Exactly one form.
@@ -84,7 +81,7 @@ pub enum Motion {
 }
 
 /// Components of a prescribed motion; a component that is not given is free.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields, bound(deserialize = "L: Kind, R: Kind"))]
 pub struct MotionComponents<L: Kind, R: Kind> {
     /// Along x.
@@ -92,24 +89,24 @@ pub struct MotionComponents<L: Kind, R: Kind> {
     /// Along y.
     pub y: Option<TimeFunction<L>>,
     /// Along z.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     pub z: Option<TimeFunction<L>>,
     /// Turning, anticlockwise.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use `spin_x`, `spin_y`, `spin_z`"))]
+    #[key(space = "planar", instead = "use `spin_x`, `spin_y`, `spin_z`")]
     pub spin: Option<TimeFunction<R>>,
     /// Turning about x, right-handed; for `velocity` only.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    #[key(space = "spatial", instead = "use `spin`")]
     pub spin_x: Option<TimeFunction<R>>,
     /// Turning about y, right-handed; for `velocity` only.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    #[key(space = "spatial", instead = "use `spin`")]
     pub spin_y: Option<TimeFunction<R>>,
     /// Turning about z, right-handed; for `velocity` only.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use `spin`"))]
+    #[key(space = "spatial", instead = "use `spin`")]
     pub spin_z: Option<TimeFunction<R>>,
 }
 
 /// A load. Exactly one of `point`, `edge`, `moment`, `body`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Load {
     /// Which blocks.
@@ -117,7 +114,10 @@ pub struct Load {
     /// A force at a point.
     pub point: Option<PointLoad>,
     /// A pressure or traction along a part of the boundary, for example water in a joint.
-    #[schemars(extend("x-space" = "planar", "x-instead" = "use [[boundaries]] with `pressure` or `traction`"))]
+    #[key(
+        space = "planar",
+        instead = "use [[boundaries]] with `pressure` or `traction`"
+    )]
     pub edge: Option<EdgeLoad>,
     /// A moment: in the plane per metre of thickness, N (= N m/m), anticlockwise; in space about
     /// x, y, z, N m, right-handed.
@@ -129,7 +129,7 @@ pub struct Load {
 }
 
 /// A force at a point.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct PointLoad {
     /// Force: in the plane per metre of thickness, N/m; in space N.
@@ -137,14 +137,14 @@ pub struct PointLoad {
     /// Where it acts at the start, m; the point travels with the block. Default the centroid.
     pub at: Option<Vector<Length>>,
     /// Whether the direction turns with the block. Default false.
-    #[schemars(extend("x-space" = "planar"))]
+    #[key(space = "planar")]
     #[serde(default)]
     pub follows: bool,
 }
 
 /// A pressure or traction between two points of the boundary. Exactly one of `pressure` and
 /// `traction`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct EdgeLoad {
     /// First point on the boundary at the start [x, y], m.
@@ -159,7 +159,7 @@ pub struct EdgeLoad {
 }
 
 /// A force on the mass.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct BodyLoad {
     /// Force per mass, m/s2.

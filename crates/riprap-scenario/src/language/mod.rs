@@ -21,9 +21,10 @@ mod solids;
 mod sources;
 mod space;
 
-use schemars::JsonSchema;
+use riprap_keys::{Keys, Words};
 use serde::Deserialize;
 
+pub(crate) use blocks::MAX_BLOCKS;
 pub use blocks::{
     Arch, Block, Copies, Cut, Geometry, Polygon, Pour, Rectangle, Regular, Rotate, Voronoi, Wall,
     WallBond,
@@ -60,7 +61,7 @@ pub type Point = [Quantity<Length>; 2];
 pub type Point3 = [Quantity<Length>; 3];
 
 /// A scenario: everything that riprap needs to build, run and check one model.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Scenario {
     /// Version of the scenario language. Write `riprap = 1`.
@@ -74,7 +75,8 @@ pub struct Scenario {
     pub units: Option<Units>,
     /// All strengths of interfaces and joints (cohesion, tension, tangents of friction angles) are
     /// divided by this number, those of later phases too; greater than zero. The number at which
-    /// the model fails, found by `riprap bisect`, is its factor of safety. Default 1.
+    /// the model fails, found by `riprap bisect`, is its factor of safety.
+    #[key(default = "1")]
     pub strength_factor: Option<Quantity<PositivePlain>>,
     /// The space in which the blocks move and the gravity that acts there.
     pub space: Space,
@@ -94,26 +96,32 @@ pub struct Scenario {
     #[serde(default)]
     pub groups: Table<Group>,
     /// Splitting of bricks into smaller ones.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     #[serde(default)]
     pub refine: Vec<Refine>,
     /// Conditions on free faces: held, moved, absorbing or loaded.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "use [[supports]] and [[loads]] on blocks"))]
+    #[key(
+        space = "spatial",
+        instead = "use [[supports]] and [[loads]] on blocks"
+    )]
     #[serde(default)]
     pub boundaries: Vec<Boundary>,
     /// Cracks that are there at the start.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     #[serde(default)]
     pub notches: Vec<Notch>,
     /// Stress at the start.
-    #[schemars(extend("x-space" = "spatial", "x-instead" = "let a first phase with kind = \"static\" settle the model"))]
+    #[key(
+        space = "spatial",
+        instead = "let a first phase with kind = \"static\" settle the model"
+    )]
     pub in_situ: Option<InSitu>,
     /// Explosives by name.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     #[serde(default)]
     pub explosives: Table<Explosive>,
     /// Charges and other cavities by name.
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     #[serde(default)]
     pub sources: Table<Source>,
     /// Forces, pressures and moments on blocks.
@@ -146,9 +154,9 @@ pub struct Scenario {
 }
 
 /// System of units of bare numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Words)]
 pub enum Units {
     /// m, kg, s, N, Pa, rad.
-    #[serde(rename = "SI")]
+    #[word("SI")]
     Si,
 }

@@ -1,5 +1,6 @@
 //! What is written to the run folder, and how often.
 
+use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -19,7 +20,7 @@ pub enum Output {
 }
 
 /// A column of `histories.csv`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct History {
     /// Name of the column, once in the file.
@@ -39,7 +40,7 @@ pub struct History {
 }
 
 /// How often.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Schedule {
     /// How often, for example `"50 ms"`, `"10 steps"` or `"1 phase"`.
@@ -47,7 +48,7 @@ pub struct Schedule {
 }
 
 /// Pictures.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Pictures {
     /// How often besides the first and the last state of each phase, for example `"50 ms"`, `"10 steps"` or `"1 phase"`;
@@ -55,7 +56,7 @@ pub struct Pictures {
     pub every: Every,
     /// Whether the tetrahedra of deformable blocks are written too, with their stresses and strains. Default false.
     #[serde(default)]
-    #[schemars(extend("x-space" = "spatial"))]
+    #[key(space = "spatial")]
     pub tetrahedra: bool,
 }
 

@@ -1,7 +1,6 @@
 //! The parts of a run.
 
-use riprap_keys::Keys;
-use schemars::JsonSchema;
+use riprap_keys::{Keys, Words};
 use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
@@ -67,11 +66,11 @@ pub struct Phase {
     /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and
     /// driven nodes follow it, and each step is relaxed to `until.unbalanced`.
     #[key(space = "spatial")]
-    #[key(default = 1)]
+    #[key(default = 1, min = 1, max = 1_000_000)]
     pub load_steps: Option<u64>,
     /// Iterations after which a load step of deformable blocks that does not converge ends a `static` phase.
     #[key(space = "spatial")]
-    #[key(default = 200_000)]
+    #[key(default = 200_000, min = 1)]
     pub iterations: Option<u64>,
     /// Other rules for a `static` phase of deformable blocks than the robust ones: those of Han, Liu & Li (2010). Default:
     /// adaptive damping, equilibrium by forces, breaking event by event.
@@ -103,7 +102,7 @@ pub struct Relaxation {
 #[serde(deny_unknown_fields)]
 pub struct Cutting {
     /// Planes per cut, 1 to 7: one part more.
-    #[key(default = 3)]
+    #[key(default = 3, min = 1, max = 7)]
     pub planes: Option<u64>,
     /// What decides.
     #[key(default)]
@@ -116,7 +115,7 @@ pub struct Cutting {
     pub margin_shear: Option<Quantity<Strength>>,
     /// How often a block and its parts may be cut: (planes + 1)^generations parts at most, which must not be above
     /// 4096.
-    #[key(default = 1)]
+    #[key(default = 1, min = 1, max = 12)]
     pub generations: Option<u64>,
     /// Edge of a cube as large as the smallest part that may be made, m. Default none.
     pub smallest: Option<Quantity<PositiveLength>>,
@@ -133,6 +132,7 @@ pub struct Cutting {
     #[key(default = "0.03")]
     pub snap: Option<Quantity<ShareBelowOne>>,
     /// Most times that blocks are cut in the phase. Default: no limit.
+    #[key(min = 1)]
     pub stages: Option<u64>,
     /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block,
     /// at least 0 and less than 1.
@@ -141,8 +141,7 @@ pub struct Cutting {
 }
 
 /// An axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Words)]
 pub enum CutAxis {
     /// x.
     X,
@@ -163,6 +162,7 @@ pub struct Until {
     /// Kinetic energy of all blocks, J; in the plane per metre of thickness, J/m.
     pub kinetic: Option<Quantity<EnergyPerLength>>,
     /// Number of steps, at least 1.
+    #[key(min = 1)]
     pub steps: Option<u64>,
 }
 
@@ -186,8 +186,7 @@ pub struct Damping {
 }
 
 /// What a phase can set to zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Words)]
 pub enum Reset {
     /// Velocities and spins of all blocks.
     Velocities,

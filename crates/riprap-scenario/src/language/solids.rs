@@ -1,6 +1,6 @@
 //! Shapes of blocks in space, and places there.
 
-use riprap_keys::Keys;
+use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,7 +9,7 @@ use crate::quantity::{Angle, Edges, Length, Name, Plain, PositiveLength, Quantit
 use riprap_core::laws::tetrahedron::Strain;
 
 /// A box with faces normal to the axes. Give `corner` or `centre`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Brick {
     /// Lengths of the edges along x, y, z, m.
@@ -32,7 +32,7 @@ pub enum Grid {
 
 /// A box divided into the Voronoi cells of points: of a square lattice with `turned` or `site`, random ones otherwise. Along an edge
 /// of the box that is about as long as a cell there is one layer, so that the cells of a plate are prisms.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct GridCells {
     /// Lengths of the edges of the whole box along x, y, z, m.
@@ -45,17 +45,20 @@ pub struct GridCells {
     pub turned: Option<Quantity<Angle>>,
     /// Centre [x, y, z] of one cell of the lattice, m. Default the middle of the box.
     pub site: Option<Point3>,
-    /// Seed of the random points. Default 1.
+    /// Seed of the random points.
+    #[key(default = 1)]
     pub seed: Option<u64>,
-    /// Lloyd iterations that make random cells more equal, at most 1000. Default 10.
+    /// Lloyd iterations that make random cells more equal, at most 1000.
+    #[key(default = 10, max = 1000)]
     pub relax: Option<u64>,
     /// Takes a prism of this many equal sides about z (3 to 1000) that touches the sides of the box instead of the whole box: with many
     /// sides a disk. One side is the face `y-max`; x and y edges of the box must be equal. Default the box.
+    #[key(min = 3, max = 1000)]
     pub sides: Option<u64>,
 }
 
 /// A box of bricks. The size must be whole cells.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct GridBox {
     /// Lengths of the edges of the whole box along x, y, z, m.
@@ -70,7 +73,7 @@ pub struct GridBox {
 
 /// A convex polyhedron: corners with faces, corners alone (their convex hull), or a file. Exactly
 /// one of `vertices` and `obj`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Polyhedron {
     /// Corners [x, y, z], m.
@@ -78,21 +81,21 @@ pub struct Polyhedron {
     /// Corners of each face by their place in `vertices`, from 0, in order along its boundary.
     /// Default: the faces of the convex hull.
     pub faces: Option<Vec<Vec<u32>>>,
-    /// Path of an OBJ file, seen from the scenario file; coordinates in metres.
+    /// Path of an OBJ file; coordinates in metres.
     pub obj: Option<Name>,
 }
 
 /// Cells of a file, each a block. Exactly one of `msh`, `tess` and `stl`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary), seen from the scenario file: its volume elements of first
+    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary): its volume elements of first
     /// order (tetrahedra, hexahedra, prisms, pyramids). Physical volumes become groups of their blocks, physical surfaces
     /// groups of the blocks that have a face in them and sets of faces for boundaries (`on.surface`).
     pub msh: Option<Name>,
-    /// Path of a tessellation of Neper in three dimensions, seen from the scenario file.
+    /// Path of a tessellation of Neper in three dimensions.
     pub tess: Option<Name>,
-    /// Path of an STL file (text or binary), seen from the scenario file: each connected part that is closed and convex is
+    /// Path of an STL file (text or binary): each connected part that is closed and convex is
     /// a block.
     pub stl: Option<Name>,
     /// What the length 1 in the file stands for, m. Default 1 m.
@@ -128,12 +131,12 @@ pub struct Deformable {
 }
 
 /// A table without keys: `{}`.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Empty {}
 
 /// A box with sides along the axes.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct BoxRegion {
     /// Corner with the lowest coordinates, m.
@@ -144,21 +147,22 @@ pub struct BoxRegion {
 
 /// A crack along faces of deformable blocks that is there at the start: a contact without strength, whose friction is that of
 /// broken bonds.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Notch {
     /// What lies in this box, its surface included.
     #[serde(rename = "box")]
     pub region: BoxRegion,
-    /// What is broken there. Default `facets`.
+    /// What is broken there.
+    #[key(default)]
     pub breaks: Option<NotchBreaks>,
 }
 
 /// What a notch breaks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
 pub enum NotchBreaks {
     /// The shared parts of faces whose centre lies in the box: the crack ends with them.
+    #[default]
     Facets,
     /// Single springs in the box, those at the tip of the crack included, which belong to the next facets: about a third
     /// of a block longer.
@@ -166,7 +170,7 @@ pub enum NotchBreaks {
 }
 
 /// A straight piece of a line.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Segment {
     /// One end [x, y, z], m; of a hole the side of the collar.
@@ -176,7 +180,7 @@ pub struct Segment {
 }
 
 /// A plane.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Plane {
     /// A point of it [x, y, z], m.
@@ -186,7 +190,7 @@ pub struct Plane {
 }
 
 /// A ball.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Ball {
     /// Centre [x, y, z], m.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use riprap_keys::Words;
+use riprap_keys::{Keys, Words};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
@@ -32,7 +32,7 @@ pub enum Source {
 /// A charge of explosive. The blocks that it touches are removed at the start, after splitting; the
 /// faces that they shared with others are pushed. Exactly one of `centre`, `line`, `group`,
 /// `pattern`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct GasCavity {
     /// Centre of a concentrated charge [x, y, z], m.
@@ -50,8 +50,8 @@ pub struct GasCavity {
     /// How the volume of the charge and that of the removed blocks are matched. Default `fitted`
     /// with `centre`, else `{ scaled = 0.6667 }`.
     pub coupling: Option<WordOr<CouplingWord, CouplingScale>>,
-    /// Time at which it goes off, s. Default 0 s. With `pattern` it is added to the delays of the
-    /// file.
+    /// Time at which it goes off, s. With `pattern` it is added to the delays of the file.
+    #[key(default = "0 s")]
     pub delay: Option<Quantity<NotNegativeTime>>,
     /// How the gas escapes. Default: it stays in.
     pub venting: Option<Venting>,
@@ -70,7 +70,7 @@ impl GasCavity {
 }
 
 /// An explosive, with the constants of its two-stage adiabat.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Explosive {
     /// Density of the charge, kg/m3.
@@ -79,7 +79,8 @@ pub struct Explosive {
     pub detonation_velocity: Quantity<Speed>,
     /// Heat of explosion, J/kg.
     pub heat_of_explosion: Quantity<SpecificEnergy>,
-    /// Exponent of the adiabat above the transition pressure. Default 3.
+    /// Exponent of the adiabat above the transition pressure.
+    #[key(default = "3")]
     pub gamma: Option<Quantity<PositivePlain>>,
     /// Exponent below the transition pressure. Default 4/3.
     pub gamma_low: Option<Quantity<PositivePlain>>,
@@ -97,7 +98,7 @@ pub enum CouplingWord {
 }
 
 /// How the volume of a charge and that of the removed blocks are matched, by a factor.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct CouplingScale {
     /// Faces count with the factor (volume of the charge / volume of the blocks) to this power: 2/3
@@ -116,20 +117,21 @@ pub enum Venting {
 }
 
 /// Gas escapes over a span of time.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct VentingTime {
     /// Time after the detonation at which it begins, s.
     pub start: Quantity<NotNegativeTime>,
-    /// Time over which the pressure falls to zero, s. Default 0 s: at once.
+    /// Time over which the pressure falls to zero, s; 0 s: at once.
+    #[key(default = "0 s")]
     pub span: Option<Quantity<NotNegativeTime>>,
 }
 
 /// Holes of a blast from a CSV file.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Pattern {
-    /// Path of the CSV file, seen from the scenario file. Columns, each with its unit behind an
+    /// Path of the CSV file. Columns, each with its unit behind an
     /// underscore (`collar_x_m`, `delay_ms`): `collar_x`, `collar_y`, `collar_z`, `toe_x`, `toe_y`,
     /// `toe_z`, `delay`; `charge` (mass) or `diameter` of the hole; optional `stemming` (length
     /// without explosive below the collar).
@@ -137,7 +139,7 @@ pub struct Pattern {
 }
 
 /// A cavity with a given pressure. Exactly one of `centre`, `line`, `group`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct PressureCavity {
     /// Centre [x, y, z], m: the blocks that touch it are removed.
@@ -148,13 +150,14 @@ pub struct PressureCavity {
     pub group: Option<Name>,
     /// Pressure over the time since `delay`, Pa.
     pub pressure: TimeFunction<Pressure>,
-    /// Time at which it begins, s. Default 0 s.
+    /// Time at which it begins, s.
+    #[key(default = "0 s")]
     pub delay: Option<Quantity<NotNegativeTime>>,
 }
 
 /// Splits bricks into eight, again and again, around something. Neighbours never differ by more
 /// than one level: more blocks are split where that needs it.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Refine {
     /// Where, and how often.
@@ -165,13 +168,14 @@ pub struct Refine {
 }
 
 /// Where blocks are split, and how often.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Octree {
     /// What blocks must touch to be split: the name of a source, a point [x, y, z], or a place.
     pub around: Around,
     /// How often a block is split: each level halves the edges. 0 (not at all) to 12. Default around a charge
     /// with fitted coupling: the number for which the cell changes least.
+    #[key(max = 12)]
     pub levels: Option<u8>,
 }
 
@@ -270,7 +274,7 @@ impl JsonSchema for Around {
 }
 
 /// Criterion of splitting while the model runs. Exactly one of `stress`, `strain_rate`, `broken`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct During {
     /// Splits where the largest magnitude of a principal stress is above this, Pa.

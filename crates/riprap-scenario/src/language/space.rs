@@ -27,6 +27,7 @@ pub enum Space {
 #[serde(deny_unknown_fields)]
 pub struct Planar {
     /// Acceleration of gravity [x, y], m/s2; usually `["0 m/s2", "-9.81 m/s2"]`.
+    #[key(told)]
     pub gravity: [Quantity<Acceleration>; 2],
     /// The gravity vector is turned clockwise by this angle: a tilting table.
     #[key(default = "0 deg")]
@@ -42,6 +43,7 @@ pub struct Planar {
 pub struct Spatial {
     /// Acceleration of gravity, m/s2: one value that points down (against z), usually
     /// `"9.81 m/s2"`, or a vector.
+    #[key(told)]
     pub gravity: Down<Acceleration>,
     /// How blocks turn.
     #[key(default)]
@@ -51,6 +53,7 @@ pub struct Spatial {
     pub rotation_bound: Option<Quantity<PositiveAngle>>,
     /// Periods of the model along x, y, z: a length, or `"none"`. Blocks at opposite ends are
     /// neighbours. Default none.
+    #[key(told)]
     pub periodic: Option<[Period; 3]>,
     /// Whether blocks that no joint joins are watched for contact, and press, slide and rebound where they meet.
     #[key(default = false)]
@@ -61,7 +64,7 @@ pub struct Spatial {
 }
 
 /// A named set of blocks, besides the groups that blocks name themselves. `box`, `blocks` or both.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Group {
     /// The blocks whose centroid lies in this box at the start.

@@ -1,8 +1,8 @@
 //! Rules of blocks and their shapes.
 
-use super::{MAX_BLOCKS, Rules};
+use super::Rules;
 use crate::language::{
-    Block, BoxRegion, Copies, Cut, Geometry, Grid, Group, Polygon, Polyhedron, span_of,
+    Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, span_of,
 };
 use crate::quantity::Span;
 use crate::values::short;
@@ -49,14 +49,10 @@ impl Rules {
         }
         for (key, geometry) in given {
             self.geometry(span, &of, geometry);
-            if let Some(Copies { count, .. }) = &block.copies {
-                self.count(span, &of, "copies.count", u64::from(*count), 1, MAX_BLOCKS);
-                if geometry.is_many() && block.cut.is_none() {
-                    let message = format!("{of}: `{key}` cannot be copied");
-                    let help =
-                        "`copies` is for single shapes; write another [[blocks]] with `shift`";
-                    self.error("key.forbidden", span, message, help);
-                }
+            if block.copies.is_some() && geometry.is_many() && block.cut.is_none() {
+                let message = format!("{of}: `{key}` cannot be copied");
+                let help = "`copies` is for single shapes; write another [[blocks]] with `shift`";
+                self.error("key.forbidden", span, message, help);
             }
         }
     }
@@ -92,11 +88,7 @@ impl Rules {
                         "`turned` and `site` make a lattice, `seed` and `relax` random cells";
                     self.error("key.one_of", span, message, help);
                 }
-                if let Some(relax) = cells.relax {
-                    self.count(span, of, "relax", relax, 0, 1000);
-                }
-                if let Some(sides) = cells.sides {
-                    self.count(span, of, "sides", sides, 3, 1000);
+                if cells.sides.is_some() {
                     let [x, y, _] = &cells.size;
                     if self.values_sound && x.si() != y.si() {
                         let message =
@@ -141,13 +133,10 @@ impl Rules {
                     ("centre", shape.centre.is_some()),
                 ],
             ),
-            Geometry::Regular(shape) => {
-                self.count(span, of, "sides", u64::from(shape.sides), 3, 1000);
-            }
+            // The schema has their ranges.
+            Geometry::Regular(_) => {}
             Geometry::Wall(wall) => {
                 let (rows, columns) = (u64::from(wall.courses), u64::from(wall.per_course));
-                self.count(span, of, "courses", rows, 1, MAX_BLOCKS);
-                self.count(span, of, "per_course", columns, 1, MAX_BLOCKS);
                 self.count(
                     span,
                     of,
@@ -158,7 +147,6 @@ impl Rules {
                 );
             }
             Geometry::Arch(arch) => {
-                self.count(span, of, "voussoirs", u64::from(arch.voussoirs), 1, 100_000);
                 if self.values_sound && arch.thickness.si() >= 2.0 * arch.radius.si() {
                     let message = format!("the arch of {of} is thicker than its diameter");
                     let help = "thickness must be less than twice the radius of the centre line";
@@ -169,18 +157,9 @@ impl Rules {
             Geometry::Cut(_) => {}
             Geometry::Voronoi(voronoi) => {
                 self.corners(span, of, voronoi.region.len());
-                self.count(
-                    span,
-                    of,
-                    "relax",
-                    u64::from(voronoi.relax.unwrap_or(0)),
-                    0,
-                    1000,
-                );
             }
             Geometry::Pour(pour) => {
-                self.count(span, of, "count", u64::from(pour.count), 1, MAX_BLOCKS);
-                let [low, high] = pour.vertices.unwrap_or([4, 7]);
+                let [low, high] = pour.vertices_or_default();
                 self.count(span, of, "vertices", u64::from(low), 3, 100);
                 self.count(span, of, "vertices", u64::from(high), u64::from(low), 100);
                 self.in_order(

@@ -150,16 +150,10 @@ impl Rules {
     /// Keys of phases that only deformable blocks have.
     pub(super) fn relaxing(&mut self, phase: &Phase) {
         let of = format!("phase `{}`", phase.name);
-        if let Some(steps) = phase.load_steps {
-            self.count(&phase.name.span, &of, "load_steps", steps, 1, 1_000_000);
-            if phase.until.time.is_none() {
-                let message = format!("{of} has `load_steps` and no `until.time`");
-                let help = "say how much time passes in these steps: until = { time = \"1 s\" }";
-                self.error("key.missing", &phase.name.span, message, help);
-            }
-        }
-        if let Some(most) = phase.iterations {
-            self.count(&phase.name.span, &of, "iterations", most, 1, u64::MAX);
+        if phase.load_steps.is_some() && phase.until.time.is_none() {
+            let message = format!("{of} has `load_steps` and no `until.time`");
+            let help = "say how much time passes in these steps: until = { time = \"1 s\" }";
+            self.error("key.missing", &phase.name.span, message, help);
         }
         if let Some(cut) = &phase.cut {
             self.cutting(&phase.name.span, &of, cut);
@@ -176,10 +170,10 @@ impl Rules {
     /// Limits of cutting that would explode the number of blocks.
     fn cutting(&mut self, span: &Span, of: &str, cut: &Cutting) {
         let of = format!("{of}.cut");
-        let (planes, generations) = (cut.planes.unwrap_or(3), cut.generations.unwrap_or(1));
-        self.count(span, &of, "planes", planes, 1, 7);
-        self.count(span, &of, "generations", generations, 1, 12);
-        let parts = (planes + 1).checked_pow(generations.min(64) as u32);
+        let (planes, generations) = (cut.planes_or_default(), cut.generations_or_default());
+        let parts = planes
+            .saturating_add(1)
+            .checked_pow(generations.min(64) as u32);
         if (1..=7).contains(&planes) && parts.is_none_or(|parts| parts > MOST_PARTS) {
             let message = format!(
                 "{of}: {planes} planes in {generations} generations make {}^{generations} parts of one block",
@@ -187,9 +181,6 @@ impl Rules {
             );
             let help = "(planes + 1)^generations may be 4096 at most: take fewer `planes` or `generations`";
             self.error("value.range", span, message, help);
-        }
-        if let Some(stages) = cut.stages {
-            self.count(span, &of, "stages", stages, 1, u64::MAX);
         }
         if cut.only_cut && cut.anchor != Some(CutAnchor::Tip) {
             let message = format!("`only_cut` of {of} has no effect");

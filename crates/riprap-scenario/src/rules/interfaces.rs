@@ -70,16 +70,6 @@ impl Rules {
                 self.error("key.missing", span, message, &help);
             }
         }
-        if let Some(points) = interface.bond.as_ref().and_then(|bond| bond.points) {
-            self.count(
-                span,
-                &format!("{of}.bond"),
-                "points",
-                u64::from(points),
-                1,
-                8,
-            );
-        }
     }
 
     /// Exactly one way to give friction.

@@ -20,9 +20,6 @@ use super::units::Dim;
 use super::vectors::InSpace;
 use riprap_core::dynamics::Formula;
 
-/// Most blocks that one generator may make.
-const MAX_BLOCKS: u64 = 1_000_000;
-
 /// What is wrong beyond keys and values. `values_sound`: no quantity was refused, so that numbers
 /// may be compared.
 pub(super) fn check(

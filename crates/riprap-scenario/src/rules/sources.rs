@@ -95,9 +95,7 @@ impl Rules {
             },
         }
         match refine.octree.levels {
-            Some(levels) => {
-                self.count(&span, "refine.octree", "levels", u64::from(levels), 0, 12);
-            }
+            Some(_) => {}
             None if fitted_charge(&refine.octree.around, scenario) => {}
             None => {
                 let message = "the key `levels` is missing in refine.octree".to_owned();

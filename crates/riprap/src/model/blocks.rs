@@ -15,7 +15,7 @@ use crate::scenario::language::{
     Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
 };
 use crate::scenario::read::{Provenance, with_unit};
-use crate::scenario::{Diagnostic, Name, Quantity, Span, csv_columns};
+use crate::scenario::{Diagnostic, Name, Span, csv_columns};
 
 /// What one table makes.
 pub(super) struct Generated {
@@ -101,9 +101,9 @@ impl Builder<'_> {
                     block: Vec2::new(w.block[0].si(), w.block[1].si()),
                     courses: w.courses as usize,
                     per_course: w.per_course as usize,
-                    bond: match w.bond {
-                        Some(WallBond::Running) | None => Bond::Running,
-                        Some(WallBond::Stack) => Bond::Stack,
+                    bond: match w.bond.unwrap_or_default() {
+                        WallBond::Running => Bond::Running,
+                        WallBond::Stack => Bond::Stack,
                     },
                     half_blocks: w.half_blocks,
                 };
@@ -129,7 +129,8 @@ impl Builder<'_> {
             | Geometry::Mesh(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
             Geometry::Pour(p) => {
-                let [few, many] = p.vertices.unwrap_or([4, 7]);
+                let mut read = self.reading(format!("blocks.{}.pour", block.name), p);
+                let ([few, many], seed) = (read.vertices(), read.seed());
                 let pour = Pour {
                     region: Aabb {
                         min: self.point(&p.region[0]),
@@ -138,7 +139,7 @@ impl Builder<'_> {
                     count: p.count as usize,
                     size: (p.size[0].si(), p.size[1].si()),
                     vertices: (few as usize, many as usize),
-                    seed: p.seed.unwrap_or(1),
+                    seed,
                 };
                 self.made(block, pack::pour(&pour))
                     .map(Generated::several)?
@@ -289,71 +290,43 @@ impl Builder<'_> {
     fn cut(&mut self, block: &Block, cut: &Cut) -> Option<Generated> {
         let region = self.region(block, cut.region.as_deref().unwrap_or_default())?;
         let traces = self.traces(block, cut)?;
-        let si = |q: Option<f64>| q.unwrap_or(0.0);
-        let sets: Vec<JointSet> = cut
-            .joint_sets
-            .iter()
-            .map(|set| {
-                let angle = set.dip.si();
+        let origin = self.origin;
+        let mut read = self.reading(format!("blocks.{}.cut", block.name), cut);
+        let sets: Vec<JointSet> = (1..)
+            .zip(&cut.joint_sets)
+            .map(|(number, set)| {
+                let mut read = read.within(&format!("joint_sets.{number}"), set);
+                let angle = read.dip();
                 let normal = shapes::unit(angle).perp();
                 JointSet {
                     angle,
-                    spacing: set.spacing.si(),
-                    spacing_scatter: si(set.spacing_scatter.as_ref().map(Quantity::si)),
-                    angle_scatter: si(set.angle_scatter.as_ref().map(Quantity::si)),
-                    persistence: set.persistence.as_ref().map_or(1.0, Quantity::si),
-                    trace_length: set.trace_length.as_ref().map(Quantity::si),
+                    spacing: read.spacing(),
+                    spacing_scatter: read.spacing_scatter(),
+                    angle_scatter: read.angle_scatter(),
+                    persistence: read.persistence(),
+                    trace_length: read.trace_length(),
                     // Measured from the origin of the file.
-                    offset: si(set.offset.as_ref().map(Quantity::si)) - self.origin.dot(normal),
+                    offset: read.offset() - origin.dot(normal),
                 }
             })
             .collect();
-        let key = format!("blocks.{}.cut", block.name);
-        let seed = self.seed(&key, cut.seed);
-        let smallest = self.or(
-            &format!("{key}.smallest_edge"),
-            cut.smallest_edge.as_ref(),
-            0.0,
-            "m",
-        );
+        let seed = read.seed();
+        let smallest = read.smallest_edge_or(0.0, Provenance::Default, "");
         let blocks = self.made(block, cut::cut(&region, &traces, &sets, seed, smallest))?;
         Some(self.divided(block, blocks, smallest))
     }
 
     fn voronoi(&mut self, block: &Block, v: &Voronoi) -> Option<Generated> {
         let region = self.region(block, &v.region)?;
-        let key = format!("blocks.{}.voronoi", block.name);
-        let relax = v.relax.unwrap_or(2);
-        let from = if v.relax.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        self.explain(format!("{key}.relax"), relax.to_string(), from, "");
+        let mut read = self.reading(format!("blocks.{}.voronoi", block.name), v);
         let cells = Cells {
-            cell_size: v.cell_size.si(),
-            seed: self.seed(&key, v.seed),
-            relax: relax as usize,
-            smallest_edge: self.or(
-                &format!("{key}.smallest_edge"),
-                v.smallest_edge.as_ref(),
-                0.0,
-                "m",
-            ),
+            relax: read.relax() as usize,
+            cell_size: read.cell_size(),
+            seed: read.seed(),
+            smallest_edge: read.smallest_edge_or(0.0, Provenance::Default, ""),
         };
         let blocks = self.made(block, voronoi::voronoi(&region, &cells))?;
         Some(self.divided(block, blocks, cells.smallest_edge))
-    }
-
-    pub(super) fn seed(&mut self, key: &str, given: Option<u64>) -> u64 {
-        let from = if given.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
-        let seed = given.unwrap_or(1);
-        self.explain(format!("{key}.seed"), seed.to_string(), from, "");
-        seed
     }
 
     /// A divided region, with a warning for bad blocks that could not be merged.

@@ -1,6 +1,6 @@
 //! The order in which a model is made.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use riprap_geom::{Vec2, Vec3, polygon};
 
@@ -13,8 +13,8 @@ use crate::planar::setup::{BlockSpec, Group, Setup};
 use crate::record::field::FieldInfo;
 use crate::run::plan::Plan;
 use crate::scenario::language::{Block, BoxRegion, Planar, Point, Space, Target};
-use crate::scenario::quantity::{Acceleration, Axial, Down, Kind};
-use crate::scenario::read::{Explained, Provenance, Read, with_unit};
+use crate::scenario::quantity::{Acceleration, Axial, Down};
+use crate::scenario::read::{Explained, Provenance, Read};
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Diagnostics, Name, Parsed, Quantity, Severity};
 use crate::spatial::setup as spatial;
@@ -100,6 +100,9 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
     if diagnostics.errors() > 0 {
         return Err(diagnostics);
     }
+    // What several tables name (an explosive of many charges) is read for each of them.
+    let mut told = BTreeSet::new();
+    b.explained.retain(|line| told.insert(line.key.clone()));
     Ok(Model {
         setup: match b.space {
             InSpace::Planar => b.setup.into(),
@@ -155,26 +158,6 @@ impl Builder<'_> {
         said: &'b T,
     ) -> Read<'b, T> {
         Read::new(said, self.space, path, &mut self.explained)
-    }
-
-    /// SI value of a key that has a default; written down.
-    pub(super) fn or<K: Kind>(
-        &mut self,
-        key: &str,
-        given: Option<&Quantity<K>>,
-        default: f64,
-        unit: &str,
-    ) -> f64 {
-        match given {
-            Some(quantity) => {
-                self.explain(key, quantity.raw.to_string(), Provenance::Given, "");
-                quantity.si()
-            }
-            None => {
-                self.explain(key, with_unit(default, unit), Provenance::Default, "");
-                default
-            }
-        }
     }
 
     /// A point in local coordinates.
@@ -271,10 +254,9 @@ impl Builder<'_> {
     }
 
     fn planar_gravity(&mut self, planar: &Planar) {
-        let [x, y] = [planar.gravity[0].si(), planar.gravity[1].si()];
-        let raw = format!("[{}, {}]", planar.gravity[0].raw, planar.gravity[1].raw);
-        self.explain("space.planar.gravity", raw, Provenance::Given, "");
-        let tilt = self.reading("space.planar", planar).tilt();
+        let mut read = self.reading("space.planar", planar);
+        let [x, y] = read.gravity().each_ref().map(Quantity::si);
+        let tilt = read.tilt();
         let (sin, cos) = (libm::sin(tilt), libm::cos(tilt));
         self.setup.gravity = [x * cos + y * sin, y * cos - x * sin];
     }

@@ -13,7 +13,7 @@ use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::foreign::{self, Place};
 use crate::scenario::language::{Block, Cut, Geometry, Polygons, Traces};
 use crate::scenario::quantity::PositiveLength;
-use crate::scenario::read::{Provenance, with_unit};
+use crate::scenario::read::Provenance;
 use crate::scenario::{Diagnostic, Name, Quantity};
 
 /// Polygons of a file in the coordinates of the scenario, m.
@@ -28,11 +28,17 @@ pub(super) struct Drawn {
 
 /// What is asked of a drawing.
 struct Wanted<'a> {
-    key: String,
     file: &'a Name,
     unit: Option<&'a Quantity<PositiveLength>>,
     layers: Option<&'a [Name]>,
     sagitta: Option<&'a Quantity<PositiveLength>>,
+}
+
+/// The length of the unit of a drawing, m, where the scene does not give it.
+struct OwnUnit {
+    value: f64,
+    from: Provenance,
+    why: &'static str,
 }
 
 impl Builder<'_> {
@@ -52,7 +58,9 @@ impl Builder<'_> {
         if let Some(file) = &said.tess {
             let cells =
                 self.foreign_file(file, parse_tess, "use `mesh.tess` in [space.spatial]")?;
-            let unit = self.or(&format!("{key}.unit"), said.unit.as_ref(), 1.0, "m");
+            let unit = self
+                .reading(key, said)
+                .unit_or(1.0, Provenance::Default, "");
             let Cells::Plane(cells) = cells else {
                 let message = format!("`{file}` has cells in three dimensions");
                 let help =
@@ -70,13 +78,15 @@ impl Builder<'_> {
         }
         let file = said.dxf.as_ref()?;
         let wanted = Wanted {
-            key,
             file,
             unit: said.unit.as_ref(),
             layers: said.layers.as_deref(),
             sagitta: said.sagitta.as_ref(),
         };
-        let (unit, drawing) = self.drawing(&wanted)?;
+        let (own, drawing) = self.drawing(&wanted)?;
+        let unit = self
+            .reading(key, said)
+            .unit_or(own.value, own.from, own.why);
         let mut drawn = Drawn::default();
         for line in drawing.lines.into_iter().filter(|line| line.closed) {
             let number = drawn.outlines.len() as u32;
@@ -94,28 +104,33 @@ impl Builder<'_> {
         Some(drawn)
     }
 
-    /// The lines of a drawing on the layers that are wanted, and the length of its unit, m.
-    fn drawing(&mut self, wanted: &Wanted) -> Option<(f64, Drawing)> {
+    /// The lines of a drawing on the layers that are wanted, and the length of its unit.
+    fn drawing(&mut self, wanted: &Wanted) -> Option<(OwnUnit, Drawing)> {
         let file = wanted.file;
         // Arcs become pieces in the unit of the drawing, which may stand in the file only.
         let help = "save it as DXF, text or binary";
         let given = wanted.unit.map(Quantity::si);
         let sagitta = wanted.sagitta.map(Quantity::si);
         let first = self.foreign_file(file, |bytes| parse_dxf(bytes, None), help)?;
-        let unit = given.or(first.unit).unwrap_or(1.0);
+        let own = match first.unit {
+            Some(value) => OwnUnit {
+                value,
+                from: Provenance::Derived,
+                why: "$INSUNITS of the drawing",
+            },
+            None => OwnUnit {
+                value: 1.0,
+                from: Provenance::Default,
+                why: "the drawing names no unit",
+            },
+        };
+        let unit = given.unwrap_or(own.value);
         let mut drawing = match sagitta {
             Some(sagitta) => {
                 self.foreign_file(file, |bytes| parse_dxf(bytes, Some(sagitta / unit)), help)?
             }
             None => first,
         };
-        let (from, why) = match (given, drawing.unit) {
-            (Some(_), _) => (Provenance::Given, ""),
-            (None, Some(_)) => (Provenance::Derived, "$INSUNITS of the drawing"),
-            (None, None) => (Provenance::Default, "the drawing names no unit"),
-        };
-        let key = format!("{}.unit", wanted.key);
-        self.explain(key, with_unit(unit, "m"), from, why);
         if let Some(layers) = wanted.layers {
             let known = drawing.layers();
             let unknown = layers.iter().find(|l| !known.contains(&l.as_str()));
@@ -129,7 +144,7 @@ impl Builder<'_> {
             let taken = |layer: &str| layers.iter().any(|l| l.as_str() == layer);
             drawing.lines.retain(|line| taken(&line.layer));
         }
-        Some((unit, drawing))
+        Some((own, drawing))
     }
 
     /// What a file of another tool holds; `None` after an error.
@@ -202,13 +217,16 @@ impl Builder<'_> {
             ..
         } = mapped;
         let wanted = Wanted {
-            key: format!("blocks.{}.cut.traces", block.name),
             file,
             unit: unit.as_ref(),
             layers: layers.as_deref(),
             sagitta: sagitta.as_ref(),
         };
-        let (unit, drawing) = self.drawing(&wanted)?;
+        let (own, drawing) = self.drawing(&wanted)?;
+        let key = format!("blocks.{}.cut.traces", block.name);
+        let unit = self
+            .reading(key, mapped)
+            .unit_or(own.value, own.from, own.why);
         let open = drawing.lines.iter().filter(|line| !line.closed);
         let pieces = open.flat_map(|line| line.points.windows(2));
         let place = |p: [f64; 2]| unit * Vec2::from(p) - self.origin;

@@ -52,8 +52,8 @@ impl Builder<'_> {
 
     /// Divides all strengths, those of later phases too, by `strength_factor`.
     pub(super) fn reduce_strength(&mut self) {
-        let given = self.parsed.scenario.strength_factor.as_ref();
-        let factor = self.or("strength_factor", given, 1.0, "");
+        let scenario = &self.parsed.scenario;
+        let factor = self.reading("", scenario).strength_factor();
         if factor == 1.0 {
             return;
         }
@@ -222,8 +222,7 @@ impl Builder<'_> {
             None => friction,
         };
         read.residual_friction_angle_or(libm::atan(friction), default, "");
-        let points = read.points();
-        let law = BondLaw {
+        BondLaw {
             normal_stiffness,
             shear_stiffness,
             tension: read.tension(),
@@ -232,15 +231,8 @@ impl Builder<'_> {
             residual_friction,
             residual_cohesion: read.residual_cohesion(),
             damping_ratio: read.damping_ratio(),
-            points,
-        };
-        if !(1..=5).contains(&points) {
-            let message = format!("`points` of interfaces.{name}.bond is {points}");
-            let error = Diagnostic::error("value.range", message);
-            let error = error.at(bond.tension.span.clone());
-            self.found.push(error.help("from 1 to 5 is possible"));
+            points: read.points(),
         }
-        law
     }
 }
 

@@ -7,6 +7,7 @@ use crate::dynamics::{Formula, TimeFunction};
 use crate::planar::setup::{Load, LoadKind, Motion, Support};
 use crate::scenario::language::{self, EdgeLoad, Point};
 use crate::scenario::quantity::{Kind, Length, Vector};
+use crate::scenario::read::Given;
 use crate::scenario::time_function::CsvFunction;
 use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns};
 
@@ -21,9 +22,9 @@ impl Builder<'_> {
             };
             let motion = match (&support.fixed, &support.motion) {
                 (Some(f), _) => Some(Motion::Fixed {
-                    x: f.x,
-                    y: f.y,
-                    rotation: f.rotation,
+                    x: f.x_or_default(),
+                    y: f.y_or_default(),
+                    rotation: f.rotation_or_default(),
                 }),
                 (None, Some(language::Motion::Velocity(m))) => {
                     let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
@@ -63,25 +64,24 @@ impl Builder<'_> {
         f: &scenario::TimeFunction<K>,
     ) -> Option<TimeFunction> {
         use scenario::TimeFunction as Said;
-        let or_zero = |q: Option<f64>| q.unwrap_or(0.0);
         Some(match f {
             Said::Constant(value) => TimeFunction::Constant(value.si()),
             Said::Ramp(ramp) => TimeFunction::Ramp {
                 from: ramp.from.si(),
                 to: ramp.to.si(),
-                start: or_zero(ramp.start.as_ref().map(Quantity::si)),
+                start: ramp.start.si_or(0.0),
                 end: ramp.end.si(),
             },
             Said::Sine(sine) => TimeFunction::Sine {
                 amplitude: sine.amplitude.si(),
                 frequency: sine.frequency.si(),
-                phase: or_zero(sine.phase.as_ref().map(Quantity::si)),
-                offset: or_zero(sine.offset.as_ref().map(Quantity::si)),
+                phase: sine.phase.si_or(0.0),
+                offset: sine.offset.si_or(0.0),
                 cycles: sine.cycles.as_ref().map(Quantity::si),
             },
             Said::Pulse(pulse) => TimeFunction::Pulse {
                 value: pulse.value.si(),
-                start: or_zero(pulse.start.as_ref().map(Quantity::si)),
+                start: pulse.start.si_or(0.0),
                 end: pulse.end.si(),
             },
             Said::Duvall(d) => TimeFunction::duvall(d.peak.si(), d.decay.si(), d.rise.si()),
@@ -135,7 +135,7 @@ impl Builder<'_> {
             );
             return None;
         }
-        let scale = csv.scale.as_ref().map_or(1.0, Quantity::si);
+        let scale = csv.scale.si_or(1.0);
         Some((times, values.into_iter().map(|v| v * scale).collect()))
     }
 

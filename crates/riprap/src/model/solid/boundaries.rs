@@ -50,20 +50,14 @@ impl Builder<'_> {
     pub(super) fn boundaries(&mut self) {
         let in_situ = self.parsed.scenario.in_situ.is_some();
         for (number, said) in (1..).zip(&self.parsed.scenario.boundaries) {
-            let (Some(on), Some((kind, held))) = (self.faces(&said.on), self.boundary_kind(said))
+            let (Some(on), Some((kind, held))) =
+                (self.faces(&said.on), self.boundary_kind(said, number))
             else {
                 continue;
             };
             let name = boundary_name(said, number);
-            let default = in_situ && held;
-            let from = if said.in_situ.is_some() {
-                Provenance::Given
-            } else {
-                Provenance::Default
-            };
-            let in_situ = said.in_situ.unwrap_or(default);
-            let key = format!("boundaries.{name}.in_situ");
-            self.explain(key, in_situ.to_string(), from, "");
+            let mut read = self.reading(format!("boundaries.{name}"), said);
+            let in_situ = read.in_situ_or(in_situ && held, Provenance::Default, "");
             self.spatial.boundaries.push(Boundary {
                 name,
                 on,
@@ -164,7 +158,12 @@ impl Builder<'_> {
     }
 
     /// What happens there, and whether it holds the faces.
-    fn boundary_kind(&mut self, said: &language::Boundary) -> Option<(BoundaryKind, bool)> {
+    fn boundary_kind(
+        &mut self,
+        said: &language::Boundary,
+        number: usize,
+    ) -> Option<(BoundaryKind, bool)> {
+        let path = format!("boundaries.{}", boundary_name(said, number));
         let constant = TimeFunction::Constant(1.0);
         if said.held.is_some() || said.roller.is_some() {
             let kind = BoundaryKind::Held {
@@ -183,16 +182,19 @@ impl Builder<'_> {
             return Some((BoundaryKind::Moved { velocity }, true));
         }
         if let Some(viscous) = &said.viscous {
-            let half_cell = viscous.half_cell.unwrap_or(true);
+            let mut read = self.reading(format!("{path}.viscous"), viscous);
+            let half_cell = read.half_cell();
             return Some((BoundaryKind::Viscous { half_cell }, true));
         }
         let mut traction = Vec3::ZERO;
         let (mut pressure, mut gradient, mut datum) = (0.0, 0.0, 0.0);
         let mut time = constant;
         if let Some(face) = &said.pressure {
-            pressure = face.value.si();
-            gradient = face.gradient.as_ref().map_or(0.0, Quantity::si);
-            datum = face.datum.as_ref().map_or(0.0, Quantity::si) - self.spatial.origin.z;
+            let origin = self.spatial.origin.z;
+            let mut read = self.reading(format!("{path}.pressure"), face);
+            pressure = read.value();
+            gradient = read.gradient();
+            datum = read.datum() - origin;
             if let Some(f) = &face.time {
                 time = self.time_function(f)?;
             }

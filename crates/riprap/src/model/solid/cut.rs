@@ -12,7 +12,7 @@ use crate::scenario::csv_columns::csv_quantities;
 use crate::scenario::language::{Block, Cut};
 use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
-use crate::scenario::{Diagnostic, Name, Quantity};
+use crate::scenario::{Diagnostic, Name};
 
 /// Most joints one by one.
 const MOST_JOINTS: usize = 20_000;
@@ -28,30 +28,29 @@ impl Builder<'_> {
         shift: Vec3,
     ) -> Option<Made> {
         let key = format!("blocks.{}.cut", block.name);
-        let seed = self.seed(&key, cut.seed);
-        let (at, given) = (format!("{key}.smallest_edge"), cut.smallest_edge.as_ref());
-        let thinnest = self.or(&at, given, 0.0, "m");
+        let mut read = self.reading(key.as_str(), cut);
+        let seed = read.seed();
+        let thinnest = read.smallest_edge_or(0.0, Provenance::Default, "");
+        let sets: Vec<PlaneSet> = (1..)
+            .zip(&cut.joint_sets)
+            .map(|(number, set)| {
+                let mut read = read.within(&format!("joint_sets.{number}"), set);
+                let direction = read.dip_direction().unwrap_or(0.0);
+                let normal = normal_of_dip(read.dip(), direction);
+                let at = set.origin.as_ref().map_or(Vec3::ZERO, global) + shift;
+                PlaneSet {
+                    normal,
+                    at: at + read.offset() * normal,
+                    spacing: read.spacing(),
+                    spacing_scatter: read.spacing_scatter(),
+                    angle_scatter: read.angle_scatter(),
+                }
+            })
+            .collect();
         let mut joints = match &cut.joints {
             Some(said) => self.joints_of_csv(&said.csv, shift)?,
             None => Vec::new(),
         };
-        let si = |q: Option<f64>| q.unwrap_or(0.0);
-        let sets: Vec<PlaneSet> = cut
-            .joint_sets
-            .iter()
-            .map(|set| {
-                let direction = si(set.dip_direction.as_ref().map(Quantity::si));
-                let normal = normal_of_dip(set.dip.si(), direction);
-                let at = set.origin.as_ref().map_or(Vec3::ZERO, global) + shift;
-                PlaneSet {
-                    normal,
-                    at: at + si(set.offset.as_ref().map(Quantity::si)) * normal,
-                    spacing: set.spacing.si(),
-                    spacing_scatter: si(set.spacing_scatter.as_ref().map(Quantity::si)),
-                    angle_scatter: si(set.angle_scatter.as_ref().map(Quantity::si)),
-                }
-            })
-            .collect();
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let boxes = made.shapes.iter().map(bounds);
         let (min, max) = boxes.fold(start, |(a, b), (min, max)| (a.min(min), b.max(max)));

@@ -1,5 +1,6 @@
 //! Deformable blocks: their sets, bond laws, held nodes.
 
+use super::supports::held_along;
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
 use crate::scenario::language::{self, Mechanics, Support, Target};
@@ -41,7 +42,10 @@ impl Builder<'_> {
         for notch in &self.parsed.scenario.notches {
             let corners = [&notch.region.min, &notch.region.max];
             let corners = corners.map(|corner| self.local(corner.xyz()));
-            let springs = matches!(notch.breaks, Some(language::NotchBreaks::Springs));
+            let springs = match notch.breaks.unwrap_or_default() {
+                language::NotchBreaks::Springs => true,
+                language::NotchBreaks::Facets => false,
+            };
             self.spatial.deform.notches.push(Notch { corners, springs });
         }
     }
@@ -115,7 +119,7 @@ impl Builder<'_> {
         }
         let still = || Some(TimeFunction::Constant(0.0));
         let velocity = match (&support.fixed, &support.motion) {
-            (Some(fixed), _) => [fixed.x, fixed.y, fixed.z].map(|held| held.then(still).flatten()),
+            (Some(fixed), _) => held_along(fixed).map(|held| held.then(still).flatten()),
             (None, Some(language::Motion::Velocity(m))) => [
                 self.maybe(m.x.as_ref()),
                 self.maybe(m.y.as_ref()),

@@ -57,8 +57,8 @@ impl Builder<'_> {
         said: &language::Mesh,
         shift: Vec3,
     ) -> Option<Made> {
-        let key = format!("blocks.{}.mesh.unit", block.name);
-        let unit = self.or(&key, said.unit.as_ref(), 1.0, "m");
+        let mut read = self.reading(format!("blocks.{}.mesh", block.name), said);
+        let unit = read.unit_or(1.0, Provenance::Default, "");
         let made = if let Some(file) = &said.tess {
             Made::of(self.tess(file, unit, shift)?)
         } else if let Some(file) = &said.stl {

@@ -28,7 +28,7 @@ pub(super) use joints::{change_joint, reduce_joint};
 use riprap_geom::Vec3;
 
 use super::builder::Builder;
-use crate::scenario::language::{Point3, Spatial};
+use crate::scenario::language::{Period, Point3, Spatial};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::{Group, Kinematics, Material};
@@ -85,19 +85,18 @@ impl Builder<'_> {
     fn solid_space(&mut self, space: &Spatial) {
         let gravity = self.gravity(&space.gravity);
         self.spatial.gravity = gravity.into();
-        let raw = space.gravity.raw();
-        self.explain("space.spatial.gravity", raw, Provenance::Given, "");
         let mut read = self.reading("space.spatial", space);
+        read.gravity();
         let kinematics = read.kinematics();
         let bound = (kinematics == Kinematics::Automatic).then(|| read.rotation_bound());
-        self.spatial.found_contacts = read.found_contacts();
+        let found_contacts = read.found_contacts();
+        let periods = read.periodic();
+        let periods = periods.map(|periods| periods.each_ref().map(Period::read));
+        self.spatial.found_contacts = found_contacts;
         self.spatial.kinematics = kinematics;
         self.spatial.rotation_bound = bound;
-        if let Some(periods) = &space.periodic {
-            self.spatial.periodic = [0, 1, 2].map(|k: usize| periods[k].read());
-            let raw = periods.each_ref().map(|period| period.raw.to_string());
-            let raw = format!("[{}]", raw.join(", "));
-            self.explain("space.spatial.periodic", raw, Provenance::Given, "");
+        if let Some(periods) = periods {
+            self.spatial.periodic = periods;
         }
     }
 

@@ -11,7 +11,6 @@ use super::mesh::Made;
 use crate::model::builder::Builder;
 use crate::model::names::Entry;
 use crate::scenario::language::{self, Block, Brick, Geometry, Grid, GridCells, span_of};
-use crate::scenario::read::Provenance;
 use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::{BlockName, BlockSpec, Shape, Solid};
 
@@ -157,7 +156,6 @@ impl Builder<'_> {
 
     /// The cells of a box; `None` after an error.
     fn cells(&mut self, block: &Block, said: &GridCells, shift: Vec3) -> Option<Vec<Shape>> {
-        let key = |word: &str| format!("blocks.{}.grid.cells.{word}", block.name);
         let (min, max) = box_of(said);
         let cell = said.cell.si();
         let count = (max - min).element_product() / (cell * cell * cell);
@@ -183,18 +181,8 @@ impl Builder<'_> {
             let site = said.site.as_ref().map_or(0.5 * (min + max), global);
             (lattice_sites(min, max, cell, site, angle), 0)
         } else {
-            let (seed, relax) = (said.seed.unwrap_or(1), said.relax.unwrap_or(10));
-            for (word, value, given) in [
-                ("seed", seed, said.seed.is_some()),
-                ("relax", relax, said.relax.is_some()),
-            ] {
-                let from = if given {
-                    Provenance::Given
-                } else {
-                    Provenance::Default
-                };
-                self.explain(key(word), value.to_string(), from, "");
-            }
+            let mut read = self.reading(format!("blocks.{}.grid.cells", block.name), said);
+            let (seed, relax) = (read.seed(), read.relax());
             (random_sites(min, max, cell, seed), relax as usize)
         };
         let whole = match said.sides {

@@ -15,7 +15,7 @@ use crate::scenario::quantity::Interval;
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
-use crate::scenario::{Diagnostic, Name, Quantity, Span};
+use crate::scenario::{Diagnostic, Name, Span};
 use crate::spatial::setup::{
     Coupling, Criterion, During, Place, Push, Refinement, Region, Shape, Source, Venting,
 };
@@ -41,7 +41,8 @@ impl Builder<'_> {
         let Some(explosive) = self.adiabat(name, gas) else {
             return;
         };
-        let delay = gas.delay.as_ref().map_or(0.0, Quantity::si);
+        let path = format!("sources.{name}.gas_cavity");
+        let delay = self.reading(path.as_str(), gas).delay();
         let coupling = self.coupling(name, gas);
         let venting = match &gas.venting {
             None => None,
@@ -50,7 +51,7 @@ impl Builder<'_> {
             }),
             Some(language::Venting::Time(time)) => Some(Venting::Time {
                 start: time.start.si(),
-                span: time.span.as_ref().map_or(0.0, Quantity::si),
+                span: self.reading(format!("{path}.venting.time"), time).span(),
             }),
         };
         let push = |mass: f64| Push::Gas {
@@ -86,7 +87,8 @@ impl Builder<'_> {
     }
 
     fn pressure(&mut self, name: &Name, cavity: &PressureCavity) {
-        let delay = cavity.delay.as_ref().map_or(0.0, Quantity::si);
+        let mut read = self.reading(format!("sources.{name}.pressure_cavity"), cavity);
+        let delay = read.delay();
         let Some(time) = self.time_function(&cavity.pressure) else {
             return;
         };
@@ -107,13 +109,20 @@ impl Builder<'_> {
 
     /// The explosive in numbers, if they make sense.
     fn adiabat(&mut self, name: &Name, gas: &GasCavity) -> Option<Explosive> {
-        let said = self.explosive(gas)?;
+        let (said, path) = match &gas.explosive {
+            WordOr::Word(of, _) => {
+                let named = self.parsed.scenario.explosives.get(of.as_str())?;
+                (named, format!("explosives.{of}"))
+            }
+            WordOr::Table(said, _) => (said, format!("sources.{name}.gas_cavity.explosive")),
+        };
+        let mut read = self.reading(path, said);
         let explosive = Explosive {
-            density: said.density.si(),
-            detonation_velocity: said.detonation_velocity.si(),
-            heat: said.heat_of_explosion.si(),
-            gamma: said.gamma.as_ref().map_or(3.0, Quantity::si),
-            gamma_low: said.gamma_low.as_ref().map_or(4.0 / 3.0, Quantity::si),
+            density: read.density(),
+            detonation_velocity: read.detonation_velocity(),
+            heat: read.heat_of_explosion(),
+            gamma: read.gamma(),
+            gamma_low: read.gamma_low_or(4.0 / 3.0, Provenance::Default, "4/3"),
         };
         let Err(error) = explosive.validate() else {
             return Some(explosive);
@@ -138,11 +147,7 @@ impl Builder<'_> {
 
     fn coupling(&mut self, name: &Name, gas: &GasCavity) -> Coupling {
         let key = format!("sources.{name}.gas_cavity.coupling");
-        let from = if gas.coupling.is_some() {
-            Provenance::Given
-        } else {
-            Provenance::Default
-        };
+        let from = Provenance::given(gas.coupling.is_some());
         let (coupling, text, why) = match &gas.coupling {
             _ if gas.is_fitted() => (
                 Coupling::Scaled {

@@ -7,11 +7,20 @@ use crate::model::builder::Builder;
 use crate::scenario::language::{self, Fixed};
 use crate::spatial::setup::{Load, LoadKind, Motion, Support};
 
+/// Whether each direction is held.
+pub(super) fn held_along(said: &Fixed) -> [bool; 3] {
+    [
+        said.x_or_default(),
+        said.y_or_default(),
+        said.z_or_default(),
+    ]
+}
+
 /// Which freedoms are held.
 fn fixed(said: &Fixed) -> Motion {
-    let turn = |given: Option<bool>| given.unwrap_or(said.rotation);
+    let turn = |given: Option<bool>| given.unwrap_or(said.rotation_or_default());
     Motion::Fixed {
-        translation: [said.x, said.y, said.z],
+        translation: held_along(said),
         rotation: [
             turn(said.rotation_x),
             turn(said.rotation_y),
