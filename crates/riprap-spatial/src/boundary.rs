@@ -50,7 +50,29 @@ pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError
             return Err(BuildError::NoFace { boundary });
         }
     }
-    Ok(())
+    overruled(world)
+}
+
+/// A face has one condition, the last that is given for it; a condition that is left without any face is a mistake.
+fn overruled(world: &World) -> Result<(), BuildError> {
+    let boundaries = &world.setup.boundaries;
+    let mut acts = vec![false; boundaries.len()];
+    for face in &world.faces {
+        if let Some(index) = face.boundary {
+            acts[usize::from(index)] = true;
+        }
+    }
+    let Some(index) = acts.iter().position(|acts| !acts) else {
+        return Ok(());
+    };
+    Err(BuildError::Overruled {
+        boundary: boundaries[index].name.clone(),
+        later: boundaries[index + 1..]
+            .iter()
+            .map(|b| b.name.clone())
+            .collect::<Vec<_>>()
+            .join("`, `"),
+    })
 }
 
 /// Whether a face belongs to a choice of faces.

@@ -16,7 +16,7 @@ use crate::words::{OneWord, WordOr};
 
 /// A condition on free faces: faces, or parts of them, on which no other block lies. At most one of
 /// `held`, `roller`, `moved`, `viscous`, `pressure`, `traction`; of several conditions for one face
-/// the last counts.
+/// the last counts, and a condition left without a face is an error.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Boundary {

@@ -65,4 +65,15 @@ pub enum BuildError {
         /// Name of the boundary.
         boundary: String,
     },
+    /// A condition whose faces all have a later one.
+    #[error(
+        "the boundary `{boundary}` has no effect: all its faces belong to boundaries that stand later (`{later}`), and a \
+         face has one condition, the last; take it away, or give them other faces"
+    )]
+    Overruled {
+        /// Name of the boundary.
+        boundary: String,
+        /// Names of the later boundaries.
+        later: String,
+    },
 }

@@ -90,9 +90,13 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         checks = of_run;
         bisect = b.bisect(of_limit);
         if b.errors() == 0 {
+            b.unused();
             match b.space {
                 InSpace::Planar => inspect::inspect(&mut b),
-                InSpace::Spatial => b.inspect_solid(),
+                InSpace::Spatial => {
+                    b.unused_in_space();
+                    b.inspect_solid();
+                }
             }
         }
     }

@@ -24,6 +24,7 @@ mod names;
 mod phases;
 mod solid;
 mod summary;
+mod unused;
 
 pub use crate::scenario::read::{Explained, Provenance};
 pub use assertions::{Bisection, LIMIT};

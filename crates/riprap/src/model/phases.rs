@@ -159,7 +159,7 @@ impl Builder<'_> {
     }
 
     /// Whether every block that is not held is deformable.
-    fn all_free_deform(&self) -> bool {
+    pub(super) fn all_free_deform(&self) -> bool {
         let mut bound = vec![false; self.spatial.blocks.len()];
         let sets = self.spatial.deform.sets.iter().map(|s| &s.blocks);
         let held = self.spatial.supports.iter().map(|s| &s.blocks);

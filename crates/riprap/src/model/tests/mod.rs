@@ -13,7 +13,9 @@ use riprap_geom::polygon::{Aabb, signed_area};
 mod checks;
 mod foreign;
 mod interfaces;
+mod numbers;
 mod solid;
+mod unused;
 
 /// Begins a scenario in the plane.
 const HEAD: &str = r#"

@@ -1,0 +1,155 @@
+//! Keys without effect are told, conditions without effect refused.
+
+use super::*;
+use crate::run::simulation::Simulation;
+
+const HEAD: &str = r#"
+riprap = 1
+title = "test"
+space.spatial.gravity = "10 m/s2"
+[materials.rock]
+density = "2000 kg/m3"
+young = "18 GPa"
+poisson = 0.25
+[interfaces.default.brittle_bond]
+thickness = "1 mm"
+elastic = true
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["2 m", "1 m", "1 m"], cell = "1 m" }
+"#;
+
+const DEFORMABLE: &str = "mechanics.deformable = {}\n";
+
+/// The warnings of keys without effect.
+fn unused(text: &str) -> Vec<String> {
+    let parsed = parse(Source::new("t.toml", text)).unwrap_or_else(|error| panic!("{error}"));
+    let model = build(&parsed, "default", &[]).unwrap_or_else(|error| panic!("{error}"));
+    let unused = model.warnings.iter().filter(|w| w.code == "key.unused");
+    unused.map(|w| w.message.clone()).collect()
+}
+
+fn phase(keys: &str) -> String {
+    format!("[[phases]]\nname = \"p\"\nuntil.time = \"1 ms\"\n{keys}\n")
+}
+
+#[test]
+fn what_deformable_blocks_read_is_quiet() {
+    let scene = format!(
+        "{HEAD}{DEFORMABLE}{}",
+        phase("damping.mass = \"1 1/s\"\nbreaking = false")
+    );
+    assert_eq!(unused(&scene), Vec::<String>::new());
+}
+
+#[test]
+fn keys_of_joints_beside_bonds_alone() {
+    let head = HEAD.replace(
+        "[interfaces.default.brittle_bond]",
+        "[interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\ndamping_ratio = 0.2\n[interfaces.default.brittle_bond]",
+    );
+    let scene = format!("{head}{DEFORMABLE}{}", phase(""));
+    assert_eq!(
+        unused(&scene),
+        ["`normal_stiffness`, `damping_ratio` of interfaces.default have no effect"]
+    );
+    // A rigid block beside them brings no joint of rigid blocks; two do.
+    let rigid = |count: u32| {
+        format!(
+            "[[blocks]]\nname = \"other\"\nmaterial = \"rock\"\nbrick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], \
+             corner = [\"2 m\", \"0 m\", \"0 m\"] }}\ncopies = {{ count = {count}, step = [\"1 m\", \"0 m\", \"0 m\"] }}\n"
+        )
+    };
+    let friction = head.replace(
+        "damping_ratio",
+        "friction_angle = \"30 deg\"\ndamping_ratio",
+    );
+    let scene = format!("{friction}{DEFORMABLE}{}{}", rigid(2), phase(""));
+    assert_eq!(unused(&scene), Vec::<String>::new());
+}
+
+#[test]
+fn damping_that_deformable_blocks_do_not_have() {
+    let scene = format!(
+        "{HEAD}{DEFORMABLE}{}",
+        phase("damping = { mass = \"1 1/s\", stiffness = \"1 ms\" }")
+    );
+    assert_eq!(
+        unused(&scene),
+        ["`stiffness` of `damping` of phase `p` has no effect"]
+    );
+    let settle = "kind = \"static\"\ndamping = { local = 0.5 }";
+    let scene = format!("{HEAD}{DEFORMABLE}{}", phase(settle));
+    assert_eq!(
+        unused(&scene),
+        ["`local` of `damping` of phase `p` has no effect"]
+    );
+}
+
+#[test]
+fn keys_of_deformable_blocks_without_any() {
+    let friction = HEAD.replace(
+        "[interfaces.default.brittle_bond]",
+        "[interfaces.default]\nfriction_angle = \"30 deg\"\n[interfaces.default.brittle_bond]",
+    );
+    let keys = "breaking = false\ncut = {}\nrelaxation = {}";
+    assert_eq!(
+        unused(&format!("{friction}{}", phase(keys))),
+        [
+            "`thickness` of interfaces.default.brittle_bond has no effect",
+            "`breaking`, `cut` of phase `p` have no effect",
+            "`relaxation` of phase `p` has no effect",
+        ]
+    );
+}
+
+#[test]
+fn gravity_that_does_not_change_has_no_ramp() {
+    let later = phase("gravity_ramp = \"1 ms\"").replace("\"p\"", "\"later\"");
+    let scene = format!(
+        "{HEAD}{DEFORMABLE}{}{later}",
+        phase("gravity_ramp = \"1 ms\"")
+    );
+    assert_eq!(
+        unused(&scene),
+        ["`gravity_ramp` of phase `later` has no effect"]
+    );
+}
+
+/// The first of two conditions on one face was dropped without a word.
+#[test]
+fn a_boundary_whose_faces_all_have_a_later_one_is_refused() {
+    let side = |name: &str, what: &str| {
+        format!("[[boundaries]]\nname = \"{name}\"\non.plane = \"x-min\"\n{what}\n")
+    };
+    let (absorb, push) = (
+        side("absorb", "viscous = {}"),
+        side("push", "pressure.value = \"1 MPa\""),
+    );
+    let head = HEAD.replace("gravity = \"10 m/s2\"", "gravity = \"0 m/s2\"");
+    for kind in ["", DEFORMABLE] {
+        let friction = head.replace(
+            "[interfaces.default.brittle_bond]",
+            "[interfaces.default]\nfriction_angle = \"30 deg\"\n[interfaces.default.brittle_bond]",
+        );
+        let scene = format!("{friction}{kind}{absorb}{push}{}", phase(""));
+        let Err(error) = Simulation::from_toml(&scene) else {
+            panic!("accepted");
+        };
+        let text = error.to_string();
+        assert!(
+            text.contains("`absorb` has no effect") && text.contains("`push`"),
+            "{text}"
+        );
+        // A part of the faces may have another one.
+        let part = absorb.replace(
+            "on.plane = \"x-min\"",
+            "on = { block = \"rock\", side = \"x-min\" }",
+        );
+        let whole = push.replace("on.plane = \"x-min\"", "on = { group = \"rock\" }");
+        assert!(
+            Simulation::from_toml(&format!("{friction}{kind}{whole}{part}{}", phase(""))).is_ok()
+        );
+    }
+}

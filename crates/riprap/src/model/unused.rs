@@ -1,0 +1,270 @@
+//! Keys that have no effect in the scene at hand: each is a warning, at its place.
+//!
+//! What the text alone shows is in the rules of the language; here is what depends on which blocks deform and on how
+//! phases are calculated. The table of who reads what:
+//!
+//! | keys | read by |
+//! |---|---|
+//! | `interfaces.*` besides `between`, `brittle_bond` | joints and found contacts of rigid blocks |
+//! | `interfaces.*.brittle_bond` | bonds with a deformable block; its strengths also joints of rigid ones |
+//! | `phases.*.damping.stiffness`, `rotation` | joints of rigid blocks, rigid blocks |
+//! | `phases.*.damping.mass`, `local` | rigid blocks; nodes in dynamic phases |
+//! | `phases.*` `breaking`, `strain`, `cut` | deformable blocks |
+//! | `phases.*` `load_steps`, `iterations`, `relaxation` | static phases in which all free blocks deform |
+
+use crate::model::builder::Builder;
+use crate::run::plan::PhaseKind;
+use crate::scenario::diagnostic::list;
+use crate::scenario::language::{Fixed, Interface, InterfaceChange, Output, Phase, Target};
+use crate::scenario::{Diagnostic, Span, target_span};
+
+/// A key, and whether it was given.
+type Given = (&'static str, bool);
+
+impl Builder<'_> {
+    /// Warns of keys without effect; the setup is complete.
+    pub(super) fn unused(&mut self) {
+        let scenario = &self.parsed.scenario;
+        for (number, said) in scenario.phases.iter().enumerate() {
+            if number > 0
+                && said.gravity.is_none()
+                && let Some(ramp) = &said.gravity_ramp
+            {
+                let keys = [("gravity_ramp", true)];
+                let of = format!("phase `{}`", said.name);
+                self.no_effect(
+                    &of,
+                    &keys,
+                    &ramp.span,
+                    "gravity does not change in this phase: give `gravity`",
+                );
+            }
+        }
+    }
+
+    /// The same in space.
+    pub(super) fn unused_in_space(&mut self) {
+        let scenario = &self.parsed.scenario;
+        let deforms = self.deforming_blocks();
+        let any = deforms.contains(&true);
+        for (number, said) in scenario.phases.iter().enumerate() {
+            self.unused_of_phase(number, said, any);
+        }
+        self.unused_of_interfaces(&deforms);
+        for output in &scenario.outputs {
+            if let Output::Frames(pictures) = output
+                && pictures.tetrahedra
+                && !any
+            {
+                let keys = [("tetrahedra", true)];
+                let help = "no block is deformable: there are no tetrahedra";
+                self.no_effect("frames", &keys, &pictures.every.span, help);
+            }
+        }
+        if let Some(notch) = scenario.notches.first().filter(|_| !any) {
+            let help = "no block is deformable: there are no bonds that a notch could break";
+            self.no_effect(
+                "the scene",
+                &[("notches", true)],
+                &notch.region.min.span,
+                help,
+            );
+        }
+        for support in &scenario.supports {
+            let Some(Fixed {
+                rotation,
+                rotation_x,
+                rotation_y,
+                rotation_z,
+                ..
+            }) = &support.fixed
+            else {
+                continue;
+            };
+            if matches!(support.on, Target::Nodes(_)) {
+                let keys = [
+                    ("rotation", rotation.is_some()),
+                    ("rotation_x", rotation_x.is_some()),
+                    ("rotation_y", rotation_y.is_some()),
+                    ("rotation_z", rotation_z.is_some()),
+                ];
+                let span = target_span(&support.on);
+                self.no_effect("`fixed` of nodes", &keys, &span, "nodes do not turn");
+            }
+        }
+        for boundary in &scenario.boundaries {
+            if let Some(pressure) = &boundary.pressure
+                && let (Some(datum), None) = (&pressure.datum, &pressure.gradient)
+            {
+                let help = "the pressure is the same at all heights: it belongs to `gradient`";
+                self.no_effect("a pressure", &[("datum", true)], &datum.span, help);
+            }
+        }
+    }
+
+    /// Warns if there are any of the keys.
+    fn no_effect(&mut self, of: &str, keys: &[Given], span: &Span, help: &str) {
+        let given: Vec<&str> = keys.iter().filter(|(_, g)| *g).map(|(k, _)| *k).collect();
+        if given.is_empty() {
+            return;
+        }
+        let verb = if given.len() == 1 { "has" } else { "have" };
+        let message = format!("{} of {of} {verb} no effect", list(&given));
+        let note = Diagnostic::warning("key.unused", message).at(span.clone());
+        self.found.push(note.help(help));
+    }
+
+    /// Which blocks deform.
+    fn deforming_blocks(&self) -> Vec<bool> {
+        let mut deforms = vec![false; self.spatial.blocks.len()];
+        for set in &self.spatial.deform.sets {
+            for &block in &set.blocks {
+                deforms[block as usize] = true;
+            }
+        }
+        deforms
+    }
+
+    fn unused_of_phase(&mut self, number: usize, said: &Phase, any: bool) {
+        let (of, span) = (format!("phase `{}`", said.name), &said.name.span);
+        let of_nodes = [
+            ("breaking", said.breaking.is_some()),
+            ("strain", said.strain.is_some()),
+            ("cut", said.cut.is_some()),
+        ];
+        let of_relaxing = [
+            ("load_steps", said.load_steps.is_some()),
+            ("iterations", said.iterations.is_some()),
+            ("relaxation", said.relaxation.is_some()),
+        ];
+        let damping = said.damping.clone().unwrap_or_default();
+        let plan = self.plan.phases.get(number);
+        let relaxes = plan.is_some_and(|p| p.deform.is_some_and(|d| d.relax.is_some()));
+        let settles = plan.is_some_and(|p| p.kind == PhaseKind::Static);
+        if !any {
+            let help = "it is for deformable blocks, and there are none";
+            self.no_effect(&of, &of_nodes, span, help);
+            // For dynamic phases the rules of the language have said it.
+            let first = if settles { 0 } else { 2 };
+            self.no_effect(&of, &of_relaxing[first..], span, help);
+            return;
+        }
+        if !relaxes {
+            let (first, help) = if settles {
+                let help = "free rigid blocks relax in true time; these keys are for phases in which all free blocks deform";
+                (0, help)
+            } else {
+                (2, "it belongs to kind = \"static\"")
+            };
+            self.no_effect(&of, &of_relaxing[first..], span, help);
+        }
+        let of = format!("`damping` of {of}");
+        if relaxes {
+            let keys = [
+                ("mass", damping.mass.is_some()),
+                ("rotation", damping.rotation.is_some()),
+                ("stiffness", damping.stiffness.is_some()),
+                ("local", damping.local.is_some()),
+            ];
+            let help = "deformable blocks relax with a damping of their own: see `relaxation`";
+            self.no_effect(&of, &keys, span, help);
+        } else if self.all_free_deform() {
+            let keys = [
+                ("rotation", damping.rotation.is_some()),
+                ("stiffness", damping.stiffness.is_some()),
+            ];
+            let help = "bonds and nodes of deformable blocks have no such damping: use `mass`";
+            self.no_effect(&of, &keys, span, help);
+        }
+    }
+
+    /// Rows of the table that no pair of rigid blocks uses, or no pair with a deformable one.
+    fn unused_of_interfaces(&mut self, deforms: &[bool]) {
+        let n = self.spatial.materials.len();
+        let (mut rigid, mut deformable) = (vec![false; n], vec![false; n]);
+        for (block, deforms) in self.spatial.blocks.iter().zip(deforms) {
+            let of = if *deforms {
+                &mut deformable
+            } else {
+                &mut rigid
+            };
+            of[usize::from(block.material)] = true;
+        }
+        let rows = self.parsed.scenario.interfaces.iter().enumerate();
+        for (row, (name, said)) in rows {
+            let pairs = (0..n * n).filter(|&k| usize::from(self.spatial.pair_table[k]) == row);
+            let pairs = pairs.map(|k| (k / n, k % n));
+            let of_rigid = pairs.clone().any(|(a, b)| rigid[a] && rigid[b]);
+            let of_bonds = pairs
+                .clone()
+                .any(|(a, b)| deformable[a] && (deformable[b] || rigid[b]));
+            let of = format!("interfaces.{name}");
+            if of_bonds && !of_rigid && !self.spatial.found_contacts {
+                let help = "this interface has only bonds of deformable blocks, which `brittle_bond` describes";
+                self.no_effect(&of, &joint_keys(said), &name.span, help);
+                for phase in &self.parsed.scenario.phases {
+                    if let Some(change) = phase.interfaces.get(name.as_str()) {
+                        let of = format!("phases.{}.{of}", phase.name);
+                        self.no_effect(&of, &changed_keys(change), &phase.name.span, help);
+                    }
+                }
+            }
+            if let Some(bond) = said.brittle_bond.as_ref().filter(|_| of_rigid && !of_bonds) {
+                let keys = [
+                    ("thickness", true),
+                    ("young", bond.young.is_some()),
+                    ("poisson", bond.poisson.is_some()),
+                    ("cohesive", bond.cohesive.is_some()),
+                    ("failure", bond.failure.is_some()),
+                ];
+                let help = "this interface has only joints of rigid blocks, which take from `brittle_bond` no more \
+                            than the strengths that the interface itself does not give";
+                let of = format!("{of}.brittle_bond");
+                self.no_effect(&of, &keys, &bond.thickness.span, help);
+            }
+        }
+    }
+}
+
+/// Keys that joints of rigid blocks read.
+fn joint_keys(said: &Interface) -> [Given; 16] {
+    [
+        ("stiffness", said.stiffness.is_some()),
+        ("normal_stiffness", said.normal_stiffness.is_some()),
+        ("shear_stiffness", said.shear_stiffness.is_some()),
+        ("elastic", said.elastic),
+        ("friction_angle", said.friction_angle.is_some()),
+        ("friction_coefficient", said.friction_coefficient.is_some()),
+        ("cohesion", said.cohesion.is_some()),
+        ("tension", said.tension.is_some()),
+        (
+            "residual_friction_angle",
+            said.residual_friction_angle.is_some(),
+        ),
+        ("residual_cohesion", said.residual_cohesion.is_some()),
+        ("dilation_angle", said.dilation_angle.is_some()),
+        ("dilation_end", said.dilation_end.is_some()),
+        ("failure", said.failure.is_some()),
+        ("points", said.points.is_some()),
+        ("damping_ratio", said.damping_ratio.is_some()),
+        ("dashpots", said.dashpots.is_some()),
+    ]
+}
+
+/// The same in a phase.
+fn changed_keys(said: &InterfaceChange) -> [Given; 9] {
+    [
+        ("normal_stiffness", said.normal_stiffness.is_some()),
+        ("shear_stiffness", said.shear_stiffness.is_some()),
+        ("friction_angle", said.friction_angle.is_some()),
+        ("friction_coefficient", said.friction_coefficient.is_some()),
+        ("cohesion", said.cohesion.is_some()),
+        ("tension", said.tension.is_some()),
+        (
+            "residual_friction_angle",
+            said.residual_friction_angle.is_some(),
+        ),
+        ("residual_cohesion", said.residual_cohesion.is_some()),
+        ("damping_ratio", said.damping_ratio.is_some()),
+    ]
+}
