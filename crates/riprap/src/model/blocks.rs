@@ -200,6 +200,9 @@ impl Builder<'_> {
             self.geometry_error(block, &error, None);
             return;
         }
+        if !self.has_memory(total as f64, &copies.step.span) {
+            return;
+        }
         let step = Vec2::from(copies.step.xy());
         let first = std::mem::take(&mut made.outlines);
         made.numbered = true;

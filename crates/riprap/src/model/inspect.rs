@@ -22,6 +22,8 @@ const EXCUSED: f64 = 0.01;
 const NAMED: usize = 10;
 /// Overlapping pairs after which the search for more of them ends.
 const MOST_BAD: usize = 1000;
+/// Pairs of boxes for each block after which the search for overlaps ends.
+const MOST_NEAR: usize = 300;
 /// A block is a sliver below this share of the median width.
 const SLIVER: f64 = 0.02;
 
@@ -123,7 +125,7 @@ fn overlaps(b: &mut Builder<'_>) {
         .iter()
         .map(|block| Aabb::of(&block.vertices))
         .collect();
-    let Some(pairs) = touching_boxes(&boxes, 30 * boxes.len() + 10_000) else {
+    let Some(pairs) = touching_boxes(&boxes, MOST_NEAR * boxes.len() + 1_000_000) else {
         let message = "many blocks lie on top of each other at the start";
         let help = "check `copies.step`, and the places of blocks that are given twice";
         let error = Diagnostic::error("geometry.overlap", message).at(entry_span(b, 0));

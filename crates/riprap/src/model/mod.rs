@@ -19,6 +19,7 @@ mod drawn;
 mod fields;
 mod inspect;
 mod interfaces;
+mod memory;
 mod motion;
 mod names;
 mod phases;

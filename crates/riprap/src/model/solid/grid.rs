@@ -144,6 +144,7 @@ impl Builder<'_> {
             self.error_at("geometry.count", &block.name, message, help);
             return None;
         }
-        Some(lattice)
+        let span = grid_of(block).map_or(&block.name.span, |grid| &grid.cell.span);
+        self.has_memory(total, span).then_some(lattice)
     }
 }

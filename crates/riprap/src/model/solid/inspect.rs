@@ -17,8 +17,10 @@ use crate::spatial::setup::{BoundaryKind, FaceSet, InSitu, Shape};
 const ACCEPTED: f64 = 1e-6;
 /// Pairs named one by one.
 const NAMED: usize = 10;
-/// Pairs of boxes for each block after which the search ends.
-const MOST_LOOKS: usize = 300;
+/// Overlapping pairs after which the search for more of them ends.
+const MOST_BAD: usize = 1000;
+/// Looks at pairs of boxes (some seconds) after which the search for overlaps is given up, with a warning.
+const MOST_LOOKS: usize = 2_000_000_000;
 /// Stress on a free face, as a share of the largest in the model, that is worth a word.
 const WARNED: f64 = 1e-3;
 /// Share that is refused where the first phase is dynamic.
@@ -86,18 +88,27 @@ impl Builder<'_> {
             .iter()
             .map(|&b| bounds(&self.spatial.blocks[b as usize].shape))
             .collect();
-        let Some(pairs) = deep_pairs(&boxes, said) else {
-            let message = "many blocks lie on top of each other at the start";
-            let help = "check `copies.step`, and the places of blocks that are given twice";
-            let error = Diagnostic::error("geometry.overlap", message).help(help);
-            self.found.push(error);
-            return;
+        let shape = |k: u32| &self.spatial.blocks[blocks[k as usize] as usize].shape;
+        let hull = |k: u32| match shape(k) {
+            Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
+            // Two bricks are their boxes; a brick among polyhedra is rare.
+            Shape::Brick { .. } => None,
         };
-        let mut bad: Vec<Overlap> = pairs
-            .into_iter()
-            .filter_map(|[i, j]| self.overlap(blocks[i as usize], blocks[j as usize], said))
-            .collect();
-        bad.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+        let hulls: Vec<Option<Hull>> = (0..blocks.len() as u32).map(hull).collect();
+        let mut bad: Vec<Overlap> = Vec::new();
+        let searched = deep_pairs(&boxes, said, |pair| {
+            let [i, j] = pair.map(|k| k as usize);
+            let hulls = [hulls[i].as_ref(), hulls[j].as_ref()];
+            bad.extend(self.overlap([blocks[i], blocks[j]], hulls, said));
+            bad.len() < MOST_BAD
+        });
+        if searched == Search::GivenUp {
+            let message = "not all pairs of blocks were tested for overlap: the boxes around too many of them overlap";
+            let note = Diagnostic::warning("geometry.overlap", message);
+            self.found
+                .push(note.help("look at the blocks in the viewer before you trust the model"));
+        }
+        bad.sort_by(|a, b| b.depth.total_cmp(&a.depth).then(a.blocks.cmp(&b.blocks)));
         if let Some(worst) = bad.first() {
             let names = worst.blocks.map(|b| self.directory.name(b));
             self.summary.deepest_overlap = Some((worst.depth, names));
@@ -116,8 +127,13 @@ impl Builder<'_> {
             self.found.push(error.help(help));
         }
         if bad.len() > NAMED {
+            let least = if bad.len() == MOST_BAD {
+                "at least "
+            } else {
+                ""
+            };
             let message = format!(
-                "{} more pairs of blocks overlap at the start",
+                "{least}{} more pairs of blocks overlap at the start",
                 bad.len() - NAMED
             );
             self.found
@@ -147,12 +163,12 @@ impl Builder<'_> {
             .collect();
         let boxes: Vec<(Vec3, Vec3)> = tables.iter().map(|(_, around, _)| *around).collect();
         let mut reached: Vec<bool> = tables.iter().map(|(_, _, ordered)| !ordered).collect();
-        match deep_pairs(&boxes, said) {
-            Some(pairs) => pairs
-                .into_iter()
-                .flatten()
-                .for_each(|t| reached[t as usize] = true),
-            None => reached.fill(true),
+        let searched = deep_pairs(&boxes, said, |pair| {
+            pair.into_iter().for_each(|t| reached[t as usize] = true);
+            true
+        });
+        if searched == Search::GivenUp {
+            reached.fill(true);
         }
         let doubtful = tables
             .into_iter()
@@ -162,7 +178,7 @@ impl Builder<'_> {
     }
 
     /// How deep two blocks lie in each other, if that is too deep.
-    fn overlap(&self, i: u32, j: u32, said: f64) -> Option<Overlap> {
+    fn overlap(&self, [i, j]: [u32; 2], hulls: [Option<&Hull>; 2], said: f64) -> Option<Overlap> {
         let [a, b] = [i, j].map(|k| &self.spatial.blocks[k as usize].shape);
         let ((min_a, max_a), (min_b, max_b)) = (bounds(a), bounds(b));
         let (low, high) = (min_a.max(min_b), max_a.min(max_b));
@@ -170,11 +186,21 @@ impl Builder<'_> {
         let mut depth = (high - low).min_element();
         let both_bricks = matches!((a, b), (Shape::Brick { .. }, Shape::Brick { .. }));
         if depth > accepted && !both_bricks {
+            let [first, second] = hulls;
+            let apart = match (first, second) {
+                (Some(first), Some(second)) => {
+                    first.is_beyond(second, accepted) || second.is_beyond(first, accepted)
+                }
+                (Some(_), None) | (None, Some(_)) | (None, None) => false,
+            };
+            if apart {
+                return None;
+            }
             depth = depth.min(common_width(a, b));
         }
         (depth > accepted && !(self.held(i) && self.held(j))).then(|| Overlap {
             depth,
-            blocks: [i, j],
+            blocks: [i.min(j), i.max(j)],
             at: 0.5 * (low + high),
         })
     }
@@ -370,9 +396,46 @@ fn traction(stress: &InSitu, z: f64, n: Vec3) -> Vec3 {
     )
 }
 
-/// Pairs of boxes that overlap by more than their allowance, by a sweep along x; `None` if there are
-/// far too many.
-fn deep_pairs(boxes: &[(Vec3, Vec3)], said: f64) -> Option<Vec<[u32; 2]>> {
+/// Corners and outward planes of a convex block: most of those whose boxes overlap lie on both sides of a face.
+struct Hull {
+    vertices: Vec<Vec3>,
+    planes: Vec<(Vec3, f64)>,
+}
+
+impl Hull {
+    fn of(shape: &Shape) -> Self {
+        let solid = solid(shape);
+        let planes = (0..solid.faces.len()).map(|face| solid.plane(face));
+        Hull {
+            planes: planes.collect(),
+            vertices: solid.vertices,
+        }
+    }
+
+    /// Whether a face of this one has the other one on its other side, to within a depth (m).
+    fn is_beyond(&self, other: &Hull, depth: f64) -> bool {
+        self.planes.iter().any(|(normal, offset)| {
+            let mut heights = other.vertices.iter().map(|v| normal.dot(*v) - offset);
+            heights.all(|height| height >= -depth)
+        })
+    }
+}
+
+/// How a search for pairs ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Search {
+    /// All pairs were found, or as many as were wanted.
+    Done,
+    /// There were too many to look at.
+    GivenUp,
+}
+
+/// Calls `found` with pairs of boxes that overlap by more than their allowance, by a sweep along x, until it is false.
+fn deep_pairs(
+    boxes: &[(Vec3, Vec3)],
+    said: f64,
+    mut found: impl FnMut([u32; 2]) -> bool,
+) -> Search {
     let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
     let low = |k: u32| boxes[k as usize].0.x;
     order.sort_by(|&a, &b| low(a).total_cmp(&low(b)).then(a.cmp(&b)));
@@ -398,7 +461,7 @@ fn deep_pairs(boxes: &[(Vec3, Vec3)], said: f64) -> Option<Vec<[u32; 2]>> {
         ((share * n as f64) as usize).min(n - 1)
     };
     let mut open: Vec<Vec<u32>> = vec![Vec::new(); ny * nz];
-    let (mut pairs, mut looks) = (Vec::new(), 0);
+    let mut looks = 0;
     for &b in &order {
         let (min, max) = boxes[b as usize];
         let (inner, outer) = (min + shrink, max - shrink);
@@ -413,19 +476,19 @@ fn deep_pairs(boxes: &[(Vec3, Vec3)], said: f64) -> Option<Vec<[u32; 2]>> {
                     // A pair in several bins is taken in the bin of its common corner.
                     let corner = min.max(other_min) + shrink;
                     let own = (bin(corner.y, 1, ny), bin(corner.z, 2, nz)) == (row, column);
-                    if own && depth > allowance(a).min(allowance(b)) {
-                        pairs.push([a.min(b), a.max(b)]);
+                    if own && depth > allowance(a).min(allowance(b)) && !found([a.min(b), a.max(b)])
+                    {
+                        return Search::Done;
                     }
                 }
                 list.push(b);
             }
         }
-        if looks > MOST_LOOKS * boxes.len() + 1_000_000 || pairs.len() > 10 * boxes.len() + 1000 {
-            return None;
+        if looks > MOST_LOOKS {
+            return Search::GivenUp;
         }
     }
-    pairs.sort_unstable();
-    Some(pairs)
+    Search::Done
 }
 
 /// Smallest width along the coordinate axes and the face normals of what two convex shapes share, m; 0

@@ -166,6 +166,9 @@ impl Builder<'_> {
                 .push(error.help("at most 1 million cells; use a larger `cell`, or `grid.box`"));
             return None;
         }
+        if !self.has_memory(count, &said.cell.span) {
+            return None;
+        }
         let lattice = said.turned.is_some() || said.site.is_some();
         let extent = max - min;
         let square = extent.truncate().length_squared() * extent.z.max(cell) / (cell * cell * cell);

@@ -540,3 +540,28 @@ fn a_large_grid_is_built_soon() {
     let text = refused(&format!("{large}{inside}"));
     assert!(text.contains("overlap by 0.5 m"), "{text}");
 }
+
+/// The boxes around such blocks overlap far more often than the blocks do: counting boxes refused them.
+#[test]
+fn slender_blocks_of_joint_sets_are_no_overlap() {
+    let cut = r#"
+[[blocks]]
+name = "rock"
+material = "rock"
+brick = { size = ["10 m", "10 m", "10 m"], corner = ["0 m", "0 m", "0 m"] }
+cut.joint_sets = [
+    { dip = "45 deg", dip_direction = "30 deg", spacing = "0.6 m" },
+    { dip = "50 deg", dip_direction = "150 deg", spacing = "0.6 m" },
+    { dip = "45 deg", dip_direction = "60 deg", spacing = "8 m" },
+]
+"#;
+    let (setup, model) = solid(cut);
+    assert!(setup.blocks.len() > 300, "{}", setup.blocks.len());
+    assert!(model.summary.deepest_overlap.is_none());
+    let twice = format!(
+        "{cut}{}",
+        cut.replace("\"rock\"\nmaterial", "\"again\"\nmaterial")
+    );
+    let text = refused(&twice);
+    assert!(text.contains("overlap by"), "{text}");
+}
