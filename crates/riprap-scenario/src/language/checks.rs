@@ -64,6 +64,8 @@ pub struct Check {
     /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
     /// axis; in space a vector such as `[0, 0, 1]`.
     pub along: Option<Direction>,
+    /// Name of a phase: `"start"`, `"end"` and the interval of `reduce` are then those of the phase. Not with `over`.
+    pub phase: Option<Name>,
     /// Moment of the check: a time, `"start"` or `"end"`. Default `"end"`. Not with `over`.
     pub at: Option<Moment>,
     /// First and last time of an interval, s. Default the whole run, if `reduce` is given.

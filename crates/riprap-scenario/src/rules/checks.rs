@@ -1,8 +1,9 @@
 //! Rules of checks and of the search for a limit.
 
 use super::Rules;
-use crate::language::{Check, Criterion, Reduce};
-use crate::quantity::{Length, Names, Span, Vector};
+use crate::diagnostic::Diagnostic;
+use crate::language::{Check, Criterion, Moment, Reduce};
+use crate::quantity::{Length, Names, Span, Vector, When};
 use crate::values::short;
 
 impl Rules {
@@ -55,6 +56,23 @@ impl Rules {
         if check.at.is_some() && check.over.is_some() {
             let message = format!("{of} has `at` and `over`");
             self.error("key.one_of", span, message, "keep one of them");
+        }
+        let timed = match check.at.as_ref().map(Moment::read) {
+            Some(When::Time(_)) => true,
+            Some(When::Start | When::End) | None => check.over.is_some(),
+        };
+        if let Some(phase) = check.phase.as_ref().filter(|_| timed) {
+            let message = format!("{of} has `phase` and a time");
+            let help = "keep one of them: at = \"start\" and \"end\" go with `phase`, and `reduce`";
+            self.error("key.one_of", &phase.span, message, help);
+        }
+        if check.field.as_str().starts_with("energy.residual")
+            && matches!(check.reduce, Some(Reduce::Max | Reduce::Min))
+        {
+            let message = format!("{of} sees one sign of the residual only");
+            let note = Diagnostic::warning("check.one_sided", message).at(check.field.span.clone());
+            self.found
+                .push(note.help("use reduce = \"range\": the residual begins at 0"));
         }
         if check.over.is_some() && check.reduce.is_none() {
             let message = format!("{of} has `over` without `reduce`");

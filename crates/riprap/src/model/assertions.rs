@@ -2,7 +2,8 @@
 
 use super::builder::Builder;
 use super::fields::{FieldUse, Said as Place};
-use crate::run::checks::{Check, Expected, Reduce, Window};
+use crate::run::checks::{Check, Expected, Part, Reduce, Window};
+use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
 use crate::scenario::{Diagnostic, Name, Quantity, units};
@@ -136,8 +137,12 @@ impl Builder<'_> {
             },
             (None, _, _) => Window::End,
         };
+        let window = match &said.phase {
+            Some(name) => self.in_phase(name, window)?,
+            None => window,
+        };
         // What comes out may have another unit than the field.
-        let unit = match window {
+        let unit = match window.within() {
             Window::Over {
                 reduce: Reduce::FirstAbove(_),
                 ..
@@ -146,7 +151,11 @@ impl Builder<'_> {
                 reduce: Reduce::ShareAbove(_),
                 ..
             } => "-",
-            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => unit,
+            Window::Start
+            | Window::At(_)
+            | Window::End
+            | Window::Over { .. }
+            | Window::Phase { .. } => unit,
         };
         let expected = self.expected(said, unit)?;
         let absolute = match &said.absolute {
@@ -206,6 +215,28 @@ impl Builder<'_> {
             Said::Range => Reduce::Range,
             Said::FirstAbove => Reduce::FirstAbove(limit(self)?),
             Said::ShareAbove => Reduce::ShareAbove(limit(self)?),
+        })
+    }
+
+    /// The same window within a phase.
+    fn in_phase(&mut self, name: &Name, window: Window) -> Option<Window> {
+        let phases = &self.plan.phases;
+        let Some(phase) = phases.iter().position(|phase| phase.name == name.text) else {
+            let message = format!("there is no phase `{name}`");
+            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
+            error.help = suggest(name.as_str(), phases.iter().map(|p| p.name.as_str()));
+            self.found.push(error);
+            return None;
+        };
+        let part = match window {
+            Window::Start => Part::Start,
+            // The rules of the language refuse a time beside a phase.
+            Window::End | Window::At(_) | Window::Phase { .. } => Part::End,
+            Window::Over { reduce, .. } => Part::Whole(reduce),
+        };
+        Some(Window::Phase {
+            phase: phase as u32,
+            part,
         })
     }
 

@@ -53,6 +53,52 @@ pub enum Window {
         /// How the values become one.
         reduce: Reduce,
     },
+    /// Within one phase.
+    Phase {
+        /// Index of the phase.
+        phase: u32,
+        /// Which part of it.
+        part: Part,
+    },
+}
+
+/// The part of a phase in which a check is read.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Part {
+    /// Its first state.
+    Start,
+    /// Its last state.
+    End,
+    /// All of it.
+    Whole(Reduce),
+}
+
+impl Window {
+    /// The only phase in which it is read.
+    #[must_use]
+    pub fn phase(self) -> Option<u32> {
+        match self {
+            Window::Phase { phase, .. } => Some(phase),
+            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => None,
+        }
+    }
+
+    /// What it is for one who sees the states of that phase only.
+    #[must_use]
+    pub fn within(self) -> Self {
+        match self {
+            Window::Phase { part, .. } => match part {
+                Part::Start => Window::Start,
+                Part::End => Window::End,
+                Part::Whole(reduce) => Window::Over {
+                    from: 0.0,
+                    to: f64::INFINITY,
+                    reduce,
+                },
+            },
+            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => self,
+        }
+    }
 }
 
 /// How values over an interval become one number.

@@ -64,15 +64,23 @@ struct Watched {
 }
 
 impl Watched {
-    /// Feeds the value at the present state if it can matter.
-    fn look(&mut self, simulation: &Simulation, last: bool) {
+    /// Feeds the value at the present state if it can matter: the last one of the run, of its phase.
+    fn look(&mut self, simulation: &Simulation, mut last: bool, phase_ends: bool) {
+        let window = self.watch.check().window;
+        let mut first = simulation.view().step() == 0;
+        if let Some(phase) = window.phase() {
+            if simulation.cursor().phase != phase as usize {
+                return;
+            }
+            (first, last) = (true, phase_ends);
+        }
         let view = simulation.view();
         let (time, dt) = (view.time(), simulation.dt());
         // Of a relaxing phase only equilibria count.
         let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
-        let near = match self.watch.check().window {
-            Window::Start => view.step() == 0,
-            Window::End => last,
+        let near = match window.within() {
+            Window::Start => first,
+            Window::End | Window::Phase { .. } => last,
             Window::At(_) | Window::Over { .. } if relaxes => last || settled,
             Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::Over { .. } => last || time >= self.watch.next,
@@ -239,7 +247,7 @@ impl Drive {
     fn observe(&mut self, stage: Stage) -> Result<(), DriveError> {
         let last = stage == Stage::Done || (stage == Stage::PhaseEnd && self.last_phase());
         for w in &mut self.watched {
-            w.look(&self.simulation, last);
+            w.look(&self.simulation, last, stage != Stage::Within);
         }
         if let Some(r) = &mut self.recorder {
             let simulation = &mut self.simulation;
@@ -320,11 +328,15 @@ fn watch_list(simulation: &Simulation, watches: Vec<Watch>) -> Result<Vec<Watche
         .map(|watch| {
             let check = watch.check();
             let reading = Reading::new(kind, &check.gauge)?;
-            let rhythm = match check.window {
+            let rhythm = match check.window.within() {
                 Window::Over { from, to, .. } if reading.costly() => {
                     (to.min(total.max(from)) - from).max(0.0) / 500.0
                 }
-                Window::Start | Window::At(_) | Window::End | Window::Over { .. } => 0.0,
+                Window::Start
+                | Window::At(_)
+                | Window::End
+                | Window::Over { .. }
+                | Window::Phase { .. } => 0.0,
             };
             Ok(Watched {
                 watch,

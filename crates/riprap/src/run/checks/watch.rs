@@ -45,10 +45,10 @@ impl Watch {
     /// Whether a value at `time` can still matter; lets the loop leave out reading the field.
     #[must_use]
     pub fn wants(&self, time: f64) -> bool {
-        match self.check.window {
+        match self.check.window.within() {
             Window::Start => self.last.is_none(),
             Window::At(_) => self.found.is_none(),
-            Window::End => true,
+            Window::End | Window::Phase { .. } => true,
             Window::Over { from, to, .. } => time >= from && self.last.is_none_or(|(t, _)| t < to),
         }
     }
@@ -59,7 +59,7 @@ impl Watch {
         if before.is_none() {
             self.first_time = time;
         }
-        match self.check.window {
+        match self.check.window.within() {
             Window::Start => self.found = self.found.or(Some((time, value))),
             Window::At(at) => {
                 if self.found.is_none() && time >= at - 1e-12 * at.abs() {
@@ -72,7 +72,7 @@ impl Watch {
                     self.found = Some((at, there));
                 }
             }
-            Window::End => {}
+            Window::End | Window::Phase { .. } => {}
             Window::Over { from, to, reduce } => {
                 if time >= from && time <= to {
                     self.reduce(reduce, before.filter(|(t, _)| *t >= from), time, value);
@@ -120,11 +120,11 @@ impl Watch {
     /// Time and value of the reading, or why there is none.
     fn reading(&self) -> Result<(f64, f64), String> {
         let (end, last) = self.last.ok_or("the field was never read")?;
-        match self.check.window {
+        match self.check.window.within() {
             Window::Start => self
                 .found
                 .ok_or_else(|| "the field was never read".to_owned()),
-            Window::End => Ok((end, last)),
+            Window::End | Window::Phase { .. } => Ok((end, last)),
             Window::At(at) => self
                 .found
                 .ok_or_else(|| format!("the run ended at {end} s, before {at} s")),
@@ -200,7 +200,7 @@ impl Watch {
     }
 
     fn result_unit(&self) -> &str {
-        match self.check.window {
+        match self.check.window.within() {
             Window::Over {
                 reduce: Reduce::FirstAbove(_),
                 ..
@@ -209,7 +209,11 @@ impl Watch {
                 reduce: Reduce::ShareAbove(_),
                 ..
             } => "-",
-            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => &self.check.unit,
+            Window::Start
+            | Window::At(_)
+            | Window::End
+            | Window::Over { .. }
+            | Window::Phase { .. } => &self.check.unit,
         }
     }
 

@@ -223,3 +223,51 @@ fn a_run_without_a_place_to_write_says_so() {
     let none = resume(dir.path(), 1, &mut go).unwrap_err();
     assert!(matches!(none, JobError::Manifest(_)) && !none.is_output());
 }
+
+/// A check that names a phase sees the states of that phase only, its first and its last included.
+#[test]
+fn checks_of_a_phase() {
+    use crate::run::checks::{Part, Reduce};
+    let mut job = falling();
+    let lasting = |name: &str, time: f64| Phase {
+        name: name.to_owned(),
+        until: Until {
+            time: Some(time),
+            ..Until::default()
+        },
+        ..job.plan.phases[0].clone()
+    };
+    // It lands after 0.063 s.
+    job.plan.phases = vec![lasting("first", 0.05), lasting("second", 0.01)];
+    let of = |phase: u32, part: Part, velocity: f64| Check {
+        gauge: Gauge {
+            field: "block.velocity.y".to_owned(),
+            of: vec![1],
+            ..Gauge::default()
+        },
+        unit: "m/s".to_owned(),
+        window: Window::Phase { phase, part },
+        expected: Expected::Value(velocity),
+        absolute: Some(1e-9),
+        ..job.checks[0].clone()
+    };
+    job.checks = vec![
+        of(0, Part::Start, 0.0),
+        of(0, Part::End, -0.5),
+        of(0, Part::Whole(Reduce::Min), -0.5),
+        of(1, Part::Start, -0.5),
+        of(1, Part::Whole(Reduce::Max), -0.5),
+        of(1, Part::Whole(Reduce::Range), 0.1),
+        of(1, Part::End, -0.6),
+        of(1, Part::End, -0.5),
+    ];
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("phases.run");
+    let outcome = run(job, &folder, Existing::Refuse, 1, &mut go).unwrap();
+    let (wrong, right) = outcome.checks.split_last().unwrap();
+    assert!(
+        right.iter().all(|c| c.status == Status::Passed),
+        "{right:?}"
+    );
+    assert_eq!(wrong.status, Status::Failed);
+}
