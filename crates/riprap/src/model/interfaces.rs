@@ -78,6 +78,19 @@ impl Builder<'_> {
         for interface in &mut self.spatial.interfaces {
             reduce_joint(&mut interface.joint, factor);
         }
+        for law in self.spatial.deform.bonds.iter_mut().flatten() {
+            let softening = law.cohesive.as_mut().map(|cohesive| &mut cohesive.strength);
+            for strength in law.strength.iter_mut().chain(softening) {
+                for value in [
+                    &mut strength.tension,
+                    &mut strength.cohesion,
+                    &mut strength.friction,
+                    &mut strength.residual_friction,
+                ] {
+                    *value /= factor;
+                }
+            }
+        }
         for phase in &mut self.plan.phases {
             phase.contacts.iter_mut().for_each(|(_, law)| reduce(law));
             for (_, law) in &mut phase.joints {

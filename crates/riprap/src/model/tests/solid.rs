@@ -452,6 +452,31 @@ fn strengths_of_joints_are_divided_by_the_factor() {
     assert!((strength.friction - 1.0 / 1.5).abs() < 1e-15);
 }
 
+/// Bonds of deformable blocks kept their strength.
+#[test]
+fn strengths_of_bonds_are_divided_by_the_factor() {
+    let bond = r#"
+[interfaces.default.brittle_bond]
+thickness = "1 mm"
+tension = "1.5 MPa"
+cohesion = "3 MPa"
+friction_angle = "45 deg"
+cohesive = { mode_1 = "5 kJ/m2", mode_2 = "50 kJ/m2" }
+"#;
+    let text = format!("{SPACE}{bond}{GRID}mechanics.deformable = {{}}\n{TAIL}");
+    let model = try_solid(&text.replacen("title", "strength_factor = 1.5\ntitle", 1)).unwrap();
+    let crate::model::Setup::Spatial(setup) = model.setup else {
+        panic!()
+    };
+    let law = setup.deform.bonds[0].unwrap();
+    for strength in [law.strength.unwrap(), law.cohesive.unwrap().strength] {
+        assert!((strength.tension - 1e6).abs() < 1e-6);
+        assert!((strength.cohesion - 2e6).abs() < 1e-6);
+        assert!((strength.friction - 1.0 / 1.5).abs() < 1e-15);
+        assert!((strength.residual_friction - 1.0 / 1.5).abs() < 1e-15);
+    }
+}
+
 #[test]
 fn refinements_while_running() {
     let (setup, _) = solid(&format!(
