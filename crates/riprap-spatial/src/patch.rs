@@ -383,31 +383,46 @@ pub fn dashpots(
     })
 }
 
-/// Bits of [`flag::SLIDING`] for the points of a patch that slide from the first instant: spring and dashpot together
-/// would pass their strength. Only a point that has moved shows that it slides, and blocks may start with a speed.
+/// Bits of [`flag`] for the points of a patch that slide or open from the first instant. Only a point that has moved shows that it does,
+/// and blocks may start with a speed: a dashpot would hold them back for the half step before.
+///
+/// It slides where spring and dashpot together would pass its strength. It opens where its blocks part and it has neither pressure nor
+/// tensile strength.
 #[must_use]
-pub fn starts_sliding(
+pub fn starts_moving(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
     start: &[Traction; 4],
     beta: f64,
 ) -> u16 {
-    let Some(strength) = joint
-        .strength
-        .filter(|_| joint.dashpots == Dashpots::Sticking)
-    else {
+    let Some(strength) = &joint.strength else {
         return 0;
     };
     let dashpots = dashpots(joint, class, points, beta, 0);
+    let parts = |p: &usize| start[*p][0] == 0.0 && points.rate[*p][0] > 0.0;
+    let opens = |p: &usize| {
+        strength.tension == 0.0
+            && match joint.failure {
+                Failure::Point => parts(p),
+                Failure::Face => (0..4).all(|p| parts(&p)),
+            }
+    };
     let slides = |p: &usize| {
         let limit = (strength.cohesion - start[*p][0] * strength.friction).max(0.0);
         let [b, c] = [1, 2].map(|k| start[*p][k] + dashpots[*p][k]);
-        b * b + c * c > limit * limit
+        joint.dashpots == Dashpots::Sticking && b * b + c * c > limit * limit
     };
-    (0..4)
-        .filter(slides)
-        .fold(0, |bits, p| bits | flag::of(flag::SLIDING, p))
+    (0..4).fold(0, |bits, p| {
+        let more = if opens(&p) {
+            flag::of(flag::OPEN, p) | flag::of(flag::BROKEN, p)
+        } else if slides(&p) {
+            flag::of(flag::SLIDING, p)
+        } else {
+            0
+        };
+        bits | more
+    })
 }
 
 /// Law of a class.

@@ -110,7 +110,7 @@ fn stage<T>(scratch: &mut Scratch, name: &'static str, work: impl FnOnce(&mut Sc
 fn patches(world: &mut World, scratch: &mut Scratch) {
     scratch.need_drag(world, scratch.damping.stiffness);
     if world.step == 0 && world.fresh && !scratch.drag.is_empty() && scratch.strong {
-        start_sliding(world, scratch.damping.stiffness);
+        start_moving(world, scratch.damping.stiffness);
     }
     let live = world.pending > 0.0 || world.fresh;
     let (list, tiles) = (&mut world.patches, &scratch.tiles);
@@ -156,8 +156,8 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
     }
 }
 
-/// Marks the points that slide from the first instant.
-fn start_sliding(world: &mut World, stiffness_damping: f64) {
+/// Marks the points that slide or open from the first instant.
+fn start_moving(world: &mut World, stiffness_damping: f64) {
     for p in 0..world.patches.len() {
         let list = &world.patches;
         let class = &world.classes[list.class[p] as usize];
@@ -169,8 +169,7 @@ fn start_sliding(world: &mut World, stiffness_damping: f64) {
         let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
         let start = patch::start(class, list.prestress.get(p));
         let beta = class.beta + stiffness_damping;
-        let slide = patch::starts_sliding(joint, class, &points, &start, beta);
-        world.patches.flags[p] |= slide;
+        world.patches.flags[p] |= patch::starts_moving(joint, class, &points, &start, beta);
     }
 }
 
