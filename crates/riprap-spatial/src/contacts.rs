@@ -15,7 +15,7 @@ mod give_way;
 mod limit;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Constants, Desk, Room, Slot};
+use super::found::desk::{Acting, Constants, Deepest, Desk, Room, Slot};
 use super::found::{
     Blocks, Body, ContactLaw, Found, Motion, Pair, Pose, Question, Role, Shape, respond, turn,
 };
@@ -29,10 +29,59 @@ pub(crate) use give_way::give_way;
 
 /// Steps between two looks at joints that have failed since.
 const LOOK: u64 = 16;
+/// What rounding may take from a gap, over the gap.
+const ROUNDING: f64 = 1e-9;
 /// Way in steps of the present length that margins are made for.
 const LOOKAHEAD: f64 = 50.0;
-/// Share of the smallest inscribed radius that a block may go in one step.
-const TRANSIT: f64 = 0.1;
+
+/// What of a model can meet.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Meeting {
+    /// Whether blocks that no joint joins are watched for contact at all.
+    pub on: bool,
+    /// Rigid blocks that can come together with all others: they belong to another body than most, or a joint of theirs has failed.
+    pub seekers: usize,
+    /// Interfaces under which blocks can meet that have no friction of their own: `interfaces.NAME`.
+    pub sticking: Vec<String>,
+}
+
+/// What of a model can meet now.
+#[must_use]
+pub fn meeting(world: &World) -> Meeting {
+    let roles = roles(world);
+    let setup = &world.setup;
+    let mut used = vec![[false; 2]; setup.materials.len()];
+    let mut meeting = Meeting {
+        on: setup.found_contacts,
+        ..Meeting::default()
+    };
+    for (b, role) in roles.iter().enumerate().filter(|(b, _)| world.alive[*b]) {
+        let material = setup.blocks[b].material as usize;
+        match role {
+            Role::Absent => {}
+            Role::Target => used[material][0] = true,
+            Role::Seeker => {
+                meeting.seekers += 1;
+                used[material] = [true; 2];
+            }
+        }
+    }
+    let mut rows = vec![false; setup.interfaces.len()];
+    for a in (0..used.len()).filter(|a| used[*a][1]) {
+        for b in (0..used.len()).filter(|b| used[*b][0]) {
+            rows[setup.pair_table[a * used.len() + b] as usize] = true;
+        }
+    }
+    let sticks = |row: &usize| {
+        let interface = &setup.interfaces[*row];
+        rows[*row] && interface.joint.strength.is_none() && interface.friction.is_none()
+    };
+    meeting.sticking = (0..rows.len())
+        .filter(sticks)
+        .map(|row| format!("interfaces.{}", setup.interfaces[row].name))
+        .collect();
+    meeting
+}
 
 /// Brings the candidate list up to date; whether any pair can touch.
 ///
@@ -53,6 +102,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if world.fresh {
         scratch.desk.ready = false;
     }
+    scratch.desk.deepest = None;
     if !world.found.roles.contains(&Role::Seeker) {
         if !world.found.pairs.is_empty() {
             leave(world, scratch);
@@ -85,7 +135,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if !desk.ready {
         rebuild(world, scratch);
     }
-    world.found.longest_step = Some(transit(world, &scratch.desk));
+    world.found.longest_step = Some(limit::reach(world));
     !world.found.pairs.is_empty()
 }
 
@@ -93,10 +143,17 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
 fn leave(world: &mut World, scratch: &mut Scratch) {
     for pair in std::mem::take(&mut world.found.pairs) {
         world.works.friction += pair.stored;
+        world.works.edit_defect -= left(&pair);
     }
     world.found.search = Default::default();
     scratch.desk = Desk::default();
     scratch.tiles.make_rows(world);
+}
+
+/// Energy of the normal springs of a joint whose load no contact has taken over yet, J.
+fn left(pair: &FoundPair) -> f64 {
+    let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
+    joint.map_or(0.0, |joint| joint.energy)
 }
 
 /// Who can meet whom.
@@ -277,16 +334,20 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         &scratch.exec,
     );
     let old = std::mem::take(&mut world.found.pairs);
-    let mut lost = 0.0;
+    let (mut lost, mut joints) = (0.0, 0.0);
     world.found.pairs = desk.candidates.carry(
         old.into_iter().map(|pair| (pair.ends, pair)),
         |candidate| FoundPair {
             ends: [candidate.i, candidate.j],
             ..FoundPair::default()
         },
-        |_, pair| lost += pair.stored,
+        |_, pair| {
+            lost += pair.stored;
+            joints += left(&pair);
+        },
     );
     world.works.friction += lost;
+    world.works.edit_defect -= joints;
     let pairs = &world.found.pairs;
     let (lists, shapes) = (&desk.candidates.lists, &desk.shapes);
     let candidates = desk.candidates.pairs.iter();
@@ -362,12 +423,14 @@ fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]
 fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
     let materials = ends.map(|b| setup.blocks[b as usize].material as usize);
     let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
-    let joint = &setup.interfaces[row as usize].joint;
+    let interface = &setup.interfaces[row as usize];
+    let joint = &interface.joint;
     // Checked when the model was built; NaN would stop the run at once.
     let [normal_stiffness, shear_stiffness] =
         stiffness(setup, row, materials, depths).map_or([f64::NAN; 2], |found| found.0);
-    // An elastic joint neither opens nor slides; a found contact under its law must open, but does not slide.
-    let (friction, cohesion) = joint.strength.map_or((f64::INFINITY, 0.0), |s| {
+    // An elastic joint neither opens nor slides; a found contact under its law must open, and slides if it is told when.
+    let elastic = interface.friction.unwrap_or(f64::INFINITY);
+    let (friction, cohesion) = joint.strength.map_or((elastic, 0.0), |s| {
         (s.residual_friction, s.residual_cohesion)
     });
     ContactLaw {
@@ -397,22 +460,28 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             &mut slots,
             &mut rooms,
             |first, pairs, slots, room| {
-                room.friction = 0.0;
+                (room.friction, room.offset) = (0.0, 0.0);
+                (room.taken_over, room.left) = (0.0, 0.0);
+                room.deepest = None;
                 for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
                     evaluation.pair(first + k, pair, slot, room);
                 }
             },
         );
     }
+    desk.deepest = None;
     for room in &rooms {
         world.works.friction += room.friction;
+        world.works.contact_path += room.taken_over + room.offset;
+        world.works.edit_defect += room.taken_over + room.offset - room.left;
+        desk.deepest = Deepest::deeper(desk.deepest, room.deepest);
     }
     world.found.pairs = pairs;
     desk.slots = slots;
     desk.rooms = rooms;
     sum(desk);
     let stable = limit::longest_step(world, desk);
-    world.found.longest_step = world.found.longest_step.map(|transit| transit.min(stable));
+    world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
 }
 
 /// Turns the blocks that are in a pair to where they are now.
@@ -420,6 +489,7 @@ fn place(world: &World, desk: &mut Desk) {
     desk.normals.clear();
     desk.turns.clear();
     desk.poses.clear();
+    desk.ways.clear();
     for &b in &desk.blocks {
         let b = b as usize;
         let pose = world.pose(b);
@@ -427,8 +497,9 @@ fn place(world: &World, desk: &mut Desk) {
         desk.turns
             .push(turn(shape, pose.rotation, &mut desk.normals));
         desk.poses.push(pose);
-        let way = world.bodies.velocity(b).length() + world.bodies.spin(b).length() * shape.radius;
-        desk.candidates.travelled[b] += way * world.pending;
+        let speed =
+            world.bodies.velocity(b).length() + world.bodies.spin(b).length() * shape.radius;
+        desk.ways.push(speed * world.pending);
     }
 }
 
@@ -461,10 +532,12 @@ impl Evaluation<'_> {
 
     fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, room: &mut Room) {
         let candidate = &self.desk.candidates.pairs[k];
-        let travelled = &self.desk.candidates.travelled;
-        let [i, j] = pair.ends.map(|b| b as usize);
-        if travelled[i] + travelled[j] <= slot.asleep_until {
-            return;
+        if pair.gap > 0.0 {
+            let [i, j] = pair.ends.map(|b| self.desk.place[b as usize] as usize);
+            pair.gap -= self.desk.ways[i] + self.desk.ways[j];
+            if pair.gap > 0.0 {
+                return;
+            }
         }
         let faces = candidate.faces(&self.desk.candidates.lists);
         if self.dt > 0.0 {
@@ -485,24 +558,30 @@ impl Evaluation<'_> {
         let sums = match found {
             Found::Touching(sums) => sums,
             Found::Apart(gap) => {
-                let asleep_until = self.desk.candidates.sleep(candidate, gap);
                 let motion = self.motion(k, pair);
                 room.friction += pair.memory.work(&motion, self.dt) + pair.stored;
+                if let Some(offset) = &pair.offset {
+                    room.offset += offset.work(&motion, pair.memory.arms, self.dt);
+                    room.left += left(pair);
+                }
                 *pair = FoundPair {
                     ends: pair.ends,
+                    gap: gap - ROUNDING * gap,
                     ..FoundPair::default()
                 };
-                *slot = Slot {
-                    asleep_until,
-                    ..Slot::default()
-                };
+                *slot = Slot::default();
                 return;
             }
-            Found::Swallowed(_) => {
-                // No force can be given: not a number stops the run with the name of a block.
+            Found::Swallowed(radius) => {
+                // No force can be given: not a number stops the run, and the deepest contact is to blame.
                 *slot = Slot::default();
                 slot.elastic.force = Vec3::NAN;
-                pair.depth = f64::INFINITY;
+                pair.depth = 2.0 * radius;
+                room.deepest = Some(Deepest {
+                    ends: pair.ends,
+                    depth: pair.depth,
+                    ratio: f64::INFINITY,
+                });
                 return;
             }
         };
@@ -511,6 +590,10 @@ impl Evaluation<'_> {
             .hint
             .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
         let constants = &self.desk.constants[k];
+        if pair.offset.as_ref().is_some_and(|o| o.joint.is_some()) {
+            // The springs along the contact have the stiffness of its law from now on.
+            room.left += left(pair) + pair.stored - pair.memory.stored(&constants.law);
+        }
         let reply = respond(
             &constants.law,
             &Question {
@@ -523,18 +606,31 @@ impl Evaluation<'_> {
                 dt: self.dt,
             },
             &mut pair.memory,
+            pair.offset.as_deref_mut(),
         );
         room.friction += reply.friction;
+        room.offset += reply.offset_work;
+        room.taken_over += reply.taken_over;
+        if pair.offset.as_ref().is_some_and(|o| o.is_gone(reply.area)) {
+            pair.offset = None;
+        }
         pair.stored = pair.memory.stored(&constants.law);
         pair.force = reply.wrench.force;
         pair.depth = sums.depth;
+        pair.gap = 0.0;
+        let ratio = sums.depth / constants.inradius;
+        let deep = Deepest {
+            ends: pair.ends,
+            depth: sums.depth,
+            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
+        };
+        room.deepest = Deepest::deeper(room.deepest, Some(deep));
         *slot = Slot {
-            elastic: reply.elastic,
+            elastic: reply.elastic.plus(&reply.offset),
             spring: reply.spring,
             drag: reply.drag,
             touching: true,
             area: reply.area,
-            asleep_until: f64::NEG_INFINITY,
         };
     }
 }
@@ -556,29 +652,8 @@ fn sum(desk: &mut Desk) {
     }
 }
 
-/// Longest step in which no block goes farther than a tenth of the smallest inscribed radius, falling included, s.
-fn transit(world: &World, desk: &Desk) -> f64 {
-    let (mut speed, mut least) = (0.0_f64, f64::INFINITY);
-    for (b, role) in world.found.roles.iter().enumerate() {
-        if *role != Role::Absent {
-            if let Some(shape) = desk.shapes.get(world.solid[b] as usize) {
-                least = least.min(shape.inradius);
-            }
-            if *role == Role::Seeker || world.motion[b].is_some() {
-                speed = speed.max(world.bodies.velocity(b).length());
-            }
-        }
-    }
-    if !least.is_finite() {
-        return f64::INFINITY;
-    }
-    // v t + g t²/2 = way, in the form without cancellation.
-    let (way, g) = (TRANSIT * least, world.gravity.length());
-    2.0 * way / (speed + (speed * speed + 2.0 * g * way).sqrt())
-}
-
-/// Largest step that found contacts allow, s: stability of those that can touch, and no block may go farther than a tenth of the
-/// smallest inscribed radius. Infinite before the first evaluation and where none can touch.
+/// Largest step that found contacts allow, s: stability of those that can touch, and no step in which two blocks could pass through
+/// each other. Infinite before the first evaluation and where none can touch.
 #[must_use]
 pub fn step_limit(world: &World) -> f64 {
     let longest = [world.found.longest_step, world.found.soft.longest_step];

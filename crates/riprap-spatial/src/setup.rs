@@ -179,6 +179,8 @@ pub struct Interface {
     pub name: String,
     /// Law of the patches.
     pub joint: JointLaw,
+    /// Tangent of the friction angle of found contacts where patches are elastic, if one is given.
+    pub friction: Option<f64>,
 }
 
 /// Fixes or drives some blocks.

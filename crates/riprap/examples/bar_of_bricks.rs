@@ -47,6 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         blocks,
         interfaces: vec![Interface {
             name: "joint".to_owned(),
+            friction: None,
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: None,

@@ -205,6 +205,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
         blocks,
         interfaces: vec![Interface {
             name: "default".into(),
+            friction: None,
             joint: JointLaw {
                 stiffness: Springs::Rule(StiffnessRule::Material),
                 strength: None,

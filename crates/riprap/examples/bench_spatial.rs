@@ -95,6 +95,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
         blocks,
         interfaces: vec![Interface {
             name: "joint".into(),
+            friction: None,
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: match joints {

@@ -46,7 +46,8 @@ pub struct Interface {
     /// Shear stiffness per area of contact, Pa/m; greater than zero. Default half the normal one.
     #[key(changes)]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
-    /// Whether joints neither open nor slide. Default false: Mohr-Coulomb with a tension cut-off.
+    /// Whether joints neither open nor slide; found contacts do, by the friction given. Default false: Mohr-Coulomb, tension
+    /// cut-off.
     #[key(space = "spatial", instead = "use `bond` with a high strength")]
     #[serde(default)]
     pub elastic: bool,

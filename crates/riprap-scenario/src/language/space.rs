@@ -55,7 +55,7 @@ pub struct Spatial {
     /// neighbours. Default none.
     #[key(told)]
     pub periodic: Option<[Period; 3]>,
-    /// Whether blocks that no joint joins are watched for contact, and press, slide and rebound where they meet.
+    /// Whether blocks that no joint joins meet: press, slide, rebound.
     #[key(default = false)]
     pub found_contacts: Option<bool>,
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller

@@ -1,14 +1,18 @@
 //! How long a step may be for the contacts that are there, and for those that can form in it.
 //!
-//! A contact of the area A counts in the squared frequency of each of its blocks with `2 k A (1/m + (h² + 2 A/3)/I)`, with k the larger
-//! stiffness and h the distance of the centroid from the farthest face that can take part. Pairs that do not touch yet count
+//! A contact of the area A counts in the squared frequency of each of its blocks with `2 k A (1/m + (r² + J/A)/I)`, with k the larger
+//! stiffness, r its distance from the centroid and J its polar second moment; where these are not known yet, with the distance of the farthest face
+//! and 2 A/3 in their place. No point is farther away than the radius of the block. Pairs that do not touch yet count
 //! only with what can happen in the coming step: two faces that can come flat onto each other from the moment they meet,
 //! edges and corners with the area that the way of the blocks makes.
+//!
+//! No step may let two blocks pass through each other: those of a pair come nearer by no more than their gap and a tenth of
+//! the smaller inscribed radius, and no block outruns the search that finds its pairs.
 
 use riprap_geom::Vec3;
 
-use crate::found::Shape;
 use crate::found::desk::Desk;
+use crate::found::{Role, Shape};
 use crate::world::World;
 
 /// Share of the stable step: the stiffness grows with the area.
@@ -16,19 +20,23 @@ const SAFETY: f64 = 0.2;
 /// Share of the time until two blocks can meet that a step may take. The kick of a step spans half of the step before it too, and
 /// the limit is that of the last evaluation: steps shrink with the gap, so that the first kick of a contact is a short one.
 const APPROACH: f64 = 0.25;
+/// Share of the smaller inscribed radius by which two blocks that touch may approach in one step.
+const TRANSIT: f64 = 0.1;
+/// Share of the time in which a block uses up its margin that a step may take.
+const FLIGHT: f64 = 0.25;
 /// Cosine between normals of faces that can come flat onto each other before the next look of the search.
 const FACING: f64 = -0.98;
 
 /// Longest step, s.
 pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
     let gravity = world.gravity.length();
-    let mut longest = f64::INFINITY;
+    let mut longest = transit(world, desk);
     for (at, &b) in desk.blocks.iter().enumerate() {
         let b = b as usize;
         let ease = Ease::of(world, desk, b);
         let (mut sum, mut damping) = (0.0, 0.0_f64);
         let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
-        for &(k, _) in &desk.incidence[pairs] {
+        for &(k, second) in &desk.incidence[pairs] {
             let k = k as usize;
             let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
             let law = &constants.law;
@@ -36,21 +44,23 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
             let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
             if slot.touching {
                 let area = slot.area.max(constants.facing);
-                sum += stiffness * area * ease.of_area(area);
+                let memory = &world.found.pairs[k].memory;
+                let known = memory.area > 0.0 && constants.facing <= memory.area;
+                sum += stiffness
+                    * area
+                    * if known {
+                        let arm = memory.arms[usize::from(second)];
+                        ease.of_extent(arm.length_squared() + memory.polar / memory.area)
+                    } else {
+                        ease.of_area(area)
+                    };
                 damping = damping.max(law.damping_ratio);
                 continue;
             }
-            let candidate = &desk.candidates.pairs[k];
-            let ends = [candidate.i as usize, candidate.j as usize];
-            let travelled = ends.map(|e| desk.candidates.travelled[e]);
-            let gap = (slot.asleep_until - travelled[0] - travelled[1]).max(0.0);
-            let speed: f64 = ends.map(|e| speed(world, e)).iter().sum();
-            // A share of the time until they meet: v t + g t²/2 = gap, in the form without cancellation.
-            let meet = if gap > 0.0 {
-                APPROACH * 2.0 * gap / (speed + (speed * speed + 2.0 * gravity * gap).sqrt())
-            } else {
-                0.0
-            };
+            let pair = &world.found.pairs[k];
+            let gap = pair.gap.max(0.0);
+            let speed: f64 = pair.ends.map(|e| speed(world, e as usize)).iter().sum();
+            let meet = APPROACH * time_for(gap, speed, gravity);
             if constants.facing > 0.0 {
                 let rate = stiffness * constants.facing * ease.of_area(constants.facing);
                 longest = longest.min(meet.max(SAFETY * 2.0 * loss / rate.sqrt()));
@@ -71,6 +81,46 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
     longest
 }
 
+/// Time that a way (m) takes from the speed `v` (m/s) on under the acceleration `g` (m/s²): `v t + g t²/2 = way` in the form without
+/// cancellation, s.
+fn time_for(way: f64, v: f64, g: f64) -> f64 {
+    if way > 0.0 {
+        2.0 * way / (v + (v * v + 2.0 * g * way).sqrt())
+    } else {
+        0.0
+    }
+}
+
+/// Longest step in which no pair can pass through each other, s.
+fn transit(world: &World, desk: &Desk) -> f64 {
+    let g = world.gravity.length();
+    let mut longest = f64::INFINITY;
+    for (pair, constants) in world.found.pairs.iter().zip(&desk.constants) {
+        let [i, j] = pair.ends.map(|b| b as usize);
+        let gap = pair.gap.max(0.0);
+        let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
+        let speed = apart.length() + turning(world, i) + turning(world, j);
+        longest = longest.min(time_for(gap + TRANSIT * constants.inradius, speed, g));
+    }
+    longest
+}
+
+/// Longest step in which no block uses up more than a share of its margin: whom it can run into is known before, s.
+///
+/// A quarter of the time, because what the books take for the kinetic energy of a falling block, `m v(n-1/2).v(n+1/2)/2`, is less than its own by
+/// `m g² dt²/8`: where steps grow short before a contact that comes to light as a residual.
+pub(super) fn reach(world: &World) -> f64 {
+    let g = world.gravity.length();
+    let search = &world.found.search;
+    let mut longest = f64::INFINITY;
+    for (b, role) in world.found.roles.iter().enumerate() {
+        if *role != Role::Absent {
+            longest = longest.min(FLIGHT * time_for(search.margin[b], speed(world, b), g));
+        }
+    }
+    longest
+}
+
 /// How easily forces move and turn a block.
 struct Ease {
     /// 1/kg.
@@ -79,6 +129,8 @@ struct Ease {
     inertia: f64,
     /// Square of the distance of its farthest face, m².
     height: f64,
+    /// Square of its radius, m².
+    reach: f64,
 }
 
 impl Ease {
@@ -96,18 +148,29 @@ impl Ease {
             mass: free.max_element() / solid.mass,
             inertia: turns.max_element() * diagonal.max_element(),
             height: height * height,
+            reach: solid.radius * solid.radius,
         }
     }
 
     /// `1/m + (h² + 2 A/3)/I`.
     fn of_area(&self, area: f64) -> f64 {
-        self.mass + (self.height + 2.0 * area / 3.0) * self.inertia
+        self.of_extent(self.height + 2.0 * area / 3.0)
+    }
+
+    /// `1/m + extent/I`, with the mean square of the distances of a contact's points from the centroid, m².
+    fn of_extent(&self, extent: f64) -> f64 {
+        self.mass + extent.min(self.reach) * self.inertia
     }
 }
 
 /// Bound of the speed of the points of a block, m/s.
 fn speed(world: &World, b: usize) -> f64 {
-    world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
+    world.bodies.velocity(b).length() + turning(world, b)
+}
+
+/// Bound of the speed of the points of a block against its centroid, m/s.
+fn turning(world: &World, b: usize) -> f64 {
+    world.bodies.spin(b).length() * world.solid_of(b).radius
 }
 
 /// Smaller one of the largest listed faces of both blocks, m².

@@ -45,6 +45,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
     });
     setup.interfaces.push(Interface {
         name: "default".into(),
+        friction: None,
         joint: JointLaw {
             stiffness: Stiffness::Given {
                 normal: 1e9,
@@ -81,7 +82,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
 
 pub(super) struct Run {
     pub(super) world: World,
-    scratch: Scratch,
+    pub(super) scratch: Scratch,
     dt: f64,
 }
 
@@ -91,7 +92,7 @@ impl Run {
         Self { world, scratch, dt }
     }
 
-    fn evaluate(&mut self) {
+    pub(super) fn evaluate(&mut self) {
         step::evaluate(
             &mut self.world,
             &mut self.scratch,
@@ -111,6 +112,27 @@ impl Run {
             step::advance(&mut self.world, &mut self.scratch, self.dt);
             self.evaluate();
         }
+    }
+
+    /// One step, no longer than the contacts allow; the forces there are found. As a run does it.
+    fn limited_step(&mut self, longest: f64) {
+        let mut dt = longest.min(super::step_limit(&self.world));
+        let mut find = |dt| {
+            let damping = Damping::default();
+            step::evaluate(&mut self.world, &mut self.scratch, &damping, dt).unwrap();
+            super::step_limit(&self.world)
+        };
+        let limit = find(dt);
+        if limit < 0.5 * dt {
+            dt = limit;
+            find(dt);
+        }
+        if self.world.start_energy.is_none() {
+            let half_kick = self.view().half_kick();
+            let total = self.view().balance().total();
+            self.world.start_energy = Some(total - 0.5 * half_kick);
+        }
+        step::advance(&mut self.world, &mut self.scratch, dt);
     }
 
     pub(super) fn view(&self) -> View<'_> {
@@ -246,4 +268,100 @@ fn a_whole_lattice_has_no_candidates() {
     run.until(1e-3);
     assert!(run.world.found.pairs.is_empty());
     assert!(run.world.found.search.pose.is_empty());
+}
+
+/// A block of 1 m against a fixed floor of 1 m, from soft to stiff and from slow to fast: it comes back with its speed, or it is told
+/// before it could pass through. The depth that its energy asks for, `1/2 m v² = 1/2 k A d²`, says which.
+#[test]
+fn nothing_passes_through_a_floor_in_silence() {
+    for stiffness in [1e6, 1e7, 1e8, 1e9, 1e10] {
+        for speed in [1.0, 3.0, 10.0, 30.0, 100.0, 300.0] {
+            let mut block = brick([-0.5, -0.5, 0.05], [1.0; 3]);
+            block.velocity = Vec3::new(0.0, 0.0, -speed);
+            let mut setup = above_floor(vec![block], 0.0, 0.0);
+            setup.gravity = Vec3::ZERO;
+            setup.interfaces[0].joint.stiffness = Stiffness::Given {
+                normal: stiffness,
+                shear: stiffness,
+            };
+            let mut run = Run::new(setup, 1, 0.0);
+            let stopped = loop {
+                run.limited_step(1.0 / speed);
+                let deepest = run.scratch.desk.deepest;
+                if let Some(deepest) = deepest.filter(|d| d.ratio >= 1.0) {
+                    assert_eq!(deepest.ends, [0, 1]);
+                    // Told before it comes out on the far side.
+                    assert!(deepest.depth < 0.75, "{deepest:?}");
+                    break true;
+                }
+                let place = run.place(1).z;
+                assert!(place > -0.1, "{stiffness:e} Pa/m, {speed} m/s: {place}");
+                if place > 0.55 && run.world.bodies.velocity(1).z > 0.0 {
+                    break false;
+                }
+                assert!(run.world.step < 20_000);
+            };
+            let depth = speed * (2500.0_f64 / stiffness).sqrt();
+            if depth > 0.6 {
+                assert!(stopped, "{stiffness:e} Pa/m, {speed} m/s: {depth} m");
+            } else if depth < 0.4 {
+                let back = run.world.bodies.velocity(1).z / speed;
+                assert!(
+                    !stopped && (back - 1.0).abs() < 2e-3,
+                    "{stiffness:e} Pa/m, {speed} m/s: {back}"
+                );
+                let residual = run.view().balance().residual_relative();
+                assert!(
+                    residual.abs() < 2e-3,
+                    "{stiffness:e} Pa/m, {speed} m/s: {residual:e}"
+                );
+            }
+        }
+    }
+}
+
+/// Dashpots of a joint without strength do not hold back blocks that part from the first instant on.
+#[test]
+fn blocks_that_part_at_the_start_keep_their_speed() {
+    let mut block = brick([-0.25, -0.25, 0.0], [0.5; 3]);
+    block.velocity = Vec3::new(0.0, 0.0, 2.0);
+    let mut setup = above_floor(vec![block], 0.5, 0.2);
+    setup.gravity = Vec3::ZERO;
+    let mut run = Run::new(setup, 1, 1e-4);
+    assert_eq!(run.world.patches.len(), 1);
+    run.until(0.01);
+    assert_eq!(run.world.bodies.velocity(1), Vec3::new(0.0, 0.0, 2.0));
+}
+
+/// The length of a step hangs on how far pairs are apart: a restart between steps that adapt changes no bit.
+#[test]
+fn a_restart_takes_the_same_steps() {
+    let mut blocks = Vec::new();
+    for k in 0..12_u32 {
+        let k = f64::from(k);
+        let mut block = brick(
+            [0.3 * k - 2.0, 0.1 * k - 1.0, 0.02 + 0.4 * k],
+            [0.4, 0.5, 0.3],
+        );
+        block.spin = Vec3::new(0.5, -0.1 * k, 1.0);
+        block.velocity = Vec3::new(0.1 * k, 0.0, -2.0);
+        blocks.push(block);
+    }
+    let mut run = Run::new(above_floor(blocks, 0.5, 0.2), 1, 0.0);
+    for _ in 0..400 {
+        run.limited_step(1e-3);
+    }
+    let mut world = run.world.clone();
+    let scratch = Scratch::new(&mut world, Exec::serial());
+    let mut again = Run {
+        world,
+        scratch,
+        dt: 0.0,
+    };
+    for step in 0..400 {
+        run.limited_step(1e-3);
+        again.limited_step(1e-3);
+        assert_eq!(run.world.last_dt, again.world.last_dt, "step {step}");
+    }
+    assert_eq!(run.world.hash(), again.world.hash());
 }

@@ -30,6 +30,8 @@ pub struct Desk {
     pub turns: Vec<Mat3>,
     /// Pose of each of `blocks`.
     pub poses: Vec<Pose>,
+    /// How far the points of each of `blocks` have gone at most since the last evaluation, m.
+    pub ways: Vec<f64>,
     /// What each pair exerts.
     pub slots: Vec<Slot>,
     /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
@@ -42,6 +44,30 @@ pub struct Desk {
     pub rooms: Vec<Room>,
     /// Whether any contact has dashpots.
     pub damped: bool,
+    /// The contact that is deepest for its blocks; `None` where none touch.
+    pub deepest: Option<Deepest>,
+}
+
+/// How deep two blocks lie in each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deepest {
+    /// The blocks.
+    pub ends: [u32; 2],
+    /// Depth, m.
+    pub depth: f64,
+    /// Depth over the smaller inscribed radius; what is not a number counts as infinite.
+    pub ratio: f64,
+}
+
+impl Deepest {
+    /// The deeper of two, the first where they are equal.
+    #[must_use]
+    pub fn deeper(a: Option<Self>, b: Option<Self>) -> Option<Self> {
+        match (a, b) {
+            (Some(x), Some(y)) => Some(if y.ratio > x.ratio { y } else { x }),
+            (a, b) => a.or(b),
+        }
+    }
 }
 
 /// What is the same in all steps for a pair.
@@ -62,9 +88,9 @@ pub struct Constants {
 }
 
 /// What a pair exerts.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Slot {
-    /// Pressure.
+    /// Pressure, and what goes on of a joint's load.
     pub elastic: Wrench,
     /// Springs along the contact.
     pub spring: Wrench,
@@ -74,21 +100,6 @@ pub struct Slot {
     pub touching: bool,
     /// Area across the normal, m².
     pub area: f64,
-    /// While the ways of both blocks together are not above this, a pair that is apart cannot touch, m.
-    pub asleep_until: f64,
-}
-
-impl Default for Slot {
-    fn default() -> Self {
-        Self {
-            elastic: Wrench::default(),
-            spring: Wrench::default(),
-            drag: Wrench::default(),
-            touching: false,
-            area: 0.0,
-            asleep_until: f64::NEG_INFINITY,
-        }
-    }
 }
 
 /// Force (N) and moment about the centroid (N m).
@@ -131,6 +142,14 @@ pub struct Room {
     pub walker: Walker,
     /// Heat of friction in this step, J.
     pub friction: f64,
+    /// Work of what joints have left to their contacts in this step, J.
+    pub offset: f64,
+    /// Energy of the pressure of contacts that have just taken over from a joint, J.
+    pub taken_over: f64,
+    /// Energy of the normal springs of these joints, J.
+    pub left: f64,
     /// Edges that no listed plane has made: none, or the lists are wrong.
     pub unlabelled: u64,
+    /// The deepest contact of the run.
+    pub deepest: Option<Deepest>,
 }

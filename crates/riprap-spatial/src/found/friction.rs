@@ -13,6 +13,7 @@
 use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
+use super::offset::{self, Offset};
 use super::piece::{self, Frame, Polygon};
 use super::surface::Sums;
 
@@ -127,6 +128,12 @@ pub struct Reply {
     pub elastic: Wrench,
     /// The shear springs alone.
     pub spring: Wrench,
+    /// What goes on of a joint's load.
+    pub offset: Wrench,
+    /// Its work in this step, J.
+    pub offset_work: f64,
+    /// Energy of the pressure where it has just taken over from a joint, J.
+    pub taken_over: f64,
     /// All dashpots.
     pub drag: Wrench,
     /// Normal force, N: pressure and dashpot, never negative.
@@ -192,17 +199,24 @@ struct Relative {
 /// Forces of a contact; `memory` goes on to this instant.
 ///
 /// The friction of a step is the work on the shear springs less the change of what they store; springs that a shrinking
-/// contact loses take their share with them, which is friction too.
-pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
+/// contact loses take their share with them, which is friction too. `offset` is what a joint has left, if one has let go.
+pub fn respond(
+    law: &ContactLaw,
+    q: &Question,
+    memory: &mut Memory,
+    mut offset: Option<&mut Offset>,
+) -> Reply {
     let k = 2.0 * law.normal_stiffness;
     let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
     let mut work = memory.work(&q.motion, q.dt);
     let Some(c) = contact(law, q) else {
         let lost = memory.stored(law);
+        let offset_work = end(offset, &q.motion, memory, q.dt);
         *memory = Memory::default();
         return Reply {
             wrench: elastic,
             elastic,
+            offset_work,
             friction: work + lost,
             stored: -lost,
             point: q.origin,
@@ -217,8 +231,31 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
     let mass = if inverse > 0.0 { 1.0 / inverse } else { 0.0 };
     let dashpot = |stiffness: f64| 2.0 * law.damping_ratio * (stiffness * c.area * mass).sqrt();
 
+    let (mut offset_work, mut taken_over) = (0.0, 0.0);
+    let mut offset_wrench = Wrench::default();
+    if let Some(offset) = offset.as_deref_mut() {
+        offset_work = offset.work(&q.motion, memory.arms, q.dt);
+        if let Some(joint) = offset.joint {
+            taken_over = energy(law, q.sums, &c);
+            // The shear of the joint acted at its own point.
+            memory.torsion += (joint.at - at).cross(memory.shear).dot(c.normal);
+        }
+        let here = offset::Here {
+            normal: c.normal,
+            elastic: c.elastic,
+            overlap: q.sums.force.length(),
+            point: at,
+            area: c.area,
+            sliding: v.along.length(),
+            before: memory.normal,
+        };
+        offset.advance(&here, q.dt);
+        offset_work += offset.work(&q.motion, arms, q.dt);
+        offset_wrench = about(arms, offset.force, offset.couple);
+    }
+    let pressed = c.elastic + offset.map_or(0.0, |offset| offset.force.dot(c.normal));
     let across = dashpot(law.normal_stiffness);
-    let normal = (c.elastic - across * v.normal).max(0.0);
+    let normal = (pressed - across * v.normal).max(0.0);
     // Dashpots spread evenly over the area; half its polar moment for both axes would be many times too much about the long
     // axis of a narrow contact, and unstable.
     let uneven = (c.spread * c.normal.cross(v.rock)).cross(c.normal);
@@ -247,26 +284,25 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
         }
     }
     let stored = memory.stored(law);
-    let at_point = |force: Vec3, couple: Vec3| Wrench {
-        force,
-        moment_a: -(arms[0].cross(force) + couple),
-        moment_b: arms[1].cross(force) + couple,
-    };
-    let spring = at_point(memory.shear, memory.torsion * c.normal);
-    let drag = at_point(
-        (normal - c.elastic) * c.normal + (shear - memory.shear),
+    let spring = about(arms, memory.shear, memory.torsion * c.normal);
+    let drag = about(
+        arms,
+        (normal - pressed) * c.normal + (shear - memory.shear),
         rocking + (torsion - memory.torsion) * c.normal,
     );
     Reply {
-        wrench: elastic.plus(&spring).plus(&drag),
+        wrench: elastic.plus(&spring).plus(&offset_wrench).plus(&drag),
         elastic,
         spring,
+        offset: offset_wrench,
+        offset_work,
+        taken_over,
         drag,
         normal,
         shear,
         friction: work - (stored - before),
         stored: stored - before,
-        damping: (normal - c.elastic) * v.normal
+        damping: (normal - pressed) * v.normal
             + rocking.dot(v.rock)
             + (shear - memory.shear).dot(v.along)
             + (torsion - memory.torsion) * v.twist,
@@ -274,6 +310,40 @@ pub fn respond(law: &ContactLaw, q: &Question, memory: &mut Memory) -> Reply {
         area: c.area,
         polar: c.polar,
     }
+}
+
+/// Force and couple on B at a point with these arms from the centroids.
+fn about(arms: [Vec3; 2], force: Vec3, couple: Vec3) -> Wrench {
+    Wrench {
+        force,
+        moment_a: -(arms[0].cross(force) + couple),
+        moment_b: arms[1].cross(force) + couple,
+    }
+}
+
+/// Ends what a joint has left where there is no contact with one normal any more: its work in the last half step.
+fn end(offset: Option<&mut Offset>, motion: &[Motion; 2], memory: &Memory, dt: f64) -> f64 {
+    offset.map_or(0.0, |offset| {
+        let work = offset.work(motion, memory.arms, dt);
+        (offset.joint, offset.normal, offset.rocking) = (None, 0.0, Vec3::ZERO);
+        (offset.force, offset.couple) = (Vec3::ZERO, Vec3::ZERO);
+        work
+    })
+}
+
+/// Energy of the pressure of a plane contact, J.
+fn energy(law: &ContactLaw, s: &Sums, c: &Contact) -> f64 {
+    let centre = s.area_first / s.area;
+    let second = spread(s, centre);
+    let eccentricity = c.point - centre;
+    offset::energy(
+        law.normal_stiffness,
+        c.elastic,
+        c.area,
+        eccentricity,
+        &second,
+        c.normal,
+    )
 }
 
 fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {

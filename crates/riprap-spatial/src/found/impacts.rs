@@ -135,7 +135,7 @@ impl Two {
             radius: self.blocks[0].shape.radius.min(self.blocks[1].shape.radius),
             dt,
         };
-        let reply = respond(&self.law, &question, &mut self.memory);
+        let reply = respond(&self.law, &question, &mut self.memory, None);
         self.lost += reply.friction - reply.damping * dt;
         Some(reply)
     }

@@ -17,6 +17,7 @@ pub mod desk;
 pub mod friction;
 pub mod grid;
 pub mod limits;
+pub mod offset;
 pub mod peak;
 pub mod piece;
 pub mod planes;

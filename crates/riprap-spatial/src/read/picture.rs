@@ -38,6 +38,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     frame.solids = Some(solids);
     frame.block_columns = block_columns(view, &living);
     put_patches(view, &mut frame);
+    put_contacts(view, &mut frame);
     put_facets(view, &mut frame);
     frame.cracks = crate::read::cracks::surfaces(view);
     frame
@@ -220,6 +221,36 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             soft.len() as f64,
             soft.iter().sum(),
         ];
+        let mut numbers = numbers.into_iter();
+        for column in &mut frame.contact_columns {
+            column.data.extend(numbers.by_ref().take(column.components));
+        }
+    }
+}
+
+/// Found contacts, in the columns of patches; nothing of them can fail.
+fn put_contacts(view: &View<'_>, frame: &mut Frame) {
+    for contact in view.contacts() {
+        let [i, j] = contact.ends.map(|b| view.position(b as usize));
+        let place = 0.5 * (i + contact.arms[0] + j + contact.arms[1]) + view.world.setup.origin;
+        frame.contact_points.push(place.to_array());
+        let (force, normal) = (-contact.force, contact.normal);
+        // Force on the first block: compression is against the normal, which points to the second.
+        let across = force.dot(normal);
+        let along = (force - across * normal).length();
+        let over_area = |f: f64| {
+            if contact.area > 0.0 {
+                f / contact.area
+            } else {
+                0.0
+            }
+        };
+        let [a, b] = contact.ends.map(f64::from);
+        let sliding = if contact.sliding { 4.0 } else { 0.0 };
+        let mut numbers = vec![a, b, force.x, force.y, force.z];
+        numbers.extend([over_area(across), over_area(along), contact.area]);
+        numbers.extend([0.0, 0.0, sliding, normal.x, normal.y, normal.z]);
+        numbers.extend([0.0; 4]);
         let mut numbers = numbers.into_iter();
         for column in &mut frame.contact_columns {
             column.data.extend(numbers.by_ref().take(column.components));

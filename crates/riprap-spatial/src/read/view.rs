@@ -210,7 +210,11 @@ impl View<'_> {
             self.patch_resultant(p).force.length() * count
         };
         let [net, own] = exec.sums(world.alive.len(), of_block);
-        let all = own + exec.sum(world.patches.len(), of_patch);
+        let mut all = own + exec.sum(world.patches.len(), of_patch);
+        for contact in self.contacts() {
+            let count = contact.ends.iter().filter(|b| free(**b as usize)).count() as f64;
+            all += contact.force.length() * count;
+        }
         let rigid = if all > 0.0 { net / all } else { 0.0 };
         soft.map_or(rigid, |soft| soft.max(rigid))
     }
@@ -230,6 +234,11 @@ impl View<'_> {
             let force = self.patch_resultant(p).force.length();
             for b in world.patches.ends[p] {
                 all[b as usize] += force;
+            }
+        }
+        for contact in self.contacts() {
+            for b in contact.ends {
+                all[b as usize] += contact.force.length();
             }
         }
         self.living()
@@ -300,7 +309,7 @@ impl View<'_> {
         sum
     }
 
-    /// Average stress of every block, Pa, tension-positive: `(1/V) sum r (x) f` over patches, boundary
+    /// Average stress of every block, Pa, tension-positive: `(1/V) sum r (x) f` over patches, found contacts, boundary
     /// faces and walls of cavities, symmetrised.
     #[must_use]
     pub fn stresses(&self) -> Vec<Mat3> {
@@ -318,6 +327,11 @@ impl View<'_> {
                 sum[i] += outer(self.turn(i, class.arms[0] + offset), force);
                 sum[j] += outer(self.turn(j, class.arms[1] + offset), -force);
             }
+        }
+        for contact in self.contacts() {
+            let [i, j] = contact.ends.map(|b| b as usize);
+            sum[i] += outer(contact.arms[0], -contact.force);
+            sum[j] += outer(contact.arms[1], contact.force);
         }
         let context = boundary::Context::new(world);
         for face in &world.faces {
@@ -381,10 +395,20 @@ impl View<'_> {
         out
     }
 
-    /// Largest closing of a patch point over the distance of the centroids, with the blocks: how far rigid
-    /// blocks have been pressed into each other.
+    /// Largest closing of a patch point over the distance of the centroids or of a found contact over the smaller inscribed
+    /// radius, with the blocks: how far rigid blocks have been pressed into each other.
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
+        let found = self.scratch.desk.deepest;
+        let found = found.map(|d| (d.ratio, d.ends[0], d.ends[1]));
+        let both = self.worst_closing().into_iter().chain(found);
+        both.max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Largest closing of a patch point over the distance of the centroids or of a found contact of deformable blocks over theirs
+    /// from the surface, with the blocks.
+    #[must_use]
+    pub fn worst_closing(&self) -> Option<(f64, u32, u32)> {
         let list = &self.world.patches;
         let one = |p: usize| {
             let class = self.patch_class(p);
@@ -394,20 +418,8 @@ impl View<'_> {
         };
         let patches = self.scratch.exec.largest(list.len(), one);
         let patches = patches.map(|(ratio, [i, j])| (ratio, i, j));
-        patches
-            .into_iter()
-            .chain(self.found_overlaps())
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-    }
-
-    /// Depth of each found contact over the smaller inscribed radius, with the blocks.
-    fn found_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
-        let pairs = self.world.found.pairs.iter();
-        pairs
-            .zip(&self.scratch.desk.constants)
-            .filter(|(pair, _)| pair.depth > 0.0)
-            .map(|(pair, k)| (pair.depth / k.inradius, pair.ends[0], pair.ends[1]))
-            .chain(self.soft_overlaps())
+        let both = patches.into_iter().chain(self.soft_overlaps());
+        both.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// Depth of each found contact of deformable blocks over the smaller distance of the centres from the surface, with the blocks.

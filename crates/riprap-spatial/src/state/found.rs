@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::found::offset::Offset;
 use crate::found::{Memory, Role, Search};
 
 /// Found contacts of all rigid blocks; empty where no blocks can meet but those that patches join.
@@ -21,12 +22,14 @@ pub struct FoundContacts {
 }
 
 /// Two blocks that can touch.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FoundPair {
     /// The blocks; the smaller number first.
     pub ends: [u32; 2],
     /// Springs along the contact.
     pub memory: Memory,
+    /// What goes on of the load of a joint that has let go (boxed: few have any).
+    pub offset: Option<Box<Offset>>,
     /// Energy in these springs, J.
     pub stored: f64,
     /// Faces of both from which the walk of the last evaluation began; `None` for the peak.
@@ -37,4 +40,6 @@ pub struct FoundPair {
     pub force: riprap_geom::Vec3,
     /// How far the blocks lie in each other, m; 0 when apart.
     pub depth: f64,
+    /// They are at least so far apart, m; 0 where that is not known. State, since the length of steps hangs on it.
+    pub gap: f64,
 }

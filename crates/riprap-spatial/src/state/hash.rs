@@ -53,6 +53,10 @@ impl World {
             hash.numbers(&m.shear.to_array());
             hash.numbers(&m.normal.to_array());
             hash.numbers(&[m.torsion, m.area, m.polar]);
+            if let Some(offset) = &pair.offset {
+                hash.numbers(&offset.rocking.to_array());
+                hash.numbers(&[offset.normal, offset.overlap, offset.slip]);
+            }
         }
         for pair in self.found.soft.pairs.iter().filter(|p| p.depth > 0.0) {
             let (m, [i, j]) = (&pair.memory, pair.ends);

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use super::engine::BuildError;
 use super::given_step::{self, TooLong};
+use super::meeting;
 use super::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
@@ -138,7 +139,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
 /// What a scene holds that is probably not meant.
 fn doubts(simulation: &Simulation, plan: &Plan) -> Vec<String> {
     let view = simulation.view();
-    let mut found = Vec::new();
+    let mut found = meeting::words(&view);
     let pulled = simulation.cursor().gravity_after != [0.0; 3];
     if pulled && !view.holds_something() {
         found.push(

@@ -9,6 +9,7 @@ pub mod engine;
 pub mod forecast;
 pub mod given_step;
 pub mod job;
+mod meeting;
 pub mod plan;
 pub mod probe;
 pub mod recorder;

@@ -15,6 +15,7 @@ pub use cursor::{Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stag
 pub use error::RunError;
 
 use super::engine::{BuildError, Engine, Kind, Stable, View};
+use super::meeting;
 use super::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::exec::Exec;
 use crate::ledger::Balance;
@@ -311,8 +312,8 @@ impl Simulation {
         Some(end)
     }
 
-    /// What should be known of the run besides its results, in words: phases that did not come to rest, an energy
-    /// residual that is not small.
+    /// What should be known of the run besides its results, in words: what cannot meet, phases that did not come to rest, an energy
+    /// residual that is not small, blocks pressed deep into each other.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let cursor = &self.cursor;
@@ -320,7 +321,10 @@ impl Simulation {
         let ends = cursor.ends.iter().filter_map(PhaseEnd::warning);
         let residual = cursor.residual;
         let residual = (residual.share.abs() > stop::NOTED).then(|| residual.to_string());
-        unconverged.chain(ends).chain(residual).collect()
+        let deepest = cursor.deepest.as_ref().map(ToString::to_string);
+        let others = residual.into_iter().chain(deepest);
+        let off = meeting::off(&self.view()).into_iter();
+        off.chain(unconverged).chain(ends).chain(others).collect()
     }
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.
@@ -351,7 +355,7 @@ impl Simulation {
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
         self.engine
             .evaluate(damping, dt)
-            .map_err(|block| self.not_finite(block, "the force on it"))
+            .map_err(|block| self.no_force(block))
     }
 
     fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {

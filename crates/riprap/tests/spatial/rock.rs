@@ -76,6 +76,7 @@ pub fn rock(blocks: Vec<BlockSpec>, joint: JointLaw) -> Setup {
         blocks,
         interfaces: vec![Interface {
             name: "default".into(),
+            friction: None,
             joint,
         }],
         pair_table: vec![0],

@@ -54,6 +54,7 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
     });
     setup.interfaces.push(Interface {
         name: "closed".into(),
+        friction: None,
         joint: law(Dashpots::Closed),
     });
     setup.pair_table = vec![0, 1, 1, 1];

@@ -60,6 +60,7 @@ fn model(blocks: Vec<BlockSpec>, soft: &[u32], friction: f64, damping: f64) -> S
     });
     setup.interfaces.push(Interface {
         name: "default".into(),
+        friction: None,
         joint: JointLaw {
             stiffness: Stiffness::Given {
                 normal: 1e9,

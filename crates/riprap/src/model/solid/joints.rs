@@ -31,9 +31,15 @@ impl Builder<'_> {
         }
         for (name, interface) in table.iter() {
             let joint = self.joint(name.as_str(), interface);
+            let friction = joint.strength.is_none().then(|| {
+                let mut read = self.reading(format!("interfaces.{name}"), interface);
+                let of_angle = read.friction_angle().map(libm::tan);
+                of_angle.or_else(|| read.friction_coefficient())
+            });
             self.spatial.interfaces.push(Interface {
                 name: name.text.clone(),
                 joint,
+                friction: friction.flatten(),
             });
         }
     }

@@ -6,6 +6,7 @@ use crate::record::frame::fragments::Fragments;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::Source;
 use crate::record::names::Names;
+use crate::spatial::found::desk::Deepest;
 use crate::{planar, spatial};
 
 /// How far a block has come.
@@ -262,6 +263,25 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => v.worst_overlap(),
             Self::Spatial(v) => v.worst_overlap(),
+        }
+    }
+
+    /// What is looked at before a run is stopped because blocks lie too deep in each other: as [`Self::worst_overlap`], in space
+    /// of joints alone; found contacts have [`Self::deepest_contact`].
+    #[must_use]
+    pub fn worst_closing(&self) -> Option<(f64, u32, u32)> {
+        match self {
+            Self::Planar(v) => v.worst_overlap(),
+            Self::Spatial(v) => v.worst_closing(),
+        }
+    }
+
+    /// The found contact in space that is deepest for its blocks.
+    #[must_use]
+    pub fn deepest_contact(&self) -> Option<Deepest> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(v) => v.scratch.desk.deepest,
         }
     }
 

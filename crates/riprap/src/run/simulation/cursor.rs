@@ -28,6 +28,38 @@ pub struct Cursor {
     pub residual: Residual,
     /// How the phases so far have ended.
     pub ends: Vec<PhaseEnd>,
+    /// The deepest found contact so far, where it was worth a warning.
+    pub deepest: Option<Deep>,
+}
+
+/// Two blocks that lay deep in each other.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deep {
+    /// Depth over the smaller inscribed radius.
+    pub ratio: f64,
+    /// Depth, m.
+    pub depth: f64,
+    /// Their names.
+    pub blocks: [String; 2],
+    /// Step.
+    pub step: u64,
+    /// Model time, s.
+    pub time: f64,
+}
+
+impl std::fmt::Display for Deep {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [a, b] = &self.blocks;
+        write!(
+            f,
+            "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the radius of the largest ball in the thinner one \
+             (step {}, t = {:.4e} s): the contact is soft for what presses; a larger `normal_stiffness` keeps them apart",
+            self.depth,
+            100.0 * self.ratio,
+            self.step,
+            self.time
+        )
+    }
 }
 
 /// An energy residual.

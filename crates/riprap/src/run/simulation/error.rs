@@ -92,6 +92,24 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// Two blocks in space are about to come out on each other's far side.
+    #[error(
+        "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), as far as the largest ball \
+         in the thinner one reaches: they would pass through each other; use a larger `normal_stiffness` between their materials, or \
+         look why they meet so fast"
+    )]
+    PassesThrough {
+        /// One block.
+        first: String,
+        /// The other.
+        second: String,
+        /// Depth, m.
+        depth: f64,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// Splitting blocks failed.
     #[error("blocks could not be split at step {step} (t = {time:.6e} s): {reason}")]
     Edit {
@@ -133,6 +151,7 @@ impl RunError {
             | Self::NoStep { .. }
             | Self::Residual { .. }
             | Self::Overlap { .. }
+            | Self::PassesThrough { .. }
             | Self::Edit { .. }
             | Self::BlowUp { .. } => None,
         }

@@ -5,6 +5,8 @@ use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
 use crate::ledger::{Balance, COLUMNS};
 use crate::run::plan::Relaxing;
+use crate::spatial::found::desk::Deepest;
+use crate::spatial::found::limits::{self, Depth};
 
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
 const WORST_OVERLAP: f64 = 0.5;
@@ -80,6 +82,7 @@ impl Simulation {
     /// Stops runs that have left the range in which they mean anything; `over`: the phase has come to its end.
     pub(super) fn guard(&mut self, over: bool) -> Result<(), RunError> {
         let step = self.steps();
+        self.look_at_depth()?;
         if over || due(step, LOOK, 2) {
             self.look_at_motion()?;
         }
@@ -89,13 +92,59 @@ impl Simulation {
         Ok(())
     }
 
+    /// Notes how deep found contacts are, and stops a run in which two blocks would come out on each other's far side; at every step,
+    /// since a few steps can be enough.
+    fn look_at_depth(&mut self) -> Result<(), RunError> {
+        let Some(found) = self.view().deepest_contact() else {
+            return Ok(());
+        };
+        if limits::judge(found.ratio, 1.0) == Depth::TooDeep {
+            return Err(self.too_deep(&found));
+        }
+        if found.ratio > self.cursor.deepest.as_ref().map_or(0.0, |d| d.ratio)
+            && limits::judge(found.ratio, 1.0) == Depth::Deep
+        {
+            let blocks = found.ends.map(|b| self.view().name(b));
+            self.cursor.deepest = Some(super::cursor::Deep {
+                ratio: found.ratio,
+                depth: found.depth,
+                blocks,
+                step: self.steps(),
+                time: self.time(),
+            });
+        }
+        Ok(())
+    }
+
+    /// The error for two blocks that lie too deep in each other.
+    fn too_deep(&self, found: &Deepest) -> RunError {
+        let [first, second] = found.ends.map(|b| self.view().name(b));
+        RunError::PassesThrough {
+            first,
+            second,
+            depth: found.depth,
+            step: self.steps(),
+            time: self.time(),
+        }
+    }
+
+    /// The error for forces on a block that are no numbers: two blocks so deep in each other that none can be found, or what is to
+    /// blame otherwise.
+    pub(super) fn no_force(&self, block: u32) -> RunError {
+        let deepest = self.view().deepest_contact();
+        match deepest.filter(|d| limits::judge(d.ratio, 1.0) == Depth::TooDeep) {
+            Some(found) => self.too_deep(&found),
+            None => self.not_finite(block, "the force on it"),
+        }
+    }
+
     /// That all numbers are numbers is looked at from the first state on; how large they are only when the model had some
     /// steps to come to itself: blocks that overlap at the start may push each other apart.
     fn look_at_motion(&self) -> Result<(), RunError> {
         let (step, time) = (self.steps(), self.time());
         let judged = step >= LOOK;
         let view = self.view();
-        if let Some((ratio, i, j)) = view.worst_overlap() {
+        if let Some((ratio, i, j)) = view.worst_closing() {
             if !ratio.is_finite() {
                 return Err(self.not_finite(i, "its overlap with a neighbour"));
             }
