@@ -13,7 +13,7 @@ use super::setup::{BondLaw, Setup};
 use super::shapes::Shapes;
 use super::world::{Body, World, Wrench};
 pub use super::world::{Bond, BondPoint};
-use crate::laws::{damping, mohr_coulomb};
+use crate::laws::{damping, joint_point};
 use crate::ledger::Works;
 
 /// Share of the length that a failed joint slides or opens before found contact takes over.
@@ -160,7 +160,7 @@ pub fn force(
         let (arm_i, arm_j) = (turn_i(point.on_i), turn_j(point.on_j));
         let u = arm_j - arm_i - relative.shift;
         let (opening, shear) = (u.dot(normal), u.dot(tangent));
-        let r = mohr_coulomb::joint_point(law, opening, shear, point.slip, point.failed || torn);
+        let r = joint_point::joint_point(law, opening, shear, point.slip, point.failed || torn);
         failing |= r.failed && !point.failed;
         point.failed = r.failed;
         point.slip = r.slip;
@@ -219,7 +219,8 @@ pub fn force(
 /// is less than half of what the point stores.
 fn is_torn(bond: &Bond, law: &BondLaw) -> bool {
     let far = SLIP_SHARE * bond.length;
-    let strength = (law.tension / law.normal_stiffness).max(law.cohesion / law.shear_stiffness);
+    let strength = (law.strength.tension / law.normal_stiffness)
+        .max(law.strength.cohesion / law.shear_stiffness);
     let closure = bond.points.iter().map(|p| -p.opening).fold(0.0, f64::max);
     let open = far.min(OPENING * strength.max(closure));
     let mut failed = bond.points.iter().filter(|p| p.failed);

@@ -17,6 +17,7 @@ use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
 use super::world::{Body, Contact, GeneralState, PairState, Region, World, Wrench};
 use crate::laws::bounds::{not_negative, within};
+use crate::laws::mohr_coulomb::shear_limit;
 use crate::laws::{coulomb, potential as closed};
 use crate::ledger::Works;
 
@@ -436,7 +437,7 @@ fn apply(
         Some(wrench) => (wrench.times(total_normal / elastic), true),
         None => {
             let stiffness = law.shear_stiffness * length;
-            let limit = law.friction * total_normal + law.cohesion * length;
+            let limit = shear_limit(law.cohesion * length, law.friction, -total_normal);
             let rate = velocity.dot(tangent);
             let slid = coulomb::shear_spring(contact.shear, stiffness, slip, limit);
             contact.shear = slid.force;

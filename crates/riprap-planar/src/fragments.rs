@@ -18,7 +18,7 @@ impl View<'_> {
             .collect();
         let holds = |row: u16| {
             let law = world.setup.interfaces[usize::from(row)].bond.as_ref();
-            law.is_some_and(|l| l.tension > 0.0 || l.cohesion > 0.0)
+            law.is_some_and(|l| l.strength.tension > 0.0 || l.strength.cohesion > 0.0)
         };
         let joined = world.bonds.iter().filter_map(|bond| {
             let whole = bond.active && !bond.torn && bond.points.iter().any(|p| !p.failed);

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
+pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondLaw, ContactLaw, FrictionLaw, NormalLaw, Reflex};
 
 /// A complete 2D model at its start.

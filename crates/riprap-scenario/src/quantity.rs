@@ -370,6 +370,13 @@ impl<K: Kind> Quantity<K> {
     }
 }
 
+impl Quantity<FrictionAngle> {
+    /// The coefficient of friction: laws know no angle, and this is the only place that makes one of the other.
+    pub fn tangent(&self) -> f64 {
+        libm::tan(self.si())
+    }
+}
+
 impl<'de, K: Kind> Deserialize<'de> for Quantity<K> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let raw = toml::Spanned::<Raw>::deserialize(deserializer)?;

@@ -409,7 +409,7 @@ pub fn starts_moving(
             }
     };
     let slides = |p: &usize| {
-        let limit = (strength.cohesion - start[*p][0] * strength.friction).max(0.0);
+        let limit = strength.peak(start[*p][0]);
         let [b, c] = [1, 2].map(|k| start[*p][k] + dashpots[*p][k]);
         joint.dashpots == Dashpots::Sticking && b * b + c * c > limit * limit
     };

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 pub use crate::laws::explosive::Explosive;
-pub use crate::laws::face_joint::Strength;
+pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{
     Dashpots, Failure, JointLaw, Kinematics, Points, Stiffness, StiffnessRule,
 };

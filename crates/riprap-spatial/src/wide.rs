@@ -32,6 +32,7 @@ use super::sums::Part;
 use super::tiles::Packet;
 use super::world::{PatchClass, flag};
 use crate::laws::face_joint::{self, Plain, PlainLaw, SIGNS};
+use crate::laws::mohr_coulomb::shear_limit;
 
 /// What the wide kernel needs of a class.
 #[derive(Clone, Copy, Debug, Default)]
@@ -680,7 +681,7 @@ impl Class {
         let shear_b = (start[b] + ks * d[b]).abs() + ks * (w[n].abs() * rc) + self.spread[1];
         let shear_c = (start[c] + ks * d[c]).abs() + ks * (w[n].abs() * rb) + self.spread[2];
         let [cohesion, cut, friction] = self.strength;
-        let limit = cohesion - friction * tension;
+        let limit = shear_limit(cohesion, friction, tension);
         let shear = shear_b * shear_b + shear_c * shear_c;
         let limit2 = limit * limit;
         let mut bits = 0;

@@ -232,6 +232,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
                     cohesion: 8e6,
                     friction: 0.5,
                     residual_friction: 0.5,
+                    ..Strength::default()
                 }),
                 cohesive: None,
                 failure: BondFailure::Spring,

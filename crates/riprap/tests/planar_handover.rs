@@ -5,7 +5,7 @@ mod common;
 
 use common::{DISTANCE, Model, block, law, points, rectangle, setup};
 use riprap::Vec2;
-use riprap::planar::setup::{BondLaw, Setup};
+use riprap::planar::setup::{BondLaw, Setup, Strength};
 
 const STIFFNESS: f64 = 1e10;
 
@@ -18,11 +18,13 @@ fn joined(lower: &[Vec2], tension: f64, cohesion: f64) -> Setup {
     setup.interfaces[0].bond = Some(BondLaw {
         normal_stiffness: STIFFNESS,
         shear_stiffness: STIFFNESS,
-        tension,
-        cohesion,
-        friction: 0.5,
-        residual_friction: 0.5,
-        residual_cohesion: 0.0,
+        strength: Strength {
+            tension,
+            cohesion,
+            friction: 0.5,
+            residual_friction: 0.5,
+            ..Strength::default()
+        },
         damping_ratio: 0.0,
         points: 2,
     });

@@ -11,7 +11,7 @@ mod common;
 use common::{DISTANCE, Model, block, hold, law, points, rectangle, setup};
 use riprap::Vec2;
 use riprap::dynamics::TimeFunction;
-use riprap::planar::setup::{BondLaw, Load, LoadKind, Motion, Setup, Support};
+use riprap::planar::setup::{BondLaw, Load, LoadKind, Motion, Setup, Strength, Support};
 
 const STIFFNESS: f64 = 1e9;
 
@@ -30,11 +30,13 @@ fn joined(tension: f64, cohesion: f64) -> Setup {
     setup.interfaces[0].bond = Some(BondLaw {
         normal_stiffness: STIFFNESS,
         shear_stiffness: 0.5 * STIFFNESS,
-        tension,
-        cohesion,
-        friction: 0.5,
-        residual_friction: 0.5,
-        residual_cohesion: 0.0,
+        strength: Strength {
+            tension,
+            cohesion,
+            friction: 0.5,
+            residual_friction: 0.5,
+            ..Strength::default()
+        },
         damping_ratio: 0.2,
         points: 2,
     });

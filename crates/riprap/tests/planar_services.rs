@@ -6,7 +6,7 @@ use common::{DISTANCE, block, comb, hold, l_shape, law, moved, rectangle, setup}
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::planar::bond::Bond;
-use riprap::planar::setup::{BondLaw, Setup};
+use riprap::planar::setup::{BondLaw, Setup, Strength};
 use riprap::record::checkpoint;
 use riprap::run::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
@@ -90,11 +90,13 @@ fn collapse(rows: usize, columns: usize) -> Setup {
     setup.interfaces[0].bond = Some(BondLaw {
         normal_stiffness: 1e8,
         shear_stiffness: 5e7,
-        tension: 2e3,
-        cohesion: 4e3,
-        friction: 0.5,
-        residual_friction: 0.4,
-        residual_cohesion: 0.0,
+        strength: Strength {
+            tension: 2e3,
+            cohesion: 4e3,
+            friction: 0.5,
+            residual_friction: 0.4,
+            ..Strength::default()
+        },
         damping_ratio: 0.2,
         points: 2,
     });

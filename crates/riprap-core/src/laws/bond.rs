@@ -17,6 +17,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::mohr_coulomb::shear_limit;
 use super::norm;
 use crate::lanes::{LANES, Lanes, Vectors, dot, minus, plus, scaled};
 
@@ -24,6 +25,7 @@ mod cohesive;
 #[cfg(test)]
 mod tests;
 
+pub use super::mohr_coulomb::{Mode, Strength};
 pub use cohesive::{Cohesive, Softening, cohesive, munjiza};
 
 /// Traction: n, b, c, Pa.
@@ -42,82 +44,6 @@ pub fn springs(young: f64, shear: f64, thickness: f64) -> Springs {
 #[must_use]
 pub fn in_series(bond: f64, behind: [f64; 2]) -> f64 {
     1.0 / (1.0 / bond + 1.0 / behind[0] + 1.0 / behind[1])
-}
-
-/// Mohr-Coulomb strength with tension cut-off.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Strength {
-    /// Tensile strength, Pa.
-    pub tension: f64,
-    /// Cohesion, Pa.
-    pub cohesion: f64,
-    /// tan of the friction angle before failure.
-    pub friction: f64,
-    /// tan of the friction angle after failure.
-    pub residual_friction: f64,
-}
-
-/// How a point failed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Mode {
-    /// Beyond the tensile strength, (10).
-    Tension,
-    /// Beyond the shear strength, (11).
-    Shear,
-}
-
-impl Strength {
-    /// The strength divided by `factor`, that after failure too.
-    #[must_use]
-    pub fn reduced(mut self, factor: f64) -> Self {
-        for strength in [
-            &mut self.tension,
-            &mut self.cohesion,
-            &mut self.friction,
-            &mut self.residual_friction,
-        ] {
-            *strength /= factor;
-        }
-        self
-    }
-
-    /// Tension at which no shear strength is left, `c cot(phi)`, Pa: a larger tensile strength is never reached.
-    #[inline]
-    #[must_use]
-    pub fn apex(&self) -> f64 {
-        self.cohesion / self.friction
-    }
-
-    /// Traction over strength, of the mode that is nearer to failure: above 1 the point fails.
-    ///
-    /// `sigma/tension` and `(|tau| + sigma tan(phi))/cohesion`: a traction u times as large as it may be has the utilisation u,
-    /// so that 1/u is the share of a load at which a linear body would begin to fail.
-    #[inline]
-    #[must_use]
-    pub fn utilisation(&self, t: &Traction) -> (f64, Mode) {
-        let shear = norm(t[1], t[2]);
-        let in_tension = ratio(t[0].max(0.0), self.tension);
-        let in_shear = ratio((shear + t[0] * self.friction).max(0.0), self.cohesion);
-        if in_tension >= in_shear {
-            (in_tension, Mode::Tension)
-        } else {
-            (in_shear, Mode::Shear)
-        }
-    }
-
-    /// How a point under this traction fails, if it does.
-    #[inline]
-    #[must_use]
-    pub fn failure(&self, t: &Traction) -> Option<Mode> {
-        let (used, mode) = self.utilisation(t);
-        (used > 1.0).then_some(mode)
-    }
-}
-
-/// Load over strength; nothing over no strength is 0.
-#[inline]
-fn ratio(load: f64, strength: f64) -> f64 {
-    if load == 0.0 { 0.0 } else { load / strength }
 }
 
 /// What a point remembers.
@@ -160,26 +86,31 @@ pub fn connect(springs: Springs, start: &Traction, at: &[f64; 3]) -> Traction {
 #[must_use]
 pub fn contact(
     springs: Springs,
-    friction: f64,
+    strength: &Strength,
     start: &Traction,
     at: &[f64; 3],
     before: &State,
 ) -> (Traction, State) {
     let e = from_rest(springs, start, at);
-    let (t, slip) = slider(springs, friction, &e, &before.slip);
+    let (t, slip) = slider(springs, strength, &e, &before.slip);
     (t, State { damage: 1.0, slip })
 }
 
 /// Return mapping of a frictional contact: traction and slip.
 #[inline]
-fn slider([kn, ks]: Springs, friction: f64, e: &[f64; 3], slip: &[f64; 2]) -> (Traction, [f64; 2]) {
+fn slider(
+    [kn, ks]: Springs,
+    strength: &Strength,
+    e: &[f64; 3],
+    slip: &[f64; 2],
+) -> (Traction, [f64; 2]) {
     // Open: the shear spring follows without traction.
     if e[0] >= 0.0 {
         return ([0.0; 3], [e[1], e[2]]);
     }
     let normal = kn * e[0];
     let trial = [ks * (e[1] - slip[0]), ks * (e[2] - slip[1])];
-    let (size, limit) = (norm(trial[0], trial[1]), -normal * friction);
+    let (size, limit) = (norm(trial[0], trial[1]), strength.residual(normal));
     if size <= limit {
         return ([normal, trial[0], trial[1]], *slip);
     }
@@ -207,7 +138,7 @@ pub fn brittle(
             return (t, *before);
         }
     }
-    contact(springs, strength.residual_friction, start, at, before)
+    contact(springs, strength, start, at, before)
 }
 
 /// Energy stored in the springs of a point, J/m².
@@ -267,7 +198,8 @@ pub fn near_eight(strength: &Strength, n: &Vectors, t: &Vectors) -> bool {
     let shear = minus(t, &scaled(sigma, n));
     let square = dot(&shear, &shear);
     let tension = NEAR * strength.tension;
-    let limit = Lanes::all(NEAR * strength.cohesion) - Lanes::all(strength.friction) * sigma;
+    let cohesion = Lanes::all(NEAR * strength.cohesion);
+    let limit = shear_limit(cohesion, Lanes::all(strength.friction), sigma);
     let mut fine = true;
     for k in 0..LANES {
         let limit = NEAR * limit.0[k];

@@ -10,50 +10,14 @@
 
 mod whole;
 
-use serde::{Deserialize, Serialize};
-
+use super::mohr_coulomb::shear_strength;
 use super::norm;
 
+pub use super::mohr_coulomb::Strength;
 pub use whole::face;
 
 /// Signs of the four points along b and along c.
 pub const SIGNS: [[f64; 4]; 2] = [[-1.0, 1.0, 1.0, -1.0], [-1.0, -1.0, 1.0, 1.0]];
-
-/// Mohr-Coulomb strength with tension cut-off.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Strength {
-    /// Cohesion, Pa.
-    pub cohesion: f64,
-    /// Tensile strength, Pa.
-    pub tension: f64,
-    /// tan of the friction angle before failure.
-    pub friction: f64,
-    /// tan of the friction angle after failure.
-    pub residual_friction: f64,
-    /// Cohesion after failure, Pa.
-    pub residual_cohesion: f64,
-    /// tan of the dilation angle of a sliding point.
-    pub dilation: f64,
-    /// Plastic shear displacement at which dilation ends, m.
-    pub dilation_end: f64,
-}
-
-impl Strength {
-    /// The strength divided by `factor` (Zienkiewicz, Humpheson and Lewis 1975), residual values too; dilation stays.
-    #[must_use]
-    pub fn reduced(mut self, factor: f64) -> Self {
-        for strength in [
-            &mut self.cohesion,
-            &mut self.tension,
-            &mut self.friction,
-            &mut self.residual_friction,
-            &mut self.residual_cohesion,
-        ] {
-            *strength /= factor;
-        }
-        self
-    }
-}
 
 /// Traction at a point: n, b, c, Pa.
 pub type Traction = [f64; 3];
@@ -138,8 +102,7 @@ pub fn point(
     };
     let (sigma, tau) = (trial[0], norm(trial[1], trial[2]));
     if !memory.broken {
-        let limit = (law.cohesion - sigma * law.friction).max(0.0);
-        if sigma <= law.tension && tau <= limit {
+        if law.holds(sigma, tau) {
             return (trial, loss);
         }
         memory.broken = true;
@@ -154,7 +117,7 @@ pub fn point(
         loss.friction = released(springs, &before, moved, 1);
         return ([0.0; 3], loss);
     }
-    let limit = (law.residual_cohesion - sigma * law.residual_friction).max(0.0);
+    let limit = law.residual(sigma);
     if tau <= limit {
         return (trial, loss);
     }
@@ -229,13 +192,11 @@ pub fn plain_point(
         old(shear[0], ks, moved[1]),
         old(shear[1], ks, moved[2]),
     ];
-    let peak = law.peak[0] - sigma * law.peak[2];
-    let peak = if peak > 0.0 { peak } else { 0.0 };
+    let peak = shear_strength(law.peak[0], law.peak[2], sigma);
     let holds = was_whole & (sigma <= law.peak[1]) & (tau <= peak);
     let opens = !holds & (sigma >= 0.0);
     let tears = opens & was_whole & (sigma > 0.0);
-    let limit = law.residual[0] - sigma * law.residual[1];
-    let limit = if limit > 0.0 { limit } else { 0.0 };
+    let limit = shear_strength(law.residual[0], law.residual[1], sigma);
     let slides = !holds & !opens & (tau > limit);
     let keep = if slides { limit / tau } else { 1.0 };
     let keep = if opens { 0.0 } else { keep };
@@ -428,7 +389,7 @@ mod tests {
                 &moved,
                 &mut memory,
             );
-            let limit = law.residual_cohesion - t[0] * law.residual_friction;
+            let limit = law.residual(t[0]);
             assert!(t[1] <= limit * (1.0 + 1e-12));
             sigma = t[0];
         }

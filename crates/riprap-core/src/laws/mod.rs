@@ -7,6 +7,7 @@ pub mod damping;
 pub mod explosive;
 pub mod face_joint;
 pub mod fracture;
+pub mod joint_point;
 pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;

@@ -1,102 +1,192 @@
-//! Brittle joint point: tension cut-off, Mohr-Coulomb peak, residual friction.
+//! Mohr-Coulomb's limit with tension cut-off: one definition for points, faces, eight points at a time, bounds and cuts.
 //!
-//! Tension is positive. Before failure `sigma <= tension` and `|tau| <= cohesion - sigma mu`; after
-//! failure there is no tension and `|tau| <= residual_cohesion - sigma mu_r` in compression.
+//! Tension is positive. Whole: `sigma <= tension` and `|tau| <= cohesion - sigma tan(phi)`; failed: no tension, and the same
+//! limit with the residual values. Angles of friction come as their tangents everywhere.
+//!
+//! Source: Tian & Li, equations (17) and (18); Han, Liu & Li (2010), (10) and (11), read with the sign of the normal force, so
+//! that tension does not raise the shear strength.
 
-use super::bounds::within;
-use super::parameters::BondLaw;
+use std::ops::{Mul, Sub};
 
-/// State of a joint point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Response {
-    /// Normal stress, Pa, tension positive.
-    pub sigma: f64,
-    /// Shear stress, Pa.
-    pub tau: f64,
-    /// Plastic (irrecoverable) part of the shear displacement, m.
-    pub slip: f64,
-    /// Whether the point has failed, now or before.
-    pub failed: bool,
+use serde::{Deserialize, Serialize};
+
+use super::norm;
+
+/// Shear that a plane with this cohesion and tan of the friction angle bears under the normal traction `sigma` (tension
+/// positive); negative beyond the tip of the cone. Of numbers or of lanes of numbers; in stresses, or in forces with the
+/// cohesion of the whole area.
+#[inline(always)]
+#[must_use]
+pub fn shear_limit<T>(cohesion: T, friction: T, sigma: T) -> T
+where
+    T: Mul<Output = T> + Sub<Output = T>,
+{
+    cohesion - sigma * friction
 }
 
-/// Stresses at opening `un` and shear displacement `us` (m) of a point with plastic slip `slip`.
-///
-/// Failure is brittle: the trial stress that exceeds the peak strength is returned to the residual
-/// one in the same call.
-#[inline]
+/// [`shear_limit`] as a size: nothing beyond the tip of the cone.
+#[inline(always)]
 #[must_use]
-pub fn joint_point(law: &BondLaw, un: f64, us: f64, slip: f64, failed: bool) -> Response {
-    let sigma = law.normal_stiffness * un;
-    let tau = law.shear_stiffness * (us - slip);
-    let intact = !failed
-        && sigma <= law.tension
-        && tau.abs() <= (law.cohesion - sigma * law.friction).max(0.0);
-    if intact {
-        return Response {
-            sigma,
-            tau,
-            slip,
-            failed: false,
-        };
+pub fn shear_strength(cohesion: f64, friction: f64, sigma: f64) -> f64 {
+    let limit = shear_limit(cohesion, friction, sigma);
+    if limit > 0.0 { limit } else { 0.0 }
+}
+
+/// Mohr-Coulomb strength with tension cut-off.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Strength {
+    /// Cohesion, Pa.
+    pub cohesion: f64,
+    /// Tensile strength, Pa.
+    pub tension: f64,
+    /// tan of the friction angle before failure.
+    pub friction: f64,
+    /// tan of the friction angle after failure.
+    pub residual_friction: f64,
+    /// Cohesion after failure, Pa.
+    pub residual_cohesion: f64,
+    /// tan of the dilation angle of a sliding point; only faces of rigid blocks dilate.
+    pub dilation: f64,
+    /// Plastic shear displacement at which dilation ends, m.
+    pub dilation_end: f64,
+}
+
+/// How a point failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Mode {
+    /// Beyond the tensile strength.
+    Tension,
+    /// Beyond the shear strength.
+    Shear,
+}
+
+impl Strength {
+    /// Shear strength of a whole point under the normal traction `sigma`, Pa.
+    #[inline(always)]
+    #[must_use]
+    pub fn peak(&self, sigma: f64) -> f64 {
+        shear_strength(self.cohesion, self.friction, sigma)
     }
-    if sigma >= 0.0 {
-        return Response {
-            sigma: 0.0,
-            tau: 0.0,
-            slip: us,
-            failed: true,
-        };
+
+    /// Shear strength of a failed point under the normal traction `sigma`, Pa.
+    #[inline(always)]
+    #[must_use]
+    pub fn residual(&self, sigma: f64) -> f64 {
+        shear_strength(self.residual_cohesion, self.residual_friction, sigma)
     }
-    let limit = law.residual_cohesion - sigma * law.residual_friction;
-    let tau = within(tau, limit);
-    Response {
-        sigma,
-        tau,
-        slip: us - tau / law.shear_stiffness,
-        failed: true,
+
+    /// Whether a whole point bears the normal traction `sigma` and shear of the size `tau`, Pa.
+    #[inline(always)]
+    #[must_use]
+    pub fn holds(&self, sigma: f64, tau: f64) -> bool {
+        sigma <= self.tension && tau <= self.peak(sigma)
     }
+
+    /// Tension at which no shear strength is left, `c cot(phi)`, Pa: a larger tensile strength is never reached.
+    #[inline]
+    #[must_use]
+    pub fn apex(&self) -> f64 {
+        self.cohesion / self.friction
+    }
+
+    /// Traction (n, b, c) over strength, of the mode that is nearer to failure: above 1 the point fails.
+    ///
+    /// `sigma/tension` and `(|tau| + sigma tan(phi))/cohesion`: a traction u times as large as it may be has the utilisation u,
+    /// so that 1/u is the share of a load at which a linear body would begin to fail.
+    #[inline]
+    #[must_use]
+    pub fn utilisation(&self, t: &[f64; 3]) -> (f64, Mode) {
+        // What is left of the shear when friction has taken its part, which is more than nothing in tension.
+        let beyond = -shear_limit(-norm(t[1], t[2]), self.friction, t[0]);
+        let in_tension = ratio(t[0].max(0.0), self.tension);
+        let in_shear = ratio(beyond.max(0.0), self.cohesion);
+        if in_tension >= in_shear {
+            (in_tension, Mode::Tension)
+        } else {
+            (in_shear, Mode::Shear)
+        }
+    }
+
+    /// How a point under this traction fails, if it does.
+    #[inline]
+    #[must_use]
+    pub fn failure(&self, t: &[f64; 3]) -> Option<Mode> {
+        let (used, mode) = self.utilisation(t);
+        (used > 1.0).then_some(mode)
+    }
+
+    /// The strength divided by `factor` (Zienkiewicz, Humpheson and Lewis 1975), residual values too; dilation stays.
+    #[must_use]
+    pub fn reduced(self, factor: f64) -> Self {
+        Self {
+            cohesion: self.cohesion / factor,
+            tension: self.tension / factor,
+            friction: self.friction / factor,
+            residual_friction: self.residual_friction / factor,
+            residual_cohesion: self.residual_cohesion / factor,
+            ..self
+        }
+    }
+}
+
+/// Load over strength; nothing over no strength is 0.
+#[inline]
+fn ratio(load: f64, strength: f64) -> f64 {
+    if load == 0.0 { 0.0 } else { load / strength }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lanes::Lanes;
 
-    /// C5 of the verification catalogue: k_s = 1e10 Pa/m, sigma_n = 1 MPa, phi = 35 deg, c = 0.2 MPa.
-    fn law() -> BondLaw {
-        let mu = 35f64.to_radians().tan();
-        BondLaw {
-            normal_stiffness: 1e11,
-            shear_stiffness: 1e10,
-            tension: 0.1e6,
-            cohesion: 0.2e6,
-            friction: mu,
-            residual_friction: mu,
-            residual_cohesion: 0.0,
-            damping_ratio: 0.0,
-            points: 2,
+    const STRENGTH: Strength = Strength {
+        cohesion: 2e6,
+        tension: 1e6,
+        friction: 0.7,
+        residual_friction: 0.5,
+        residual_cohesion: 0.1e6,
+        dilation: 0.0,
+        dilation_end: 0.0,
+    };
+
+    #[test]
+    fn numbers_and_lanes_have_the_same_limit() {
+        for k in 0..100 {
+            let sigma = 1e5 * (f64::from(k) - 70.3);
+            let one = shear_limit(STRENGTH.cohesion, STRENGTH.friction, sigma);
+            let [c, f, s] = [STRENGTH.cohesion, STRENGTH.friction, sigma].map(Lanes::all);
+            assert!(
+                shear_limit(c, f, s)
+                    .0
+                    .iter()
+                    .all(|x| x.to_bits() == one.to_bits())
+            );
+            assert_eq!(STRENGTH.peak(sigma), one.max(0.0));
         }
     }
 
     #[test]
-    fn direct_shear_peak_and_residual() {
-        let (law, un) = (law(), -1e6 / 1e11);
-        let (mut slip, mut failed, mut peak, mut last) = (0.0, false, 0.0_f64, 0.0);
-        for k in 0..=100_000 {
-            let us = f64::from(k) * 1e-8;
-            let r = joint_point(&law, un, us, slip, failed);
-            (slip, failed, last) = (r.slip, r.failed, r.tau);
-            peak = peak.max(r.tau);
+    fn utilisation_is_one_on_the_limit() {
+        for k in 0..40 {
+            let sigma = 1e5 * (f64::from(k) - 30.5);
+            let tau = STRENGTH.peak(sigma);
+            let (used, mode) = STRENGTH.utilisation(&[sigma, 0.6 * tau, 0.8 * tau]);
+            assert!(
+                (used - 1.0).abs() < 1e-12 && mode == Mode::Shear,
+                "{sigma} {used}"
+            );
+            assert!(STRENGTH.holds(sigma, tau) && !STRENGTH.holds(sigma, 1.001 * tau));
         }
-        assert!((peak / 900_207.5 - 1.0).abs() < 1e-3, "{peak}");
-        assert!((last / 700_207.5 - 1.0).abs() < 1e-6, "{last}");
+        assert_eq!(STRENGTH.utilisation(&[2e6, 0.0, 0.0]), (2.0, Mode::Tension));
+        assert_eq!(STRENGTH.utilisation(&[-2e6, 0.0, 0.0]).0, 0.0);
     }
 
     #[test]
-    fn tension_cut_off_opens_for_good() {
-        let law = law();
-        let open = joint_point(&law, 2e-6, 0.0, 0.0, false);
-        assert!(open.failed && open.sigma == 0.0);
-        assert_eq!(joint_point(&law, 1e-7, 1e-6, open.slip, true).tau, 0.0);
-        assert!(!joint_point(&law, 0.9e-6, 0.0, 0.0, false).failed);
+    fn reduced_strength_fails_under_the_reduced_load() {
+        let half = STRENGTH.reduced(2.0);
+        assert_eq!(half.peak(-1e6), 0.5 * STRENGTH.peak(-1e6));
+        assert_eq!(half.residual(-1e6), 0.5 * STRENGTH.residual(-1e6));
+        assert_eq!(half.tension, 0.5e6);
     }
 }

@@ -3,7 +3,7 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
-use super::face_joint::Strength;
+use super::mohr_coulomb::Strength;
 
 /// Normal law of a found contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
@@ -96,16 +96,8 @@ pub struct BondLaw {
     pub normal_stiffness: f64,
     /// Shear stiffness, Pa/m.
     pub shear_stiffness: f64,
-    /// Tensile strength, Pa.
-    pub tension: f64,
-    /// Cohesion before failure, Pa.
-    pub cohesion: f64,
-    /// Friction coefficient before failure, tan(phi).
-    pub friction: f64,
-    /// Friction coefficient after failure.
-    pub residual_friction: f64,
-    /// Cohesion after failure, Pa.
-    pub residual_cohesion: f64,
+    /// Strength; it does not dilate.
+    pub strength: Strength,
     /// Share of critical damping.
     pub damping_ratio: f64,
     /// Number of points along the edge (Gauss points), 1 to 5.

@@ -85,10 +85,10 @@ impl Rules {
         else {
             return;
         };
-        if tension.si() * libm::tan(angle.si()) > cohesion.si() * (1.0 + 1e-12) {
+        if tension.si() * angle.tangent() > cohesion.si() * (1.0 + 1e-12) {
             let message = format!(
                 "the tensile strength of {of} lies beyond the tip of the Mohr-Coulomb cone, {:.4} MPa",
-                1e-6 * cohesion.si() / libm::tan(angle.si())
+                1e-6 * cohesion.si() / angle.tangent()
             );
             let help = "tension is cut off below cohesion / tan(friction_angle): lower `tension`, or raise `cohesion`";
             self.error("value.tip", &tension.span, message, help);

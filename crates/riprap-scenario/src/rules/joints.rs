@@ -101,7 +101,7 @@ impl Rules {
             return;
         };
         let friction = match (&interface.friction_angle, &interface.friction_coefficient) {
-            (Some(angle), _) => libm::tan(angle.si()),
+            (Some(angle), _) => angle.tangent(),
             (None, Some(coefficient)) => coefficient.si(),
             (None, None) => return,
         };

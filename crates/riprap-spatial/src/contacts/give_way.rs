@@ -123,8 +123,7 @@ fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
     for (q, traction) in tractions.iter_mut().enumerate() {
         if let Some(strength) = &joint.strength {
             // The blocks have moved since the points last slid: what is beyond their strength slides now.
-            let pressure = (-traction[0]).max(0.0);
-            let limit = strength.residual_cohesion + pressure * strength.residual_friction;
+            let limit = strength.residual(traction[0].min(0.0));
             let size = (traction[1] * traction[1] + traction[2] * traction[2]).sqrt();
             if size > limit {
                 traction[1] *= limit / size;

@@ -349,9 +349,13 @@ pub fn respond(
 ) -> (bond::Traction, bond::State) {
     match (&law.strength, &law.cohesive) {
         // A notch in an elastic model.
-        (None, _) if memory.law.damage >= 1.0 => {
-            bond::contact(springs, 0.0, &memory.start, at, &memory.law)
-        }
+        (None, _) if memory.law.damage >= 1.0 => bond::contact(
+            springs,
+            &Strength::default(),
+            &memory.start,
+            at,
+            &memory.law,
+        ),
         (None, _) => (bond::connect(springs, &memory.start, at), memory.law),
         (Some(_), Some(cohesive)) => {
             bond::cohesive(springs, cohesive, &memory.start, at, &memory.law)
@@ -359,13 +363,9 @@ pub fn respond(
         (Some(strength), None) if breaks => {
             bond::brittle(springs, strength, &memory.start, at, &memory.law)
         }
-        (Some(strength), None) if memory.law.damage >= 1.0 => bond::contact(
-            springs,
-            strength.residual_friction,
-            &memory.start,
-            at,
-            &memory.law,
-        ),
+        (Some(strength), None) if memory.law.damage >= 1.0 => {
+            bond::contact(springs, strength, &memory.start, at, &memory.law)
+        }
         (Some(_), None) => (bond::connect(springs, &memory.start, at), memory.law),
     }
 }

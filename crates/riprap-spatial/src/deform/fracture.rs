@@ -276,9 +276,9 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
             }
             let jump = freedoms.jump(&deform.points[p].anchors);
             let at = facet.now.map(|e| e.dot(jump));
-            let (springs, friction) = (facet.stiffness, strength.residual_friction);
+            let springs = facet.stiffness;
             let (_, held) = bonds::respond(law, springs, m, &at, false);
-            let (_, after) = bond::contact(springs, friction, &m.start, &at, &held);
+            let (_, after) = bond::contact(springs, &strength, &m.start, &at, &held);
             let stored = |state| bond::stored(springs, &m.start, &at, state);
             released += deform.points[p].area * (stored(&held) - stored(&after));
             m.law = after;

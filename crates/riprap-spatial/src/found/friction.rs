@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::offset::{self, Offset};
 use super::piece::{self, Frame, Polygon};
 use super::surface::Sums;
+use crate::laws::mohr_coulomb::shear_limit;
 
 /// Below this share of |S_F| over the integral of the depth, opposite pressures cancel and there is no one normal.
 const CANCELLED: f64 = 0.05;
@@ -261,7 +262,7 @@ pub fn respond(
     let uneven = (c.spread * c.normal.cross(v.rock)).cross(c.normal);
     let rocking = shorten(-(across / c.area) * uneven, normal * c.gyration.sqrt());
     let mut limit = Limit {
-        force: law.friction * normal + law.cohesion * c.area,
+        force: shear_limit(law.cohesion * c.area, law.friction, -normal),
         radius: LEAST_MEAN_RADIUS * c.gyration.sqrt(),
         exact: false,
     };

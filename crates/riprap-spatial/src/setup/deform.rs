@@ -4,8 +4,9 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Formula, TimeFunction};
-pub use crate::laws::bond::{Cohesive, Softening, Strength};
+pub use crate::laws::bond::{Cohesive, Softening};
 use crate::laws::fracture::{Criterion, Margins};
+pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondFailure, CutAnchor};
 pub use crate::laws::tetrahedron::Strain;
 

@@ -4,9 +4,10 @@ use riprap_geom::polygon;
 
 use super::builder::Builder;
 use super::solid::reduce_joint;
-use crate::planar::setup::{self, BondLaw, ContactLaw, FrictionLaw, Motion};
+use crate::planar::setup::{self, BondLaw, ContactLaw, FrictionLaw, Motion, Strength};
 use crate::scenario::language::{self, Bond, InterfaceChange};
-use crate::scenario::read::{Given, Provenance, with_unit};
+use crate::scenario::quantity::FrictionAngle;
+use crate::scenario::read::{Given, Provenance, Read, with_unit};
 use crate::scenario::{Diagnostic, Quantity, Table};
 
 impl Builder<'_> {
@@ -36,10 +37,9 @@ impl Builder<'_> {
         let size = self.median_size();
         for (row, (name, interface)) in table.iter().enumerate() {
             if let Some(law) = self.contact_law(row, name.as_str(), interface, size) {
-                let bond = interface
-                    .bond
-                    .as_ref()
-                    .map(|bond| self.bond(name.as_str(), bond, &law));
+                let angle = angle_shown(interface, law.friction);
+                let bond = interface.bond.as_ref();
+                let bond = bond.map(|bond| self.bond(name.as_str(), bond, &law, angle));
                 let name = name.text.clone();
                 self.setup.interfaces.push(setup::Interface {
                     name,
@@ -64,15 +64,7 @@ impl Builder<'_> {
         for interface in &mut self.setup.interfaces {
             reduce(&mut interface.contact);
             if let Some(bond) = &mut interface.bond {
-                for strength in [
-                    &mut bond.tension,
-                    &mut bond.cohesion,
-                    &mut bond.friction,
-                    &mut bond.residual_friction,
-                    &mut bond.residual_cohesion,
-                ] {
-                    *strength /= factor;
-                }
+                bond.strength = bond.strength.reduced(factor);
             }
         }
         for interface in &mut self.spatial.interfaces {
@@ -139,8 +131,7 @@ impl Builder<'_> {
     /// Tangent of the friction angle, given by either key.
     fn friction(&mut self, name: &str, interface: &language::Interface) -> Option<f64> {
         let mut read = self.reading(format!("interfaces.{name}"), interface);
-        let friction = read.friction_angle().map(libm::tan);
-        let friction = friction.or_else(|| read.friction_coefficient());
+        let friction = friction(&mut read);
         if friction.is_none() {
             let message = format!("interfaces.{name} has no friction");
             let error = Diagnostic::error("key.missing", message);
@@ -219,30 +210,28 @@ impl Builder<'_> {
         sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
     }
 
-    fn bond(&mut self, name: &str, bond: &Bond, contact: &ContactLaw) -> BondLaw {
+    /// `angle` is that of the friction of the contact, rad.
+    fn bond(&mut self, name: &str, bond: &Bond, contact: &ContactLaw, angle: f64) -> BondLaw {
         let mut read = self.reading(format!("interfaces.{name}.bond"), bond);
         let default = Provenance::Default;
         let normal_stiffness = read.normal_stiffness_or(contact.normal_stiffness, default, "");
         let shear_stiffness = read.shear_stiffness_or(contact.shear_stiffness, default, "");
-        let angle = libm::atan(contact.friction);
-        let friction = match &bond.friction_angle {
-            Some(angle) => libm::tan(angle.si()),
-            None => contact.friction,
-        };
-        read.friction_angle_or(angle, default, "");
-        let residual_friction = match &bond.residual_friction_angle {
-            Some(angle) => libm::tan(angle.si()),
-            None => friction,
-        };
-        read.residual_friction_angle_or(libm::atan(friction), default, "");
+        let of = |angle: &Option<Quantity<FrictionAngle>>| angle.as_ref().map(Quantity::tangent);
+        let friction = of(&bond.friction_angle).unwrap_or(contact.friction);
+        let angle = read.friction_angle_or(angle, default, "");
+        let residual_friction = of(&bond.residual_friction_angle).unwrap_or(friction);
+        read.residual_friction_angle_or(angle, default, "");
         BondLaw {
             normal_stiffness,
             shear_stiffness,
-            tension: read.tension(),
-            cohesion: read.cohesion(),
-            friction,
-            residual_friction,
-            residual_cohesion: read.residual_cohesion(),
+            strength: Strength {
+                tension: read.tension(),
+                cohesion: read.cohesion(),
+                friction,
+                residual_friction,
+                residual_cohesion: read.residual_cohesion(),
+                ..Strength::default()
+            },
             damping_ratio: read.damping_ratio(),
             points: read.points(),
         }
@@ -251,9 +240,22 @@ impl Builder<'_> {
 
 /// Tangent of a changed friction angle, if it changes.
 pub(super) fn changed_friction(change: &InterfaceChange) -> Option<f64> {
-    let angle = change.friction_angle.as_ref().map(Quantity::si);
+    let angle = change.friction_angle.as_ref().map(Quantity::tangent);
     let coefficient = change.friction_coefficient.as_ref().map(Quantity::si);
-    angle.map(libm::tan).or(coefficient)
+    angle.or(coefficient)
+}
+
+/// Tangent of the friction angle, given by either key.
+pub(super) fn friction(read: &mut Read<'_, language::Interface>) -> Option<f64> {
+    let angle = read.said().friction_angle.as_ref().map(Quantity::tangent);
+    read.friction_angle();
+    angle.or_else(|| read.friction_coefficient())
+}
+
+/// Angle of friction that defaults are shown with, rad.
+pub(super) fn angle_shown(said: &language::Interface, friction: f64) -> f64 {
+    let given = said.friction_angle.as_ref().map(Quantity::si);
+    given.unwrap_or_else(|| libm::atan(friction))
 }
 
 /// Changes a law as a phase says; keys that are not given stay.

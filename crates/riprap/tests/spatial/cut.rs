@@ -100,6 +100,7 @@ fn specimen() -> Run {
             cohesion: 8e6,
             friction,
             residual_friction: friction,
+            ..Strength::default()
         }),
         failure: BondFailure::BlockStress,
         ..bonds(3e-4)
@@ -295,6 +296,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
         cohesion: 10e6,
         friction: 0.5,
         residual_friction: 0.5,
+        ..Strength::default()
     };
     let mut setup = soft(
         rock(lattice([2, 1, 1], 0.03), elastic()),

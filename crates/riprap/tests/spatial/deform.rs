@@ -294,6 +294,7 @@ fn pair_of(failure: BondFailure) -> Run {
             cohesion: 4e6,
             friction: 0.5,
             residual_friction: 0.5,
+            ..Strength::default()
         }),
         failure,
         ..bonds(0.01)

@@ -104,7 +104,7 @@ pub fn cohesive(
     let [kn, ks] = springs;
     let e = from_rest(springs, start, at);
     let strength = &law.strength;
-    let (rubbed, slip) = slider(springs, strength.residual_friction, &e, &committed.slip);
+    let (rubbed, slip) = slider(springs, strength, &e, &committed.slip);
     let peaks = [strength.tension, strength.cohesion];
     let opening = kn * e[0].max(0.0) / peaks[0];
     let shear = ks * norm(slip[0], slip[1]) / peaks[1];

@@ -8,9 +8,40 @@ const STRENGTH: Strength = Strength {
     cohesion: 8e6,
     friction: 0.577_350_269_189_625_8,
     residual_friction: 0.577_350_269_189_625_8,
+    residual_cohesion: 0.0,
+    dilation: 0.0,
+    dilation_end: 0.0,
 };
 const K: Springs = [1e14, 4e13];
 const NONE: Traction = [0.0; 3];
+
+/// A broken point with this coefficient of friction.
+fn rubbing(friction: f64) -> Strength {
+    Strength {
+        residual_friction: friction,
+        ..STRENGTH
+    }
+}
+
+#[test]
+fn residual_cohesion_holds_only_what_is_pressed() {
+    let strength = Strength {
+        residual_cohesion: 1e6,
+        ..rubbing(0.5)
+    };
+    // 2 MPa of pressure, and far more shear than can be borne.
+    let (t, state) = contact(
+        K,
+        &strength,
+        &NONE,
+        &[-2e6 / K[0], 1.0, 0.0],
+        &State::default(),
+    );
+    assert!((t[1] - 2e6).abs() < 1e-3, "{t:?}");
+    assert!((state.slip[0] - (1.0 - 2e6 / K[1])).abs() < 1e-12);
+    let (t, _) = contact(K, &strength, &NONE, &[1e-9, 1.0, 0.0], &State::default());
+    assert_eq!(t, NONE);
+}
 
 fn law(softening: Softening) -> Cohesive {
     Cohesive {
@@ -80,7 +111,13 @@ fn a_broken_point_slides_at_the_limit_and_sticks_on_reversal() {
     assert_eq!(after, state);
     assert!((t[1] - (limit - 0.4e6)).abs() < 1.0);
     // Below the limit at breakage: the shear traction goes on unchanged.
-    let low = contact(K, 0.577, &NONE, &[-1e-7, 1e-7, 0.0], &State::default());
+    let low = contact(
+        K,
+        &rubbing(0.577),
+        &NONE,
+        &[-1e-7, 1e-7, 0.0],
+        &State::default(),
+    );
     assert!((low.0[1] - 4e6).abs() < 1e-3);
     // Open: nothing; closing again: no shear from the time it was open.
     let (t, open) = brittle(K, &STRENGTH, &NONE, &[1e-6, 5e-6, 1e-6], &state);
@@ -204,7 +241,7 @@ fn friction_comes_on_top_and_what_is_left_is_a_contact() {
     // From here on it is the contact law.
     for next in [[at[0], 3.9e-5, 1e-6], [1e-7, 0.0, 0.0], [-1e-8, 1e-8, 2e-6]] {
         let (u, new) = cohesive(K, &law, &NONE, &next, &state);
-        let (v, other) = contact(K, law.strength.residual_friction, &NONE, &next, &state);
+        let (v, other) = contact(K, &law.strength, &NONE, &next, &state);
         assert_eq!((u, new), (v, other));
         state = new;
     }
@@ -248,12 +285,19 @@ fn energy_is_only_lost() {
 
 #[test]
 fn the_slider_loses_what_it_rubs() {
-    let mut state = contact(K, 0.5, &NONE, &[-1e-7, 1e-7, 0.0], &State::default()).1;
+    let mut state = contact(
+        K,
+        &rubbing(0.5),
+        &NONE,
+        &[-1e-7, 1e-7, 0.0],
+        &State::default(),
+    )
+    .1;
     let (mut at, mut t) = ([-1e-7, 1e-7, 0.0], [-1e7, 4e6, 0.0]);
     let mut total = 0.0;
     for k in 1..=1000 {
         let next = [-1e-7, 1e-7 + 1e-9 * f64::from(k), 0.0];
-        let (u, new) = contact(K, 0.5, &NONE, &next, &state);
+        let (u, new) = contact(K, &rubbing(0.5), &NONE, &next, &state);
         total += loss(K, &NONE, (&at, &t, &state), (&next, &u, &new));
         (at, t, state) = (next, u, new);
     }
@@ -332,6 +376,7 @@ fn a_point_at_its_strength_is_never_passed_over() {
         cohesion: 8e6,
         friction: 0.5,
         residual_friction: 0.5,
+        ..STRENGTH
     };
     for (sigma, tau) in [(5e6, 0.0), (-1e9, 5.08e8), (0.0, 8e6), (4e6, 6e6)] {
         for share in [1.0 - 1e-12, 1.0, 1.0 + 1e-12] {

@@ -49,8 +49,7 @@ pub fn face(
         m.sliding = false;
     }
     if intact {
-        let limit = (law.cohesion - sums.normal * law.friction).max(0.0);
-        if sums.normal <= law.tension && sums.shear_measure(reach) <= limit {
+        if law.holds(sums.normal, sums.shear_measure(reach)) {
             return (t, loss);
         }
         for m in memory.iter_mut() {
@@ -65,11 +64,7 @@ pub fn face(
         pressed -= 0.25 * point[0];
     }
     let closed = pressed > 0.0;
-    let limit = if closed {
-        law.residual_cohesion + pressed * law.residual_friction
-    } else {
-        0.0
-    };
+    let limit = if closed { law.residual(-pressed) } else { 0.0 };
     let measure = sums.shear_measure(reach);
     let keep = if measure > limit {
         limit / measure
@@ -140,7 +135,7 @@ mod tests {
         let start = [[-1e6, 0.0, 0.0]; 4];
         // Pure twist: the points reach the shear limit all at once.
         let radius = 0.25 * 2f64.sqrt();
-        let limit = law.cohesion + 1e6 * law.friction;
+        let limit = law.peak(-1e6);
         let twist = |angle: f64| -> [[f64; 3]; 4] {
             std::array::from_fn(|p| [0.0, -SIGNS[1][p] * 0.25 * angle, SIGNS[0][p] * 0.25 * angle])
         };
@@ -151,7 +146,7 @@ mod tests {
             let (t, _) = face(&law, springs, &start, &at, &moved, reach, &mut memory);
             assert_eq!(memory[0].broken, broken);
             let size = norm(t[0][1], t[0][2]);
-            let residual = law.residual_cohesion + 1e6 * law.residual_friction;
+            let residual = law.residual(-1e6);
             let expected = if broken { residual } else { share * limit };
             assert!((size / expected - 1.0).abs() < 1e-9);
         }

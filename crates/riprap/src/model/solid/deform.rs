@@ -5,7 +5,7 @@ use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
 use crate::scenario::language::{self, Mechanics, Support, Target};
 use crate::scenario::read::Given;
-use crate::scenario::{Diagnostic, Name, target_span};
+use crate::scenario::{Diagnostic, Name, Quantity, target_span};
 use crate::spatial::setup::deform::{BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Strength};
 
 impl Builder<'_> {
@@ -68,13 +68,14 @@ impl Builder<'_> {
             };
         }
         let failure = read.failure();
-        let friction = libm::tan(said.friction_angle.si_or(0.0));
+        let friction = said.friction_angle.as_ref().map_or(0.0, Quantity::tangent);
         let residual = said.residual_friction_angle.as_ref();
         let strength = Strength {
             tension: said.tension.si_or(0.0),
             cohesion: said.cohesion.si_or(0.0),
             friction,
-            residual_friction: residual.map_or(friction, |angle| libm::tan(angle.si())),
+            residual_friction: residual.map_or(friction, Quantity::tangent),
+            ..Strength::default()
         };
         let cohesive = said.cohesive.as_ref().map(|said| Cohesive {
             strength,

@@ -1,7 +1,7 @@
 //! Laws of joints per pair of materials.
 
 use crate::model::builder::Builder;
-use crate::model::interfaces::changed_friction;
+use crate::model::interfaces::{angle_shown, changed_friction, friction};
 use crate::scenario::language::{self, InterfaceChange};
 use crate::scenario::read::{Given, Provenance, Read};
 use crate::scenario::{Diagnostic, Quantity, quantity};
@@ -92,16 +92,14 @@ fn stiffness(read: &mut Read<'_, language::Interface>) -> Stiffness {
 fn strength(read: &mut Read<'_, language::Interface>) -> Strength {
     let said = read.said();
     let bond = said.brittle_bond.as_ref();
-    let friction = read.friction_angle().map(libm::tan);
-    let friction = friction.or_else(|| read.friction_coefficient());
+    let friction = friction(read);
     // Without any it is reported by the rules of the language, unless bonds have one.
     let of_bond = bond.and_then(|b| b.friction_angle.as_ref());
-    let friction = friction.unwrap_or_else(|| of_bond.map_or(0.0, |angle| libm::tan(angle.si())));
-    let residual_friction = match &said.residual_friction_angle {
-        Some(angle) => libm::tan(angle.si()),
-        None => friction,
-    };
-    read.residual_friction_angle_or(libm::atan(friction), Provenance::Default, "");
+    let friction = friction.or(of_bond.map(Quantity::tangent)).unwrap_or(0.0);
+    let residual = said.residual_friction_angle.as_ref();
+    let residual_friction = residual.map_or(friction, Quantity::tangent);
+    let shown = angle_shown(said, friction);
+    read.residual_friction_angle_or(shown, Provenance::Default, "");
     let of_bond = |key: fn(&language::BrittleBond) -> &Option<Quantity<quantity::Strength>>| {
         bond.and_then(|b| key(b).as_ref()).map(Quantity::si)
     };
@@ -126,18 +124,7 @@ fn strength(read: &mut Read<'_, language::Interface>) -> Strength {
 
 /// Divides the strength of a joint by a factor.
 pub(in crate::model) fn reduce_joint(law: &mut JointLaw, factor: f64) {
-    let Some(strength) = &mut law.strength else {
-        return;
-    };
-    for value in [
-        &mut strength.cohesion,
-        &mut strength.tension,
-        &mut strength.friction,
-        &mut strength.residual_friction,
-        &mut strength.residual_cohesion,
-    ] {
-        *value /= factor;
-    }
+    law.strength = law.strength.map(|strength| strength.reduced(factor));
 }
 
 /// Changes a law as a phase says; keys that are not given stay. A new friction angle without a
@@ -145,7 +132,7 @@ pub(in crate::model) fn reduce_joint(law: &mut JointLaw, factor: f64) {
 pub(in crate::model) fn change_joint(law: &mut JointLaw, change: &InterfaceChange) {
     let friction = changed_friction(change);
     let residual = change.residual_friction_angle.as_ref();
-    let residual = residual.map(|angle| libm::tan(angle.si()));
+    let residual = residual.map(Quantity::tangent);
     if let Some(strength) = &mut law.strength {
         *strength = Strength {
             cohesion: change.cohesion.si_or(strength.cohesion),

@@ -47,7 +47,7 @@ cohesion = "1 kPa"
     );
     let bond = shoe.bond.unwrap();
     assert_eq!(
-        (bond.normal_stiffness, bond.friction, bond.points),
+        (bond.normal_stiffness, bond.strength.friction, bond.points),
         (3e9, 0.1, 2)
     );
     let [(row, law)] = model.plan.phases[1].contacts[..] else {
