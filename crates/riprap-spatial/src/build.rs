@@ -28,6 +28,7 @@ use super::state::lineage::Origin;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
 use crate::exec::Exec;
+use crate::laws::tetrahedron::tensor;
 use crate::ledger::Works;
 
 /// Largest gap between faces that touch, over the shortest half edge of all blocks.
@@ -325,9 +326,4 @@ impl InSitu {
     pub fn upward(&self) -> Mat3 {
         -tensor(self.gradient)
     }
-}
-
-/// Symmetric tensor from xx, yy, zz, yz, zx, xy.
-fn tensor([xx, yy, zz, yz, zx, xy]: [f64; 6]) -> Mat3 {
-    Mat3::from_cols_array(&[xx, xy, zx, xy, yy, yz, zx, yz, zz])
 }

@@ -1,7 +1,7 @@
 //! Where and in which direction a block is about to break: Griffith's and Mohr-Coulomb's criteria on its mean stress.
 //!
 //! In this file **compression is positive** and `s1 >= s2 >= s3`, as in the source; stresses come in with tension
-//! positive (components xx, yy, zz, yz, zx, xy) and are turned here. The angle psi is that between the plane of a
+//! positive and are turned here. The angle psi is that between the plane of a
 //! crack and the direction of s1.
 //!
 //! Source: Han, Liu & Li (2010), equations (13) to (17). Deviations, each with a test that shows why: the second branch
@@ -11,8 +11,9 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
+use super::mohr_coulomb::shear_limit;
 use super::norm;
-use super::tetrahedron::{Gradient, Symmetric};
+use super::tetrahedron::Gradient;
 use crate::Vec3;
 use crate::geom::Mat3;
 use crate::geom::polyhedron;
@@ -32,8 +33,25 @@ pub struct Rock {
     pub tension: f64,
     /// Cohesion, Pa.
     pub cohesion: f64,
-    /// Friction angle, rad.
-    pub friction_angle: f64,
+    /// tan of the friction angle.
+    pub friction: f64,
+}
+
+impl Rock {
+    /// 1/cos of the friction angle.
+    fn secant(&self) -> f64 {
+        (1.0 + self.friction * self.friction).sqrt()
+    }
+
+    /// Half the difference of the principal stresses `s1` and `s3` on the scale of the shear strength, and the shear that the
+    /// rock bears at their mean, Pa: the plane that is nearest to failure fails when both are equal.
+    fn shear(&self, s1: f64, s3: f64) -> [f64; 2] {
+        let (r, s) = (0.5 * (s1 - s3), 0.5 * (s1 + s3));
+        [
+            r * self.secant(),
+            shear_limit(self.cohesion, self.friction, -s),
+        ]
+    }
 }
 
 /// How much before its strength a block is cut, Pa (both at least 0).
@@ -107,13 +125,8 @@ impl Verdict {
 /// Principal stresses of a stress (tension positive). `out` is a unit vector that one principal direction shall have,
 /// for plane strain: s1 and s3 are then those of the plane across it.
 #[must_use]
-pub fn principal(stress: &Symmetric, out: Option<Vec3>) -> Principal {
-    let [xx, yy, zz, yz, zx, xy] = stress.map(|x| -x);
-    let matrix = Mat3::from_cols(
-        Vec3::new(xx, xy, zx),
-        Vec3::new(xy, yy, yz),
-        Vec3::new(zx, yz, zz),
-    );
+pub fn principal(stress: &Mat3, out: Option<Vec3>) -> Principal {
+    let matrix = -*stress;
     let Some(out) = out else {
         let (v, axes) = polyhedron::principal(&matrix);
         return Principal {
@@ -160,8 +173,8 @@ pub fn griffith(s1: f64, s3: f64) -> f64 {
 /// planes of `tau - sigma tan(phi) - c`.
 #[must_use]
 pub fn mohr_coulomb(rock: &Rock, s1: f64, s3: f64) -> f64 {
-    let (r, s) = (0.5 * (s1 - s3), 0.5 * (s1 + s3));
-    r / libm::cos(rock.friction_angle) - s * libm::tan(rock.friction_angle) - rock.cohesion
+    let [load, limit] = rock.shear(s1, s3);
+    load - limit
 }
 
 /// What `criterion` says of principal stresses.
@@ -186,10 +199,8 @@ pub fn assess(
     let limit = rock.tension - margins.tension;
     let tension = verdict(Way::Tension, -s3, limit);
     let shear = {
-        let s = 0.5 * (s1 + s3);
-        let load = 0.5 * (s1 - s3) / libm::cos(rock.friction_angle);
-        let limit = s * libm::tan(rock.friction_angle) + rock.cohesion - margins.shear;
-        verdict(Way::Shear, load, limit)
+        let [load, limit] = rock.shear(s1, s3);
+        verdict(Way::Shear, load, limit - margins.shear)
     };
     match criterion {
         Criterion::Source if pulled => tension,
@@ -214,7 +225,8 @@ pub fn plane_angle(rock: &Rock, way: Way, principal: &Principal) -> f64 {
             let cosine = if cosine >= 0.0 { cosine.min(1.0) } else { 1.0 };
             0.5 * libm::acos(cosine)
         }
-        Way::Shear => std::f64::consts::FRAC_PI_4 - 0.5 * rock.friction_angle,
+        // Half of what the friction angle lacks to a right one.
+        Way::Shear => 0.5 * libm::atan2(1.0, rock.friction),
     }
 }
 

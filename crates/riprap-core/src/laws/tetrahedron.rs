@@ -22,7 +22,9 @@ mod stiffness;
 #[cfg(test)]
 mod tests;
 
-pub use point::{Elastic, Gradient, Strain, Symmetric, energy_density, second_piola, stress};
+pub use point::{
+    Elastic, Gradient, Strain, Symmetric, energy_density, second_piola, stress, tensor,
+};
 pub use stiffness::{Stiffness, row_sums};
 
 use point::{density, first_piola, hooke, measure};

@@ -3,7 +3,7 @@
 use riprap_geom::Mat3;
 
 use super::store::{Body, Deform};
-use crate::laws::tetrahedron::{Gradient, StartStress, Strain, Symmetric};
+use crate::laws::tetrahedron::{Gradient, StartStress, Strain, tensor};
 use crate::state::workspace::{Kind, Workspace};
 
 /// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m). With small strain those of a start
@@ -28,12 +28,6 @@ pub fn add_forces(
     }
 }
 
-/// A symmetric tensor (xx, yy, zz, yz, zx, xy) as a matrix.
-#[must_use]
-pub fn matrix([xx, yy, zz, yz, zx, xy]: Symmetric) -> Mat3 {
-    Mat3::from_cols_array(&[xx, xy, zx, xy, yy, yz, zx, yz, zz])
-}
-
 impl Deform {
     /// Displacements of the nodes of a body, m.
     #[must_use]
@@ -48,7 +42,7 @@ impl Deform {
         let u = self.moved(body);
         let start = work.start_of(self.slot[body.block as usize] as usize);
         let (stress, gradient) = kind.groups.average(&kind.law, body.strain, start, u);
-        (matrix(stress), gradient)
+        (tensor(stress), gradient)
     }
 
     /// Strain energy of a body, J.

@@ -2,9 +2,8 @@
 
 use riprap_geom::Vec3;
 
-use crate::deform::elements::matrix;
 use crate::frame::{Column, Surfaces};
-use crate::laws::tetrahedron::{Gradient, Strain, Symmetric};
+use crate::laws::tetrahedron::{Gradient, Strain, Symmetric, tensor};
 use crate::read::fields::principal;
 use crate::read::view::View;
 
@@ -36,7 +35,7 @@ pub fn tetrahedra(view: &View<'_>) -> Option<Surfaces> {
             shear.push(three(s, 3));
             stretch.push(three(&e, 0));
             slide.push(three(&e, 3));
-            main.push(principal(&matrix(*s)));
+            main.push(principal(&tensor(*s)));
         }
     }
     out.columns = vec![

@@ -2,13 +2,16 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
+use super::super::tetrahedron::tensor;
 use super::*;
 
 /// Table 1 of the paper.
+/// Angle of friction, rad.
+const ANGLE: f64 = std::f64::consts::FRAC_PI_6;
 const ROCK: Rock = Rock {
     tension: 5e6,
     cohesion: 8e6,
-    friction_angle: std::f64::consts::FRAC_PI_6,
+    friction: 0.577_350_269_189_625_8,
 };
 
 /// Normal and shear stress on the plane at the angle psi to s1.
@@ -75,7 +78,7 @@ fn griffith_is_continuous_and_the_printed_form_is_not() {
 
 #[test]
 fn mohr_coulomb_is_the_worst_plane_and_the_printed_angle_is_not() {
-    let tan = ROCK.friction_angle.tan();
+    let tan = ROCK.friction;
     let f = mohr_coulomb(&ROCK, 30e6, 0.0);
     assert!((f - 0.6603e6).abs() < 50.0, "{f}");
     for (s1, s3) in [(30e6, 0.0), (50e6, 7e6), (10e6, -3e6)] {
@@ -85,16 +88,13 @@ fn mohr_coulomb_is_the_worst_plane_and_the_printed_angle_is_not() {
         assert!((angle - psi).abs() < 1e-4);
         assert!((angle.to_degrees() - 30.0).abs() < 1e-9);
         // Printed (16), pi/2 +- phi/2: the plane hardly slides.
-        for printed in [
-            FRAC_PI_2 + 0.5 * ROCK.friction_angle,
-            FRAC_PI_2 - 0.5 * ROCK.friction_angle,
-        ] {
+        for printed in [FRAC_PI_2 + 0.5 * ANGLE, FRAC_PI_2 - 0.5 * ANGLE] {
             let (sigma, tau) = on_plane(s1, s3, printed);
             let there = tau.abs() - sigma * tan - ROCK.cohesion;
             assert!(there < most - 0.4 * (s1 - s3), "{there} {most}");
         }
         // pi/4 + phi/2 is the angle to s3.
-        assert!((FRAC_PI_4 + 0.5 * ROCK.friction_angle + angle - FRAC_PI_2).abs() < 1e-15);
+        assert!((FRAC_PI_4 + 0.5 * ANGLE + angle - FRAC_PI_2).abs() < 1e-15);
     }
 }
 
@@ -102,7 +102,7 @@ fn mohr_coulomb_is_the_worst_plane_and_the_printed_angle_is_not() {
 #[test]
 fn printed_11_lets_tension_hold() {
     let sigma: f64 = 4e6;
-    let tan = ROCK.friction_angle.tan();
+    let tan = ROCK.friction;
     let (printed, correct) = (sigma * tan + ROCK.cohesion, ROCK.cohesion - sigma * tan);
     assert!(printed > ROCK.cohesion && correct < ROCK.cohesion);
     let strength = super::super::bond::Strength {
@@ -110,6 +110,7 @@ fn printed_11_lets_tension_hold() {
         cohesion: ROCK.cohesion,
         friction: tan,
         residual_friction: tan,
+        ..Default::default()
     };
     let used = strength.utilisation(&[sigma, correct, 0.0]).0;
     assert!((used - 1.0).abs() < 1e-12);
@@ -172,7 +173,7 @@ fn principal_stresses_are_sorted_and_plane() {
     let (s, c) = 20f64.to_radians().sin_cos();
     let (xx, yy) = (3.0 * c * c - 10.0 * s * s, 3.0 * s * s - 10.0 * c * c);
     let xy = 13.0 * s * c;
-    let stress = [xx, yy, -4.0, 0.0, 0.0, xy];
+    let stress = tensor([xx, yy, -4.0, 0.0, 0.0, xy]);
     for out in [None, Some(Vec3::Z)] {
         let p = principal(&stress, out);
         for (value, expected) in p.values.iter().zip([10.0, 4.0, -3.0]) {
@@ -185,7 +186,7 @@ fn principal_stresses_are_sorted_and_plane() {
         assert!(n.distance(Vec3::new(c, s, 0.0)) < 1e-12);
     }
     // Out-of-plane stress is not looked at.
-    let p = principal(&[1.0, -1.0, 50.0, 0.0, 0.0, 0.0], Some(Vec3::Z));
+    let p = principal(&tensor([1.0, -1.0, 50.0, 0.0, 0.0, 0.0]), Some(Vec3::Z));
     assert_eq!(p.values, [1.0, -50.0, -1.0]);
 }
 

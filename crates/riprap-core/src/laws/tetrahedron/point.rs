@@ -5,12 +5,20 @@ use std::ops::{Add, Mul, Sub};
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
+use crate::geom::Mat3;
 use crate::lanes::Lanes;
 
-/// Symmetric tensor, components in the order xx, yy, zz, yz, zx, xy (no factor 2 in strains).
+/// Components xx, yy, zz, yz, zx, xy of a symmetric tensor (no factor 2 in strains): how the kernels keep many of them.
+/// Everywhere else a tensor is a matrix, see [`tensor`].
 pub type Symmetric = [f64; 6];
 /// Displacement gradient `H_ij = du_i / dX_j`, row by row.
 pub type Gradient = [[f64; 3]; 3];
+
+/// The symmetric tensor of components.
+#[must_use]
+pub fn tensor([xx, yy, zz, yz, zx, xy]: Symmetric) -> Mat3 {
+    Mat3::from_cols_array(&[xx, xy, zx, xy, yy, yz, zx, yz, zz])
+}
 
 /// Isotropic linear elasticity: Lame's constants, Pa.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

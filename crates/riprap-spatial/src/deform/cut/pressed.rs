@@ -3,9 +3,8 @@
 use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::{Mat3, Vec3};
 
-use crate::deform::elements::matrix;
 use crate::deform::store::{Body, Deform};
-use crate::laws::tetrahedron::Strain;
+use crate::laws::tetrahedron::{Strain, tensor};
 use crate::laws::transfer::WELL_INSIDE;
 use crate::state::workspace::Workspace;
 
@@ -25,7 +24,7 @@ impl<'a> Pressed<'a> {
         let start = work.start_of(deform.slot[body.block as usize] as usize);
         let all = kind.groups.stresses(&kind.law, body.strain, start, u);
         let stress = all.into_iter().enumerate().map(|(tet, s)| {
-            let s = matrix(s);
+            let s = tensor(s);
             match body.strain {
                 Strain::Small => s,
                 Strain::Large => {

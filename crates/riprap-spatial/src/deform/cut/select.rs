@@ -1,7 +1,7 @@
 //! Which blocks are cut, and by which planes.
 
+use riprap_geom::Vec3;
 use riprap_geom::polyhedron::cut::{self, FaceOrigin, Limits, Part, Planes};
-use riprap_geom::{Mat3, Vec3};
 
 use super::plan::Cut;
 use super::tip::{self, Tip};
@@ -10,7 +10,7 @@ use crate::deform::build::stiffness;
 use crate::deform::shape::centred;
 use crate::deform::store::{Body, Deform};
 use crate::laws::fracture::{self, Rock};
-use crate::laws::tetrahedron::{Symmetric, row_sums};
+use crate::laws::tetrahedron::row_sums;
 use crate::read::view::View;
 use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
 use crate::setup::{Shape, Solid};
@@ -75,7 +75,7 @@ impl Planner<'_> {
             Some(front) => Some(front.touching(world, deform, block)?),
         };
         let (stress, gradient) = deform.average(work, body);
-        let principal = fracture::principal(&symmetric(&stress), rules.along);
+        let principal = fracture::principal(&stress, rules.along);
         let verdict = fracture::assess(&rock, rules.criterion, &rules.margins, &principal);
         if !verdict.cut() {
             return None;
@@ -196,13 +196,8 @@ fn rock(world: &World, block: u32) -> Option<Rock> {
     Some(Rock {
         tension: strength.tension,
         cohesion: strength.cohesion,
-        friction_angle: libm::atan(strength.friction),
+        friction: strength.friction,
     })
-}
-
-fn symmetric(m: &Mat3) -> Symmetric {
-    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis];
-    [x.x, y.y, z.z, y.z, z.x, x.y]
 }
 
 /// Whether the plane through a tip leads on from it within the block.
