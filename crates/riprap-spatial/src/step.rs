@@ -6,6 +6,8 @@
 
 use std::time::Instant;
 
+use riprap_geom::Quat;
+
 use super::contacts;
 use super::deform;
 use super::forces::{self, First, Memory, Shared};
@@ -190,12 +192,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
         if !world.alive[b] || world.turned[b].is_some() || vector.length() <= bound {
             continue;
         }
-        let attitude = patch::rotation(vector);
-        let inertia = patch::turned_inertia(&world.solid_of(b).inertia, attitude);
-        world.turned[b] = Some(Box::new(Turned {
-            attitude,
-            momentum: inertia * world.bodies.spin(b),
-        }));
+        world.turn_freely(b, patch::rotation(vector));
         changed = true;
     }
     if !changed {
@@ -212,6 +209,17 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
 }
 
 impl World {
+    /// Lets a block use finite rotations from `attitude` on. Its angular momentum is what it was with small ones, the spin that of
+    /// the turned block with this momentum; energies differ in second order of the rotation.
+    fn turn_freely(&mut self, b: usize, attitude: Quat) {
+        let (solid, spin) = (*self.solid_of(b), self.bodies.spin(b));
+        let momentum = solid.inertia * spin;
+        let turned = patch::turned_inertia(&solid.inverse, attitude) * momentum;
+        self.works.edit_defect += 0.5 * momentum.dot(turned - spin);
+        self.bodies.set_rate(b, self.bodies.velocity(b), turned);
+        self.turned[b] = Some(Box::new(Turned { attitude, momentum }));
+    }
+
     /// Changes a patch over to finite rotations with the tractions it has.
     fn make_finite(&mut self, p: usize) {
         let (class, ends) = (

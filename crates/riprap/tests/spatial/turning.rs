@@ -121,3 +121,34 @@ fn small_changes_to_finite_with_continuous_force() {
     assert!(changed > 0 && finite == 24);
     assert!(biggest < 3.0 * typical);
 }
+
+#[test]
+fn angular_momentum_is_kept_where_a_block_changes_to_finite_rotations() {
+    let mut block = brick(Vec3::ZERO, Vec3::new(0.5, 1.0, 1.5));
+    block.spin = Vec3::new(0.6, 0.4, 2.0);
+    let mut run = Run::new(rock(vec![block], elastic()));
+    let dt = 1e-4;
+    run.evaluate(dt);
+    let (l0, e0) = {
+        let view = run.view();
+        (view.angular_momentum(), view.balance().kinetic)
+    };
+    let (mut worst, mut jump) = (0.0f64, None);
+    for _ in 0..100 {
+        let before = run.view().balance().kinetic;
+        run.steps(1, dt);
+        let view = run.view();
+        worst = worst.max((view.angular_momentum() - l0).length() / l0.length());
+        if run.world.turned[0].is_some() && jump.is_none() {
+            jump = Some((view.balance().kinetic - before) / e0);
+        }
+    }
+    let jump = jump.expect("it has turned beyond the bound");
+    let balance = run.view().balance();
+    println!(
+        "|dL|/L {worst:.1e}, dE/E {jump:.1e}, residual {:.1e}",
+        balance.residual_relative()
+    );
+    assert!(worst < 1e-12 && jump.abs() < 1e-4, "{worst:e} {jump:e}");
+    assert!(balance.residual_relative().abs() < 1e-6);
+}
