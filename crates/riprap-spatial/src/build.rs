@@ -24,7 +24,8 @@ use super::setup::{InSitu, Setup, Shape};
 use super::state::cavity::{Cavity, Wall};
 use super::state::face::Face;
 use super::state::found::FoundContacts;
-use super::state::lineage::Origin;
+use super::state::interface::Origin;
+use super::state::lineage;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
 use crate::exec::Exec;
@@ -44,7 +45,7 @@ impl World {
         let lineage = refine::before_run(&mut setup)?;
         let n = setup.blocks.len();
         let mut alive = vec![true; n];
-        for origin in lineage.iter().filter(|o| o.parent != Origin::NONE) {
+        for origin in lineage.iter().filter(|o| o.parent != lineage::Origin::NONE) {
             alive[origin.parent as usize] = false;
         }
         let mut world = Self {
@@ -242,6 +243,9 @@ impl World {
         self.patches.ends.push(overlap.blocks);
         self.patches.class.push(class);
         self.patches.flags.push(0);
+        if !self.patches.origin.is_empty() {
+            self.patches.origin.push(Origin::Built);
+        }
         if strength.is_some() || !self.patches.slip.is_empty() {
             self.patches.need_slip();
         }

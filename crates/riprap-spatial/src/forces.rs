@@ -13,7 +13,7 @@ use riprap_geom::Vec3;
 
 use super::lanes::{Lanes, Width};
 use super::patch::{self, Poses, Resultant, State};
-use super::setup::Interface;
+use super::setup::InterfaceLaw;
 use super::state::scratch::Lost;
 use super::sums::Part;
 use super::tiles::{GROUP, Packet, Tile, Tiles};
@@ -27,7 +27,7 @@ pub struct Shared<'a> {
     /// Poses of the blocks.
     pub poses: Poses<'a>,
     /// Laws.
-    pub interfaces: &'a [Interface],
+    pub interfaces: &'a [InterfaceLaw],
     /// Classes of patches.
     pub classes: &'a [PatchClass],
     /// Blocks of patches.

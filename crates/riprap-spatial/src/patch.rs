@@ -3,7 +3,7 @@
 
 use riprap_geom::{Mat3, Quat, Vec3};
 
-use super::setup::{Dashpots, Failure, Interface, JointLaw};
+use super::setup::{Dashpots, Failure, InterfaceLaw, JointLaw};
 use super::world::{Bodies, PatchClass, Turned, flag};
 use crate::laws::face_joint::{self, Loss, Memory, SIGNS, Traction};
 
@@ -427,7 +427,7 @@ pub fn starts_moving(
 
 /// Law of a class.
 #[must_use]
-pub fn joint<'a>(interfaces: &'a [Interface], class: &PatchClass) -> &'a JointLaw {
+pub fn joint<'a>(interfaces: &'a [InterfaceLaw], class: &PatchClass) -> &'a JointLaw {
     &interfaces[class.row as usize].joint
 }
 

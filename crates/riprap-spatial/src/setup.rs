@@ -33,7 +33,7 @@ pub struct Setup {
     /// The blocks, in scenario order.
     pub blocks: Vec<BlockSpec>,
     /// Joint laws of patches built along faces that blocks share at the start.
-    pub interfaces: Vec<Interface>,
+    pub interfaces: Vec<InterfaceLaw>,
     /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
     pub pair_table: Vec<u16>,
     /// Fixed and driven blocks; a later entry wins over an earlier one for the same block.
@@ -174,7 +174,7 @@ pub struct Solid {
 
 /// Laws between two materials.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Interface {
+pub struct InterfaceLaw {
     /// Name used in the scenario.
     pub name: String,
     /// Law of the patches.

@@ -7,8 +7,8 @@ use riprap::exec::Exec;
 use riprap::run::plan::{Phase, Plan, TimeStep};
 use riprap::run::simulation::Simulation;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Material, Points, Setup, Shape,
-    Stiffness, StiffnessRule,
+    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Points, Setup,
+    Shape, Stiffness, StiffnessRule,
 };
 
 const BRICKS: u32 = 200;
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         materials: vec![rock],
         names: vec!["brick".to_owned()],
         blocks,
-        interfaces: vec![Interface {
+        interfaces: vec![InterfaceLaw {
             name: "joint".to_owned(),
             friction: None,
             joint: JointLaw {

@@ -16,7 +16,7 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::record::manifest::Machine;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InSitu, Interface, JointLaw, Kinematics, Material,
+    BlockName, BlockSpec, Dashpots, Failure, InSitu, InterfaceLaw, JointLaw, Kinematics, Material,
     Points, Setup, Shape, Stiffness, StiffnessRule, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
@@ -93,7 +93,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
         }],
         names: vec!["rock".into()],
         blocks,
-        interfaces: vec![Interface {
+        interfaces: vec![InterfaceLaw {
             name: "joint".into(),
             friction: None,
             joint: JointLaw {

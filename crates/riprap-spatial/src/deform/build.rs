@@ -161,6 +161,7 @@ pub fn join(
             stiffness,
             row,
             rigid,
+            origin: Origin::Built,
             whole_until: 0,
             parted: false,
         });

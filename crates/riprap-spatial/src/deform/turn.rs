@@ -290,6 +290,7 @@ mod tests {
             stiffness: [1.0; 2],
             row: 0,
             rigid: [false; 2],
+            origin: Default::default(),
             whole_until: 0,
             parted: false,
         };

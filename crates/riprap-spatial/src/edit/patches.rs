@@ -5,6 +5,7 @@ use riprap_geom::{Mat3, Vec3};
 use crate::laws::face_joint::{SIGNS, Traction};
 use crate::patch::{self, Poses};
 use crate::read::view::View;
+use crate::state::interface::Origin;
 use crate::world::{PatchClass, World, flag};
 
 /// A patch whose block is about to be split.
@@ -23,6 +24,7 @@ pub(super) struct Old {
     flags: u16,
     lift: [f64; 4],
     path: [f64; 4],
+    origin: Origin,
 }
 
 impl Old {
@@ -37,6 +39,7 @@ impl Old {
             flags: list.flags[p],
             lift: list.lift.get(p).copied().unwrap_or_default(),
             path: list.path.get(p).copied().unwrap_or_default(),
+            origin: list.origin_of(p),
             ends,
             class,
         }
@@ -91,6 +94,7 @@ impl Old {
             }
         }
         new.put(world, p, flags);
+        world.patches.set_origin(p, self.origin);
     }
 }
 

@@ -17,6 +17,7 @@ use crate::setup::{BoundaryKind, Shape};
 use crate::state::cavity::Wall;
 use crate::state::event::{EditEvent, EditKind};
 use crate::state::face::Face;
+use crate::state::interface::Origin;
 use crate::world::{Turned, World};
 
 /// What must stay the same may change by this share: a few roundings.
@@ -130,6 +131,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         if roots[0] == roots[1] && lies_inside(world, roots[0], &cells[s.low], s.axis) {
             let finite = world.turned[roots[0] as usize].is_some();
             patches::inside(world, p, &plan.stress[&roots[0]], finite);
+            world.patches.set_origin(p, Origin::Cut);
         } else if let Some(old) = plan.old.get(&(roots[0], roots[1], s.axis as u8)) {
             old.hand_on(world, p);
         } else {

@@ -220,6 +220,7 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             mode,
             soft.len() as f64,
             soft.iter().sum(),
+            f64::from(facet.origin.code()),
         ];
         let mut numbers = numbers.into_iter();
         for column in &mut frame.contact_columns {
@@ -308,5 +309,8 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
         column("failure_mode", "-", &|_| 0.0),
         column("softened_points", "-", &|_| 0.0),
         column("softened_area", "m2", &|_| 0.0),
+        column("origin", "-", &|k| {
+            f64::from(list.origin_of(chosen[k]).code())
+        }),
     ];
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cutting::Cutting;
 use super::hold::Hold;
+use super::interface::Origin;
 use super::relax::Relax;
 pub use crate::anchor::Anchor;
 use crate::laws::bond::{self, Traction};
@@ -192,6 +193,8 @@ pub struct Facet {
     pub row: u16,
     /// Which sides are rigid blocks.
     pub rigid: [bool; 2],
+    /// Where it comes from.
+    pub origin: Origin,
     /// Step before which it does not break: a facet made by a cut in a dynamic phase waits for the next look.
     pub whole_until: u64,
     /// Whether its blocks have slid or come apart so far that it carries nothing any more: they find each other anew.

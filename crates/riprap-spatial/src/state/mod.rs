@@ -12,6 +12,7 @@ pub mod face;
 pub mod found;
 mod hash;
 pub mod hold;
+pub mod interface;
 pub mod lineage;
 pub mod patches;
 pub mod push;

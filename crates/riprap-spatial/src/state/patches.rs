@@ -3,6 +3,8 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
+use super::interface::Origin;
+
 /// Patches: rectangles or polygons where two blocks share a face. Lists of equal length, except
 /// those that are empty when no patch needs them.
 ///
@@ -27,6 +29,8 @@ pub struct Patches {
     pub lift: Vec<[f64; 4]>,
     /// Length of the path of plastic shear of each point, m; empty without dilation.
     pub path: Vec<[f64; 4]>,
+    /// Where each comes from; empty while all were built with the model.
+    pub origin: Vec<Origin>,
 }
 
 impl Patches {
@@ -56,6 +60,45 @@ impl Patches {
         pick(&mut self.slip, chosen);
         pick(&mut self.lift, chosen);
         pick(&mut self.path, chosen);
+        pick(&mut self.origin, chosen);
+    }
+
+    /// Lets the patches `gone` (ascending) go; the others keep their order. What stands before the first of them is not touched.
+    pub fn drop_some(&mut self, gone: &[usize]) {
+        fn close<T: Copy>(list: &mut Vec<T>, gone: &[usize]) {
+            if list.is_empty() {
+                return;
+            }
+            let ends = gone.iter().skip(1).copied().chain([list.len()]);
+            let mut to = gone.first().copied().unwrap_or(list.len());
+            for (from, end) in gone.iter().map(|p| p + 1).zip(ends) {
+                list.copy_within(from..end, to);
+                to += end - from;
+            }
+            list.truncate(to);
+        }
+        close(&mut self.ends, gone);
+        close(&mut self.class, gone);
+        close(&mut self.flags, gone);
+        close(&mut self.prestress, gone);
+        close(&mut self.slip, gone);
+        close(&mut self.lift, gone);
+        close(&mut self.path, gone);
+        close(&mut self.origin, gone);
+    }
+
+    /// Where patch `p` comes from.
+    #[must_use]
+    pub fn origin_of(&self, p: usize) -> Origin {
+        self.origin.get(p).copied().unwrap_or_default()
+    }
+
+    /// Says where patch `p` comes from.
+    pub fn set_origin(&mut self, p: usize, origin: Origin) {
+        if origin != Origin::Built || !self.origin.is_empty() {
+            self.origin.resize(self.ends.len(), Origin::Built);
+            self.origin[p] = origin;
+        }
     }
 
     /// Makes room for slip where there is none yet.
@@ -127,4 +170,35 @@ pub struct PatchClass {
     /// In-situ traction (n, b, c) per metre along b and along c, Pa/m; scaled so that four points have
     /// its exact moment.
     pub slope: [[f64; 3]; 2],
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Patches;
+
+    #[test]
+    fn what_is_left_keeps_its_order() {
+        let all = Patches {
+            ends: (0..10).map(|k| [k, k + 1]).collect(),
+            class: (0..10).collect(),
+            flags: (0..10).collect(),
+            lift: (0..10).map(|k| [f64::from(k); 4]).collect(),
+            ..Patches::default()
+        };
+        for gone in [
+            &[][..],
+            &[0],
+            &[9],
+            &[0, 1, 2],
+            &[3, 4, 8],
+            &[0, 9],
+            &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9],
+        ] {
+            let (mut short, mut picked) = (all.clone(), all.clone());
+            short.drop_some(gone);
+            let keep: Vec<u32> = (0..10).filter(|k| !gone.contains(&(*k as usize))).collect();
+            picked.keep(&keep);
+            assert_eq!(short, picked, "{gone:?}");
+        }
+    }
 }

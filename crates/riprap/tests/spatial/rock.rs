@@ -4,7 +4,7 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::ledger::Balance;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
+    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Kinematics, Material, Points,
     Setup, Shape, Stiffness, StiffnessRule, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
@@ -74,7 +74,7 @@ pub fn rock(blocks: Vec<BlockSpec>, joint: JointLaw) -> Setup {
         }],
         names: vec!["rock".into()],
         blocks,
-        interfaces: vec![Interface {
+        interfaces: vec![InterfaceLaw {
             name: "default".into(),
             friction: None,
             joint,

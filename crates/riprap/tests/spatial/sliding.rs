@@ -2,7 +2,7 @@
 
 use riprap::Vec3;
 use riprap::spatial::setup::{
-    Dashpots, Failure, InSitu, Interface, JointLaw, Material, Motion, Setup, Support,
+    Dashpots, Failure, InSitu, InterfaceLaw, JointLaw, Material, Motion, Setup, Support,
 };
 use riprap::spatial::step::advance;
 use riprap::spatial::world::flag;
@@ -52,7 +52,7 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
         name: "other rock".into(),
         ..setup.materials[0].clone()
     });
-    setup.interfaces.push(Interface {
+    setup.interfaces.push(InterfaceLaw {
         name: "closed".into(),
         friction: None,
         joint: law(Dashpots::Closed),

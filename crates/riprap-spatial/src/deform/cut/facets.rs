@@ -18,6 +18,7 @@ use crate::deform::shape::{centred, face_with};
 use crate::deform::store::{Anchor, Body, Deform, Facet, Memory, Point, Surface};
 use crate::edit::error::EditError;
 use crate::exec::Exec;
+use crate::state::interface::Origin;
 use crate::state::workspace::Workspace;
 use crate::world::World;
 
@@ -446,6 +447,7 @@ impl Maker<'_> {
                 stiffness: springs,
                 row,
                 rigid: [false; 2],
+                origin: Origin::Cut,
                 whole_until: 0,
                 parted: false,
             };

@@ -5,7 +5,7 @@ use crate::model::interfaces::{angle_shown, changed_friction, friction};
 use crate::scenario::language::{self, InterfaceChange};
 use crate::scenario::read::{Given, Provenance, Read};
 use crate::scenario::{Diagnostic, Quantity, quantity};
-use crate::spatial::setup::{Interface, JointLaw, Stiffness, StiffnessRule, Strength};
+use crate::spatial::setup::{InterfaceLaw, JointLaw, Stiffness, StiffnessRule, Strength};
 
 impl Builder<'_> {
     /// Fills `interfaces` and `pair_table`.
@@ -33,10 +33,9 @@ impl Builder<'_> {
             let joint = self.joint(name.as_str(), interface);
             let friction = joint.strength.is_none().then(|| {
                 let mut read = self.reading(format!("interfaces.{name}"), interface);
-                let of_angle = read.friction_angle().map(libm::tan);
-                of_angle.or_else(|| read.friction_coefficient())
+                friction(&mut read)
             });
-            self.spatial.interfaces.push(Interface {
+            self.spatial.interfaces.push(InterfaceLaw {
                 name: name.text.clone(),
                 joint,
                 friction: friction.flatten(),
