@@ -317,10 +317,13 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         shape: &world.solid,
         roles: &world.found.roles,
     };
+    // No pair without a seeker.
+    let seeks = |b: &u32| world.found.roles[*b as usize] == Role::Seeker;
     let mut joined: Vec<[u32; 2]> = world
         .patches
         .ends
         .iter()
+        .filter(|ends| ends.iter().any(seeks))
         .map(|[i, j]| [*i.min(j), *i.max(j)])
         .collect();
     joined.sort_unstable();

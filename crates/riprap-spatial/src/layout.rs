@@ -52,6 +52,27 @@ impl Scratch {
         self.rebuild(world, Vec::new());
     }
 
+    /// Lays out anew what depends on which patches there are, and on faces: some have come or gone (the lists are in order already) and nothing
+    /// else has changed. Bits are those of [`Scratch::invalidate`]. Sums, laws of old classes and deformable blocks stay, and so do the pushes of a step under way.
+    pub(crate) fn relay_patches(&mut self, world: &World) {
+        let cut = self.cut.unwrap_or_else(|| Cut::of(world.alive.len()));
+        self.tiles = Tiles::new(world, cut);
+        let drag_slots = if self.drag.is_empty() {
+            0
+        } else {
+            self.tiles.slots
+        };
+        self.slots = [self.tiles.slots, drag_slots].map(Sums::zeros);
+        let interfaces = &world.setup.interfaces;
+        let new = &world.classes[self.wide.len().min(world.classes.len())..];
+        for class in new {
+            let joint = &interfaces[class.row as usize].joint;
+            self.wide.push(Wide::new(class, joint));
+            self.strong |= joint.strength.is_some();
+        }
+        self.desk.ready = false;
+    }
+
     /// As [`Scratch::invalidate`] where deformable blocks of the `new` kinds have been appended or some have gone, and no
     /// shape or material has changed.
     pub(crate) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = Kind>) {

@@ -5,8 +5,8 @@ use riprap_geom::Vec3;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Material, Motion, Points, Setup,
-    Shape, Stiffness, Strength, Support,
+    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
+    Setup, Shape, Stiffness, Strength, Support,
 };
 use crate::state::scratch::Scratch;
 use crate::step;
@@ -43,7 +43,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
         young: None,
         poisson: None,
     });
-    setup.interfaces.push(Interface {
+    setup.interfaces.push(InterfaceLaw {
         name: "default".into(),
         friction: None,
         joint: JointLaw {
@@ -133,6 +133,17 @@ impl Run {
             self.world.start_energy = Some(total - 0.5 * half_kick);
         }
         step::advance(&mut self.world, &mut self.scratch, dt);
+    }
+
+    /// As [`Run::until`], where all that can be laid out anew is laid out anew before each step.
+    pub(super) fn until_laid_out_each_step(&mut self, time: f64) {
+        while self.world.time < time - 0.5 * self.dt {
+            self.scratch = Scratch::new(&mut self.world, Exec::serial());
+            self.evaluate();
+            step::advance(&mut self.world, &mut self.scratch, self.dt);
+            self.scratch = Scratch::new(&mut self.world, Exec::serial());
+        }
+        self.evaluate();
     }
 
     pub(super) fn view(&self) -> View<'_> {
