@@ -19,6 +19,9 @@ pub(super) const MARGIN: f64 = 1.05;
 const MOST: f64 = 1.5;
 /// Forces below this share of the largest so far are none: a body in two parts would never be at rest by round-off.
 const REST: f64 = 1e-6;
+/// Masses on bonds, over those that keep a linear model stable, where bonds break in every iteration under little damping: a broken
+/// bond is a contact, and one that opens and closes within a step or two makes energy.
+const CONTACT: f64 = 4.0;
 /// Damping before the first look.
 const FIRST: f64 = 0.5;
 
@@ -106,16 +109,18 @@ fn elastic(nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) ->
 /// Fictitious masses of all nodes.
 #[must_use]
 pub fn masses(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
-    let mut sums = row_sums(deform, kinds);
+    let always = (deform.relax.as_ref()).is_some_and(|r| r.way.breaks == Breaks::Always);
+    let share = if always { CONTACT } else { 1.0 };
+    let mut sums = row_sums(deform, kinds, share);
     for sum in &mut sums {
         *sum *= MARGIN / 4.0;
     }
     sums
 }
 
-/// Row sums `sum_j |K_ij|` of the stiffness of blocks and bonds, the largest component of each node, N/m.
+/// Row sums `sum_j |K_ij|` of the stiffness of blocks and bonds, the largest component of each node, N/m; those of bonds times `share`.
 #[must_use]
-pub fn row_sums(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
+pub fn row_sums(deform: &Deform, kinds: &[Kind], share: f64) -> Vec<f64> {
     let mut sums = vec![0.0; deform.nodes.len()];
     for body in &deform.bodies {
         let own = &kinds[body.kind as usize].row_sums;
@@ -142,7 +147,7 @@ pub fn row_sums(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
         }
     }
     for (sum, bond) in sums.iter_mut().zip(&bonds) {
-        *sum += bond.max_element();
+        *sum += share * bond.max_element();
     }
     sums
 }
