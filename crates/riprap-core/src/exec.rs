@@ -1,7 +1,7 @@
 //! The one place that names the thread pool.
 //!
-//! Work is split in chunks of a fixed size that does not depend on the number of threads, and
-//! partial sums are added in chunk order, so that results are the same bits for any thread count.
+//! Sums run over groups of a fixed size and a fixed tree of groups ([`crate::sums`]), so that results are the same bits for any
+//! thread count and however work is cut into pieces.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,8 +10,22 @@ use std::sync::mpsc;
 
 use rayon::prelude::*;
 
-/// Items per chunk in every parallel stage.
+use crate::sums::{GROUP, Tree};
+
+/// Items per chunk in parallel stages without sums, and in looks; a power of 2 times [`GROUP`].
 pub const CHUNK: usize = 512;
+
+/// Pieces that work on a whole model should have, several for each thread, unless they get larger than [`LARGEST_PIECE`].
+const PIECES: usize = 16;
+/// Most items in a piece.
+const LARGEST_PIECE: usize = 2048;
+
+/// Items in a piece of work on `count` of them: whole groups.
+#[must_use]
+pub fn piece(count: usize) -> usize {
+    let piece = count.div_ceil(PIECES).next_multiple_of(GROUP);
+    piece.clamp(GROUP, LARGEST_PIECE)
+}
 
 /// Work that can be cut between two of its chunks.
 pub trait Divide: Sized + Send {
@@ -108,6 +122,46 @@ impl Exec {
         }
     }
 
+    /// Calls `f(first_index, group_of_a, group_of_b, partial, room)` for each [`GROUP`] of two slices of equal length, with one
+    /// `partial` per group; those of a [`piece`] share a `room`.
+    ///
+    /// # Panics
+    /// When the slices differ in length.
+    pub fn groups2<A: Send, B: Send, P: Send, R: Send>(
+        &self,
+        a: &mut [A],
+        b: &mut [B],
+        partials: &mut [P],
+        rooms: &mut [R],
+        f: impl Fn(usize, &mut [A], &mut [B], &mut P, &mut R) + Sync,
+    ) {
+        assert_eq!(a.len(), b.len(), "grouped slices differ in length");
+        let piece = piece(a.len());
+        let one = |k: usize, a: &mut [A], b: &mut [B], p: &mut [P], room: &mut R| {
+            let groups = a.chunks_mut(GROUP).zip(b.chunks_mut(GROUP)).zip(p);
+            for (g, ((a, b), p)) in groups.enumerate() {
+                f(k * piece + g * GROUP, a, b, p, room);
+            }
+        };
+        match &self.pool {
+            Some(pool) if a.len() > piece => pool.install(|| {
+                a.par_chunks_mut(piece)
+                    .zip(b.par_chunks_mut(piece))
+                    .zip(partials.par_chunks_mut(piece / GROUP))
+                    .zip(rooms.par_iter_mut())
+                    .enumerate()
+                    .for_each(|(k, (((a, b), p), room))| one(k, a, b, p, room));
+            }),
+            _ => a
+                .chunks_mut(piece)
+                .zip(b.chunks_mut(piece))
+                .zip(partials.chunks_mut(piece / GROUP))
+                .zip(rooms.iter_mut())
+                .enumerate()
+                .for_each(|(k, (((a, b), p), room))| one(k, a, b, p, room)),
+        }
+    }
+
     /// As [`Exec::chunks2`], where item `k` of `a` owns the items `first[k]..first[k + 1]` of `b`.
     pub fn ragged<A: Send, B: Send, P: Send>(
         &self,
@@ -194,15 +248,28 @@ impl Exec {
         }
     }
 
-    /// Sums of `f` over the numbers below `n`: within chunks first, then over the chunks in their order.
+    /// Sums of `f` over the numbers below `n`: within groups first, then over the tree of groups.
     pub fn sums<const N: usize>(&self, n: usize, f: impl Fn(usize) -> [f64; N] + Sync) -> [f64; N] {
         let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|k| sum[k] + x[k]);
-        let one = |range: Range<usize>| range.map(&f).fold([0.0; N], add);
+        let tree = |mut tree: Tree<N>, sum: [f64; N]| {
+            tree.push(sum);
+            tree
+        };
+        // A chunk is a branch of the tree.
+        let chunk = |range: Range<usize>| {
+            let groups = range.clone().step_by(GROUP);
+            let one = |at: usize| (at..range.end.min(at + GROUP)).map(&f).fold([0.0; N], add);
+            groups.map(one).fold(Tree::default(), tree).sum()
+        };
         match self.pool {
-            Some(_) => self.chunked(n, one).into_iter().fold([0.0; N], add),
+            Some(_) => self
+                .chunked(n, chunk)
+                .into_iter()
+                .fold(Tree::default(), tree),
             // Without a list: a look on one thread allocates nothing.
-            None => chunks_of(n).map(one).fold([0.0; N], add),
+            None => chunks_of(n).map(chunk).fold(Tree::default(), tree),
         }
+        .sum()
     }
 
     /// Sum of `f` over the numbers below `n`, added as in [`Exec::sums`].

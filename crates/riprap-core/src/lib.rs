@@ -19,6 +19,7 @@ pub mod laws;
 pub mod ledger;
 pub mod profile;
 pub mod state_hash;
+pub mod sums;
 
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};

@@ -194,23 +194,20 @@ pub struct Workspace {
     kinks: Vec<f64>,
     local: potential::Local,
     old: Vec<Region>,
-    /// Works of the chunk, collected by the caller.
-    pub works: Works,
 }
 
-/// Forces of the general pairs in one chunk.
+/// Forces of the general pairs in one group.
 pub fn general_chunk(
     context: &Context<'_>,
     candidates: &[Candidate],
     states: &mut [GeneralState],
     slots: &mut [Wrench],
     room: &mut Workspace,
+    works: &mut Works,
 ) {
-    let mut works = Works::default();
     for ((candidate, state), slot) in candidates.iter().zip(states).zip(slots) {
-        *slot = general_pair(context, candidate, state, room, &mut works);
+        *slot = general_pair(context, candidate, state, room, works);
     }
-    room.works = works;
 }
 
 fn general_pair(

@@ -27,4 +27,4 @@ pub mod stable;
 pub mod step;
 pub mod world;
 
-use riprap_core::{dynamics, exec, field, frame, laws, ledger};
+use riprap_core::{dynamics, exec, field, frame, laws, ledger, sums};

@@ -17,8 +17,9 @@ use super::search::{self, Candidates};
 use super::setup::{ContactLaw, Setup};
 use super::shapes::Shapes;
 use super::world::{Body, World, Wrench};
-use crate::exec::{CHUNK, Exec};
+use crate::exec::{Exec, piece};
 use crate::ledger::Works;
+use crate::sums::{self, GROUP};
 use kick::kicks;
 pub use kick::{Change, Net};
 use riprap_core::profile::Profile;
@@ -66,7 +67,7 @@ pub struct Scratch {
     pub transit: f64,
 }
 
-/// Sums of one chunk.
+/// Sums of one group.
 #[derive(Clone, Copy, Debug)]
 struct Partial {
     arrival: Works,
@@ -255,14 +256,14 @@ impl Scratch {
             .map(|c| (c.i, c.j))
             .chain(world.bonds.iter().map(|b| (b.i, b.j)));
         (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
-        let chunks = [c, g, b, self.shapes.len()]
+        let groups = [c, g, b, self.shapes.len()]
             .into_iter()
             .max()
             .unwrap_or(0)
-            .div_ceil(CHUNK);
-        self.partial = vec![Partial::default(); chunks.max(1)];
+            .div_ceil(GROUP);
+        self.partial = vec![Partial::default(); groups.max(1)];
         self.rooms
-            .resize_with(g.div_ceil(CHUNK).max(1), Workspace::default);
+            .resize_with(g.div_ceil(piece(g)).max(1), Workspace::default);
         self.stale = false;
         self.rebuilds += 1;
     }
@@ -368,30 +369,31 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     );
     scratch.partial.fill(Partial::default());
     let candidates = &scratch.candidates;
-    scratch.exec.chunks2(
+    scratch.exec.groups2(
         &mut pairs,
         convex_slots,
         &mut scratch.partial,
-        |at, p, s, partial| {
+        &mut nobody(c),
+        |at, p, s, partial, ()| {
             let list = &candidates.convex[at..at + p.len()];
             contact::convex_chunk(&context, list, p, s, &mut partial.arrival);
         },
     );
-    let mut works = Works::default();
-    for partial in &mut scratch.partial {
-        works.add(&partial.arrival);
-        *partial = Partial::default();
-    }
+    let mut works = arrivals(&mut scratch.partial, c);
     if !general.is_empty() {
-        let rooms = &mut scratch.rooms;
-        scratch
-            .exec
-            .chunks2(&mut general, general_slots, rooms, |at, g, s, room| {
-                contact::general_chunk(&context, &candidates.general[at..at + g.len()], g, s, room);
-            });
-        for room in rooms {
-            works.add(&room.works);
-        }
+        let count = general.len();
+        scratch.partial.fill(Partial::default());
+        scratch.exec.groups2(
+            &mut general,
+            general_slots,
+            &mut scratch.partial,
+            &mut scratch.rooms,
+            |at, g, s, partial, room| {
+                let list = &candidates.general[at..at + g.len()];
+                contact::general_chunk(&context, list, g, s, room, &mut partial.arrival);
+            },
+        );
+        works.add(&arrivals(&mut scratch.partial, count));
     }
     world.works.add(&works);
     world.pairs = pairs;
@@ -407,12 +409,14 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     let (elapsed, step) = (world.pending, world.step);
     let first = world.pairs.len() + world.general.len();
     let slots = &mut scratch.slots[first..];
+    let count = bonds.len();
     scratch.partial.fill(Partial::default());
-    scratch.exec.chunks2(
+    scratch.exec.groups2(
         &mut bonds,
         slots,
         &mut scratch.partial,
-        |_, b, s, partial| {
+        &mut nobody(count),
+        |_, b, s, partial, ()| {
             for (bond, slot) in b.iter_mut().zip(s) {
                 *slot = match &setup.interfaces[bond.row as usize].bond {
                     Some(law) => {
@@ -429,10 +433,20 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
             }
         },
     );
-    for partial in &scratch.partial {
-        world.works.add(&partial.arrival);
-    }
+    world.works.add(&arrivals(&mut scratch.partial, count));
     world.bonds = bonds;
+}
+
+/// Rooms for work on `count` items that needs none.
+fn nobody(count: usize) -> Vec<()> {
+    vec![(); count.div_ceil(piece(count))]
+}
+
+/// Sum of the works of `count` items, one partial sum for each group of them.
+fn arrivals(partial: &mut [Partial], count: usize) -> Works {
+    let groups = &mut partial[..count.div_ceil(GROUP)];
+    sums::tree(groups, |sum, other| sum.arrival.add(&other.arrival));
+    groups.first().map_or(Works::default(), |all| all.arrival)
 }
 
 fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {

@@ -27,11 +27,10 @@
 
 use std::ops::Range;
 
+pub use riprap_core::sums::GROUP;
+
 use super::lanes::LANES;
 use super::world::{PatchClass, Patches, World};
-
-/// Blocks in a group.
-pub const GROUP: usize = 64;
 
 /// Most blocks in a piece: what a piece touches stays in the cache of a core.
 const LARGEST_PIECE: usize = 2048;

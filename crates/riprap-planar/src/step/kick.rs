@@ -2,11 +2,11 @@
 
 use riprap_geom::Vec2;
 
-use super::{Damping, NonFinite, Partial, Scratch};
+use super::{Damping, NonFinite, Partial, Scratch, nobody};
 use crate::dynamics::kick::{self, Target};
-use crate::ledger::Works;
 use crate::loads::Applied;
 use crate::shapes::Shapes;
+use crate::sums::{self, GROUP};
 use crate::world::{World, Wrench};
 
 /// Velocity change of one block in the coming kick.
@@ -46,24 +46,27 @@ pub(super) fn kicks(
         half: [0.5 * world.pending, 0.5 * dt],
         span: 0.5 * (world.last_dt + dt),
     };
-    scratch.exec.chunks2(
+    let count = scratch.changes.len();
+    scratch.exec.groups2(
         &mut scratch.changes,
         &mut scratch.net,
         &mut scratch.partial,
-        |at, changes, net, partial| {
+        &mut nobody(count),
+        |at, changes, net, partial, ()| {
             for (k, (change, net)) in changes.iter_mut().zip(net).enumerate() {
                 kick.block(at + k, change, net, partial);
             }
         },
     );
-    let (mut arrival, mut departure, mut bad) = (Works::default(), Works::default(), None);
-    for partial in &scratch.partial {
-        arrival.add(&partial.arrival);
-        departure.add(&partial.departure);
-        bad = bad.or(partial.bad);
-    }
-    world.works.add(&arrival);
-    scratch.departure = departure;
+    let groups = &mut scratch.partial[..count.div_ceil(GROUP)];
+    let bad = groups.iter().find_map(|p| p.bad);
+    sums::tree(groups, |sum, other| {
+        sum.arrival.add(&other.arrival);
+        sum.departure.add(&other.departure);
+    });
+    let all = groups.first().copied().unwrap_or_default();
+    world.works.add(&all.arrival);
+    scratch.departure = all.departure;
     bad.map_or(Ok(()), |block| Err(NonFinite { block }))
 }
 

@@ -2,18 +2,7 @@
 
 use riprap_geom::Vec3;
 
-/// Adds up a list over a fixed tree and leaves the sum in its first item (the others hold parts of it): items `0` and
-/// `1`, `2` and `3` and so on, then the sums of these pairs, and so on. Parts of `2^k` items can be added by themselves.
-pub fn tree<T: Copy>(list: &mut [T], add: impl Fn(&mut T, &T)) {
-    let mut stride = 1;
-    while stride < list.len() {
-        for k in (0..list.len() - stride).step_by(2 * stride) {
-            let other = list[k + stride];
-            add(&mut list[k], &other);
-        }
-        stride *= 2;
-    }
-}
+pub use riprap_core::sums::tree;
 
 /// Force (x, y, z), N, and moment about the centroid (x, y, z), N m, of many blocks or slots.
 #[derive(Clone, Debug, Default)]
@@ -107,29 +96,5 @@ impl Part<'_> {
             self.0[k][at] = first[k];
             self.0[k + 3][at] = second[k];
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::tree;
-
-    #[test]
-    fn the_tree_does_not_depend_on_how_a_list_is_cut() {
-        let sum = |list: &[f64]| {
-            let mut list = list.to_vec();
-            tree(&mut list, |a, b| *a += b);
-            list[0]
-        };
-        let list: Vec<f64> = (0..1000).map(|k| 1.0 / (1.0 + f64::from(k))).collect();
-        for length in [1, 2, 3, 7, 64, 100, 999, 1000] {
-            let whole = sum(&list[..length]);
-            assert!((whole - list[..length].iter().sum::<f64>()).abs() < 1e-13 * whole);
-            for part in [1, 2, 8, 64, 512] {
-                let parts: Vec<f64> = list[..length].chunks(part).map(sum).collect();
-                assert_eq!(sum(&parts).to_bits(), whole.to_bits(), "{length} {part}");
-            }
-        }
-        tree(&mut [], |a: &mut f64, b| *a += b);
     }
 }
