@@ -43,6 +43,21 @@ pub struct Works {
 }
 
 impl Works {
+    /// Books what friction and fracture have taken in a step. Where the books of a law say that it has *made* energy, the step was too
+    /// long for it: that is an error of the law, and dissipation never shrinks.
+    pub fn dissipate(&mut self, friction: f64, fracture: f64) {
+        for (line, lost) in [
+            (&mut self.friction, friction),
+            (&mut self.fracture, fracture),
+        ] {
+            if lost < 0.0 {
+                self.law_defect -= lost;
+            } else {
+                *line += lost;
+            }
+        }
+    }
+
     /// Notes how large the sums are now.
     pub fn note_peak(&mut self) {
         self.peak = [

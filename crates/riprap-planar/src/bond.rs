@@ -201,9 +201,9 @@ pub fn force(
     let half = 0.5 * elapsed;
     let lost = -half * relative.power_of(&bond.stress.plus(&stress)) + bond.energy - energy;
     if failing {
-        works.fracture += lost;
+        works.dissipate(0.0, lost);
     } else {
-        works.friction += lost;
+        works.dissipate(lost, 0.0);
     }
     works.damping -= half * relative.power_of(&bond.damping.plus(&damp));
     (bond.stress, bond.damping, bond.energy) = (stress, damp, energy);

@@ -153,8 +153,7 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         .divided(work, count, |_, piece| forces::tile(&shared, piece));
     sums::tree(&mut scratch.lost, Lost::add);
     if let Some(all) = scratch.lost.first() {
-        world.works.friction += all.friction;
-        world.works.fracture += all.fracture;
+        world.works.dissipate(all.friction, all.fracture);
     }
 }
 

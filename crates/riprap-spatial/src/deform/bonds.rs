@@ -12,6 +12,7 @@ use crate::anchor::Freedoms;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
+use crate::ledger::Works;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
@@ -128,7 +129,7 @@ struct Context<'a> {
     live: Option<f64>,
     /// Whether softening waits for convergence.
     relaxing: bool,
-    /// Whether breaking does.
+    /// Whether breaking and slip do.
     waits: bool,
     breaking: bool,
     time: f64,
@@ -264,6 +265,8 @@ impl Context<'_> {
         works: &mut BondWorks,
     ) {
         let at_once = self.breaks_at_once(facet.whole_until) && law.failure == BondFailure::Spring;
+        // Softening and slip in an iteration that overshoots would be for good.
+        let waits = self.relaxing && (self.waits || law.cohesive.is_some());
         let respond = |memory: &Memory, at: &[f64; 3], breaks: bool| {
             respond(law, facet.stiffness, memory, at, breaks)
         };
@@ -277,25 +280,22 @@ impl Context<'_> {
             let rate = self.freedoms.jump_rate(&point.anchors);
             let before = facet.now.map(|e| e.dot(jump - pending * rate));
             let (t_before, old) = respond(memory, &before, false);
-            let lost = point.area
-                * bond::loss(
-                    facet.stiffness,
-                    &memory.start,
-                    (&before, &t_before, &old),
-                    (&at, &t, &after),
-                );
-            if after.damage > old.damage {
-                works.works.fracture += lost;
-            } else {
-                // Opening or closing within a step is an error of the time integration, no friction.
-                let defect =
-                    point.area * across(facet, memory, [&before, &at], [t_before[0], t[0]]);
-                works.works.friction += lost - defect;
-                works.works.law_defect -= defect;
+            let lost = bond::loss(
+                facet.stiffness,
+                &memory.start,
+                (&before, &t_before, &old),
+                (&at, &t, &after),
+            );
+            // Opening or closing within a step is an error of the time integration, no friction.
+            let defect = across(facet, memory, [&before, &at], [t_before[0], t[0]]);
+            works.works.law_defect -= point.area * defect;
+            memory.unbooked += lost - defect;
+            if waits {
+                continue;
             }
-            // Softening during an iteration that overshoots would be for good.
-            if !(self.relaxing && law.cohesive.is_some()) {
-                works.broke |= commit(memory, law, after, &t_before, self.time);
+            if commit(memory, after, point.area, &mut works.works) {
+                tell(memory, law, &t_before, self.time);
+                works.broke = true;
             }
         }
     }
@@ -316,26 +316,28 @@ fn across(facet: &Facet, memory: &Memory, at: [&[f64; 3]; 2], t: [f64; 2]) -> f6
     work - (stored(at[1]) - stored(at[0]))
 }
 
-/// Takes a new state of a point over; whether it has broken just now. `t` is the traction (Pa) that tells how.
-pub fn commit(
-    memory: &mut Memory,
-    law: &BondLaw,
-    after: bond::State,
-    t: &bond::Traction,
-    time: f64,
-) -> bool {
+/// Takes a new state of a point with this area (m²) over and books what has been lost on the way to it; whether it has broken just now.
+pub fn commit(memory: &mut Memory, after: bond::State, area: f64, works: &mut Works) -> bool {
     let breaks = after.damage >= 1.0 && memory.law.damage < 1.0;
-    memory.law = after;
-    if breaks {
-        let mode = law.strength.map(|s| s.utilisation(t).1);
-        memory.state = match mode {
-            Some(bond::Mode::Tension) | None => State::Opened,
-            Some(bond::Mode::Shear) => State::Sheared,
-        };
-        memory.broken_at = time;
-        memory.untold = true;
+    let lost = area * std::mem::take(&mut memory.unbooked);
+    if after.damage > memory.law.damage {
+        works.dissipate(0.0, lost);
+    } else {
+        works.dissipate(lost, 0.0);
     }
+    memory.law = after;
     breaks
+}
+
+/// Notes that a point has broken; `t` is the traction (Pa) that tells how.
+pub fn tell(memory: &mut Memory, law: &BondLaw, t: &bond::Traction, time: f64) {
+    let mode = law.strength.map(|s| s.utilisation(t).1);
+    memory.state = match mode {
+        Some(bond::Mode::Tension) | None => State::Opened,
+        Some(bond::Mode::Shear) => State::Sheared,
+    };
+    memory.broken_at = time;
+    memory.untold = true;
 }
 
 /// Traction (n, b, c) of a point at a jump (m) and its state there; `breaks`: whether a brittle one may break.

@@ -82,6 +82,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     }
     cutting.looked = now;
     let rules = cutting.rules;
+    super::fracture::settle(world);
     let cuts = select::plan(&View { world, scratch }, &rules);
     if cuts.is_empty() {
         return Ok(0);

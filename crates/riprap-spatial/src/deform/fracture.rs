@@ -8,9 +8,10 @@
 use riprap_geom::Mat3;
 
 use super::bonds;
-use super::relax::Breaks;
+use super::relax::{Breaks, Relax};
 use super::store::{Break, Deform, Facet, State};
 use crate::laws::bond::{self, Traction};
+use crate::ledger::Works;
 use crate::read::view::View;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
 use crate::state::workspace::Workspace;
@@ -44,7 +45,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if scratch.deform.as_ref().is_some_and(|w| w.broke) {
         tell(deform, world.step, world.time, 1.0, 0.0);
     }
-    if !deform.breaking || deform.looked == world.step {
+    if deform.looked == world.step {
         return Ok(0);
     }
     let ready = match &deform.relax {
@@ -55,7 +56,11 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
         return Ok(0);
     }
     deform.looked = world.step;
+    let breaking = deform.breaking;
     settle(world);
+    if !breaking {
+        return Ok(0);
+    }
     let due = due(&View { world, scratch });
     if due.is_empty() {
         return Ok(0);
@@ -68,18 +73,24 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     Ok(count)
 }
 
-/// Commits the softening of a converged state.
-fn settle(world: &mut World) {
+/// Commits softening and slip of a converged state of a relaxing phase, once, and books what they have taken since the last one.
+pub(super) fn settle(world: &mut World) {
     let Some(mut deform) = world.deform.take() else {
         return;
     };
-    if deform.relax.is_some() {
+    let due = |relax: &mut Relax| relax.converged && !std::mem::replace(&mut relax.settled, true);
+    if deform.relax.as_mut().is_some_and(due) {
         let mut memory = std::mem::take(&mut deform.memory);
         let freedoms = world.freedoms_with(&deform);
-        let mut broke = false;
-        for facet in &deform.facets {
+        let (mut broke, mut works) = (false, Works::default());
+        for (k, facet) in deform.facets.iter().enumerate() {
             let law = world.setup.deform.bonds[usize::from(facet.row)].as_ref();
-            let Some(law) = law.filter(|l| l.cohesive.is_some()) else {
+            // Bonds that may not break do not soften for good.
+            let changes = |l: &&BondLaw| match l.cohesive {
+                Some(_) => deform.breaking,
+                None => deform.worn[k],
+            };
+            let Some(law) = law.filter(changes) else {
                 continue;
             };
             for p in facet.points() {
@@ -87,9 +98,14 @@ fn settle(world: &mut World) {
                 let at = facet.now.map(|e| e.dot(jump));
                 let held = bond::connect(facet.stiffness, &memory[p].start, &at);
                 let (_, after) = bonds::respond(law, facet.stiffness, &memory[p], &at, false);
-                broke |= bonds::commit(&mut memory[p], law, after, &held, world.time);
+                let area = deform.points[p].area;
+                if bonds::commit(&mut memory[p], after, area, &mut works) {
+                    bonds::tell(&mut memory[p], law, &held, world.time);
+                    broke = true;
+                }
             }
         }
+        world.works.add(&works);
         deform.memory = memory;
         if broke {
             tell(&mut deform, world.step, world.time, 1.0, 0.0);
@@ -280,7 +296,8 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
             let (_, held) = bonds::respond(law, springs, m, &at, false);
             let (_, after) = bond::contact(springs, &strength, &m.start, &at, &held);
             let stored = |state| bond::stored(springs, &m.start, &at, state);
-            released += deform.points[p].area * (stored(&held) - stored(&after));
+            let unbooked = std::mem::take(&mut m.unbooked);
+            released += deform.points[p].area * (stored(&held) + unbooked - stored(&after));
             m.law = after;
             m.state = match one.mode {
                 bond::Mode::Tension => State::Opened,

@@ -42,6 +42,7 @@ impl Relax {
         self.since = 0;
         self.iterations = 0;
         self.converged = false;
+        self.settled = false;
         self.ratio = f64::INFINITY;
         self.last = None;
         self.energy = None;
@@ -60,6 +61,7 @@ impl Relax {
             return;
         }
         self.since = 0;
+        self.settled = false;
         self.ratio = ratio;
         self.converged = match self.way.energy {
             None => ratio <= self.tolerance,

@@ -345,7 +345,7 @@ impl<'a> View<'a> {
                 let start = [memory.start[0], 0.0, 0.0];
                 let normal = bond::stored(facet.stiffness, &start, &across, &still);
                 sum[0] += point.area * normal;
-                sum[1] += point.area * (all - normal);
+                sum[1] += point.area * (all - normal + memory.unbooked);
             }
             sum
         };

@@ -225,6 +225,9 @@ pub struct Memory {
     pub start: Traction,
     /// Damage and slip at the last committed instant.
     pub law: bond::State,
+    /// What the states since then, on the way to an equilibrium, have lost, J/m²: still counted as stored, because only the
+    /// state that is committed tells what has taken it.
+    pub unbooked: f64,
     /// How it is.
     pub state: State,
     /// Time at which it broke, s.

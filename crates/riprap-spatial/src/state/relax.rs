@@ -19,6 +19,8 @@ pub struct Relax {
     pub ratio: f64,
     /// Whether the last look found it converged.
     pub converged: bool,
+    /// Whether what points remember has been committed since.
+    pub settled: bool,
     /// Model time that passes in the coming iteration, s: load steps.
     pub increment: f64,
     /// Displacements (m) and net forces (N) at the last look.
