@@ -25,9 +25,11 @@ use riprap::run::simulation::Simulation;
 use riprap::scenario::Source;
 use riprap::spatial::deform::cut as cutting;
 use riprap::spatial::deform::phase::{self, Rules};
-use riprap::spatial::setup::deform::{BondFailure, BondLaw, DeformableSet, Deformables, Strength};
+use riprap::spatial::setup::deform::{
+    BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Strength,
+};
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Kinematics, Material, Points,
+    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Kinematics, Material, Points,
     Setup, Shape, Solid, Stiffness as Springs, StiffnessRule,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
@@ -203,7 +205,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
         }],
         names: vec!["rock".into()],
         blocks,
-        interfaces: vec![Interface {
+        interfaces: vec![InterfaceLaw {
             name: "default".into(),
             friction: None,
             joint: JointLaw {
@@ -225,8 +227,10 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
                 velocity: [None, None, None],
             }],
             bonds: vec![Some(BondLaw {
-                thickness: 0.01 * EDGE,
-                moduli: None,
+                springs: BondSprings::Thickness {
+                    thickness: 0.01 * EDGE,
+                    moduli: None,
+                },
                 strength: Some(Strength {
                     tension: 5e6,
                     cohesion: 8e6,

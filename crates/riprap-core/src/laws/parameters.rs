@@ -108,15 +108,7 @@ impl BondLaw {
     /// The law with all its strengths divided by `factor`, residual ones too.
     #[must_use]
     pub fn reduced(mut self, factor: f64) -> Self {
-        for strength in [
-            &mut self.tension,
-            &mut self.cohesion,
-            &mut self.friction,
-            &mut self.residual_friction,
-            &mut self.residual_cohesion,
-        ] {
-            *strength /= factor;
-        }
+        self.strength = self.strength.reduced(factor);
         self
     }
 }

@@ -51,7 +51,7 @@ pub struct Interface {
     #[key(space = "spatial", instead = "use `bond` with a high strength")]
     #[serde(default)]
     pub elastic: bool,
-    /// Angle of friction, at least 0 and less than 90 deg. Give this or `friction_coefficient`.
+    /// Angle of friction. Give this or `friction_coefficient`.
     #[key(changes)]
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Tangent of the friction angle, zero or more. Give this or `friction_angle`.
@@ -72,7 +72,7 @@ pub struct Interface {
     #[key(space = "spatial", instead = "it belongs into `bond`")]
     #[key(default = "0 Pa", changes)]
     pub residual_cohesion: Option<Quantity<Strength>>,
-    /// Angle of dilation of joints that slide, at least 0 and less than 90 deg.
+    /// Angle of dilation of joints that slide.
     #[key(space = "spatial")]
     #[key(default = "0 deg")]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
@@ -123,23 +123,30 @@ pub struct Interface {
 #[serde(deny_unknown_fields)]
 pub struct BrittleBond {
     /// Thickness L of the interface, m: springs E/L and G/L per area. One for all facets; 0.01 of the smallest block
-    /// adds 1 % of compliance.
-    pub thickness: Quantity<PositiveLength>,
+    /// adds 1 % of compliance. Needed without `normal_stiffness`.
+    pub thickness: Option<Quantity<PositiveLength>>,
     /// Young's modulus of the interface, Pa. Default those of the two materials in series.
     pub young: Option<Quantity<Modulus>>,
-    /// Poisson's ratio of the interface, greater than -1 and less than 0.5. Needed with `young`.
+    /// Poisson's ratio of the interface. Needed with `young`.
     pub poisson: Option<Quantity<Poisson>>,
+    /// Normal stiffness per area, Pa/m, in place of `thickness`.
+    pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
+    /// Shear stiffness per area, Pa/m. Default half `normal_stiffness`.
+    pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether bonds never break. Default false.
     #[serde(default)]
     pub elastic: bool,
-    /// Tensile strength, Pa; zero or more. Needed unless `elastic`.
+    /// Tensile strength, Pa. Needed unless `elastic`.
     pub tension: Option<Quantity<Strength>>,
-    /// Cohesion, Pa; zero or more. Needed unless `elastic`.
+    /// Cohesion, Pa. Needed unless `elastic`.
     pub cohesion: Option<Quantity<Strength>>,
-    /// Angle of friction, at least 0 and less than 90 deg. Needed unless `elastic`.
+    /// Angle of friction. Needed unless `elastic`.
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Angle of friction of broken bonds. Default `friction_angle`.
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
+    /// Cohesion of broken bonds under pressure, Pa; not with `cohesive`.
+    #[key(default = "0 Pa")]
+    pub residual_cohesion: Option<Quantity<Strength>>,
     /// Lets bonds soften: the work of separation is then that of the material and not of the mesh.
     pub cohesive: Option<Cohesive>,
     /// What fails as one; `cohesive` goes with `spring` only.
@@ -168,16 +175,15 @@ pub struct Bond {
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area, Pa/m; greater than zero. Default that of the contact.
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
-    /// Tensile strength, Pa; zero or more.
+    /// Tensile strength, Pa.
     pub tension: Quantity<Strength>,
-    /// Cohesion, Pa; zero or more.
+    /// Cohesion, Pa.
     pub cohesion: Quantity<Strength>,
-    /// Angle of friction while unbroken, at least 0 and less than 90 deg. Default that of the
-    /// contact.
+    /// Angle of friction while unbroken. Default that of the contact.
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Angle of friction once broken. Default `friction_angle`.
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Cohesion left once broken, Pa; zero or more.
+    /// Cohesion left once broken, Pa.
     #[key(default = "0 Pa")]
     pub residual_cohesion: Option<Quantity<Strength>>,
     /// Damping as a share of critical damping; zero or more.

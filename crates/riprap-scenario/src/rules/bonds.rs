@@ -49,8 +49,17 @@ impl Rules {
             ("cohesion", bond.cohesion.is_some()),
             ("friction_angle", bond.friction_angle.is_some()),
         ];
+        self.bond_springs(span, &of, bond);
         if bond.elastic {
-            let given: Vec<&str> = strengths.iter().filter(|s| s.1).map(|s| s.0).collect();
+            let residual = [
+                (
+                    "residual_friction_angle",
+                    bond.residual_friction_angle.is_some(),
+                ),
+                ("residual_cohesion", bond.residual_cohesion.is_some()),
+            ];
+            let given = strengths.iter().chain(&residual).filter(|s| s.1);
+            let given: Vec<&str> = given.map(|s| s.0).collect();
             if !given.is_empty() {
                 let message = format!("{of} is elastic and has {}", list(&given));
                 let note = Diagnostic::warning("key.unused", message).at(span.clone());
@@ -70,11 +79,47 @@ impl Rules {
         if bond.young.is_some() != bond.poisson.is_some() {
             let message = format!("{of} has only one of `young` and `poisson`");
             let help = "give both, or neither: then they are those of the two materials";
-            self.error("key.missing", &bond.thickness.span, message, help);
+            self.error("key.missing", span, message, help);
         }
         if self.values_sound {
             self.cut_off(&of, bond);
             self.toughness(&of, bond, materials);
+        }
+    }
+
+    /// Springs come from a thickness or are given.
+    fn bond_springs(&mut self, span: &Span, of: &str, bond: &BrittleBond) {
+        match (&bond.thickness, &bond.normal_stiffness) {
+            (None, None) => {
+                let message = format!("{of} has neither `thickness` nor `normal_stiffness`");
+                let help =
+                    "write for example thickness = \"0.3 mm\", or normal_stiffness = \"10 GPa/m\"";
+                self.error("key.missing", span, message, help);
+            }
+            (Some(thickness), Some(_)) => {
+                let message = format!("{of} has `thickness` and `normal_stiffness`");
+                let help =
+                    "springs follow from a thickness and moduli, or are given: leave one out";
+                self.error("key.one_of", &thickness.span, message, help);
+            }
+            (None, Some(normal)) if bond.young.is_some() => {
+                let message = format!("{of} has `normal_stiffness` and `young`");
+                let help = "moduli go with `thickness`: leave them out";
+                self.error("key.one_of", &normal.span, message, help);
+            }
+            (Some(_), None) => {
+                if let Some(shear) = &bond.shear_stiffness {
+                    let message = format!("{of} has `shear_stiffness` and no `normal_stiffness`");
+                    let help = "give both, in place of `thickness`";
+                    self.error("key.missing", &shear.span, message, help);
+                }
+            }
+            (None, Some(_)) => {}
+        }
+        if let (Some(_), Some(residual)) = (&bond.cohesive, &bond.residual_cohesion) {
+            let message = format!("{of} has `cohesive` and `residual_cohesion`");
+            let help = "a bond that softens loses all of its cohesion: leave one out";
+            self.error("key.one_of", &residual.span, message, help);
         }
     }
 
@@ -106,26 +151,21 @@ impl Rules {
             let help = "bonds that soften do so spring by spring: leave out `failure`";
             self.error("key.one_of", &cohesive.mode_1.span, message, help);
         }
-        let own = bond.young.as_ref().zip(bond.poisson.as_ref());
-        let own = own.map(|(e, nu)| vec![(e.si(), nu.si())]);
-        let softest = own.unwrap_or_else(|| materials.to_vec());
-        let young = softest.iter().map(|m| m.0).fold(f64::INFINITY, f64::min);
-        let shear = softest.iter().map(|m| 0.5 * m.0 / (1.0 + m.1));
-        let shear = shear.fold(f64::INFINITY, f64::min);
-        for (key, energy, strength, modulus) in [
-            ("mode_1", &cohesive.mode_1, &bond.tension, young),
+        let [normal, shear] = least_stiffness(bond, materials);
+        for (key, energy, strength, stiffness) in [
+            ("mode_1", &cohesive.mode_1, &bond.tension, normal),
             ("mode_2", &cohesive.mode_2, &bond.cohesion, shear),
         ] {
             let Some(strength) = strength.as_ref().map(Quantity::si) else {
                 continue;
             };
-            let least = strength * strength * bond.thickness.si() / (2.0 * modulus);
-            if modulus.is_finite() && energy.si() <= least {
+            let least = strength * strength / (2.0 * stiffness);
+            if stiffness.is_finite() && energy.si() <= least {
                 let message = format!(
                     "`{key}` of {of} is below what its springs hold when softening begins, {least:.4} J/m2"
                 );
-                let help = "raise it, or make `thickness` smaller: the least is strength^2 \
-                            thickness / (2 modulus)";
+                let help = "raise it, or make the bond stiffer (a smaller `thickness`): the least is \
+                            strength^2 / (2 stiffness)";
                 self.error("value.range", &energy.span, message, help);
             }
         }
@@ -188,4 +228,30 @@ impl Rules {
             self.found.push(note.help("it belongs to anchor = \"tip\""));
         }
     }
+}
+
+/// Least stiffness of a bond across and along it, Pa/m: as given, or that of the softest material; infinite where it has none.
+fn least_stiffness(bond: &BrittleBond, materials: &[(f64, f64)]) -> [f64; 2] {
+    let thickness = match (&bond.normal_stiffness, &bond.thickness) {
+        (Some(normal), _) => {
+            let normal = normal.si();
+            return [
+                normal,
+                bond.shear_stiffness
+                    .as_ref()
+                    .map_or(0.5 * normal, Quantity::si),
+            ];
+        }
+        (None, Some(thickness)) => thickness.si(),
+        (None, None) => return [f64::INFINITY; 2],
+    };
+    let own = bond.young.as_ref().zip(bond.poisson.as_ref());
+    let own = own.map(|(e, nu)| vec![(e.si(), nu.si())]);
+    let softest = own.unwrap_or_else(|| materials.to_vec());
+    let young = softest.iter().map(|m| m.0);
+    let shear = softest.iter().map(|m| 0.5 * m.0 / (1.0 + m.1));
+    [
+        young.fold(f64::INFINITY, f64::min) / thickness,
+        shear.fold(f64::INFINITY, f64::min) / thickness,
+    ]
 }

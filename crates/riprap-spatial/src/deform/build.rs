@@ -11,9 +11,10 @@ use crate::build::error::BuildError;
 use crate::deform::shape::{PARALLEL, centred, face_of};
 use crate::dynamics::{Formula, TimeFunction};
 use crate::overlap::Overlap;
-use crate::setup::deform::{BondLaw, NodeHold};
+use crate::setup::deform::{BondLaw, BondSprings, NodeHold};
 use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
 use crate::state::face::Face;
+use crate::state::interface::Origin;
 use crate::state::workspace::{Kind, Workspace};
 use crate::world::World;
 
@@ -223,17 +224,26 @@ pub(super) fn stiffness(
     rigid: [bool; 2],
     depths: [f64; 2],
 ) -> Result<[f64; 2], BuildError> {
-    let mut compliance = [0.0; 2];
-    if let Some([e, g]) = law.moduli {
-        compliance = [law.thickness / e, law.thickness / g];
-    }
+    let mut compliance = match law.springs {
+        BondSprings::Given(given) if rigid == [false; 2] => return Ok(given),
+        BondSprings::Given(given) => given.map(|k| 1.0 / k),
+        BondSprings::Thickness {
+            thickness,
+            moduli: Some([e, g]),
+        } => [thickness / e, thickness / g],
+        BondSprings::Thickness { moduli: None, .. } => [0.0; 2],
+    };
     for side in 0..2 {
         let material = &setup.materials[materials[side]];
         let [young, poisson] = needs(material, "the stiffness of its bonds")?;
         let g = young / (2.0 * (1.0 + poisson));
-        if law.moduli.is_none() {
-            compliance[0] += 0.5 * law.thickness / young;
-            compliance[1] += 0.5 * law.thickness / g;
+        if let BondSprings::Thickness {
+            thickness,
+            moduli: None,
+        } = law.springs
+        {
+            compliance[0] += 0.5 * thickness / young;
+            compliance[1] += 0.5 * thickness / g;
         }
         if rigid[side] {
             let m = material.constrained_modulus().unwrap_or(young);

@@ -59,10 +59,8 @@ pub struct NodeHold {
 /// Law of the bonds between two materials.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BondLaw {
-    /// Thickness L of the interface, m: springs `E/L` and `G/L` per area.
-    pub thickness: f64,
-    /// Moduli E and G of the interface, Pa; `None` takes those of the two materials in series.
-    pub moduli: Option<[f64; 2]>,
+    /// Where its springs come from.
+    pub springs: BondSprings,
     /// Strength; `None` is elastic.
     pub strength: Option<Strength>,
     /// Fracture energies and softening; `None` breaks at once.
@@ -81,6 +79,20 @@ impl BondLaw {
         }
         self
     }
+}
+
+/// Springs of a bond per area.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum BondSprings {
+    /// `E/L` and `G/L`.
+    Thickness {
+        /// Thickness L of the interface, m.
+        thickness: f64,
+        /// Moduli E and G of the interface, Pa; `None` takes those of the two materials in series.
+        moduli: Option<[f64; 2]>,
+    },
+    /// Normal and shear stiffness, Pa/m.
+    Given([f64; 2]),
 }
 
 /// Rules of cutting in a phase.

@@ -64,24 +64,14 @@ impl Builder<'_> {
         for interface in &mut self.setup.interfaces {
             reduce(&mut interface.contact);
             if let Some(bond) = &mut interface.bond {
-                bond.strength = bond.strength.reduced(factor);
+                *bond = bond.reduced(factor);
             }
         }
         for interface in &mut self.spatial.interfaces {
             reduce_joint(&mut interface.joint, factor);
         }
-        for law in self.spatial.deform.bonds.iter_mut().flatten() {
-            let softening = law.cohesive.as_mut().map(|cohesive| &mut cohesive.strength);
-            for strength in law.strength.iter_mut().chain(softening) {
-                for value in [
-                    &mut strength.tension,
-                    &mut strength.cohesion,
-                    &mut strength.friction,
-                    &mut strength.residual_friction,
-                ] {
-                    *value /= factor;
-                }
-            }
+        for bond in self.spatial.deform.bonds.iter_mut().flatten() {
+            *bond = bond.reduced(factor);
         }
         for phase in &mut self.plan.phases {
             phase.contacts.iter_mut().for_each(|(_, law)| reduce(law));

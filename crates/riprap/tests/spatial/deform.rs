@@ -6,7 +6,7 @@ use riprap::spatial::deform::fracture;
 use riprap::spatial::deform::phase::{self, Rules};
 use riprap::spatial::deform::relax::Way;
 use riprap::spatial::setup::deform::{
-    BondFailure, BondLaw, DeformableSet, Deformables, Notch, Strain, Strength,
+    BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Notch, Strain, Strength,
 };
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 use riprap::spatial::stable::stable_step;
@@ -18,8 +18,10 @@ const YOUNG: f64 = 18e9;
 
 pub fn bonds(thickness: f64) -> BondLaw {
     BondLaw {
-        thickness,
-        moduli: None,
+        springs: BondSprings::Thickness {
+            thickness,
+            moduli: None,
+        },
         strength: None,
         cohesive: None,
         failure: BondFailure::Spring,

@@ -4,9 +4,11 @@ use super::supports::held_along;
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
 use crate::scenario::language::{self, Mechanics, Support, Target};
-use crate::scenario::read::Given;
+use crate::scenario::read::{Given, Provenance, Read};
 use crate::scenario::{Diagnostic, Name, Quantity, target_span};
-use crate::spatial::setup::deform::{BondLaw, Cohesive, DeformableSet, NodeHold, Notch, Strength};
+use crate::spatial::setup::deform::{
+    BondLaw, BondSprings, Cohesive, DeformableSet, NodeHold, Notch, Strength,
+};
 
 impl Builder<'_> {
     /// Enters the blocks of one table, numbers `first` and following, if they are deformable.
@@ -52,16 +54,10 @@ impl Builder<'_> {
 
     fn bond_law(&mut self, name: &str, said: &language::BrittleBond) -> BondLaw {
         let mut read = self.reading(format!("interfaces.{name}.brittle_bond"), said);
-        let thickness = read.thickness();
-        let moduli = said.young.as_ref().zip(said.poisson.as_ref());
-        let moduli = moduli.map(|(young, poisson)| {
-            let young = young.si();
-            [young, 0.5 * young / (1.0 + poisson.si())]
-        });
+        let springs = bond_springs(&mut read);
         if said.elastic {
             return BondLaw {
-                thickness,
-                moduli,
+                springs,
                 strength: None,
                 cohesive: None,
                 failure: said.failure.unwrap_or_default(),
@@ -75,6 +71,7 @@ impl Builder<'_> {
             cohesion: said.cohesion.si_or(0.0),
             friction,
             residual_friction: residual.map_or(friction, Quantity::tangent),
+            residual_cohesion: read.residual_cohesion(),
             ..Strength::default()
         };
         let cohesive = said.cohesive.as_ref().map(|said| Cohesive {
@@ -83,8 +80,7 @@ impl Builder<'_> {
             softening: read.within("cohesive", said).softening(),
         });
         BondLaw {
-            thickness,
-            moduli,
+            springs,
             strength: Some(strength),
             cohesive,
             failure,
@@ -143,5 +139,23 @@ impl Builder<'_> {
             .holds
             .push(NodeHold { min, max, velocity });
         true
+    }
+}
+
+/// Springs of bonds: given, or from a thickness (that one of both is there is a rule of the language).
+fn bond_springs(read: &mut Read<'_, language::BrittleBond>) -> BondSprings {
+    if let Some(normal) = read.normal_stiffness() {
+        let (half, why) = (0.5 * normal, "half the normal stiffness");
+        let shear = read.shear_stiffness_or(half, Provenance::Derived, why);
+        return BondSprings::Given([normal, shear]);
+    }
+    let said = read.said();
+    let moduli = said.young.as_ref().zip(said.poisson.as_ref());
+    BondSprings::Thickness {
+        thickness: read.thickness().unwrap_or(0.0),
+        moduli: moduli.map(|(young, poisson)| {
+            let young = young.si();
+            [young, 0.5 * young / (1.0 + poisson.si())]
+        }),
     }
 }
