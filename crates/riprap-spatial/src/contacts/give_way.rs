@@ -66,6 +66,7 @@ fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
     world.patches.drop_some(&gone);
     // The stable step can only grow: what was found for it stays, and so does the number of rebuilds.
     scratch.relay_patches(world);
+    world.fresh = true;
 }
 
 fn sorted([i, j]: [u32; 2]) -> [u32; 2] {
