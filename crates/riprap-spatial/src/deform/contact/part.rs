@@ -140,7 +140,8 @@ fn hand_over(world: &mut World, facet: &Facet) {
         let jump = freedoms.jump(&point.anchors);
         let at = facet.now.map(|e| e.dot(jump));
         let (t, state) = bonds::respond(law, facet.stiffness, memory, &at, false);
-        energy += point.area * bond::stored(facet.stiffness, &memory.start, &at, &state);
+        let stored = bond::stored(facet.stiffness, &memory.start, &at, &state);
+        energy += point.area * (stored + memory.unbooked);
         // Tractions are those on the first block.
         let force = point.area * (t[1] * b + t[2] * c);
         let arm = place(point) - centre;

@@ -5,12 +5,10 @@ use riprap_geom::{Quat, Vec3};
 
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
-use crate::setup::deform::{
-    BondFailure, BondLaw, DeformableSet, Deformables, Strain, Strength as BondStrength,
-};
+use crate::setup::deform::{BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Strain};
 use crate::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, Interface, JointLaw, Material, Motion, Points, Setup,
-    Shape, Solid, Stiffness, Strength, Support,
+    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
+    Setup, Shape, Solid, Stiffness, Strength, Support,
 };
 use crate::state::deform::Masses;
 use crate::state::scratch::Scratch;
@@ -58,7 +56,7 @@ fn model(blocks: Vec<BlockSpec>, soft: &[u32], friction: f64, damping: f64) -> S
         young: Some(1e8),
         poisson: Some(0.25),
     });
-    setup.interfaces.push(Interface {
+    setup.interfaces.push(InterfaceLaw {
         name: "default".into(),
         friction: None,
         joint: JointLaw {
@@ -89,13 +87,16 @@ fn model(blocks: Vec<BlockSpec>, soft: &[u32], friction: f64, damping: f64) -> S
             velocity: [None, None, None],
         }],
         bonds: vec![Some(BondLaw {
-            thickness: 1e-3,
-            moduli: Some([1e6, 5e5]),
-            strength: Some(BondStrength {
+            springs: BondSprings::Thickness {
+                thickness: 1e-3,
+                moduli: Some([1e6, 5e5]),
+            },
+            strength: Some(Strength {
                 tension: 0.0,
                 cohesion: 0.0,
                 friction,
                 residual_friction: friction,
+                ..Strength::default()
             }),
             cohesive: None,
             failure: BondFailure::Spring,
