@@ -211,7 +211,10 @@ impl Builder<'_> {
             }
             if let Some(bond) = said.brittle_bond.as_ref().filter(|_| of_rigid && !of_bonds) {
                 let keys = [
-                    ("thickness", true),
+                    ("thickness", bond.thickness.is_some()),
+                    ("normal_stiffness", bond.normal_stiffness.is_some()),
+                    ("shear_stiffness", bond.shear_stiffness.is_some()),
+                    ("residual_cohesion", bond.residual_cohesion.is_some()),
                     ("young", bond.young.is_some()),
                     ("poisson", bond.poisson.is_some()),
                     ("cohesive", bond.cohesive.is_some()),
@@ -220,7 +223,11 @@ impl Builder<'_> {
                 let help = "this interface has only joints of rigid blocks, which take from `brittle_bond` no more \
                             than the strengths that the interface itself does not give";
                 let of = format!("{of}.brittle_bond");
-                self.no_effect(&of, &keys, &bond.thickness.span, help);
+                let span = bond
+                    .thickness
+                    .as_ref()
+                    .map_or(&name.span, |thickness| &thickness.span);
+                self.no_effect(&of, &keys, span, help);
             }
         }
     }
