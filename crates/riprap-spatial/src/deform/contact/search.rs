@@ -3,6 +3,8 @@
 //! Blocks of the largest lattice whose joints and bonds are whole are targets, and two targets never make a pair; all others are seekers.
 //! A look is due when a point of a block will have left the block's margin by the end of the coming step.
 
+use std::collections::BTreeMap;
+
 use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::{Mat3, Vec3};
 
@@ -12,7 +14,7 @@ use crate::exec::{CHUNK, Exec};
 use crate::found::cells::{CellDesk, Member, PairConstants, PairRoom, PairSlot, Star, peak};
 use crate::found::grid::{Box3, Role};
 use crate::found::search::moved;
-use crate::state::deform::{Body, Deform};
+use crate::state::deform::Deform;
 use crate::state::scratch::Scratch;
 use crate::state::soft::{SoftPair, SoftSearch};
 use crate::state::workspace::{Kind, Workspace};
@@ -320,9 +322,11 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
     let mut blocks: Vec<u32> = pairs.iter().flat_map(|p| p.ends).collect();
     blocks.sort_unstable();
     blocks.dedup();
+    // Many blocks are of one kind: what follows from it is found once.
+    let mut bounds: BTreeMap<u32, f64> = BTreeMap::new();
     desk.members = blocks
         .iter()
-        .map(|b| member(world, deform, work, *b))
+        .map(|b| member(world, deform, work, *b, &mut bounds))
         .collect();
     desk.stars.clear();
     desk.stars.resize_with(blocks.len(), Star::default);
@@ -368,7 +372,13 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
         .resize_with(pairs.len().div_ceil(CHUNK), PairRoom::default);
 }
 
-fn member(world: &World, deform: &Deform, work: &Workspace, block: u32) -> Member {
+fn member(
+    world: &World,
+    deform: &Deform,
+    work: &Workspace,
+    block: u32,
+    bounds: &mut BTreeMap<u32, f64>,
+) -> Member {
     let Some(body) = deform.body(block as usize) else {
         let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
         let mesh = Tetrahedra::new(&solid).ok();
@@ -399,7 +409,9 @@ fn member(world: &World, deform: &Deform, work: &Workspace, block: u32) -> Membe
         largest,
         areas,
         ease,
-        own: own_frequency(kind, body),
+        own: *bounds
+            .entry(body.kind)
+            .or_insert_with(|| own_frequency(kind)),
     }
 }
 
@@ -419,8 +431,7 @@ fn shown(kind: &Kind) -> (Vec<f64>, f64) {
 }
 
 /// Bound of the square of the highest frequency of a block by itself (Gershgorin), 1/s².
-fn own_frequency(kind: &Kind, body: &Body) -> f64 {
-    debug_assert_eq!(kind.mesh.nodes.len(), body.count as usize);
+fn own_frequency(kind: &Kind) -> f64 {
     let sums = crate::laws::tetrahedron::row_sums(&kind.mesh, &kind.law);
     let ratios = sums.iter().zip(kind.masses()).map(|(sum, m)| sum / m);
     ratios.fold(0.0, f64::max)
