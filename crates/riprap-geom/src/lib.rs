@@ -7,7 +7,7 @@
 //! place ready-made blocks.
 //!
 //! `polyhedron` is the same for convex solids in space, `face_overlap` for the faces that two of them share;
-//! `face_overlay` joins the nodes of such faces.
+//! `face_overlay` joins the nodes of such faces. `height_field` is terrain: a surface with one height per place.
 //!
 //! Random numbers come from one seeded generator and elementary functions from `libm`, so the same
 //! input gives the same bits on every machine.
@@ -22,6 +22,7 @@ mod error;
 pub mod face_overlap;
 pub mod face_overlay;
 pub mod heal;
+pub mod height_field;
 pub mod measure;
 pub mod pack;
 pub mod pairs;

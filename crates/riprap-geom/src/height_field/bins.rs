@@ -1,0 +1,110 @@
+//! Which triangles lie near a place: square bins over the projection of a surface.
+
+use super::HeightField;
+
+/// Bins for each triangle, about.
+const PER_TRIANGLE: f64 = 0.5;
+/// Most bins along an axis.
+const MOST: f64 = 8192.0;
+
+/// Triangles by place. Every bin lists the triangles whose box in the plane reaches into it, ascending.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bins {
+    low: [f64; 2],
+    size: f64,
+    counts: [usize; 2],
+    first: Vec<u32>,
+    members: Vec<u32>,
+}
+
+impl Bins {
+    /// Sorts the triangles of a surface.
+    #[must_use]
+    pub fn new(surface: &HeightField) -> Self {
+        let (low, high) = surface.bounds();
+        let extent = (high - low).truncate();
+        let wanted = PER_TRIANGLE * surface.triangles.len() as f64;
+        let size = (extent.x * extent.y / wanted.max(1.0))
+            .sqrt()
+            .max(extent.max_element() / MOST);
+        let mut bins = Self {
+            low: [low.x, low.y],
+            size,
+            counts: [extent.x, extent.y].map(|length| (length / size) as usize + 1),
+            ..Self::default()
+        };
+        let boxes: Vec<[[usize; 2]; 2]> = (0..surface.triangles.len())
+            .map(|t| {
+                let [a, b, c] = surface.corners(t);
+                let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+                bins.range([low.x, low.y], [high.x, high.y])
+            })
+            .collect();
+        let [nx, ny] = bins.counts;
+        let mut first = vec![0_u32; nx * ny + 1];
+        let each = |[from, to]: &[[usize; 2]; 2], act: &mut dyn FnMut(usize)| {
+            for j in from[1]..=to[1] {
+                for i in from[0]..=to[0] {
+                    act(j * nx + i);
+                }
+            }
+        };
+        for range in &boxes {
+            each(range, &mut |bin| first[bin + 1] += 1);
+        }
+        for bin in 1..first.len() {
+            first[bin] += first[bin - 1];
+        }
+        let mut members = vec![0; first[nx * ny] as usize];
+        let mut next = first.clone();
+        for (t, range) in (0_u32..).zip(&boxes) {
+            each(range, &mut |bin| {
+                members[next[bin] as usize] = t;
+                next[bin] += 1;
+            });
+        }
+        bins.first = first;
+        bins.members = members;
+        bins
+    }
+
+    /// First and last bin along x and y of a rectangle; those outside count to the outermost bins.
+    fn range(&self, low: [f64; 2], high: [f64; 2]) -> [[usize; 2]; 2] {
+        let number = |at: [f64; 2]| {
+            [0, 1].map(|k: usize| {
+                let cell = (at[k] - self.low[k]) / self.size;
+                (cell.max(0.0) as usize).min(self.counts[k] - 1)
+            })
+        };
+        [number(low), number(high)]
+    }
+
+    fn list(&self, bin: usize) -> &[u32] {
+        &self.members[self.first[bin] as usize..self.first[bin + 1] as usize]
+    }
+
+    /// The lists of all bins.
+    pub(super) fn lists(&self) -> impl Iterator<Item = &[u32]> {
+        (0..self.counts[0] * self.counts[1]).map(|bin| self.list(bin))
+    }
+
+    /// Triangles near a place.
+    #[must_use]
+    pub fn at(&self, x: f64, y: f64) -> &[u32] {
+        let [[i, j], _] = self.range([x, y], [x, y]);
+        self.list(j * self.counts[0] + i)
+    }
+
+    /// Puts the triangles near a rectangle into `found`, ascending, each once.
+    pub fn near(&self, low: [f64; 2], high: [f64; 2], found: &mut Vec<u32>) {
+        found.clear();
+        let [from, to] = self.range(low, high);
+        for j in from[1]..=to[1] {
+            for i in from[0]..=to[0] {
+                found.extend_from_slice(self.list(j * self.counts[0] + i));
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+    }
+}
