@@ -7,7 +7,7 @@
 mod bins;
 mod outline;
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use crate::Vec3;
 pub use bins::Bins;
@@ -270,10 +270,10 @@ impl HeightField {
 
     /// Every edge has one triangle on each side at most.
     fn edges(&self) -> Result<(), HeightFieldError> {
-        let mut seen: BTreeMap<(u32, u32), ()> = BTreeMap::new();
+        let mut seen: BTreeSet<(u32, u32)> = BTreeSet::new();
         for [a, b, c] in &self.triangles {
             for (from, to) in [(*a, *b), (*b, *c), (*c, *a)] {
-                if seen.insert((from, to), ()).is_some() {
+                if !seen.insert((from, to)) {
                     let ends = [from, to].map(|k| self.points[k as usize]);
                     return Err(HeightFieldError::SharedEdge { at: middle(&ends) });
                 }

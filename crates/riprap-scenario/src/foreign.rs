@@ -1,8 +1,10 @@
-//! Files of other tools with blocks or traces: tessellations of Neper, surfaces in STL, drawings in DXF.
+//! Files of other tools with blocks or traces: tessellations of Neper, surfaces in STL, drawings in DXF, heights as
+//! ASCII raster.
 //!
 //! As for the meshes of [`super::msh`]: a broken file gives an error with its line or byte, and no count in it is
 //! trusted with more memory than the file itself has.
 
+pub mod asc;
 pub mod dxf;
 mod dxf_pairs;
 pub mod stl;

@@ -20,10 +20,11 @@ use super::meet::{self, Cell};
 use super::meet_solids::meet_solids;
 use super::overlap::{Overlap, face, overlap};
 use super::refine;
-use super::setup::{InSitu, Setup, Shape};
+use super::region::Bounds;
+use super::setup::{InSitu, Motion, Setup, Shape};
 use super::state::cavity::{Cavity, Wall};
 use super::state::face::Face;
-use super::state::found::FoundContacts;
+use super::state::found::{FoundContacts, OnTerrain};
 use super::state::interface::Origin;
 use super::state::lineage;
 use super::state::scratch::Scratch;
@@ -87,6 +88,10 @@ impl World {
                 world.motion[b as usize] = Some(Box::new(support.motion.clone()));
             }
         }
+        world.hold_terrain();
+        if world.setup.found_contacts && (0..n).any(|b| world.is_terrain(b)) {
+            world.found.terrain = vec![OnTerrain::default(); n];
+        }
         world.hold_driven();
         let charges = cavity::charges(&world.setup, &world.lineage, &world.alive)?;
         world.build_patches(&charges)?;
@@ -117,7 +122,7 @@ impl World {
                 Shape::Brick { half, .. } => {
                     Some([half.x, half.y, half.z, density].map(f64::to_bits))
                 }
-                Shape::Polyhedron(_) => None,
+                Shape::Polyhedron(_) | Shape::Terrain(_) => None,
             };
             let index = key.and_then(|k| known.get(&k).copied());
             let index = index.unwrap_or_else(|| {
@@ -133,10 +138,22 @@ impl World {
         Ok(())
     }
 
+    /// Terrain stays where it is, whatever supports say.
+    pub(super) fn hold_terrain(&mut self) {
+        for b in 0..self.setup.blocks.len() {
+            if self.is_terrain(b) {
+                self.motion[b] = Some(Box::new(Motion::Fixed {
+                    translation: [true; 3],
+                    rotation: [true; 3],
+                }));
+            }
+        }
+    }
+
     /// Shortest half edge of a living block, m.
     #[must_use]
     pub fn finest(&self) -> f64 {
-        let living = (0..self.alive.len()).filter(|b| self.alive[*b]);
+        let living = (0..self.alive.len()).filter(|b| self.alive[*b] && !self.is_terrain(*b));
         living
             .map(|b| self.solid_of(b).half.min_element())
             .fold(f64::INFINITY, f64::min)
@@ -203,7 +220,7 @@ impl World {
 
     /// Shared parts and free parts of the faces of all living blocks.
     fn touching(&self, tolerance: f64) -> (Vec<Overlap>, Vec<Face>) {
-        let living = (0..self.alive.len()).filter(|b| self.alive[*b]);
+        let living = (0..self.alive.len()).filter(|b| self.alive[*b] && !self.is_terrain(*b));
         let blocks = &self.setup.blocks;
         let is_brick = |b: usize| matches!(blocks[b].shape, Shape::Brick { .. });
         if !living.clone().all(is_brick) {
@@ -311,6 +328,28 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
                 diagonal: false,
             };
             Ok((moments.centroid, class))
+        }
+        Shape::Terrain(surface) => {
+            let bounds = Bounds::of(shape);
+            let body = surface.body();
+            let body = Polyhedron {
+                vertices: body.vertices,
+                faces: body.faces,
+            };
+            let volume = body.moments().volume;
+            // Nothing moves it; mass and inertia are there to be finite.
+            let mass = density * volume;
+            let inertia = mass * bounds.half.length_squared();
+            let class = SolidClass {
+                mass,
+                volume,
+                inertia: Mat3::from_diagonal(Vec3::splat(inertia)),
+                inverse: Mat3::from_diagonal(Vec3::splat(1.0 / inertia)),
+                half: bounds.half,
+                radius: bounds.half.length(),
+                diagonal: true,
+            };
+            Ok((bounds.centre, class))
         }
     }
 }

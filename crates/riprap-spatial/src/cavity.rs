@@ -152,7 +152,7 @@ fn finest(setup: &Setup, alive: &[bool], region: &Region) -> Vec<u32> {
     for (b, block) in setup.blocks.iter().enumerate() {
         if alive[b] {
             let bounds = Bounds::of(&block.shape);
-            if bounds.touches(region) {
+            if bounds.touches(region) && !block.shape.is_terrain() {
                 touching.push((b as u32, bounds.half.element_product()));
             }
         }

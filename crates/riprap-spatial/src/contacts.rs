@@ -13,6 +13,7 @@ use riprap_geom::polyhedron::Polyhedron;
 
 mod give_way;
 mod limit;
+pub(crate) mod terrain;
 
 use super::build::{BuildError, stiffness};
 use super::found::desk::{Acting, Constants, Deepest, Desk, Room, Slot};
@@ -161,7 +162,7 @@ fn roles(world: &World) -> Vec<Role> {
     let n = world.alive.len();
     let mut roles: Vec<Role> = (0..n)
         .map(|b| {
-            if !world.alive[b] || world.deforms(b) {
+            if !world.alive[b] || world.deforms(b) || world.is_terrain(b) {
                 Role::Absent
             } else {
                 Role::Seeker
@@ -269,6 +270,7 @@ pub(crate) fn shape_of(shape: &setup::Shape, centre: Vec3) -> Result<Shape, Stri
             let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
             Shape::new(&Polyhedron { vertices, faces }, centre)
         }
+        setup::Shape::Terrain(_) => Shape::brick(Vec3::ONE),
     }
     .map_err(|error| error.to_string())
 }
@@ -601,7 +603,7 @@ impl Evaluation<'_> {
             &constants.law,
             &Question {
                 sums: &sums,
-                largest: (&room.walker.largest, &room.walker.largest_frame),
+                mean_radius: &|point| room.walker.mean_radius(point),
                 origin: super::found::planes::origin(&bodies[0], &bodies[1]),
                 centres: bodies.map(|b| b.position),
                 motion: self.motion(k, pair),

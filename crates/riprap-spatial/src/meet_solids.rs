@@ -88,6 +88,7 @@ fn sides(
                 vertices: solid.vertices.clone(),
                 faces: solid.faces.clone(),
             },
+            Shape::Terrain(_) => continue,
         };
         for face in 0..solid.faces.len() {
             let outline = solid.outline(face);

@@ -107,7 +107,8 @@ impl Forest {
                 bounds: Bounds::of(&block.shape),
                 level: origin.level,
                 brick: matches!(block.shape, Shape::Brick { .. }),
-                alive,
+                // Terrain is never divided, nor a neighbour of who is.
+                alive: alive && !block.shape.is_terrain(),
                 children: 0,
             })
             .collect();

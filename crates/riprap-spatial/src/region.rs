@@ -26,17 +26,20 @@ impl Bounds {
                 centre: *centre,
                 half: *half,
             },
-            Shape::Polyhedron(solid) => {
-                let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-                for &p in &solid.vertices {
-                    min = min.min(p);
-                    max = max.max(p);
-                }
-                Self {
-                    centre: 0.5 * (min + max),
-                    half: 0.5 * (max - min),
-                }
-            }
+            Shape::Polyhedron(solid) => Self::around(&solid.vertices),
+            Shape::Terrain(surface) => Self::around(&surface.points),
+        }
+    }
+
+    fn around(points: &[Vec3]) -> Self {
+        let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for &p in points {
+            min = min.min(p);
+            max = max.max(p);
+        }
+        Self {
+            centre: 0.5 * (min + max),
+            half: 0.5 * (max - min),
         }
     }
 

@@ -7,6 +7,7 @@
 pub mod deform;
 
 use riprap_geom::Vec3;
+use riprap_geom::height_field::HeightField;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
@@ -161,6 +162,46 @@ pub enum Shape {
     },
     /// A convex polyhedron.
     Polyhedron(Box<Solid>),
+    /// Ground with one height per place, which nothing moves.
+    Terrain(Box<Surface>),
+}
+
+impl Shape {
+    /// Whether it is terrain.
+    #[must_use]
+    pub fn is_terrain(&self) -> bool {
+        match self {
+            Self::Terrain(_) => true,
+            Self::Brick { .. } | Self::Polyhedron(_) => false,
+        }
+    }
+}
+
+/// A surface with one height per place, checked by [`HeightField::new`].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Corners, m.
+    pub points: Vec<Vec3>,
+    /// Corners of each triangle, anticlockwise seen from above.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Surface {
+    /// The surface as geometry knows it.
+    #[must_use]
+    pub fn field(&self) -> HeightField {
+        HeightField {
+            points: self.points.clone(),
+            triangles: self.triangles.clone(),
+        }
+    }
+
+    /// The closed body under it, as it is shown: corners and faces.
+    #[must_use]
+    pub fn body(&self) -> Solid {
+        let (vertices, faces) = self.field().body();
+        Solid { vertices, faces }
+    }
 }
 
 /// A convex polyhedron: corners and faces.

@@ -50,6 +50,7 @@ pub fn evaluate(
     deform::contact::part(world, scratch);
     let meet = contacts::refresh(world, scratch);
     let soft = deform::contact::refresh(world, scratch);
+    contacts::terrain::prepare(world, scratch);
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
     });
@@ -65,6 +66,11 @@ pub fn evaluate(
     if soft {
         stage(scratch, "contacts", |scratch| {
             deform::contact::act(world, scratch);
+        });
+    }
+    if world.has_terrain() {
+        stage(scratch, "terrain", |scratch| {
+            contacts::terrain::act(world, scratch, meet);
         });
     }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));

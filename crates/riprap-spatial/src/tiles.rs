@@ -307,6 +307,9 @@ impl Tiles {
         for b in (world.found.pairs.iter().flat_map(|pair| pair.ends)).chain(soft) {
             pushed[b as usize] = true;
         }
+        if world.has_terrain() {
+            pushed.fill(true);
+        }
         let mut faces = world
             .faces
             .iter()

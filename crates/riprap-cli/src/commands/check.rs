@@ -139,6 +139,9 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
             text.push_str(&format!("  splitting  {}\n", all.join(", ")));
         }
     }
+    for terrain in &s.terrain {
+        text.push_str(&format!("  terrain    {terrain}\n"));
+    }
     for fitted in &s.fitted {
         text.push_str(&format!("  fitted     {fitted}\n"));
     }

@@ -37,6 +37,26 @@ pub fn parse_stl(bytes: &[u8]) -> Result<Vec<Part>, FileError> {
     parts(&triangles)
 }
 
+/// A surface that need not be closed: different corners in the length unit of the file, and those of each triangle.
+pub type Surface = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
+/// The triangles that the bytes of a file describe as one surface. Triangles without an area are left out.
+///
+/// # Errors
+/// The first thing that is wrong, with its line or byte.
+pub fn parse_surface(bytes: &[u8]) -> Result<Surface, FileError> {
+    let triangles = match binary(bytes)? {
+        Some(triangles) => triangles,
+        None => text(bytes)?,
+    };
+    if triangles.corners.is_empty() {
+        return Err(triangles.wrong(0, "there are no triangles".to_owned()));
+    }
+    let (points, mut rings) = joined(&triangles.corners);
+    rings.retain(|[a, b, c]| a != b && b != c && c != a);
+    Ok((points.iter().map(Vec3::to_array).collect(), rings))
+}
+
 /// Triangles and where they are.
 struct Triangles {
     corners: Vec<[Vec3; 3]>,

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::Point;
 use super::files::{Polygons, Traces};
 use super::joints::{JointPlanes, JointSet};
-use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron};
+use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron, Terrain};
 use crate::quantity::{
     Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, PositiveLength, Quantity, Spin,
     Vector, Velocity,
@@ -18,7 +18,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 
 /// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
 /// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
-/// `grid`, `polyhedron` or `mesh`, which `cut` may divide.
+/// `grid`, `polyhedron` or `mesh`, which `cut` may divide, or `terrain`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
@@ -69,6 +69,9 @@ pub struct Block {
     /// Cells of a mesh of Gmsh, a tessellation of Neper or surfaces in STL.
     #[key(space = "spatial", instead = "use `voronoi` or `cut`")]
     pub mesh: Option<Mesh>,
+    /// Fixed ground with one height per place.
+    #[key(space = "spatial", instead = "use a fixed `polygon`")]
+    pub terrain: Option<Terrain>,
     /// How the blocks deform. Default rigid.
     #[key(
         space = "spatial",
@@ -121,6 +124,8 @@ pub enum Geometry<'a> {
     Polyhedron(&'a Polyhedron),
     /// `mesh`
     Mesh(&'a Mesh),
+    /// `terrain`
+    Terrain(&'a Terrain),
 }
 
 impl Geometry<'_> {
@@ -131,7 +136,8 @@ impl Geometry<'_> {
             | Geometry::Rectangle(_)
             | Geometry::Regular(_)
             | Geometry::Brick(_)
-            | Geometry::Polyhedron(_) => false,
+            | Geometry::Polyhedron(_)
+            | Geometry::Terrain(_) => false,
             Geometry::Wall(_)
             | Geometry::Arch(_)
             | Geometry::Cut(_)
@@ -177,6 +183,9 @@ impl Block {
                 .as_ref()
                 .map(|g| ("polyhedron", Geometry::Polyhedron(g))),
             self.mesh.as_ref().map(|g| ("mesh", Geometry::Mesh(g))),
+            self.terrain
+                .as_ref()
+                .map(|g| ("terrain", Geometry::Terrain(g))),
         ]
         .into_iter()
         .flatten()

@@ -30,8 +30,8 @@ pub enum Grid {
     Cells(GridCells),
 }
 
-/// A box divided into the Voronoi cells of points: of a square lattice with `turned` or `site`, random ones otherwise. Along an edge
-/// of the box that is about as long as a cell there is one layer, so that the cells of a plate are prisms.
+/// A box divided into the Voronoi cells of points: of a square lattice with `turned` or `site`, random ones otherwise. A box
+/// about one cell thick has one layer: the cells of a plate are prisms.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct GridCells {
@@ -51,8 +51,8 @@ pub struct GridCells {
     /// Lloyd iterations that make random cells more equal, at most 1000.
     #[key(default = 10, max = 1000)]
     pub relax: Option<u64>,
-    /// Takes a prism of this many equal sides about z (3 to 1000) that touches the sides of the box instead of the whole box: with many
-    /// sides a disk. One side is the face `y-max`; x and y edges of the box must be equal. Default the box.
+    /// Equal sides (3 to 1000) of a prism about z that touches the sides of the box and takes its place; many make a disk. One side is
+    /// `y-max`; x and y edges of the box are equal. Default the box.
     #[key(min = 3, max = 1000)]
     pub sides: Option<u64>,
 }
@@ -89,19 +89,34 @@ pub struct Polyhedron {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary): its volume elements of first
-    /// order (tetrahedra, hexahedra, prisms, pyramids). Physical volumes become groups of their blocks, physical surfaces
-    /// groups of the blocks that have a face in them and sets of faces for boundaries (`on.surface`).
+    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary): its volume elements of first order (tetrahedra, hexahedra, prisms,
+    /// pyramids). Physical volumes become groups of their blocks, physical surfaces groups of the blocks with a face in them and sets of
+    /// faces (`on.surface`).
     pub msh: Option<Name>,
     /// Path of a tessellation of Neper in three dimensions.
     pub tess: Option<Name>,
-    /// Path of an STL file (text or binary): each connected part that is closed and convex is
-    /// a block.
+    /// Path of an STL file (text or binary): each closed convex part is a block.
     pub stl: Option<Name>,
     /// What the length 1 in the file stands for, m. Default 1 m.
     pub unit: Option<Quantity<PositiveLength>>,
     /// Name of the physical volume whose elements are taken (`msh`). Default all.
     pub volume: Option<Name>,
+}
+
+/// Ground with one height per place, as a measured slope. What acts between it and blocks is the interface of the two materials; upright
+/// walls are bricks. Exactly one of `asc`, `csv` and `stl`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Terrain {
+    /// Path of an ASCII grid of ESRI: heights of cells; those without may lie at the rim.
+    pub asc: Option<Name>,
+    /// Path of a CSV file with columns `x_m`, `y_m`, `z_m`: a rectangular grid in any order.
+    pub csv: Option<Name>,
+    /// Path of an STL file: one open surface.
+    pub stl: Option<Name>,
+    /// Length of 1 in `asc` or `stl`.
+    #[key(default = "1 m")]
+    pub unit: Option<Quantity<PositiveLength>>,
 }
 
 /// How blocks deform. Exactly one form.

@@ -26,7 +26,7 @@ impl Rules {
                 "voronoi",
                 "pour",
             ],
-            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh"],
+            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh", "terrain"],
         };
         let flags: Vec<(&str, bool)> = all
             .iter()
@@ -38,6 +38,20 @@ impl Rules {
         // A shape of the other space was refused already.
         if given.iter().all(|(key, _)| all.contains(key)) {
             self.one_of(span, &of, &flags);
+        }
+        if block.terrain.is_some() {
+            let moves = [
+                ("cut", block.cut.is_some()),
+                ("copies", block.copies.is_some()),
+                ("mechanics", block.mechanics.is_some()),
+                ("velocity", block.velocity.is_some()),
+                ("spin", block.spin.is_some()),
+            ];
+            for (word, _) in moves.into_iter().filter(|(_, given)| *given) {
+                let message = format!("{of} is terrain and has `{word}`");
+                let help = "terrain is one fixed body: leave it out";
+                self.error("key.forbidden", span, message, help);
+            }
         }
         if let Some(cut) = &block.cut {
             self.cut(span, &of, cut);
@@ -110,6 +124,20 @@ impl Rules {
                 if let (Some(volume), None) = (&mesh.volume, &mesh.msh) {
                     let message = format!("{of} has `volume` without `msh`");
                     self.error("key.forbidden", &volume.span, message, "leave it out");
+                }
+            }
+            Geometry::Terrain(terrain) => {
+                let of = format!("the terrain of {of}");
+                let given = [
+                    ("asc", terrain.asc.is_some()),
+                    ("csv", terrain.csv.is_some()),
+                    ("stl", terrain.stl.is_some()),
+                ];
+                self.one_of(span, &of, &given);
+                if let (Some(unit), Some(_)) = (&terrain.unit, &terrain.csv) {
+                    let message = format!("{of} has `unit` and `csv`");
+                    let help = "the columns of a CSV file have their units in their names";
+                    self.error("key.forbidden", &unit.span, message, help);
                 }
             }
             Geometry::Polygons(polygons) => {

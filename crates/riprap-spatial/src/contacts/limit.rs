@@ -122,7 +122,7 @@ pub(super) fn reach(world: &World) -> f64 {
 }
 
 /// How easily forces move and turn a block.
-struct Ease {
+pub(super) struct Ease {
     /// 1/kg.
     mass: f64,
     /// 1/(kg m²).
@@ -134,7 +134,7 @@ struct Ease {
 }
 
 impl Ease {
-    fn of(world: &World, desk: &Desk, b: usize) -> Self {
+    pub(super) fn of(world: &World, desk: &Desk, b: usize) -> Self {
         let [free, turns] = world.freedoms(b);
         let solid = world.solid_of(b);
         let diagonal = Vec3::new(
@@ -153,7 +153,7 @@ impl Ease {
     }
 
     /// `1/m + (h² + 2 A/3)/I`.
-    fn of_area(&self, area: f64) -> f64 {
+    pub(super) fn of_area(&self, area: f64) -> f64 {
         self.of_extent(self.height + 2.0 * area / 3.0)
     }
 

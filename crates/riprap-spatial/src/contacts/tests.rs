@@ -83,7 +83,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
 pub(super) struct Run {
     pub(super) world: World,
     pub(super) scratch: Scratch,
-    dt: f64,
+    pub(super) dt: f64,
 }
 
 impl Run {

@@ -28,6 +28,14 @@ pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
             }
             (body, centroid)
         }
+        Shape::Terrain(surface) => {
+            let body = surface.body();
+            let body = Polyhedron {
+                vertices: body.vertices,
+                faces: body.faces,
+            };
+            (body, Vec3::ZERO)
+        }
     }
 }
 

@@ -6,6 +6,8 @@ use super::friction::{ContactLaw, Wrench};
 use super::search::Candidates;
 use super::shape::{Pose, Shape};
 use super::surface::Walker;
+use super::terrain::{Terrain, Treader};
+use crate::state::found::FacetContact;
 
 /// Room for all found contacts of a model.
 #[derive(Debug, Default)]
@@ -46,6 +48,8 @@ pub struct Desk {
     pub damped: bool,
     /// The contact that is deepest for its blocks; `None` where none touch.
     pub deepest: Option<Deepest>,
+    /// Of blocks on terrain.
+    pub terrain: TerrainDesk,
 }
 
 /// How deep two blocks lie in each other.
@@ -68,6 +72,38 @@ impl Deepest {
             (a, b) => a.or(b),
         }
     }
+}
+
+/// Room for all blocks on terrain.
+#[derive(Debug, Default)]
+pub struct TerrainDesk {
+    /// Blocks that are terrain, ascending.
+    pub blocks: Vec<u32>,
+    /// Their surfaces.
+    pub grounds: Vec<Terrain>,
+    /// The law of each block on each of them; none for blocks that do not meet terrain.
+    pub laws: Vec<Vec<ContactLaw>>,
+    /// What terrain does to each block.
+    pub exerted: Vec<Acting>,
+    /// Room of each run of blocks.
+    pub rooms: Vec<TerrainRoom>,
+    /// Whether any contact has dashpots.
+    pub damped: bool,
+}
+
+/// Room and sums of a run of blocks on terrain.
+#[derive(Debug, Default)]
+pub struct TerrainRoom {
+    /// Finds surfaces.
+    pub treader: Treader,
+    /// Normals of the block, turned into space.
+    pub normals: Vec<Vec3>,
+    /// Contacts of the block that have not been found yet.
+    pub old: Vec<FacetContact>,
+    /// Blocks that have gone over the rim in this step.
+    pub left: Vec<u32>,
+    /// Heat of friction in this step, J.
+    pub friction: f64,
 }
 
 /// What is the same in all steps for a pair.
@@ -112,6 +148,12 @@ pub struct Share {
 }
 
 impl Share {
+    /// Adds another share.
+    pub fn plus(&mut self, other: &Self) {
+        self.force += other.force;
+        self.moment += other.moment;
+    }
+
     /// Adds what a contact does to its first or second block.
     pub fn add(&mut self, wrench: &Wrench, second: bool) {
         if second {

@@ -14,7 +14,6 @@ use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::offset::{self, Offset};
-use super::piece::{self, Frame, Polygon};
 use super::surface::Sums;
 use crate::laws::mohr_coulomb::shear_limit;
 
@@ -175,8 +174,8 @@ struct Contact {
 pub struct Question<'a> {
     /// Sums over the surface.
     pub sums: &'a Sums,
-    /// Its largest piece, for the mean radius.
-    pub largest: (&'a Polygon, &'a Frame),
+    /// Mean distance of the pressure from a point (m from the origin of the planes), m; asked only near slip.
+    pub mean_radius: &'a dyn Fn(Vec3) -> f64,
     /// Origin of the planes in space, m.
     pub origin: Vec3,
     /// Centroids of A and B, m.
@@ -278,7 +277,7 @@ pub fn respond(
         let along = dashpot(law.shear_stiffness);
         shear -= along * v.along;
         torsion -= along * c.polar / c.area * v.twist;
-        let excess = limit.excess(shear, torsion, &c, q.largest);
+        let excess = limit.excess(shear, torsion, &c, q.mean_radius);
         if excess > 1.0 {
             shear /= excess;
             torsion /= excess;
@@ -385,7 +384,7 @@ fn advance(
         shear * shrunk(memory.area, c.area) - law.shear_stiffness * c.area * q.dt * v.along;
     memory.torsion =
         torsion * shrunk(memory.polar, c.polar) - law.shear_stiffness * c.polar * q.dt * v.twist;
-    let excess = limit.excess(memory.shear, memory.torsion, c, q.largest);
+    let excess = limit.excess(memory.shear, memory.torsion, c, q.mean_radius);
     memory.sliding = excess > 1.0;
     if memory.sliding {
         memory.shear /= excess;
@@ -412,7 +411,7 @@ impl Limit {
         shear: Vec3,
         torsion: f64,
         c: &Contact,
-        (polygon, frame): (&Polygon, &Frame),
+        mean_radius: &dyn Fn(Vec3) -> f64,
     ) -> f64 {
         // A NaN lets nothing through.
         if self.force.is_nan() || self.force <= 0.0 {
@@ -426,8 +425,7 @@ impl Limit {
         if bound <= 1.0 || self.exact {
             return bound;
         }
-        let arm = c.point - frame.foot;
-        self.radius = piece::mean_radius(polygon, frame.axes.map(|axis| arm.dot(axis)));
+        self.radius = mean_radius(c.point);
         self.exact = true;
         ratio(self.radius)
     }

@@ -128,7 +128,7 @@ impl Two {
         self.lowest = self.lowest.min(self.blocks[1].pose.position.z);
         let question = Question {
             sums: &sums,
-            largest: (&self.walker.largest, &self.walker.largest_frame),
+            mean_radius: &|point| self.walker.mean_radius(point),
             origin: placed.origin(),
             centres: [0, 1].map(|s| self.blocks[s].pose.position),
             motion: [0, 1].map(|s| self.blocks[s].motion()),

@@ -7,7 +7,7 @@
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
 //! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow;
-//! `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
+//! `terrain` is a block on a height field; `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
@@ -24,6 +24,7 @@ pub mod planes;
 pub mod search;
 pub mod shape;
 pub mod surface;
+pub mod terrain;
 pub mod tetra;
 
 pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
@@ -33,6 +34,7 @@ pub use planes::Planes;
 pub use search::{Blocks, Candidate, Candidates, Search};
 pub use shape::{Body, Pose, Shape, ShapeError, turn};
 pub use surface::{Found, Pair, Sums, Walker};
+pub use terrain::{Reached, Terrain, Treader};
 
 #[cfg(test)]
 mod impacts;

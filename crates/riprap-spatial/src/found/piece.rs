@@ -172,6 +172,24 @@ impl Cutter {
         polygon.len() >= 3
     }
 
+    /// Cuts the piece made last by a further plane, `normal . x <= offset`, beyond which nothing is looked for; whether
+    /// anything is left.
+    pub fn clip(&mut self, frame: &Frame, normal: Vec3, offset: f64) -> bool {
+        let slope = self.polygon.slope;
+        let [a, b] = frame.axes.map(|axis| normal.dot(axis));
+        if !self.cut(a, b, offset - normal.dot(frame.foot), BOUNDARY) {
+            return false;
+        }
+        let [w, u, v] = slope;
+        let polygon = &mut self.polygon;
+        polygon.slope = slope;
+        polygon.depth.clear();
+        for (s, t) in polygon.s.iter().zip(&polygon.t) {
+            polygon.depth.push(w - u * s - v * t);
+        }
+        polygon.len() >= 3
+    }
+
     /// All planes in the coordinates of the frame: `u s + v t <= w`.
     fn project(&mut self, planes: &Planes, frame: &Frame) {
         let n = planes.len();
@@ -279,11 +297,18 @@ pub fn integrate(polygon: &Polygon) -> Integrals {
 }
 
 /// Mean distance of the pressure from the point `at` (plane coordinates), m: `int p |x - at| dS / int p dS`, exact.
+#[must_use]
+pub fn mean_radius(polygon: &Polygon, at: [f64; 2]) -> f64 {
+    let [above, below] = lever(polygon, at);
+    above / below
+}
+
+/// `int p |x - at| dS` and `int p dS`, exact.
 ///
 /// Edge by edge: the triangle from the point to an edge at distance h has, with `R² = h² + s²` along the edge,
 /// `int p r dA = h int R (p_c / 3 + (p - p_c) / 4) ds`.
 #[must_use]
-pub fn mean_radius(polygon: &Polygon, at: [f64; 2]) -> f64 {
+pub fn lever(polygon: &Polygon, at: [f64; 2]) -> [f64; 2] {
     let [w, u, v] = polygon.slope;
     let centre = w - u * at[0] - v * at[1];
     let (mut above, mut below) = (0.0, 0.0);
@@ -318,7 +343,7 @@ pub fn mean_radius(polygon: &Polygon, at: [f64; 2]) -> f64 {
         above += h * (centre * k0 / 3.0 + ((base - centre) * k0 + rise * k1) / 4.0);
         below += h * length * (centre / 2.0 + (0.5 * (p + q) - centre) / 3.0);
     }
-    above / below
+    [above, below]
 }
 
 #[cfg(test)]

@@ -55,6 +55,36 @@ pub struct Sums {
     pub unlabelled: u32,
 }
 
+impl Sums {
+    /// Adds a share of a piece; its weight, m³.
+    pub(super) fn add(&mut self, polygon: &Polygon, frame: &Frame, share: f64) -> f64 {
+        let i = piece::integrate(polygon);
+        let (c, m, [e, h]) = (frame.foot, frame.normal, frame.axes);
+        let weight = share * i.depth;
+        let first = share * (c * i.depth + e * i.depth_first[0] + h * i.depth_first[1]);
+        self.pieces += 1;
+        self.force += weight * m;
+        self.moment += first.cross(m);
+        self.weight += weight;
+        self.weight_first += first;
+        self.weight_second += share * (c.length_squared() * i.depth + i.depth_second);
+        self.area += share * i.area;
+        self.area_first += share * (c * i.area + e * i.area_first[0] + h * i.area_first[1]);
+        let [ss, st, tt] = i.area_second;
+        let [a, b] = i.area_first;
+        // (c + e s + h t)(c + e s + h t)ᵀ, column by column of e and h.
+        let (along_e, along_h) = (c * a + e * ss + h * st, c * b + e * st + h * tt);
+        let along_c = c * i.area + e * a + h * b;
+        for (k, column) in self.area_second.iter_mut().enumerate() {
+            *column += share * (c[k] * along_c + e[k] * along_e + h[k] * along_h);
+        }
+        self.vector_area += share * i.area * m;
+        let deepest = polygon.depth.iter().copied();
+        self.depth = self.depth.max(2.0 * deepest.fold(0.0, f64::max));
+        weight
+    }
+}
+
 /// What was found of a pair.
 #[expect(
     clippy::large_enum_variant,
@@ -262,36 +292,23 @@ impl Walker {
     }
 
     fn add(&mut self, frame: &Frame, piece: [u16; 2], share: f64) {
-        let i = piece::integrate(&self.cutter.polygon);
-        let (c, m, [e, h]) = (frame.foot, frame.normal, frame.axes);
-        let weight = share * i.depth;
-        let first = share * (c * i.depth + e * i.depth_first[0] + h * i.depth_first[1]);
+        let weight = self.sums.add(&self.cutter.polygon, frame, share);
         let sums = &mut self.sums;
-        sums.pieces += 1;
-        sums.force += weight * m;
-        sums.moment += first.cross(m);
-        sums.weight += weight;
-        sums.weight_first += first;
-        sums.weight_second += share * (c.length_squared() * i.depth + i.depth_second);
-        sums.area += share * i.area;
-        sums.area_first += share * (c * i.area + e * i.area_first[0] + h * i.area_first[1]);
-        let [ss, st, tt] = i.area_second;
-        let [a, b] = i.area_first;
-        // (c + e s + h t)(c + e s + h t)ᵀ, column by column of e and h.
-        let (along_e, along_h) = (c * a + e * ss + h * st, c * b + e * st + h * tt);
-        let along_c = c * i.area + e * a + h * b;
-        for (k, column) in sums.area_second.iter_mut().enumerate() {
-            *column += share * (c[k] * along_c + e[k] * along_e + h[k] * along_h);
-        }
-        sums.vector_area += share * i.area * m;
-        let deepest = self.cutter.polygon.depth.iter().copied();
-        sums.depth = sums.depth.max(2.0 * deepest.fold(0.0, f64::max));
         if sums.hint.is_none() || weight > self.largest_weight {
             self.largest_weight = weight;
             sums.hint = Some(piece);
             self.largest.copy(&self.cutter.polygon);
             self.largest_frame = *frame;
         }
+    }
+
+    /// Mean distance of the pressure on the largest piece of the pair evaluated last from a point (m from the origin of the
+    /// planes), m.
+    #[must_use]
+    pub fn mean_radius(&self, point: Vec3) -> f64 {
+        let frame = &self.largest_frame;
+        let arm = point - frame.foot;
+        piece::mean_radius(&self.largest, frame.axes.map(|axis| arm.dot(axis)))
     }
 
     fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {

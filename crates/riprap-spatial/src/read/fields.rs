@@ -220,6 +220,9 @@ fields! {
     "block.force" "N" Block Vector3 false "Sum of all forces on the block, damping and supports excluded." |v, of| v.scratch.net.force(first(of));
     "block.moment" "N m" Block Vector3 false "Sum of all moments about the centroid." |v, of| v.scratch.net.moment(first(of));
     "block.kinetic" "J" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
+    "block.energy_head" "m" Block Scalar false "Height to which the energy of the block would lift its centroid: its height and its kinetic energy over its weight." |v, of| one(v.energy_head(first(of)));
+    "block.terrain_force" "N" Block Vector3 false "Force of all terrain on the block." |v, of| v.on_terrain(first(of)).0;
+    "block.terrain_depth" "m" Block Scalar false "How deep the block lies in terrain; 0 when apart." |v, of| one(v.on_terrain(first(of)).1);
     "block.stress_normal" "Pa" Block Vector3 true "Average stress of the block, normal components xx, yy, zz as x, y, z; tension positive." |v, of| { let s = stress(v, of); Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z) };
     "block.stress_shear" "Pa" Block Vector3 true "Average stress of the block, shear components yz, zx, xy as x, y, z." |v, of| { let s = stress(v, of); Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x) };
     "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[2]);
@@ -250,6 +253,8 @@ fields! {
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(members(v, of), |b| v.rotation(b).length());
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(members(v, of), |b| v.velocity(b).length());
     "group.peak_speed" "m/s" Group Scalar false "Largest peak particle velocity in the group." |v, of| largest(members(v, of), |b| v.peak_speed(b));
+    "group.energy_head" "m" Group Scalar false "Largest height to which the energy of a block of the group would lift its centroid." |v, of| largest(members(v, of), |b| v.energy_head(b));
+    "group.left_terrain" "-" Group Scalar false "Number of the group's blocks that have gone over the rim of the terrain." |v, of| { let left = v.left_terrain(); one(members(v, of).filter(|b| left.contains(&(*b as u32))).count() as f64) };
     "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
     "group.blocks" "-" Group Scalar false "Number of the group's blocks that are there." |v, of| one(members(v, of).count() as f64);
     "model.time" "s" Model Scalar false "Model time." |v, _| one(v.world.time);
@@ -267,8 +272,8 @@ fields! {
     "model.max_overlap" "m" Model Scalar false "How far two blocks lie in each other at most, by found contacts." |v, _| one(v.contacts().map(|c| c.depth).fold(0.0, f64::max));
     "model.contact_sliding" "-" Model Scalar false "Share of the found contacts that slide." |v, _| { let n = v.contacts().count(); one(v.contacts().filter(|c| c.sliding).count() as f64 / n.max(1) as f64) };
     "model.finite" "-" Model Scalar true "Number of blocks that use finite rotations." |v, _| one(v.living().filter(|&b| v.world.turned[b].is_some()).count() as f64);
-    "model.mass" "kg" Model Scalar true "Mass of all blocks." |v, _| one(v.living().map(|b| v.world.solid_of(b).mass).sum());
-    "model.volume" "m3" Model Scalar true "Volume of all blocks." |v, _| one(v.living().map(|b| v.world.solid_of(b).volume).sum());
+    "model.mass" "kg" Model Scalar true "Mass of all blocks, without terrain." |v, _| one(v.living().filter(|&b| !v.world.is_terrain(b)).map(|b| v.world.solid_of(b).mass).sum());
+    "model.volume" "m3" Model Scalar true "Volume of all blocks, without terrain." |v, _| one(v.living().filter(|&b| !v.world.is_terrain(b)).map(|b| v.world.solid_of(b).volume).sum());
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).length());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
@@ -449,5 +454,7 @@ fn holds(view: &View<'_>, b: usize, point: Vec3) -> bool {
             let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
             normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
         }),
+        // Points of terrain do not move.
+        Shape::Terrain(_) => false,
     }
 }

@@ -8,7 +8,7 @@ use crate::laws::norm;
 use crate::patch;
 use crate::read::fields::principal;
 use crate::read::view::View;
-use crate::setup::Shape;
+use crate::setup::{Shape, Solid};
 use crate::world::flag;
 
 /// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
@@ -82,14 +82,25 @@ fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) 
                 let arm = attitude * (*corner - centroid);
                 frame.points.push((place + arm).to_array());
             }
-            for face in &solid.faces {
-                solids.corners.extend_from_slice(face);
-                solids.ends.push(solids.corners.len() as u32);
-            }
+            put_faces(solid, solids);
+        }
+        Shape::Terrain(surface) => {
+            let body = surface.body();
+            let moved = place - world.reference[b];
+            let points = body.vertices.iter();
+            frame.points.extend(points.map(|p| (moved + *p).to_array()));
+            put_faces(&body, solids);
         }
     }
     solids.faces.push(solids.ends.len() as u32 - 1);
     frame.offsets.push(frame.points.len() as u32);
+}
+
+fn put_faces(solid: &Solid, solids: &mut Solids) {
+    for face in &solid.faces {
+        solids.corners.extend_from_slice(face);
+        solids.ends.push(solids.corners.len() as u32);
+    }
 }
 
 fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {

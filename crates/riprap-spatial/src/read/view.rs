@@ -387,6 +387,8 @@ impl View<'_> {
             out.contact_normal += pair.energy;
             out.contact_shear += pair.stored;
         }
+        let facets = self.world.found.terrain.iter().flat_map(|on| &on.facets);
+        out.contact_shear += facets.map(|facet| facet.stored).sum::<f64>();
         out.bond = self.boundary_energy() + self.strain_energy();
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
@@ -418,7 +420,9 @@ impl View<'_> {
         };
         let patches = self.scratch.exec.largest(list.len(), one);
         let patches = patches.map(|(ratio, [i, j])| (ratio, i, j));
-        let both = patches.into_iter().chain(self.soft_overlaps());
+        let both = (patches.into_iter())
+            .chain(self.soft_overlaps())
+            .chain(self.terrain_overlaps());
         both.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
@@ -429,5 +433,49 @@ impl View<'_> {
             .zip(&self.scratch.soft.constants)
             .filter(|(pair, _)| pair.depth > 0.0)
             .map(|(pair, k)| (pair.depth / k.peak, pair.ends[0], pair.ends[1]))
+    }
+
+    /// Blocks that have gone over the rim of the terrain.
+    #[must_use]
+    pub fn left_terrain(&self) -> Vec<u32> {
+        let all = (0..).zip(&self.world.found.terrain);
+        all.filter(|(_, on)| on.left).map(|(b, _)| b).collect()
+    }
+
+    /// Force of all terrain on a block, N, and how deep it lies in it, m.
+    #[must_use]
+    pub fn on_terrain(&self, b: usize) -> (Vec3, f64) {
+        let facets = self.world.found.terrain.get(b).into_iter();
+        facets
+            .flat_map(|on| &on.facets)
+            .fold((Vec3::ZERO, 0.0), |(force, depth), facet| {
+                (force + facet.force, depth.max(facet.depth))
+            })
+    }
+
+    /// Height to which the energy of a block would lift its centroid: its height (global) and its kinetic energy over its weight, m. Not a
+    /// number without gravity.
+    #[must_use]
+    pub fn energy_head(&self, b: usize) -> f64 {
+        let weight = self.world.solid_of(b).mass * self.world.gravity.length();
+        let height = self.up().dot(self.position(b) + self.world.setup.origin);
+        if weight > 0.0 {
+            height + self.kinetic(b) / weight
+        } else {
+            f64::NAN
+        }
+    }
+
+    /// Depth of each block in terrain over its inscribed radius, with both.
+    fn terrain_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
+        let desk = &self.scratch.desk;
+        let blocks = self.world.found.terrain.iter().enumerate();
+        blocks.flat_map(move |(b, on)| {
+            let inradius = desk.shapes[self.world.solid[b] as usize].inradius;
+            on.facets.iter().map(move |facet| {
+                let terrain = desk.terrain.blocks[facet.key[0] as usize];
+                (facet.depth / inradius, terrain, b as u32)
+            })
+        })
     }
 }

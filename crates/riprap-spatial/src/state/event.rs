@@ -37,6 +37,8 @@ pub enum EditKind {
     Ignited,
     /// The gas of a cavity began to escape.
     Vented,
+    /// A block went over the rim of the terrain.
+    LeftTerrain,
 }
 
 /// How a block was cut.

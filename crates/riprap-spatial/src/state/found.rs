@@ -19,6 +19,36 @@ pub struct FoundContacts {
     pub longest_step: Option<f64>,
     /// Those of deformable blocks.
     pub soft: super::soft::SoftContacts,
+    /// What each block has to do with terrain; empty without terrain.
+    pub terrain: Vec<OnTerrain>,
+}
+
+/// A block that terrain acts on.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct OnTerrain {
+    /// Way that its points can go before it can touch, m.
+    pub clear: f64,
+    /// Whether its centroid has been beside all terrain: it falls for ever.
+    pub left: bool,
+    /// Its contacts, by terrain and facet.
+    pub facets: Vec<FacetContact>,
+}
+
+/// A block on a facet of terrain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FacetContact {
+    /// Place of the terrain among all, and number of the facet.
+    pub key: [u32; 2],
+    /// Springs along the contact.
+    pub memory: Memory,
+    /// Energy in these springs, J.
+    pub stored: f64,
+    /// Force of the terrain on the block at the last evaluation, N.
+    pub force: riprap_geom::Vec3,
+    /// How deep the block lies in the terrain there, m.
+    pub depth: f64,
+    /// Area across the normal, m².
+    pub area: f64,
 }
 
 /// Two blocks that can touch.

@@ -65,6 +65,16 @@ impl World {
             hash.numbers(&m.normal.to_array());
             hash.numbers(&[m.torsion, m.area, m.polar]);
         }
+        for (b, on) in self.found.terrain.iter().enumerate() {
+            for facet in &on.facets {
+                let (m, [terrain, number]) = (&facet.memory, facet.key);
+                hash.count(b as u64);
+                hash.count(u64::from(terrain) << 32 | u64::from(number));
+                hash.numbers(&m.shear.to_array());
+                hash.numbers(&m.normal.to_array());
+                hash.numbers(&[m.torsion, m.area, m.polar]);
+            }
+        }
         if let Some(deform) = &self.deform {
             bodies(&mut hash, deform);
             bonds(&mut hash, deform);

@@ -88,6 +88,12 @@ impl World {
         &self.solids[self.solid[b] as usize]
     }
 
+    /// Whether block `b` is terrain.
+    #[must_use]
+    pub fn is_terrain(&self, b: usize) -> bool {
+        self.setup.blocks[b].shape.is_terrain()
+    }
+
     /// Whether block `b` is deformable.
     #[must_use]
     pub fn deforms(&self, b: usize) -> bool {

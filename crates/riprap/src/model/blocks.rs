@@ -59,7 +59,8 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
             | Geometry::Brick(_)
             | Geometry::Grid(_)
             | Geometry::Polyhedron(_)
-            | Geometry::Mesh(_),
+            | Geometry::Mesh(_)
+            | Geometry::Terrain(_),
         ) => Vec::new(),
         Some(Geometry::Polygon(Polygon::Points(points))) => all(points),
         Some(Geometry::Rectangle(r)) => r.corner.iter().chain(&r.centre).map(global).collect(),
@@ -126,7 +127,8 @@ impl Builder<'_> {
             Geometry::Brick(_)
             | Geometry::Grid(_)
             | Geometry::Polyhedron(_)
-            | Geometry::Mesh(_) => return None,
+            | Geometry::Mesh(_)
+            | Geometry::Terrain(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
             Geometry::Pour(p) => {
                 let mut read = self.reading(format!("blocks.{}.pour", block.name), p);

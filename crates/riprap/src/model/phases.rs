@@ -76,6 +76,17 @@ impl Builder<'_> {
             let blocks = self.directory.all(names);
             self.take(blocks).unwrap_or_default()
         });
+        for name in &said.release {
+            let blocks = self.directory.all(std::slice::from_ref(name));
+            let terrain = |b: &u32| {
+                let block = self.spatial.blocks.get(*b as usize);
+                block.is_some_and(|block| block.shape.is_terrain())
+            };
+            if blocks.is_ok_and(|blocks| blocks.iter().any(terrain)) {
+                let message = format!("`{name}` is terrain: nothing can move it");
+                self.error_at("terrain.release", name, message, "leave it out");
+            }
+        }
         Phase {
             name: said.name.text.clone(),
             kind,

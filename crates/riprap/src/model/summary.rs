@@ -41,6 +41,8 @@ pub struct Summary {
     pub regions: Vec<Region>,
     /// Grids whose cells were fitted to a charge, in words.
     pub fitted: Vec<String>,
+    /// Terrain, in words: extent, triangles, steepest place.
+    pub terrain: Vec<String>,
     /// Charges and other cavities.
     pub charges: Vec<Charge>,
     /// Sum of the durations of all phases, s, if each has one.

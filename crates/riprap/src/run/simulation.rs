@@ -324,7 +324,22 @@ impl Simulation {
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);
         let others = residual.into_iter().chain(deepest);
         let off = meeting::off(&self.view()).into_iter();
-        off.chain(unconverged).chain(ends).chain(others).collect()
+        let all = off.chain(unconverged).chain(ends).chain(others);
+        all.chain(self.left_terrain()).collect()
+    }
+
+    /// Blocks that have gone over the rim of the terrain, in words.
+    fn left_terrain(&self) -> Option<String> {
+        let view = self.view();
+        let left = view.spatial()?.left_terrain();
+        let first = *left.first()?;
+        let name = view.name(first);
+        Some(match left.len() {
+            1 => format!("block `{name}` has gone over the rim of the terrain and falls for ever"),
+            n => format!(
+                "{n} blocks have gone over the rim of the terrain and fall for ever, `{name}` the first in number"
+            ),
+        })
     }
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.

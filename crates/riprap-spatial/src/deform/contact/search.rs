@@ -111,7 +111,7 @@ fn roles(world: &World) -> Vec<Role> {
     }
     let lattice = n > 0 && count[largest] > 1;
     let role = |b: usize| {
-        if !world.alive[b] {
+        if !world.alive[b] || world.is_terrain(b) {
             Role::Absent
         } else if lattice && whole[b] && find(&mut root, b as u32) as usize == largest {
             Role::Target

@@ -12,7 +12,7 @@ use crate::scenario::read::Provenance;
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
 use crate::scenario::{Diagnostic, Name, Quantity};
-use crate::spatial::setup::{Boundary, BoundaryKind, FaceSet, Shape};
+use crate::spatial::setup::{BlockSpec, Boundary, BoundaryKind, FaceSet, Shape};
 
 /// A face lies on a plane if it is nearer than this share of its block.
 const ON_PLANE: f64 = 1e-6;
@@ -41,7 +41,10 @@ impl Builder<'_> {
     /// Lowest and highest corner of the whole model, local coordinates, m.
     pub(super) fn model_bounds(&self) -> (Vec3, Vec3) {
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let boxes = self.spatial.blocks.iter().map(|b| bounds(&b.shape));
+        let blocks = &self.spatial.blocks;
+        let alone = blocks.iter().all(|b| b.shape.is_terrain());
+        let counts = |b: &&BlockSpec| alone || !b.shape.is_terrain();
+        let boxes = blocks.iter().filter(counts).map(|b| bounds(&b.shape));
         boxes.fold(start, |(low, high), (min, max)| {
             (low.min(min), high.max(max))
         })
@@ -248,5 +251,6 @@ pub(super) fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
                 along(n) && (d - offset).abs() <= slack
             })
         }
+        Shape::Terrain(_) => false,
     }
 }

@@ -51,7 +51,8 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
         | Geometry::Brick(_)
         | Geometry::Grid(Grid::Cells(_))
         | Geometry::Polyhedron(_)
-        | Geometry::Mesh(_) => None,
+        | Geometry::Mesh(_)
+        | Geometry::Terrain(_) => None,
     }
 }
 

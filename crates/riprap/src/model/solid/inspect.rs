@@ -11,7 +11,7 @@ use crate::run::plan::PhaseKind;
 use crate::scenario::language::Space;
 use crate::scenario::read::with_unit;
 use crate::scenario::{Diagnostic, Quantity, Span};
-use crate::spatial::setup::{BoundaryKind, FaceSet, InSitu, Shape};
+use crate::spatial::setup::{BlockSpec, BoundaryKind, FaceSet, InSitu, Shape};
 
 /// Overlap at the start that needs no reason, as a share of the smaller block.
 const ACCEPTED: f64 = 1e-6;
@@ -37,27 +37,34 @@ impl Builder<'_> {
     pub(in crate::model) fn inspect_solid(&mut self) {
         self.solid_summary();
         self.solid_overlaps();
+        self.on_terrain();
         self.stress_balance();
         self.solid_motion();
     }
 
     fn solid_summary(&mut self) {
         let blocks = &self.spatial.blocks;
+        let alone = blocks.iter().all(|b| b.shape.is_terrain());
+        let counts = |b: &&BlockSpec| alone || !b.shape.is_terrain();
         let mut sizes: Vec<f64> = blocks
             .iter()
+            .filter(counts)
             .map(|b| libm::cbrt(volume(&b.shape)))
             .collect();
         let mass = blocks
             .iter()
+            .filter(counts)
             .map(|b| volume(&b.shape) * self.spatial.materials[usize::from(b.material)].density)
             .sum();
         sizes.sort_by(f64::total_cmp);
         let corners = |shape: &Shape| match shape {
             Shape::Brick { .. } => 8,
             Shape::Polyhedron(solid) => solid.vertices.len(),
+            Shape::Terrain(surface) => surface.points.len(),
         };
         let vertices = blocks.iter().map(|b| corners(&b.shape)).sum();
-        let mut supported = vec![false; blocks.len()];
+        let held = blocks.iter().map(|b| b.shape.is_terrain());
+        let mut supported: Vec<bool> = held.collect();
         for support in &self.spatial.supports {
             for &block in &support.blocks {
                 supported[block as usize] = true;
@@ -66,7 +73,7 @@ impl Builder<'_> {
         let (min, max) = self.model_bounds();
         let origin = self.spatial.origin;
         let s = &mut self.summary;
-        s.blocks = sizes.len();
+        s.blocks = supported.len();
         s.vertices = vertices;
         s.supported = supported.iter().filter(|held| **held).count();
         s.materials = self.spatial.materials.len();
@@ -91,8 +98,8 @@ impl Builder<'_> {
         let shape = |k: u32| &self.spatial.blocks[blocks[k as usize] as usize].shape;
         let hull = |k: u32| match shape(k) {
             Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
-            // Two bricks are their boxes; a brick among polyhedra is rare.
-            Shape::Brick { .. } => None,
+            // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is told by `on_terrain`.
+            Shape::Brick { .. } | Shape::Terrain(_) => None,
         };
         let hulls: Vec<Option<Hull>> = (0..blocks.len() as u32).map(hull).collect();
         let mut bad: Vec<Overlap> = Vec::new();
@@ -146,6 +153,12 @@ impl Builder<'_> {
         let tables: Vec<(std::ops::Range<u32>, (Vec3, Vec3), bool)> = self
             .directory
             .tables()
+            // What lies in terrain is told by `on_terrain`.
+            .filter(|(_, blocks)| {
+                !blocks
+                    .clone()
+                    .any(|b| self.spatial.blocks[b as usize].shape.is_terrain())
+            })
             .map(|(name, blocks)| {
                 let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
                 let shapes = blocks
@@ -206,7 +219,7 @@ impl Builder<'_> {
     }
 
     /// Place of the table that made a block.
-    fn table_span(&self, block: u32) -> Span {
+    pub(super) fn table_span(&self, block: u32) -> Span {
         let table = self.directory.table(block);
         let mut blocks = self.parsed.scenario.blocks.iter();
         blocks
@@ -312,6 +325,9 @@ impl Builder<'_> {
             return true;
         }
         let mut side = (0u32..).zip(&self.spatial.blocks).filter(|(_, block)| {
+            if block.shape.is_terrain() {
+                return false;
+            }
             let (min, max) = bounds(&block.shape);
             let reach = if normal.max_element() > 0.5 {
                 normal.dot(max)

@@ -22,6 +22,7 @@ mod places;
 mod shapes;
 mod sources;
 mod supports;
+mod terrain;
 
 pub(super) use joints::{change_joint, reduce_joint};
 

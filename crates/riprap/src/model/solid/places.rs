@@ -114,6 +114,7 @@ impl Builder<'_> {
                         normal.dot(point) <= offset + slack
                     })
                 }
+                Shape::Terrain(_) => false,
             }
         };
         blocks
@@ -126,13 +127,17 @@ impl Builder<'_> {
         let smallest = self.smallest_half();
         (0u32..)
             .zip(&self.spatial.blocks)
-            .filter(|(_, block)| Cell::of(&block.shape).touches(region, TOUCH * smallest))
+            .filter(|(_, block)| {
+                !block.shape.is_terrain()
+                    && Cell::of(&block.shape).touches(region, TOUCH * smallest)
+            })
             .map(|(block, _)| block)
             .collect()
     }
 
     fn smallest_half(&self) -> f64 {
-        let halves = self.spatial.blocks.iter().map(|b| Cell::of(&b.shape).half);
+        let blocks = self.spatial.blocks.iter().filter(|b| !b.shape.is_terrain());
+        let halves = blocks.map(|b| Cell::of(&b.shape).half);
         halves.fold(f64::INFINITY, |least, half| least.min(half.min_element()))
     }
 

@@ -71,7 +71,8 @@ pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             | Geometry::Voronoi(_)
             | Geometry::Pour(_)
             // Its nodes are in a file, which is read later: what it says is local from the start.
-            | Geometry::Mesh(_),
+            | Geometry::Mesh(_)
+            | Geometry::Terrain(_),
         )
         | None => Vec::new(),
     }
@@ -113,6 +114,9 @@ impl Builder<'_> {
                     let made = self.mesh(block, said, shift);
                     self.enter_made(block, made, shift);
                     continue;
+                }
+                Some(Geometry::Terrain(said)) => {
+                    self.terrain(block, said, shift).map(|shape| vec![shape])
                 }
                 // Refused by the language: shapes of the other space.
                 Some(
@@ -411,6 +415,8 @@ fn moved(shape: &Shape, shift: Vec3) -> Shape {
             vertices: solid.vertices.iter().map(|v| *v + shift).collect(),
             faces: solid.faces.clone(),
         })),
+        // It has no copies.
+        Shape::Terrain(surface) => Shape::Terrain(surface.clone()),
     }
 }
 
@@ -422,6 +428,13 @@ pub(super) fn solid(shape: &Shape) -> Polyhedron {
             vertices: solid.vertices.clone(),
             faces: solid.faces.clone(),
         },
+        Shape::Terrain(surface) => {
+            let body = surface.body();
+            Polyhedron {
+                vertices: body.vertices,
+                faces: body.faces,
+            }
+        }
     }
 }
 
@@ -434,6 +447,7 @@ pub(super) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
             let vertices = solid.vertices.iter();
             vertices.fold(start, |(min, max), v| (min.min(*v), max.max(*v)))
         }
+        Shape::Terrain(surface) => surface.field().bounds(),
     }
 }
 
@@ -441,14 +455,14 @@ pub(super) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
 pub(super) fn volume(shape: &Shape) -> f64 {
     match shape {
         Shape::Brick { half, .. } => 8.0 * half.element_product(),
-        Shape::Polyhedron(_) => solid(shape).moments().volume,
+        Shape::Polyhedron(_) | Shape::Terrain(_) => solid(shape).moments().volume,
     }
 }
 
 fn centroid(shape: &Shape) -> Vec3 {
     match shape {
         Shape::Brick { centre, .. } => *centre,
-        Shape::Polyhedron(_) => solid(shape).moments().centroid,
+        Shape::Polyhedron(_) | Shape::Terrain(_) => solid(shape).moments().centroid,
     }
 }
 

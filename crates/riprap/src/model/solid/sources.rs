@@ -328,6 +328,8 @@ impl Builder<'_> {
             match self.spatial.blocks[block as usize].shape {
                 Shape::Brick { .. } => false,
                 Shape::Polyhedron(_) => true,
+                // Not among those that touch.
+                Shape::Terrain(_) => false,
             }
         });
         if let Some(block) = other {

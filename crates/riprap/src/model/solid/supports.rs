@@ -73,16 +73,18 @@ impl Builder<'_> {
 
     /// Whether a support holds a block in all freedoms.
     pub(super) fn held(&self, block: u32) -> bool {
-        self.spatial.supports.iter().any(|support| {
-            let all = match support.motion {
-                Motion::Fixed {
-                    translation,
-                    rotation,
-                } => translation == [true; 3] && rotation == [true; 3],
-                Motion::Velocity { .. } | Motion::Acceleration { .. } => false,
-            };
-            all && support.blocks.binary_search(&block).is_ok()
-        })
+        let terrain = |b: u32| self.spatial.blocks[b as usize].shape.is_terrain();
+        terrain(block)
+            || self.spatial.supports.iter().any(|support| {
+                let all = match support.motion {
+                    Motion::Fixed {
+                        translation,
+                        rotation,
+                    } => translation == [true; 3] && rotation == [true; 3],
+                    Motion::Velocity { .. } | Motion::Acceleration { .. } => false,
+                };
+                all && support.blocks.binary_search(&block).is_ok()
+            })
     }
 
     pub(super) fn solid_loads(&mut self) {

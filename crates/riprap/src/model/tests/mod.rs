@@ -15,6 +15,7 @@ mod foreign;
 mod interfaces;
 mod numbers;
 mod solid;
+mod terrain;
 mod unused;
 
 /// Begins a scenario in the plane.

@@ -112,5 +112,9 @@ pub(super) fn spatial_event(
         EditKind::Vented => serde_json::json!({
             "event": "gas_vented", "step": step, "time": time, "source": source(),
         }),
+        EditKind::LeftTerrain => serde_json::json!({
+            "event": "block_left_terrain", "step": step, "time": time,
+            "block": v.name(event.subject as usize),
+        }),
     }
 }

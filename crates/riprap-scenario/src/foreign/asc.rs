@@ -1,0 +1,181 @@
+//! Grids of heights as text: the ASCII raster of ESRI.
+//!
+//! A head of words with a number each, then one line of heights for each row of cells, the northern row first.
+//!
+//! Source: ESRI, "Esri ASCII raster format" (ArcGIS documentation).
+
+use super::{FileError, at_line, shown};
+
+/// Most cells of a grid.
+const MOST: usize = 4_000_000;
+
+/// Heights at the centres of the cells of a grid, in the length unit of the file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Heights {
+    /// Places of the columns, ascending.
+    pub x: Vec<f64>,
+    /// Places of the rows, ascending.
+    pub y: Vec<f64>,
+    /// Heights, row by row from the southern one, x running fastest; `None` where there is none.
+    pub z: Vec<Option<f64>>,
+}
+
+#[derive(Default)]
+struct Head {
+    columns: Option<usize>,
+    rows: Option<usize>,
+    /// Place of the lower left cell: the number, and whether it is its centre.
+    x: Option<(f64, bool)>,
+    y: Option<(f64, bool)>,
+    size: Option<f64>,
+    nothing: Option<f64>,
+}
+
+/// The heights that the bytes of a file describe.
+///
+/// # Errors
+/// The first thing that is wrong, with its line.
+pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut lines = (1..).zip(text.lines()).peekable();
+    let mut head = Head::default();
+    while let Some((line, text)) = lines.next_if(|(_, text)| is_head(text)) {
+        head.read(line, text)?;
+    }
+    let at = lines.peek().map_or(1, |(line, _)| *line);
+    let missing = |word: &str| at_line(at, format!("the head has no `{word}`"));
+    let columns = head.columns.ok_or_else(|| missing("ncols"))?;
+    let rows = head.rows.ok_or_else(|| missing("nrows"))?;
+    let size = head.size.ok_or_else(|| missing("cellsize"))?;
+    let x = head.x.ok_or_else(|| missing("xllcorner"))?;
+    let y = head.y.ok_or_else(|| missing("yllcorner"))?;
+    if columns < 2 || rows < 2 || columns.saturating_mul(rows) > MOST {
+        let text = format!(
+            "the grid has {columns} by {rows} cells: 2 to {MOST} in all are possible, 2 along each side at least"
+        );
+        return Err(at_line(at, text));
+    }
+    if size.is_nan() || size <= 0.0 {
+        return Err(at_line(at, "`cellsize` must be greater than zero"));
+    }
+    let places = |(start, centre): (f64, bool), count: usize| -> Vec<f64> {
+        let first = if centre { 0.0 } else { 0.5 };
+        (0..count)
+            .map(|k| start + (first + k as f64) * size)
+            .collect()
+    };
+    let mut north_first = Vec::with_capacity((columns * rows).min(bytes.len()));
+    let mut last = at;
+    for (line, text) in lines {
+        last = line;
+        for word in text.split_whitespace() {
+            let height = number(line, word)?;
+            north_first.push((head.nothing != Some(height)).then_some(height));
+        }
+    }
+    if north_first.len() != columns * rows {
+        let text = format!(
+            "{columns} by {rows} cells need {} heights, the file has {}",
+            columns * rows,
+            north_first.len()
+        );
+        return Err(at_line(last, text));
+    }
+    let z = north_first
+        .chunks(columns)
+        .rev()
+        .flatten()
+        .copied()
+        .collect();
+    Ok(Heights {
+        x: places(x, columns),
+        y: places(y, rows),
+        z,
+    })
+}
+
+/// Whether a line belongs to the head: it begins with a letter, or is empty.
+fn is_head(text: &str) -> bool {
+    let first = text.trim_start().chars().next();
+    first.is_none_or(|c| c.is_ascii_alphabetic())
+        && !text.trim_start().to_ascii_lowercase().starts_with("nan")
+}
+
+fn number(line: usize, word: &str) -> Result<f64, FileError> {
+    let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
+    number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
+}
+
+impl Head {
+    fn read(&mut self, line: usize, text: &str) -> Result<(), FileError> {
+        let mut words = text.split_whitespace();
+        let Some(key) = words.next() else {
+            return Ok(());
+        };
+        let (Some(word), None) = (words.next(), words.next()) else {
+            return Err(at_line(line, format!("`{}` needs one number", shown(key))));
+        };
+        let count = || {
+            let count = word.parse::<usize>().ok();
+            count.ok_or_else(|| at_line(line, format!("`{}` is no number of cells", shown(word))))
+        };
+        match key.to_ascii_lowercase().as_str() {
+            "ncols" => self.columns = Some(count()?),
+            "nrows" => self.rows = Some(count()?),
+            "xllcorner" => self.x = Some((number(line, word)?, false)),
+            "xllcenter" => self.x = Some((number(line, word)?, true)),
+            "yllcorner" => self.y = Some((number(line, word)?, false)),
+            "yllcenter" => self.y = Some((number(line, word)?, true)),
+            "cellsize" => self.size = Some(number(line, word)?),
+            "nodata_value" => self.nothing = Some(number(line, word)?),
+            _ => {
+                let text = format!(
+                    "`{}` is no word of the head: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, \
+                     NODATA_value",
+                    shown(key)
+                );
+                return Err(at_line(line, text));
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMALL: &str = "ncols 3\nnrows 2\nxllcorner 10\nyllcorner -5\ncellsize 2\nNODATA_value -9999\n1 2 -9999\n4 5 6\n";
+
+    #[test]
+    fn rows_come_from_the_north() {
+        let read = parse_asc(SMALL.as_bytes()).unwrap();
+        assert_eq!(read.x, [11.0, 13.0, 15.0]);
+        assert_eq!(read.y, [-4.0, -2.0]);
+        let some = |z: &[f64]| z.iter().map(|z| Some(*z)).collect::<Vec<_>>();
+        assert_eq!(read.z[..5], some(&[4.0, 5.0, 6.0, 1.0, 2.0]));
+        assert_eq!(read.z[5], None);
+        let centre = SMALL.replace("xllcorner", "XLLCENTER");
+        assert_eq!(parse_asc(centre.as_bytes()).unwrap().x[0], 10.0);
+    }
+
+    #[test]
+    fn says_what_is_wrong() {
+        let error = |from: &str, to: &str| {
+            let text = SMALL.replace(from, to);
+            assert!(text != SMALL);
+            parse_asc(text.as_bytes()).unwrap_err().to_string()
+        };
+        assert!(error("ncols 3\n", "").contains("no `ncols`"));
+        assert!(error("cellsize 2", "cellsize 0").contains("greater than zero"));
+        assert!(error("4 5 6", "4 5").contains("need 6 heights, the file has 5"));
+        assert!(error("4 5 6", "4 5 nan").contains("line 8"));
+        assert!(error("1 2 -9999", "nan 2 3").contains("no finite number"));
+        assert!(error("nrows 2", "nrows two").contains("line 2"));
+        assert!(error("nrows 2", "nrows 1").contains("2 along each side"));
+        assert!(error("nrows 2", "nrows 99999999999").contains("4000000"));
+        assert!(error("cellsize 2", "dx 2").contains("no word of the head"));
+        assert!(error("cellsize 2", "cellsize").contains("needs one number"));
+        assert!(parse_asc(b"").is_err());
+    }
+}

@@ -1,0 +1,328 @@
+//! Terrain in a step: what it does to each block that can be moved.
+//!
+//! Every such block has a state of its own, [`OnTerrain`]: how far it can go before it can touch, and its springs on each facet. Terrain
+//! needs no candidate list; a block looks at the triangles near it when it has gone far enough.
+
+use riprap_geom::Vec3;
+
+use super::make_shapes;
+use crate::exec::CHUNK;
+use crate::found::desk::{Acting, Desk, TerrainRoom};
+use crate::found::{
+    Body, ContactLaw, Motion, Question, Reached, Shape, Terrain, Wrench, respond, turn,
+};
+use crate::setup;
+use crate::state::event::EditKind;
+use crate::state::found::{FacetContact, OnTerrain};
+use crate::state::scratch::Scratch;
+use crate::world::World;
+
+/// How far a block looks for terrain, over its radius.
+const REACH: f64 = 1.0;
+/// Share of the stable step: the stiffness grows with the area. Half of that of pairs in the square, since a block may lie on terrain and on
+/// others at once and both limits are found apart.
+const SAFETY: f64 = 0.15;
+/// Share of the time until a block can touch that a step may take.
+const APPROACH: f64 = 0.25;
+
+impl World {
+    /// Whether there is terrain that blocks can meet.
+    #[must_use]
+    pub fn has_terrain(&self) -> bool {
+        !self.found.terrain.is_empty()
+    }
+
+    /// Whether terrain acts on block `b`.
+    fn meets_terrain(&self, b: usize) -> bool {
+        self.alive[b] && self.is_free(b) && !self.deforms(b) && !self.is_terrain(b)
+    }
+}
+
+/// What terrain does to all blocks, added to what found contacts do; `met` says whether those were found in this step.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
+    let n = world.alive.len();
+    let desk = &mut scratch.desk;
+    desk.acting.resize(n, Acting::default());
+    // Blocks without pairs still have what terrain did to them before.
+    for (b, acting) in desk.acting.iter_mut().enumerate() {
+        if !met || desk.place.get(b).is_none_or(|place| *place == u32::MAX) {
+            *acting = Acting::default();
+        }
+    }
+    let mut states = std::mem::take(&mut world.found.terrain);
+    states.resize_with(n, OnTerrain::default);
+    let mut exerted = std::mem::take(&mut desk.terrain.exerted);
+    exerted.resize(n, Acting::default());
+    let mut rooms = std::mem::take(&mut desk.terrain.rooms);
+    rooms.resize_with(n.div_ceil(CHUNK), TerrainRoom::default);
+    let evaluation = Evaluation {
+        world,
+        desk,
+        dt: world.pending,
+    };
+    scratch.exec.chunks2(
+        &mut states,
+        &mut exerted,
+        &mut rooms,
+        |first, states, exerted, room| {
+            room.friction = 0.0;
+            room.left.clear();
+            for (k, (state, exerted)) in states.iter_mut().zip(exerted).enumerate() {
+                evaluation.block(first + k, state, exerted, room);
+            }
+        },
+    );
+    for room in &rooms {
+        world.works.friction += room.friction;
+        for &b in &room.left {
+            let event = world.event(EditKind::LeftTerrain, b);
+            world.events.push(event);
+        }
+    }
+    for (acting, exerted) in desk.acting.iter_mut().zip(&exerted) {
+        acting.elastic.plus(&exerted.elastic);
+        acting.spring.plus(&exerted.spring);
+        acting.drag.plus(&exerted.drag);
+    }
+    world.found.terrain = states;
+    desk.terrain.exerted = exerted;
+    desk.terrain.rooms = rooms;
+    let limit = longest_step(world, &scratch.desk);
+    world.found.longest_step = world.found.longest_step.map(|step| step.min(limit));
+}
+
+/// Lays out what evaluation works with, after an edit or a change of laws anew. Comes before the sums of dashpots are laid out.
+pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
+    let n = world.alive.len();
+    if !world.has_terrain() {
+        return;
+    }
+    make_shapes(world, &mut scratch.desk);
+    let desk = &mut scratch.desk.terrain;
+    if !world.fresh && desk.laws.len() == n {
+        return;
+    }
+    let there = |b: &usize| world.alive[*b] && world.is_terrain(*b);
+    let blocks: Vec<u32> = (0..n).filter(there).map(|b| b as u32).collect();
+    if blocks != desk.blocks {
+        desk.grounds = blocks.iter().map(|b| ground(world, *b)).collect();
+        desk.blocks = blocks;
+    }
+    desk.laws.clear();
+    desk.damped = false;
+    for b in 0..n {
+        let shapes = &scratch.desk.shapes;
+        let laws = desk.blocks.iter().map(|&terrain| {
+            // Behind terrain there is no centroid: it counts as deep as the block.
+            let depth = shapes[world.solid[b] as usize].inradius;
+            super::law(&world.setup, [terrain, b as u32], [depth; 2])
+        });
+        let laws: Vec<ContactLaw> = if world.meets_terrain(b) {
+            laws.collect()
+        } else {
+            Vec::new()
+        };
+        desk.damped |= laws.iter().any(|law| law.damping_ratio > 0.0);
+        desk.laws.push(laws);
+    }
+    if world.fresh {
+        world.found.terrain.resize_with(n, OnTerrain::default);
+        for state in &mut world.found.terrain {
+            state.clear = 0.0;
+        }
+    }
+    scratch.tiles.make_rows(world);
+}
+
+/// The surface of a terrain block, ready for contact.
+fn ground(world: &World, b: u32) -> Terrain {
+    match &world.setup.blocks[b as usize].shape {
+        setup::Shape::Terrain(surface) => Terrain::new(surface.field()),
+        setup::Shape::Brick { .. } | setup::Shape::Polyhedron(_) => Terrain::default(),
+    }
+}
+
+struct Evaluation<'a> {
+    world: &'a World,
+    desk: &'a Desk,
+    dt: f64,
+}
+
+impl Evaluation<'_> {
+    fn block(&self, b: usize, state: &mut OnTerrain, exerted: &mut Acting, room: &mut TerrainRoom) {
+        *exerted = Acting::default();
+        if !self.world.meets_terrain(b) {
+            for facet in std::mem::take(&mut state.facets) {
+                room.friction += facet.stored;
+            }
+            return;
+        }
+        let bodies = &self.world.bodies;
+        let shape = &self.desk.shapes[self.world.solid[b] as usize];
+        let motion = Motion {
+            velocity: bodies.velocity(b),
+            spin: bodies.spin(b),
+            inverse_mass: inverse_mass(self.world, b),
+        };
+        let way = motion.velocity.length() + motion.spin.length() * shape.radius;
+        state.clear -= way * self.dt;
+        if state.clear > 0.0 && state.facets.is_empty() {
+            return;
+        }
+        let pose = self.world.pose(b);
+        room.normals.clear();
+        let turn = turn(shape, pose.rotation, &mut room.normals);
+        room.old.clear();
+        room.old.append(&mut state.facets);
+        let mut clear = f64::INFINITY;
+        for (k, terrain) in self.desk.terrain.grounds.iter().enumerate() {
+            let body = Body {
+                shape,
+                normals: &room.normals,
+                turn,
+                position: pose.position,
+            };
+            match room.treader.find(terrain, &body, REACH * shape.radius) {
+                Reached::Apart(gap) => clear = clear.min(gap),
+                Reached::Swallowed(_) => {
+                    // No force can be given: not a number stops the run with the name of the block.
+                    exerted.elastic.force = Vec3::NAN;
+                    clear = 0.0;
+                }
+                Reached::Touching => {
+                    clear = 0.0;
+                    let law = &self.desk.terrain.laws[b][k];
+                    self.facets(
+                        k as u32,
+                        law,
+                        shape,
+                        &motion,
+                        pose.position,
+                        state,
+                        exerted,
+                        room,
+                    );
+                }
+            }
+        }
+        state.clear = clear;
+        let beside = |terrain: &Terrain| terrain.depth(pose.position).is_none();
+        let grounds = &self.desk.terrain.grounds;
+        if !state.left && !grounds.is_empty() && grounds.iter().all(beside) {
+            state.left = true;
+            room.left.push(b as u32);
+        }
+        // What is left has parted.
+        let still = Motion::default();
+        for gone in room.old.drain(..) {
+            room.friction += gone.memory.work(&[still, motion], self.dt) + gone.stored;
+        }
+    }
+
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "one place calls it, in the middle of a block"
+    )]
+    fn facets(
+        &self,
+        terrain: u32,
+        law: &ContactLaw,
+        shape: &Shape,
+        motion: &Motion,
+        position: Vec3,
+        state: &mut OnTerrain,
+        exerted: &mut Acting,
+        room: &mut TerrainRoom,
+    ) {
+        let areas = room.treader.facets.iter();
+        let whole: f64 = areas.map(|on| on.sums.vector_area.length()).sum();
+        for on in &room.treader.facets {
+            let key = [terrain, on.facet];
+            let old = room.old.iter().position(|f| f.key == key);
+            let mut contact = old.map_or_else(
+                || FacetContact {
+                    key,
+                    ..FacetContact::default()
+                },
+                |k| room.old.remove(k),
+            );
+            // All facets together have the dashpot of one contact of their whole area, spread evenly over it.
+            let share = on.sums.vector_area.length() / whole;
+            let law = ContactLaw {
+                damping_ratio: law.damping_ratio * share.sqrt(),
+                ..*law
+            };
+            let reply = respond(
+                &law,
+                &Question {
+                    sums: &on.sums,
+                    mean_radius: &|point| room.treader.mean_radius(on.facet, point),
+                    origin: position,
+                    centres: [position; 2],
+                    motion: [Motion::default(), *motion],
+                    radius: shape.radius,
+                    dt: self.dt,
+                },
+                &mut contact.memory,
+                None,
+            );
+            room.friction += reply.friction;
+            contact.stored = contact.memory.stored(&law);
+            contact.force = reply.wrench.force;
+            contact.depth = on.sums.depth;
+            contact.area = reply.area;
+            add(exerted, &reply.elastic, &reply.spring, &reply.drag);
+            state.facets.push(contact);
+        }
+    }
+}
+
+fn add(exerted: &mut Acting, elastic: &Wrench, spring: &Wrench, drag: &Wrench) {
+    exerted.elastic.add(elastic, true);
+    exerted.spring.add(spring, true);
+    exerted.drag.add(drag, true);
+}
+
+fn inverse_mass(world: &World, b: usize) -> f64 {
+    let [free, _] = world.freedoms(b);
+    if free == Vec3::ZERO {
+        0.0
+    } else {
+        1.0 / world.solid_of(b).mass
+    }
+}
+
+/// Longest step, s: what is near counts with its largest face flat on the ground, what falls with a share of the time until it can touch.
+fn longest_step(world: &World, desk: &Desk) -> f64 {
+    let gravity = world.gravity.length();
+    let mut longest = f64::INFINITY;
+    for (b, state) in world.found.terrain.iter().enumerate() {
+        let Some(laws) = desk.terrain.laws.get(b).filter(|laws| !laws.is_empty()) else {
+            continue;
+        };
+        let shape = &desk.shapes[world.solid[b] as usize];
+        let touching: f64 = state.facets.iter().map(|f| f.area).sum();
+        let area = shape.areas.iter().copied().fold(touching, f64::max);
+        let ease = super::limit::Ease::of(world, desk, b).of_area(area);
+        let mut stable = f64::INFINITY;
+        for law in laws {
+            let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+            let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
+            stable = stable.min(SAFETY * 2.0 * loss / (stiffness * area * ease).sqrt());
+        }
+        let meet = if state.clear > 0.0 {
+            let speed =
+                world.bodies.velocity(b).length() + world.bodies.spin(b).length() * shape.radius;
+            // v t + g t²/2 = way, in the form without cancellation.
+            let way = state.clear;
+            APPROACH * 2.0 * way / (speed + (speed * speed + 2.0 * gravity * way).sqrt())
+        } else {
+            0.0
+        };
+        longest = longest.min(stable.max(meet));
+    }
+    longest
+}
+
+#[cfg(test)]
+mod tests;

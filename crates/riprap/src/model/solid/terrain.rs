@@ -1,0 +1,296 @@
+//! Terrain: the surfaces of files, and blocks that start below or beside them.
+
+use riprap_geom::Vec3;
+use riprap_geom::height_field::{Bins, HeightField, HeightFieldError};
+
+use super::shapes::{bounds, solid};
+use super::triple;
+use crate::model::builder::Builder;
+use crate::scenario::csv_columns::csv_quantities;
+use crate::scenario::foreign::asc::parse_asc;
+use crate::scenario::foreign::stl::parse_surface;
+use crate::scenario::language::{self, Block, Space};
+use crate::scenario::read::{Provenance, with_unit};
+use crate::scenario::units::Dim;
+use crate::scenario::{Diagnostic, Name, Quantity};
+use crate::spatial::setup::{Shape, Surface};
+
+/// Most triangles of a terrain.
+const MOST: usize = 8_000_000;
+/// Depth at the start that needs no reason, over the size of the block.
+const ACCEPTED: f64 = 1e-6;
+/// Blocks named one by one.
+const NAMED: usize = 10;
+/// A file with fewer places than this share of its grid is none.
+const SCATTERED: f64 = 0.25;
+
+/// Why a file is no terrain.
+struct Refused {
+    message: String,
+    help: &'static str,
+}
+
+impl Builder<'_> {
+    /// The surface of a file in local coordinates; `None` after an error.
+    pub(super) fn terrain(
+        &mut self,
+        block: &Block,
+        said: &language::Terrain,
+        shift: Vec3,
+    ) -> Option<Shape> {
+        let unit = match &said.csv {
+            Some(_) => 1.0,
+            None => (self.reading(format!("blocks.{}.terrain", block.name), said)).unit(),
+        };
+        let (file, made) = if let Some(file) = &said.asc {
+            let help = "save it as ASCII grid (AAIGrid)";
+            let read = self.foreign_file(file, parse_asc, help)?;
+            let wide = read.x.len();
+            let [x, y] = [(&read.x, shift.x), (&read.y, shift.y)]
+                .map(|(list, shift)| list.iter().map(|at| unit * at + shift).collect::<Vec<_>>());
+            let height = |i: usize, j: usize| read.z[j * wide + i].map(|z| unit * z + shift.z);
+            (file, HeightField::grid(&x, &y, height))
+        } else if let Some(file) = &said.csv {
+            (file, self.grid_of_csv(file, shift)?)
+        } else {
+            let file = said.stl.as_ref()?;
+            let help = "save it as STL, text or binary";
+            let (points, triangles) = self.foreign_file(file, parse_surface, help)?;
+            if triangles.len() > MOST {
+                let message = format!("`{file}` has {} triangles", triangles.len());
+                let help = format!("terrain has {MOST} at most: make it coarser");
+                self.error_at("file.terrain", file, message, &help);
+                return None;
+            }
+            let points = points.iter();
+            let points = points.map(|p| unit * Vec3::from_array(*p) + shift);
+            (file, HeightField::new(points.collect(), triangles))
+        };
+        let field = match made {
+            Ok(field) => field,
+            Err(error) => {
+                let refused = self.refused(file, &error);
+                self.error_at("file.terrain", file, refused.message, refused.help);
+                return None;
+            }
+        };
+        let key = format!("blocks.{}.terrain", block.name);
+        let count = field.triangles.len().to_string();
+        self.explain(key, count, Provenance::Derived, "triangles of the file");
+        self.tell_terrain(block, &field);
+        Some(Shape::Terrain(Box::new(Surface {
+            points: field.points,
+            triangles: field.triangles,
+        })))
+    }
+
+    /// What `check` says about a terrain.
+    fn tell_terrain(&mut self, block: &Block, field: &HeightField) {
+        let origin = self.spatial.origin;
+        let (low, high) = field.bounds();
+        let (low, high) = (low + origin, high + origin);
+        let (angle, at) = field.steepest();
+        let at = at + origin;
+        self.summary.terrain.push(format!(
+            "{}: {} triangles, x {} to {} m, y {} to {} m, z {} to {} m; steepest {:.1} deg near ({:.6}, {:.6}) m",
+            block.name,
+            field.triangles.len(),
+            low.x,
+            high.x,
+            low.y,
+            high.y,
+            low.z,
+            high.z,
+            angle.to_degrees(),
+            at.x,
+            at.y,
+        ));
+    }
+
+    /// A rectangular grid from its places in any order; `None` after an error.
+    fn grid_of_csv(
+        &mut self,
+        file: &Name,
+        shift: Vec3,
+    ) -> Option<Result<HeightField, HeightFieldError>> {
+        let needed = [("x", Dim::LENGTH), ("y", Dim::LENGTH), ("z", Dim::LENGTH)];
+        let path = self.parsed.folder.join(file.as_str());
+        let columns = match csv_quantities(&path, &needed, &[]) {
+            Ok(columns) => columns,
+            Err(error) => {
+                let mut found = Diagnostic::error("file.csv", error.message);
+                if let Some(help) = error.help {
+                    found = found.help(help);
+                }
+                self.found.push(found.at(file.span.clone()));
+                return None;
+            }
+        };
+        let mut columns = columns.into_iter().flatten();
+        let (x, y, z) = (columns.next()?, columns.next()?, columns.next()?);
+        let lines = |list: &[f64]| {
+            let mut lines: Vec<f64> = list.iter().map(|v| v + 0.0).collect();
+            lines.sort_by(f64::total_cmp);
+            lines.dedup();
+            lines
+        };
+        let (columns, rows) = (lines(&x), lines(&y));
+        let all = columns.len() as f64 * rows.len() as f64;
+        if (x.len() as f64) < SCATTERED * all || all > 0.5 * MOST as f64 {
+            let message = format!(
+                "`{file}` is no grid, or too large: {} places have {} different x and {} different y",
+                x.len(),
+                columns.len(),
+                rows.len()
+            );
+            let help = "list the places of a rectangular grid; give scattered points as triangles in an STL file";
+            self.error_at("file.terrain", file, message, help);
+            return None;
+        }
+        let mut heights: Vec<Option<f64>> = vec![None; columns.len() * rows.len()];
+        let place = |lines: &[f64], at: f64| lines.partition_point(|line| *line < at);
+        for ((x, y), z) in x.iter().zip(&y).zip(&z) {
+            let k = place(&rows, *y) * columns.len() + place(&columns, *x);
+            if heights[k].replace(z + shift.z).is_some() {
+                let message = format!("`{file}` has two heights at ({x} m, {y} m)");
+                let help = "keep one of them";
+                self.error_at("file.terrain", file, message, help);
+                return None;
+            }
+        }
+        let wide = columns.len();
+        let [x, y] = [(columns, shift.x), (rows, shift.y)]
+            .map(|(lines, shift)| lines.into_iter().map(|at| at + shift).collect::<Vec<_>>());
+        Some(HeightField::grid(&x, &y, |i, j| heights[j * wide + i]))
+    }
+
+    /// An error of a surface, its place in the coordinates of the scenario.
+    fn refused(&self, file: &Name, error: &HeightFieldError) -> Refused {
+        let origin = self.spatial.origin;
+        let there = |[x, y]: [f64; 2]| [x + origin.x, y + origin.y];
+        let mut error = error.clone();
+        let help = match &mut error {
+            HeightFieldError::Empty => {
+                "two lines of places along x and along y are needed at least"
+            }
+            HeightFieldError::NonFinite { .. } | HeightFieldError::NoSuchCorner { .. } => {
+                "correct the file"
+            }
+            HeightFieldError::Upright { at } => {
+                *at = there(*at);
+                "lean the wall a little, or make it of bricks"
+            }
+            HeightFieldError::Folded { at } | HeightFieldError::SharedEdge { at } => {
+                *at = there(*at);
+                "leave overhangs out, or make them of polyhedra"
+            }
+            HeightFieldError::Hole { at, .. } => {
+                *at = there(*at);
+                "fill it: give heights there"
+            }
+            HeightFieldError::Parts { at, .. } => {
+                *at = there(*at);
+                "join the parts, or give each as terrain of its own"
+            }
+        };
+        Refused {
+            message: format!("`{file}` is no terrain: {error}"),
+            help,
+        }
+    }
+
+    /// Blocks that can move must start on or above terrain, and found contact must be on.
+    pub(super) fn on_terrain(&mut self) {
+        let blocks = (0_u32..).zip(&self.spatial.blocks);
+        let grounds: Vec<(u32, HeightField, Bins)> = blocks
+            .filter_map(|(b, block)| match &block.shape {
+                Shape::Terrain(surface) => {
+                    let field = surface.field();
+                    let bins = Bins::new(&field);
+                    Some((b, field, bins))
+                }
+                Shape::Brick { .. } | Shape::Polyhedron(_) => None,
+            })
+            .collect();
+        let Some((first, ..)) = grounds.first() else {
+            return;
+        };
+        if !self.spatial.found_contacts {
+            let message = "terrain is met by found contacts, which are switched off";
+            let error = Diagnostic::error("terrain.contacts", message);
+            let error = error.at(self.table_span(*first));
+            let help = "write `found_contacts = true` in [space.spatial]";
+            self.found.push(error.help(help));
+        }
+        if !self.spatial.deform.sets.is_empty() {
+            let message = "deformable blocks do not meet terrain yet";
+            let error = Diagnostic::error("terrain.deformable", message);
+            let error = error.at(self.table_span(*first));
+            self.found
+                .push(error.help("make them rigid, or give them a floor of bricks"));
+        }
+        let accepted = match &self.parsed.scenario.space {
+            Space::Spatial(space) => space.allow_overlap.as_ref().map_or(0.0, Quantity::si),
+            Space::Planar(_) => 0.0,
+        };
+        let mut wrong = Vec::new();
+        for (b, block) in (0_u32..).zip(&self.spatial.blocks) {
+            if block.shape.is_terrain() || self.held(b) {
+                continue;
+            }
+            let (low, high) = bounds(&block.shape);
+            let accepted = accepted.max(ACCEPTED * (high - low).min_element());
+            let deepest = grounds
+                .iter()
+                .filter_map(|(t, field, bins)| Some((depth(&block.shape, field, bins)?, *t)))
+                .max_by(|a, b| a.0.total_cmp(&b.0));
+            let name = self.directory.name(b);
+            let message = match deepest {
+                None => format!("block `{name}` starts beside the terrain and would fall for ever"),
+                Some((depth, terrain)) if depth > accepted => format!(
+                    "block `{name}` starts {} deep in the terrain `{}`, near {}",
+                    with_unit(depth, "m"),
+                    self.directory.name(terrain),
+                    triple(0.5 * (low + high) + self.spatial.origin, "m")
+                ),
+                Some(_) => continue,
+            };
+            wrong.push((b, message));
+        }
+        let count = wrong.len();
+        for (b, message) in wrong.into_iter().take(NAMED) {
+            let error = Diagnostic::error("terrain.start", message).at(self.table_span(b));
+            let help = "move it above the surface, hold it by [[supports]], or accept the depth with \
+                        allow_overlap = \"...\" in [space.spatial]";
+            self.found.push(error.help(help));
+        }
+        if count > NAMED {
+            let message = format!(
+                "{} more blocks start in the terrain or beside it",
+                count - NAMED
+            );
+            self.found.push(Diagnostic::error("terrain.start", message));
+        }
+    }
+}
+
+/// How deep a convex block lies in a surface, m, negative above it: the deepest of its corners and of the corners of the surface in it.
+/// `None` where it is beside the surface as a whole.
+fn depth(shape: &Shape, field: &HeightField, bins: &Bins) -> Option<f64> {
+    let body = solid(shape);
+    let corners = body.vertices.iter();
+    let depths = corners.filter_map(|v| Some(field.height(bins, v.x, v.y)? - v.z));
+    let (low, high) = bounds(shape);
+    let mut near = Vec::new();
+    bins.near([low.x, low.y], [high.x, high.y], &mut near);
+    let points = near.iter().flat_map(|t| field.corners(*t as usize));
+    let inside = points.filter_map(|p| {
+        let room = (0..body.faces.len()).map(|face| {
+            let (normal, offset) = body.plane(face);
+            offset - normal.dot(p)
+        });
+        let room = room.fold(f64::INFINITY, f64::min);
+        (room >= 0.0).then_some(room)
+    });
+    depths.chain(inside).max_by(f64::total_cmp)
+}
