@@ -31,8 +31,7 @@ pub struct Phase {
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
     pub damping: Option<Damping>,
-    /// Largest energy residual (what the ledger cannot explain, as a share of the largest energy that moved) with which the
-    /// run goes on; beyond it the run is stopped, since what happens is not what the laws say.
+    /// Largest energy residual, as a share of the largest energy that moved; beyond it the run is stopped.
     #[key(default = "0.1")]
     pub max_residual: Option<Quantity<PositivePlain>>,
     /// Groups or blocks that are taken away when the phase begins.

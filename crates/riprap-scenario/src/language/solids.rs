@@ -103,14 +103,13 @@ pub struct Mesh {
     pub volume: Option<Name>,
 }
 
-/// Ground with one height per place, as a measured slope. What acts between it and blocks is the interface of the two materials; upright
-/// walls are bricks. Exactly one of `asc`, `csv` and `stl`.
+/// Fixed ground with one height per place; upright walls are bricks. Exactly one of `asc`, `csv` and `stl`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Terrain {
-    /// Path of an ASCII grid of ESRI: heights of cells; those without may lie at the rim.
+    /// Path of an ASCII grid of ESRI.
     pub asc: Option<Name>,
-    /// Path of a CSV file with columns `x_m`, `y_m`, `z_m`: a rectangular grid in any order.
+    /// Path of a CSV file: `x_m`, `y_m`, `z_m` of a rectangular grid.
     pub csv: Option<Name>,
     /// Path of an STL file: one open surface.
     pub stl: Option<Name>,
