@@ -126,7 +126,9 @@ fn small_changes_to_finite_with_continuous_force() {
 fn angular_momentum_is_kept_where_a_block_changes_to_finite_rotations() {
     let mut block = brick(Vec3::ZERO, Vec3::new(0.5, 1.0, 1.5));
     block.spin = Vec3::new(0.6, 0.4, 2.0);
-    let mut run = Run::new(rock(vec![block], elastic()));
+    let mut setup = rock(vec![block], elastic());
+    setup.kinematics = Kinematics::Automatic;
+    let mut run = Run::new(setup);
     let dt = 1e-4;
     run.evaluate(dt);
     let (l0, e0) = {
