@@ -159,6 +159,18 @@ impl Run {
 }
 
 #[test]
+fn frames_hold_every_number_of_found_contacts() {
+    let block = brick([0.0, 0.0, 1e-4], [0.5; 3]);
+    let mut run = Run::new(above_floor(vec![block], 0.5, 0.2), 1, 1e-4);
+    run.until(0.1);
+    let frame = crate::read::picture::frame(&run.view(), "fall");
+    assert_eq!(frame.contact_points.len(), 1);
+    for column in &frame.contact_columns {
+        assert_eq!(column.data.len(), column.components, "{}", column.name);
+    }
+}
+
+#[test]
 fn two_bricks_fall_on_a_floor_and_rest_on_each_other() {
     let blocks = vec![
         brick([-0.25, -0.25, 0.05], [0.5; 3]),

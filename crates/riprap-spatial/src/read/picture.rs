@@ -9,6 +9,7 @@ use crate::patch;
 use crate::read::fields::principal;
 use crate::read::view::View;
 use crate::setup::{Shape, Solid};
+use crate::state::interface::Origin;
 use crate::world::flag;
 
 /// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
@@ -263,6 +264,7 @@ fn put_contacts(view: &View<'_>, frame: &mut Frame) {
         numbers.extend([over_area(across), over_area(along), contact.area]);
         numbers.extend([0.0, 0.0, sliding, normal.x, normal.y, normal.z]);
         numbers.extend([0.0; 4]);
+        numbers.push(f64::from(Origin::Found.code()));
         let mut numbers = numbers.into_iter();
         for column in &mut frame.contact_columns {
             column.data.extend(numbers.by_ref().take(column.components));
