@@ -216,7 +216,7 @@ fn position<'a>(names: impl Iterator<Item = Option<&'a Item>>, word: &str) -> Op
 /// without sweep and variants has one case without changes, called `default`.
 ///
 /// # Errors
-/// More than [`MAX_CASES`] cases.
+/// More than a thousand cases.
 pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnostics> {
     let plain: Vec<(String, String)> = Vec::new();
     let mut variants: Vec<(String, Vec<(String, String)>)> = Vec::new();

@@ -159,8 +159,13 @@ fn line(count: usize, trial: &Trial) -> String {
 }
 
 fn in_words(answer: &Answer, rules: &Rules) -> String {
-    // Two digits more than the width has.
-    let digits = (1.0 - rules.width.log10().floor()).clamp(1.0, 9.0) as usize;
+    // One digit more than the width has.
+    let mut digits = 1;
+    let mut width = rules.width;
+    while width < 1.0 && digits < 9 {
+        width *= 10.0;
+        digits += 1;
+    }
     match (answer.stable_at, answer.fails_at) {
         (Some(low), Some(high)) => format!("factor of safety: {low:.digits$} .. {high:.digits$}"),
         (Some(low), None) => {
