@@ -378,11 +378,16 @@ impl Search<'_> {
             if left.max(right) <= self.rules.width {
                 return Ok((Some(low), undecided));
             }
-            let middle = if left >= right {
-                0.5 * (low + first)
+            let [below, above] = if left >= right {
+                [low, first]
             } else {
-                0.5 * (last + high)
+                [last, high]
             };
+            let middle = 0.5 * (below + above);
+            if middle <= below || middle >= above {
+                // The width is finer than the numbers themselves.
+                return Ok((Some(low), undecided));
+            }
             self.trial(middle)?;
         }
     }
