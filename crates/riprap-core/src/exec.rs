@@ -132,7 +132,7 @@ impl Exec {
         a: &mut [A],
         b: &mut [B],
         partials: &mut [P],
-        rooms: &mut [R],
+        workspaces: &mut [R],
         f: impl Fn(usize, &mut [A], &mut [B], &mut P, &mut R) + Sync,
     ) {
         assert_eq!(a.len(), b.len(), "grouped slices differ in length");
@@ -148,7 +148,7 @@ impl Exec {
                 a.par_chunks_mut(piece)
                     .zip(b.par_chunks_mut(piece))
                     .zip(partials.par_chunks_mut(piece / GROUP))
-                    .zip(rooms.par_iter_mut())
+                    .zip(workspaces.par_iter_mut())
                     .enumerate()
                     .for_each(|(k, (((a, b), p), room))| one(k, a, b, p, room));
             }),
@@ -156,7 +156,7 @@ impl Exec {
                 .chunks_mut(piece)
                 .zip(b.chunks_mut(piece))
                 .zip(partials.chunks_mut(piece / GROUP))
-                .zip(rooms.iter_mut())
+                .zip(workspaces.iter_mut())
                 .enumerate()
                 .for_each(|(k, (((a, b), p), room))| one(k, a, b, p, room)),
         }

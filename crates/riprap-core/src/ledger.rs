@@ -43,7 +43,7 @@ pub struct Works {
 }
 
 impl Works {
-    /// Books what friction and fracture have taken in a step. Where the books of a law say that it has *made* energy, the step was too
+    /// Books what friction and fracture have taken in a step. Where the ledger of a law says that it has *made* energy, the step was too
     /// long for it: that is an error of the law, and dissipation never shrinks.
     pub fn dissipate(&mut self, friction: f64, fracture: f64) {
         for (line, lost) in [
@@ -128,7 +128,7 @@ impl Balance {
         self.kinetic + self.gravity + self.contact_normal + self.contact_shear + self.bond
     }
 
-    /// What the books do not explain: positive means energy came from nowhere.
+    /// What the ledger does not explain: positive means energy came from nowhere.
     #[must_use]
     pub fn residual(&self) -> f64 {
         let w = &self.works;

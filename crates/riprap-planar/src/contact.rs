@@ -7,11 +7,11 @@
 use riprap_geom::Vec2;
 
 use super::convex::{self, Side, Turned};
+use super::depths;
 use super::handover;
 use super::parting;
 use super::pieces::{self, Piece};
 use super::potential;
-use super::profile;
 use super::search::Candidate;
 use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
@@ -336,7 +336,7 @@ fn press(
         match law.normal {
             NormalLaw::DistancePotential => {
                 let [p, q] = piece.ends;
-                let d = profile::depths(other, p + shift, q + shift, &mut room.kinks);
+                let d = depths::along(other, p + shift, q + shift, &mut room.kinks);
                 if d.integral > 0.0 {
                     let xi = d.first_moment / d.integral;
                     let force = 0.5 * law.normal_stiffness * (q - p).length() * d.integral;

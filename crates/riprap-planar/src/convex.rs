@@ -190,13 +190,13 @@ fn inside(walls: &[(Vec2, f64)], p: Vec2, q: Vec2, lines: &mut [Line]) -> Option
 
 /// Integrals of the depth along a segment, parameter 0..1.
 #[derive(Default)]
-struct Profile {
+struct DepthProfile {
     integral: f64,
     first_moment: f64,
     peak: f64,
 }
 
-impl Profile {
+impl DepthProfile {
     /// Adds a linear part from `(s0, f0)` to `(s1, f1)`.
     #[inline]
     fn add(&mut self, s0: f64, f0: f64, s1: f64, f1: f64) {
@@ -210,7 +210,7 @@ impl Profile {
 
 /// Integrals of the lower envelope of the lines from `start` to `end`.
 #[inline]
-fn envelope(lines: &[Line], start: f64, end: f64) -> Profile {
+fn envelope(lines: &[Line], start: f64, end: f64) -> DepthProfile {
     // The lowest line at either end; of equal ones the one that is lower inside.
     let (mut first, mut last) = (0, 0);
     let (mut low_first, mut low_last) = (lines[0].at(start), lines[0].at(end));
@@ -223,7 +223,7 @@ fn envelope(lines: &[Line], start: f64, end: f64) -> Profile {
             (last, low_last) = (m, e);
         }
     }
-    let mut profile = Profile::default();
+    let mut profile = DepthProfile::default();
     let (low_first, low_last) = (most(low_first, 0.0), most(low_last, 0.0));
     let (falling, rising) = (lines[last], lines[first]);
     let fall = rising.slope() - falling.slope();
@@ -249,8 +249,8 @@ fn envelope(lines: &[Line], start: f64, end: f64) -> Profile {
 
 /// The envelope by walking from change to change; each goes to a line with a smaller slope.
 #[cold]
-fn walk(lines: &[Line], from: (f64, f64), to: (f64, f64), first: Line, last: Line) -> Profile {
-    let mut profile = Profile::default();
+fn walk(lines: &[Line], from: (f64, f64), to: (f64, f64), first: Line, last: Line) -> DepthProfile {
+    let mut profile = DepthProfile::default();
     let (mut at, mut height) = from;
     let mut now = first;
     for _ in 1..lines.len() {

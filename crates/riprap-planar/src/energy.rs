@@ -10,8 +10,8 @@
 use riprap_geom::Vec2;
 
 use super::convex::Side;
+use super::depths;
 use super::pieces::{self, Piece};
-use super::profile;
 
 /// `int (phi_i + phi_j) dA` over the overlap of two blocks, m³; `shift` is the centroid of i minus
 /// that of j.
@@ -145,7 +145,7 @@ fn clip(polygon: &[Vec2], keep: impl Fn(Vec2) -> f64) -> Vec<Vec2> {
 }
 
 /// Integral of the depth below any boundary over one region: chords along the contact, each exact
-/// ([`profile::depths`]), summed across it by halving until two rules agree.
+/// ([`depths::along`]), summed across it by halving until two rules agree.
 fn scan_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
     let chord: Vec2 = pieces
         .iter()
@@ -165,7 +165,7 @@ fn scan_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
     // that no rule steps over them.
     let deepest = pieces
         .iter()
-        .map(|p| profile::depths(block, p.ends[0] + shift, p.ends[1] + shift, &mut kinks).peak)
+        .map(|p| depths::along(block, p.ends[0] + shift, p.ends[1] + shift, &mut kinks).peak)
         .fold(0.0, f64::max);
     let (low, high) = (levels.first().copied(), levels.last().copied());
     let (low, high) = (low.unwrap_or(0.0), high.unwrap_or(0.0));
@@ -196,7 +196,7 @@ fn scan_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
             .iter()
             .map(|[from, to]| {
                 let at = |u: f64| u * along + v * across;
-                (to - from) * profile::depths(block, at(*from), at(*to), &mut kinks).integral
+                (to - from) * depths::along(block, at(*from), at(*to), &mut kinks).integral
             })
             .sum::<f64>()
     };

@@ -1,288 +1,229 @@
-//! What can be read from a planar model: the field table and its getters.
+//! The field table of the planar engine: name, unit, meaning and getter of every number that frames,
+//! histories, checks, `riprap fields` and the documentation can ask for.
 
 use riprap_geom::Vec2;
 
-use super::convex::Side;
-use super::energy;
-use super::search::Candidate;
-use super::setup::NormalLaw;
-use super::step::Scratch;
-use super::world::{Contact, World, Wrench};
-use crate::ledger::Balance;
+use super::heap;
+use super::view::View;
+use crate::field::{FieldError, FieldInfo, Part, Shape, Site, find};
 
-/// A world with its forces evaluated, ready to be read.
-#[derive(Clone, Copy)]
-pub struct View<'a> {
-    /// State.
-    pub world: &'a World,
-    /// Forces and velocity changes at the same time.
-    pub scratch: &'a Scratch,
+/// A getter: the view, the blocks asked for, and room for one or two numbers.
+type Getter = fn(&View<'_>, &[u32]) -> [f64; 2];
+
+/// One field: what it is and how it is read.
+pub struct Field {
+    /// Name, unit, meaning.
+    pub info: FieldInfo,
+    get: Getter,
+    /// Whether reading it costs as much as a step (exact energies, sums over all contacts).
+    pub costly: bool,
 }
 
-impl View<'_> {
-    /// Share of the coming kick that lies before the present time: velocities are those of half a
-    /// step before, the kick spans both halves.
-    fn past(&self) -> f64 {
-        let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
-        if before > 0.0 {
-            before / (before + after)
-        } else {
-            0.0
-        }
-    }
-
-    /// Velocity of block `b` at the present time, m/s.
-    #[must_use]
-    pub fn velocity(&self, b: usize) -> Vec2 {
-        self.world.bodies[b].velocity + self.past() * self.scratch.changes[b].velocity
-    }
-
-    /// Angular velocity of block `b` at the present time, rad/s.
-    #[must_use]
-    pub fn spin(&self, b: usize) -> f64 {
-        self.world.bodies[b].spin + self.past() * self.scratch.changes[b].spin
-    }
-
-    /// Displacement of the centroid, m.
-    #[must_use]
-    pub fn displacement(&self, b: usize) -> Vec2 {
-        self.world.bodies[b].position - self.world.reference[b]
-    }
-
-    /// Rotation, rad.
-    #[must_use]
-    pub fn rotation(&self, b: usize) -> f64 {
-        self.world.bodies[b].angle - self.world.reference_angle[b]
-    }
-
-    /// Kinetic energy of block `b`, J/m: `m v(n-1/2).v(n+1/2)/2`, with the second velocity taken half a
-    /// step as long as the last one after the present time.
-    #[must_use]
-    pub fn kinetic(&self, b: usize) -> f64 {
-        let (body, change) = (&self.world.bodies[b], &self.scratch.changes[b]);
-        let (mass, inertia) = (self.scratch.shapes.mass[b], self.scratch.shapes.inertia[b]);
-        let whole = 2.0 * self.past();
-        0.5 * mass * body.velocity.dot(body.velocity + whole * change.velocity)
-            + 0.5 * inertia * body.spin * (body.spin + whole * change.spin)
-    }
-
-    /// Kinetic energy of all blocks, J/m.
-    #[must_use]
-    pub fn kinetic_energy(&self) -> f64 {
-        let alive = &self.world.alive;
-        let one = |b: usize| if alive[b] { self.kinetic(b) } else { 0.0 };
-        self.scratch.exec.sum(alive.len(), one)
-    }
-
-    /// Speed of the fastest centroid (m/s) and its block.
-    #[must_use]
-    pub fn fastest(&self) -> Option<(f64, usize)> {
-        let alive = &self.world.alive;
-        let one = |b: usize| alive[b].then(|| (self.velocity(b).length(), b));
-        self.scratch.exec.largest(alive.len(), one)
-    }
-
-    /// Acceleration (m/s²) and angular acceleration (rad/s²) of block `b`.
-    #[must_use]
-    pub fn acceleration(&self, b: usize) -> (Vec2, f64) {
-        let net = &self.scratch.net[b];
-        if self.world.motion[b].is_some() {
-            return (Vec2::ZERO, 0.0);
-        }
-        let shapes = &self.scratch.shapes;
-        (net.force / shapes.mass[b], net.moment / shapes.inertia[b])
-    }
-
-    /// Angular momentum of all blocks about the origin, N s (N m s per m).
-    #[must_use]
-    pub fn angular_momentum(&self) -> f64 {
-        let shapes = &self.scratch.shapes;
-        self.living()
-            .map(|b| {
-                let orbit = self.world.bodies[b].position.perp_dot(self.velocity(b));
-                shapes.mass[b] * orbit + shapes.inertia[b] * self.spin(b)
-            })
-            .sum()
-    }
-
-    /// Living blocks.
-    pub fn living(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.world.alive.len()).filter(|&b| self.world.alive[b])
-    }
-
-    /// Unbalanced-force ratio: sum of |net force| of the free blocks over the sum of the forces that
-    /// act on them.
-    #[must_use]
-    pub fn unbalanced(&self) -> f64 {
-        let (world, scratch) = (self.world, self.scratch);
-        let free = |b: u32| world.motion[b as usize].is_none();
-        let of_block = |b: usize| {
-            if !world.alive[b] || !free(b as u32) {
-                return [0.0; 2];
-            }
-            let n = &scratch.net[b];
-            let net = n.force.length() + n.moment.abs() / scratch.shapes.radius[b];
-            let weight = scratch.shapes.mass[b] * world.gravity.length();
-            [net, weight + scratch.applied[b].force.length()]
-        };
-        let of_slot = |k: usize| {
-            let (i, j) = self.ends(k);
-            scratch.slots[k].force.length() * f64::from(u8::from(free(i)) + u8::from(free(j)))
-        };
-        let [net, own] = scratch.exec.sums(world.alive.len(), of_block);
-        let all = own + scratch.exec.sum(scratch.slots.len(), of_slot);
-        if all > 0.0 { net / all } else { 0.0 }
-    }
-
-    /// The free block whose net force is the largest share of the forces that act on it, and that share.
-    #[must_use]
-    pub fn least_balanced(&self) -> Option<(f64, u32)> {
-        let (world, scratch) = (self.world, self.scratch);
-        let mut all: Vec<f64> = (0..world.alive.len())
-            .map(|b| {
-                scratch.shapes.mass[b] * world.gravity.length() + scratch.applied[b].force.length()
-            })
-            .collect();
-        for (k, slot) in scratch.slots.iter().enumerate() {
-            let (i, j) = self.ends(k);
-            all[i as usize] += slot.force.length();
-            all[j as usize] += slot.force.length();
-        }
-        self.living()
-            .filter(|&b| world.motion[b].is_none() && all[b] > 0.0)
-            .map(|b| (scratch.net[b].force.length() / all[b], b as u32))
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-    }
-
-    /// Blocks of a slot: those of convex pairs come first, then general pairs, then bonds.
-    fn ends(&self, slot: usize) -> (u32, u32) {
-        let world = self.world;
-        let (convex, general) = (world.pairs.len(), world.general.len());
-        if let Some(pair) = world.pairs.get(slot) {
-            (pair.i, pair.j)
-        } else if let Some(pair) = world.general.get(slot - convex) {
-            (pair.i, pair.j)
-        } else {
-            let bond = &world.bonds[slot - convex - general];
-            (bond.i, bond.j)
-        }
-    }
-
-    /// Touching found contacts: blocks and state, in slot order.
-    pub fn contacts(&self) -> impl Iterator<Item = (u32, u32, &Contact)> + '_ {
-        let pairs = self.world.pairs.iter().map(|p| (p.i, p.j, &p.contact));
-        let general = self
-            .world
-            .general
-            .iter()
-            .flat_map(|g| g.regions.iter().map(move |r| (g.i, g.j, &r.contact)));
-        pairs.chain(general).filter(|(_, _, c)| c.touches())
-    }
-
-    /// Largest overlap over the smaller inradius of the pair, with the pair.
-    #[must_use]
-    pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
-        let (world, exec) = (self.world, &self.scratch.exec);
-        let inradius = &self.scratch.shapes.inradius;
-        let ratio = |i: u32, j: u32, c: &Contact| {
-            let smaller = inradius[i as usize].min(inradius[j as usize]);
-            c.touches().then(|| (c.depth / smaller, (i, j)))
-        };
-        let convex = exec.largest(world.pairs.len(), |k| {
-            let p = &world.pairs[k];
-            ratio(p.i, p.j, &p.contact)
-        });
-        let general = exec.largest(world.general.len(), |k| {
-            let g = &world.general[k];
-            let regions = g.regions.iter();
-            regions
-                .filter_map(|r| ratio(g.i, g.j, &r.contact))
-                .max_by(|a, b| a.0.total_cmp(&b.0))
-        });
-        let both = convex.into_iter().chain(general);
-        let (ratio, (i, j)) = both.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some((ratio, i, j))
-    }
-
-    /// Sum of all wrenches (found contacts and joints) between two blocks, on the first.
-    #[must_use]
-    pub fn pair_wrench(&self, a: u32, b: u32) -> Wrench {
-        let mut sum = Wrench::default();
-        for (k, slot) in self.scratch.slots.iter().enumerate() {
-            let (i, j) = self.ends(k);
-            if (i, j) == (a, b) {
-                sum = sum.plus(slot);
-            } else if (i, j) == (b, a) {
-                sum = sum.plus(&Wrench {
-                    force: -slot.force,
-                    moment_i: slot.moment_j,
-                    moment_j: slot.moment_i,
-                });
-            }
-        }
-        sum
-    }
-
-    /// The energy ledger at the present time.
-    #[must_use]
-    pub fn balance(&self) -> Balance {
-        let mut out = Balance {
-            works: self.world.works,
-            ..Balance::default()
-        };
-        let (world, scratch) = (self.world, self.scratch);
-        let exec = &scratch.exec;
-        out.kinetic = self.kinetic_energy();
-        out.gravity = -world.works.gravity;
-        let shear = |c: &Contact| if c.touches() { c.shear_energy } else { 0.0 };
-        out.contact_shear = exec.sum(world.pairs.len(), |k| shear(&world.pairs[k].contact))
-            + exec.sum(world.general.len(), |k| {
-                let regions = &world.general[k].regions;
-                regions.iter().map(|r| shear(&r.contact)).sum()
-            });
-        out.bond = exec.sum(world.bonds.len(), |k| world.bonds[k].energy);
-        let normal = |list: &[Candidate]| {
-            exec.sum(list.len(), |k| candidate_energy(world, scratch, &list[k]))
-        };
-        out.contact_normal =
-            normal(&scratch.candidates.convex) + normal(&scratch.candidates.general);
-        out.contact_normal += self.world.works.contact_path;
-        out.start = self.world.start_energy.unwrap_or_else(|| out.total());
-        out
-    }
-}
-
-/// Stored normal energy of a candidate pair under the distance potential, J/m; 0 for other laws.
-fn candidate_energy(world: &World, scratch: &Scratch, c: &Candidate) -> f64 {
-    let law = &world.setup.interfaces[c.row as usize].contact;
-    if law.normal != NormalLaw::DistancePotential {
-        return 0.0;
-    }
-    let (i, j) = (c.i as usize, c.j as usize);
-    let (shapes, lists) = (&scratch.shapes, c.lists(&scratch.candidates.lists));
-    let side = |b: usize, active, nearest| Side {
-        turned: &scratch.turned[shapes.range(b)],
-        active,
-        nearest,
+macro_rules! fields {
+    ($($name:literal $unit:literal $site:ident $shape:ident $cost:literal $meaning:literal $get:expr;)*) => {
+        /// Names, units and meanings, in the order of the documentation.
+        pub const INFOS: &[FieldInfo] = &[$(FieldInfo {
+            name: $name, unit: $unit, site: Site::$site, shape: Shape::$shape, meaning: $meaning,
+        }),*];
+        /// The table with its getters, in the order of [`INFOS`].
+        pub const FIELDS: &[Field] = &[$(Field {
+            info: FieldInfo {
+                name: $name, unit: $unit, site: Site::$site, shape: Shape::$shape, meaning: $meaning,
+            },
+            get: $get,
+            costly: $cost,
+        }),*];
     };
-    let shift = world.bodies[i].position - world.bodies[j].position;
-    let convex = [shapes.convex[i], shapes.convex[j]];
-    0.5 * law.normal_stiffness
-        * energy::overlap_potential(
-            side(i, lists[0], lists[3]),
-            side(j, lists[2], lists[1]),
-            shift,
-            convex,
-        )
 }
 
-/// Stored normal energy between two blocks, J/m; 0 when they are no candidates.
-#[must_use]
-pub fn pair_energy(world: &World, scratch: &Scratch, pair: (u32, u32)) -> f64 {
-    let c = &scratch.candidates;
-    c.convex
+const fn one(x: f64) -> [f64; 2] {
+    [x, 0.0]
+}
+
+fn first(of: &[u32]) -> usize {
+    of.first().map_or(0, |&b| b as usize)
+}
+
+fn pair(of: &[u32]) -> (u32, u32) {
+    (
+        of.first().copied().unwrap_or(0),
+        of.get(1).copied().unwrap_or(0),
+    )
+}
+
+/// Mean over blocks of a vector.
+fn mean(of: &[u32], get: impl Fn(usize) -> Vec2) -> [f64; 2] {
+    let sum: Vec2 = of.iter().map(|&b| get(b as usize)).sum();
+    (sum / of.len().max(1) as f64).into()
+}
+
+/// Largest value over blocks.
+fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> [f64; 2] {
+    one(blocks.map(get).fold(0.0, f64::max))
+}
+
+/// Normal direction of a pair's contacts: that of the larger normal force, from b towards a.
+fn pair_parts(v: &View<'_>, of: &[u32]) -> (f64, f64, f64, f64, f64) {
+    let (a, b) = pair(of);
+    let (mut normal, mut shear, mut length, mut depth, mut count) = (0.0, 0.0, 0.0, 0.0_f64, 0.0);
+    for (i, j, c) in v.contacts() {
+        if (i, j) == (a, b) || (i, j) == (b, a) {
+            let n = c.normal.force.normalize_or_zero();
+            let pressed = (c.normal.force + c.damping.force).dot(n);
+            normal += pressed;
+            shear += c.tangential.force.dot(n.perp()) * if i == a { 1.0 } else { -1.0 };
+            length += c.length;
+            depth = depth.max(c.depth);
+            count += 1.0;
+        }
+    }
+    (normal, shear, length, depth, count)
+}
+
+/// Largest value over the joint points of a pair; 0 without joints.
+fn joint(v: &View<'_>, of: &[u32], get: impl Fn(&super::bond::BondPoint) -> f64) -> f64 {
+    let (a, b) = pair(of);
+    let key = (a.min(b), a.max(b));
+    let points = v
+        .world
+        .bonds
         .iter()
-        .chain(&c.general)
-        .find(|c| (c.i, c.j) == pair)
-        .map_or(0.0, |c| candidate_energy(world, scratch, c))
+        .filter(|k| (k.i, k.j) == key)
+        .flat_map(|k| &k.points);
+    points.map(get).reduce(f64::max).unwrap_or(0.0)
+}
+
+/// Living blocks without prescribed motion.
+fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
+    v.living().filter(|&b| v.world.motion[b].is_none())
+}
+
+fn blocks(v: &View<'_>, of: &[u32]) -> f64 {
+    v.contacts()
+        .filter(|(i, j, _)| of.contains(i) || of.contains(j))
+        .count() as f64
+}
+
+fields! {
+    "block.position" "m" Block Vector false "Position of the centroid." |v, of| (v.world.bodies[first(of)].position + Vec2::from(v.world.setup.origin)).into();
+    "block.displacement" "m" Block Vector false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of)).into();
+    "block.rotation" "rad" Block Scalar false "Rotation since the start or the last reset, anticlockwise." |v, of| one(v.rotation(first(of)));
+    "block.velocity" "m/s" Block Vector false "Velocity of the centroid." |v, of| v.velocity(first(of)).into();
+    "block.speed" "m/s" Block Scalar false "Magnitude of the velocity." |v, of| one(v.velocity(first(of)).length());
+    "block.spin" "rad/s" Block Scalar false "Angular velocity, anticlockwise." |v, of| one(v.spin(first(of)));
+    "block.acceleration" "m/s2" Block Vector false "Acceleration of the centroid." |v, of| v.acceleration(first(of)).0.into();
+    "block.angular_acceleration" "rad/s2" Block Scalar false "Angular acceleration, anticlockwise." |v, of| one(v.acceleration(first(of)).1);
+    "block.force" "N/m" Block Vector false "Sum of all forces on the block, weight included, supports and damping excluded." |v, of| v.scratch.net[first(of)].force.into();
+    "block.moment" "N" Block Scalar false "Sum of all moments about the centroid (N m per m)." |v, of| one(v.scratch.net[first(of)].moment);
+    "block.kinetic" "J/m" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
+    "block.contacts" "-" Block Scalar true "Number of contacts the block takes part in." |v, of| one(blocks(v, &of[..of.len().min(1)]));
+    "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
+    "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };
+    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
+    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
+    "pair.moment" "N" Pair Scalar true "Moment of the same about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
+    "pair.normal_force" "N/m" Pair Scalar true "Normal force of the found contacts, compression positive." |v, of| one(pair_parts(v, of).0);
+    "pair.shear_force" "N/m" Pair Scalar true "Shear force of the found contacts on the first block." |v, of| one(pair_parts(v, of).1);
+    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of the shear force over the normal force of the found contacts; 0 without contact." |v, of| { let (n, s, ..) = pair_parts(v, of); one(if n > 0.0 { s.abs() / n } else { 0.0 }) };
+    "pair.length" "m" Pair Scalar true "Length of the found contacts." |v, of| one(pair_parts(v, of).2);
+    "pair.overlap" "m" Pair Scalar true "Largest depth of a boundary point inside the other block." |v, of| one(pair_parts(v, of).3);
+    "pair.contacts" "-" Pair Scalar true "Number of found contacts between the two." |v, of| one(pair_parts(v, of).4);
+    "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
+    "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
+    "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
+    "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
+    "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
+    "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
+    "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; of heaps that stand apart the mean by mass." |v, of| one(heap::repose_angle(v, of));
+    "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
+    "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.displacement(b).length());
+    "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.rotation(b).abs());
+    "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.velocity(b).length());
+    "model.time" "s" Model Scalar false "Model time." |v, _| one(v.world.time);
+    "model.steps" "-" Model Scalar false "Steps done." |v, _| one(v.world.step as f64);
+    "model.time_step" "s" Model Scalar false "Length of the last step." |v, _| one(v.world.last_dt);
+    "model.kinetic" "J/m" Model Scalar true "Kinetic energy of all blocks." |v, _| one(v.living().map(|b| v.kinetic(b)).sum());
+    "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
+    "model.contacts" "-" Model Scalar true "Number of found contacts." |v, _| one(v.contacts().count() as f64);
+    "model.slipping" "-" Model Scalar true "Number of found contacts that slid in the last step." |v, _| one(v.contacts().filter(|(_, _, c)| c.slipping).count() as f64);
+    "model.max_overlap" "m" Model Scalar true "Largest depth of a boundary point inside another block." |v, _| one(v.contacts().map(|(_, _, c)| c.depth).fold(0.0, f64::max));
+    "model.max_overlap_ratio" "-" Model Scalar true "Largest depth over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
+    "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).abs());
+    "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
+    "model.momentum" "N s/m" Model Vector true "Momentum of all blocks." |v, _| v.living().map(|b| v.scratch.shapes.mass[b] * v.velocity(b)).sum::<Vec2>().into();
+    "model.angular_momentum" "N s" Model Scalar true "Angular momentum of all blocks about the origin (N m s per m)." |v, _| one(v.angular_momentum());
+    "model.blocks" "-" Model Scalar true "Number of blocks left." |v, _| one(v.living().count() as f64);
+    "model.broken" "-" Model Scalar true "Number of joints whose points have all failed." |v, _| one(v.world.bonds.iter().filter(|b| b.broken()).count() as f64);
+    "model.joints" "-" Model Scalar true "Number of joints built." |v, _| one(v.world.bonds.len() as f64);
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by joints that have not failed." |v, _| one(v.fragments().list.len() as f64);
+    "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
+    "energy.kinetic" "J/m" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
+    "energy.gravity" "J/m" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
+    "energy.contact_normal" "J/m" Energy Scalar true "Elastic energy in the normal direction of found contacts (exact for the distance potential, by path else)." |v, _| one(v.balance().contact_normal);
+    "energy.contact_shear" "J/m" Energy Scalar true "Elastic energy of the shear springs of found contacts." |v, _| one(v.balance().contact_shear);
+    "energy.joints" "J/m" Energy Scalar true "Elastic energy of joints." |v, _| one(v.balance().bond);
+    "energy.loads" "J/m" Energy Scalar true "Work of external loads." |v, _| one(v.world.works.loads);
+    "energy.supports" "J/m" Energy Scalar true "Work of supports with prescribed motion." |v, _| one(v.world.works.supports);
+    "energy.friction" "J/m" Energy Scalar true "Dissipated by friction." |v, _| one(v.world.works.friction);
+    "energy.damping" "J/m" Energy Scalar true "Dissipated by contact, joint, mass and local damping." |v, _| one(v.world.works.damping);
+    "energy.fracture" "J/m" Energy Scalar true "Released by the failure of joints." |v, _| one(v.world.works.fracture);
+    "energy.law_defect" "J/m" Energy Scalar true "Made (+) or lost (-) by a contact law without potential." |v, _| one(v.world.works.law_defect);
+    "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
+    "energy.residual" "J/m" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
+    "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
+}
+
+/// A field with everything needed to read one number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    index: usize,
+    part: Part,
+    of: Vec<u32>,
+    along: Option<[f64; 2]>,
+}
+
+impl Reading {
+    /// Finds `name` in the table; vectors need a part or a direction `along`.
+    ///
+    /// # Errors
+    /// Unknown names and parts of scalars.
+    pub fn new(name: &str, of: &[u32], along: Option<[f64; 2]>) -> Result<Self, FieldError> {
+        let (info, part) = find(INFOS, name)?;
+        let index = INFOS.iter().position(|f| f.name == info.name).unwrap_or(0);
+        Ok(Self {
+            index,
+            part,
+            of: of.to_vec(),
+            along,
+        })
+    }
+
+    /// Table entry.
+    #[must_use]
+    pub fn info(&self) -> &'static FieldInfo {
+        &INFOS[self.index]
+    }
+
+    /// Whether reading it costs as much as a step.
+    #[must_use]
+    pub fn costly(&self) -> bool {
+        FIELDS[self.index].costly
+    }
+
+    /// The number; a vector without part or direction gives its magnitude.
+    #[must_use]
+    pub fn value(&self, view: &View<'_>) -> f64 {
+        let [x, y] = (FIELDS[self.index].get)(view, &self.of);
+        match (self.info().shape, self.part, self.along) {
+            // The table has no vectors in space.
+            (Shape::Scalar | Shape::Vector3, _, _) | (_, Part::Z, _) => x,
+            (Shape::Vector, Part::X, _) => x,
+            (Shape::Vector, Part::Y, _) => y,
+            (Shape::Vector, Part::Magnitude, _) | (Shape::Vector, Part::Whole, None) => {
+                (x * x + y * y).sqrt()
+            }
+            (Shape::Vector, Part::Whole, Some([cx, cy])) => x * cx + y * cy,
+        }
+    }
 }

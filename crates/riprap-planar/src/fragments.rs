@@ -1,6 +1,6 @@
 //! Fragments of a planar model: blocks that joints hold together.
 
-use super::fields::View;
+use super::view::View;
 use crate::frame::fragments::Fragments;
 
 impl View<'_> {

@@ -11,9 +11,9 @@
 //! step's work that no later evaluation sees; that is booked here too.
 
 use super::contact::{self, Context, Pressed, Relative, Workspace};
-use super::fields;
 use super::setup::NormalLaw;
 use super::step::Scratch;
+use super::view;
 use super::world::{Contact, PairState, Region, World, Wrench};
 
 /// Share of the joint's length over which the offset fades with slip.
@@ -43,7 +43,7 @@ pub fn hand_over(world: &mut World, scratch: &mut Scratch) {
     }
 }
 
-/// Closes the joints and their books. A pair goes over as a whole: its joints are skipped by the
+/// Closes the joints and their accounts. A pair goes over as a whole: its joints are skipped by the
 /// search until then.
 fn close(world: &mut World) -> Vec<Borne> {
     let waiting: Vec<(u32, u32)> = world
@@ -84,7 +84,7 @@ fn close(world: &mut World) -> Vec<Borne> {
 }
 
 /// Opens found contact with the forces of the joints, shared between its regions as their pressures
-/// are, and its books.
+/// are, and its accounts.
 fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
     let (i, j) = borne.pair;
     let candidates = &scratch.candidates;
@@ -141,7 +141,7 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
     if law.normal == NormalLaw::DistancePotential {
         // The normal energy of other laws is taken by path and starts with nothing.
         let half = 0.5 * world.pending;
-        stored += fields::pair_energy(world, scratch, borne.pair) + half * relative.power_of(&work);
+        stored += view::pair_energy(world, scratch, borne.pair) + half * relative.power_of(&work);
     }
     world.works.edit_defect += stored;
     if let Ok(k) = convex {

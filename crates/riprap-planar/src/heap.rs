@@ -2,7 +2,7 @@
 
 use riprap_geom::Vec2;
 
-use super::fields::View;
+use super::view::View;
 
 /// Bins across the heap.
 const BINS: usize = 60;

@@ -3,7 +3,7 @@
 use riprap_geom::Vec2;
 
 use super::bond::Bond;
-use super::fields::View;
+use super::view::View;
 use super::world::Contact;
 use crate::frame::{Column, Frame};
 

@@ -59,7 +59,7 @@ pub struct Scratch {
     /// Contact laws by row.
     pub(super) laws: Vec<ContactLaw>,
     partial: Vec<Partial>,
-    rooms: Vec<Workspace>,
+    workspaces: Vec<Workspace>,
     stale: bool,
     /// Candidate lists built since the start.
     pub rebuilds: u64,
@@ -191,7 +191,7 @@ impl Scratch {
             departure: Works::default(),
             laws: Vec::new(),
             partial: Vec::new(),
-            rooms: Vec::new(),
+            workspaces: Vec::new(),
             stale: false,
             rebuilds: 0,
             transit: f64::INFINITY,
@@ -262,7 +262,7 @@ impl Scratch {
             .unwrap_or(0)
             .div_ceil(GROUP);
         self.partial = vec![Partial::default(); groups.max(1)];
-        self.rooms
+        self.workspaces
             .resize_with(g.div_ceil(piece(g)).max(1), Workspace::default);
         self.stale = false;
         self.rebuilds += 1;
@@ -387,7 +387,7 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
             &mut general,
             general_slots,
             &mut scratch.partial,
-            &mut scratch.rooms,
+            &mut scratch.workspaces,
             |at, g, s, partial, room| {
                 let list = &candidates.general[at..at + g.len()];
                 contact::general_chunk(&context, list, g, s, room, &mut partial.arrival);

@@ -124,7 +124,7 @@ impl Simulation {
         }
     }
 
-    /// Closes the books: the manifest as JSON text. What has not ended can be resumed.
+    /// Closes the ledger: the manifest as JSON text. What has not ended can be resumed.
     fn close(&self, py: Python<'_>) -> PyResult<Option<String>> {
         let closed = self.with(py, |live| Ok(live.take().map(Live::close)))?;
         match closed {

@@ -129,7 +129,7 @@ impl Freedoms<'_> {
 
     /// Velocity of the second point less that of the first, m/s.
     #[must_use]
-    pub fn jump_rate(&self, [a, b]: &[Anchor; 2]) -> Vec3 {
+    pub fn jump_velocity(&self, [a, b]: &[Anchor; 2]) -> Vec3 {
         self.velocity(b) - self.velocity(a)
     }
 
@@ -172,8 +172,8 @@ mod tests {
         let mut bodies = Bodies::at_rest(2);
         for b in 0..2 {
             let x = 1.0 + b as f64;
-            bodies.set_pose(b, Vec3::new(0.1, -0.2, 0.3) * x, Vec3::new(0.0, 1e-3, 0.0));
-            bodies.set_rate(b, Vec3::new(-1.0, 2.0, 0.7) * x, Vec3::new(0.4, 0.1, -3.0));
+            bodies.set_displacement(b, Vec3::new(0.1, -0.2, 0.3) * x, Vec3::new(0.0, 1e-3, 0.0));
+            bodies.set_velocity(b, Vec3::new(-1.0, 2.0, 0.7) * x, Vec3::new(0.4, 0.1, -3.0));
         }
         let turned = Turned {
             attitude: Quat::from_scaled_axis(Vec3::new(0.3, -1.2, 0.9)),
@@ -242,7 +242,7 @@ mod tests {
             let dt = 1e-3;
             let (u, th) = (bodies.displacement(0), bodies.rotation(0));
             let (du, dth) = (dt * bodies.velocity(0), dt * bodies.spin(0));
-            bodies.set_pose(0, u + du, th + dth);
+            bodies.set_displacement(0, u + du, th + dth);
             let later: Vec<[f64; 3]> = nodes.iter().map(|v| v.map(|x| x + dt * x)).collect();
             assert!((at(&bodies, &later) - before - dt * v).length() < 1e-15);
         }

@@ -140,13 +140,19 @@ impl Dashpots {
     /// What the dashpots do to a block in the coming kick over `span` (s), with the mean of the velocities before
     /// and after: `(M + span C / 2) dv = span (F - C v)`.
     #[must_use]
-    pub fn push(&self, solid: &SolidClass, rate: [Vec3; 2], other: &Wrench, span: f64) -> Wrench {
-        let rate: [f64; 6] = six(rate);
+    pub fn push(
+        &self,
+        solid: &SolidClass,
+        velocity: [Vec3; 2],
+        other: &Wrench,
+        span: f64,
+    ) -> Wrench {
+        let velocity: [f64; 6] = six(velocity);
         let times = |v: &[f64; 6]| {
             self.matrix
                 .map(|row| (0..6).map(|k| row[k] * v[k]).sum::<f64>())
         };
-        let drag = times(&rate);
+        let drag = times(&velocity);
         let mut a = self.matrix.map(|row| row.map(|c| 0.5 * span * c));
         for k in 0..3 {
             a[k][k] += solid.mass;
@@ -156,7 +162,7 @@ impl Dashpots {
         }
         let force = six([other.force, other.moment]);
         let change = solve(a, std::array::from_fn(|k| span * (force[k] - drag[k])));
-        let mean = std::array::from_fn(|k| rate[k] + 0.5 * change[k]);
+        let mean = std::array::from_fn(|k| velocity[k] + 0.5 * change[k]);
         let t = times(&mean);
         Wrench {
             force: -Vec3::new(t[0], t[1], t[2]),

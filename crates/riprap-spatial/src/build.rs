@@ -81,7 +81,7 @@ impl World {
         world.find_solids()?;
         world.deform = deform::build::bodies(&world)?.map(Box::new);
         for (b, block) in world.setup.blocks.iter().enumerate() {
-            world.bodies.set_rate(b, block.velocity, block.spin);
+            world.bodies.set_velocity(b, block.velocity, block.spin);
         }
         for support in &world.setup.supports {
             for &b in &support.blocks {
@@ -176,7 +176,7 @@ impl World {
             }
         }
         let mut walls: Vec<Vec<Wall>> = vec![Vec::new(); charges.len()];
-        let mut soft = Vec::new();
+        let mut deformable = Vec::new();
         let mut table = ClassTable::new(self, finest);
         let mut joined = Vec::new();
         for overlap in overlaps {
@@ -188,7 +188,7 @@ impl World {
                 [Some(&k), None] | [None, Some(&k)] => {
                     let side = usize::from(owner.contains_key(&overlap.blocks[0]));
                     if self.deforms(overlap.blocks[side] as usize) {
-                        soft.push(deform::build::SoftWall {
+                        deformable.push(deform::build::NodalWall {
                             source: k as u16,
                             block: overlap.blocks[side],
                             normal: if side == 0 {
@@ -210,7 +210,7 @@ impl World {
         self.faces.sort_by_key(|f| f.block);
         boundary::assign(self, tolerance)?;
         let faces = std::mem::take(&mut self.faces);
-        self.faces = deform::build::finish(self, &joined, faces, &soft)?;
+        self.faces = deform::build::finish(self, &joined, faces, &deformable)?;
         for (source, (blocks, walls)) in charges.iter().zip(walls).enumerate() {
             let cavity = Cavity::new(self, source, blocks.clone(), walls)?;
             self.cavities.push(cavity);
@@ -267,10 +267,10 @@ impl World {
             self.patches.need_slip();
         }
         let dilates = strength.is_some_and(|s| s.dilation > 0.0);
-        if dilates || !self.patches.lift.is_empty() {
+        if dilates || !self.patches.normal_offset.is_empty() {
             self.patches.need_lift();
         }
-        if dilates || !self.patches.path.is_empty() {
+        if dilates || !self.patches.accumulated_slip.is_empty() {
             self.patches.need_path();
         }
         Ok(())

@@ -176,7 +176,7 @@ impl Cavity {
         blocks: Vec<u32>,
         mut walls: Vec<Wall>,
     ) -> Result<Self, CavityError> {
-        use super::setup::Push as Kind;
+        use super::setup::CavityPressure;
         let what = &world.setup.sources[source];
         let name = || what.name.clone();
         let nodal = NodalWalls::of(world, source as u16);
@@ -189,8 +189,8 @@ impl Cavity {
             .map(|&b| world.solid_of(b as usize).volume)
             .sum();
         let (gas, venting) = match &what.push {
-            Kind::Pressure { .. } => (None, None),
-            Kind::Gas {
+            CavityPressure::Pressure { .. } => (None, None),
+            CavityPressure::Gas {
                 explosive,
                 mass,
                 coupling,

@@ -16,7 +16,7 @@ mod limit;
 pub(crate) mod terrain;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Constants, Deepest, Desk, Room, Slot};
+use super::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
 use super::found::{
     Blocks, Body, ContactLaw, Found, Motion, Pair, Pose, Question, Role, Shape, respond, turn,
 };
@@ -362,8 +362,8 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     desk.damped = desk.constants.iter().any(|c| c.law.damping_ratio > 0.0);
     desk.slots.clear();
     desk.slots.resize(pairs.len(), Slot::default());
-    desk.rooms
-        .resize_with(pairs.len().div_ceil(CHUNK), Room::default);
+    desk.workspaces
+        .resize_with(pairs.len().div_ceil(CHUNK), Workspace::default);
     incidence(world, desk);
     desk.ready = true;
     scratch.tiles.make_rows(world);
@@ -453,7 +453,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     place(world, desk);
     let mut pairs = std::mem::take(&mut world.found.pairs);
     let mut slots = std::mem::take(&mut desk.slots);
-    let mut rooms = std::mem::take(&mut desk.rooms);
+    let mut workspaces = std::mem::take(&mut desk.workspaces);
     {
         let evaluation = Evaluation {
             world,
@@ -463,7 +463,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         scratch.exec.chunks2(
             &mut pairs,
             &mut slots,
-            &mut rooms,
+            &mut workspaces,
             |first, pairs, slots, room| {
                 (room.friction, room.offset) = (0.0, 0.0);
                 (room.taken_over, room.left) = (0.0, 0.0);
@@ -475,7 +475,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         );
     }
     desk.deepest = None;
-    for room in &rooms {
+    for room in &workspaces {
         world.works.friction += room.friction;
         world.works.contact_path += room.taken_over + room.offset;
         world.works.edit_defect += room.taken_over + room.offset - room.left;
@@ -483,7 +483,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     world.found.pairs = pairs;
     desk.slots = slots;
-    desk.rooms = rooms;
+    desk.workspaces = workspaces;
     sum(desk);
     let stable = limit::longest_step(world, desk);
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
@@ -535,7 +535,7 @@ impl Evaluation<'_> {
         })
     }
 
-    fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, room: &mut Room) {
+    fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, room: &mut Workspace) {
         let candidate = &self.desk.candidates.pairs[k];
         if pair.gap > 0.0 {
             let [i, j] = pair.ends.map(|b| self.desk.place[b as usize] as usize);
@@ -661,7 +661,10 @@ fn sum(desk: &mut Desk) {
 /// each other. Infinite before the first evaluation and where none can touch.
 #[must_use]
 pub fn step_limit(world: &World) -> f64 {
-    let longest = [world.found.longest_step, world.found.soft.longest_step];
+    let longest = [
+        world.found.longest_step,
+        world.found.deformable.longest_step,
+    ];
     (longest.into_iter().flatten()).fold(f64::INFINITY, f64::min)
 }
 

@@ -70,9 +70,9 @@ pub struct Memory<'a> {
     /// See [`super::world::Patches`].
     pub slip: &'a mut [[[f64; 4]; 2]],
     /// See [`super::world::Patches`].
-    pub lift: &'a mut [[f64; 4]],
+    pub normal_offset: &'a mut [[f64; 4]],
     /// See [`super::world::Patches`].
-    pub path: &'a mut [[f64; 4]],
+    pub accumulated_slip: &'a mut [[f64; 4]],
 }
 
 fn cut<T>(list: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
@@ -83,16 +83,17 @@ fn cut<T>(list: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
 impl<'a> Memory<'a> {
     fn split(self, at: usize) -> (Self, Self) {
         let (flags, slip) = (cut(self.flags, at), cut(self.slip, at));
-        let (lift, path) = (cut(self.lift, at), cut(self.path, at));
-        let part = |flags, slip, lift, path| Self {
+        let (normal_offset, accumulated_slip) =
+            (cut(self.normal_offset, at), cut(self.accumulated_slip, at));
+        let part = |flags, slip, normal_offset, accumulated_slip| Self {
             flags,
             slip,
-            lift,
-            path,
+            normal_offset: normal_offset,
+            accumulated_slip: accumulated_slip,
         };
         (
-            part(flags.0, slip.0, lift.0, path.0),
-            part(flags.1, slip.1, lift.1, path.1),
+            part(flags.0, slip.0, normal_offset.0, accumulated_slip.0),
+            part(flags.1, slip.1, normal_offset.1, accumulated_slip.1),
         )
     }
 
@@ -101,8 +102,8 @@ impl<'a> Memory<'a> {
         State {
             flags: &mut self.flags[at],
             slip: self.slip.get_mut(at),
-            lift: self.lift.get_mut(at),
-            path: self.path.get_mut(at),
+            normal_offset: self.normal_offset.get_mut(at),
+            accumulated_slip: self.accumulated_slip.get_mut(at),
         }
     }
 }

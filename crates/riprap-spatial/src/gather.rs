@@ -192,7 +192,7 @@ impl Gathering<'_> {
         let [net, drag] = net;
         let damped = !drag.0[0].is_empty();
         let [before, after] = self.kick.half;
-        let rates = &self.bodies.rate;
+        let rates = &self.bodies.velocity;
         let change = self.kick.span / solid.mass;
         let mut sum = Lanes::default();
         for (k, rates) in rates.iter().take(3).enumerate() {
@@ -252,7 +252,7 @@ impl Gathering<'_> {
             };
             let change = self.kick.span * ease;
             let here = row.blocks.start - base..row.blocks.end - base;
-            let v = self.bodies.rate[k][row.blocks.clone()].chunks(LANES);
+            let v = self.bodies.velocity[k][row.blocks.clone()].chunks(LANES);
             let (f, d) = (&net.0[k][here.clone()], &drag.0[k][here]);
             let (mut early, mut late) = (Lanes::default(), Lanes::default());
             for ((v, f), d) in v.zip(f.chunks(LANES)).zip(d.chunks(LANES)) {

@@ -15,8 +15,8 @@ use crate::exec::Divide;
 struct Piece<'a> {
     tiles: &'a [Tile],
     net: [Part<'a>; 2],
-    pose: Part<'a>,
-    rate: Part<'a>,
+    displacement: Part<'a>,
+    velocity: Part<'a>,
     turned: &'a mut [Option<Box<Turned>>],
     peak: &'a mut [f64],
     partial: &'a mut [Partial],
@@ -27,7 +27,8 @@ impl Divide for Piece<'_> {
         let (a, b) = self.tiles.split_at(middle);
         let blocks = b[0].blocks.start - a[0].blocks.start;
         let [n0, n1] = self.net.map(|part| part.split(blocks));
-        let (pose, rate) = (self.pose.split(blocks), self.rate.split(blocks));
+        let (displacement, velocity) =
+            (self.displacement.split(blocks), self.velocity.split(blocks));
         let turned = self.turned.split_at_mut(blocks);
         let peak = self.peak.split_at_mut(blocks);
         let partial = self.partial.split_at_mut(blocks / GROUP);
@@ -35,8 +36,8 @@ impl Divide for Piece<'_> {
             Self {
                 tiles: a,
                 net: [n0.0, n1.0],
-                pose: pose.0,
-                rate: rate.0,
+                displacement: displacement.0,
+                velocity: velocity.0,
                 turned: turned.0,
                 peak: peak.0,
                 partial: partial.0,
@@ -44,8 +45,8 @@ impl Divide for Piece<'_> {
             Self {
                 tiles: b,
                 net: [n0.1, n1.1],
-                pose: pose.1,
-                rate: rate.1,
+                displacement: displacement.1,
+                velocity: velocity.1,
                 turned: turned.1,
                 peak: peak.1,
                 partial: partial.1,
@@ -82,8 +83,8 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let work = Piece {
         tiles: &scratch.tiles.list,
         net: [scratch.net.whole(), scratch.drag.whole()],
-        pose: Part(world.bodies.pose.each_mut().map(Vec::as_mut_slice)),
-        rate: Part(world.bodies.rate.each_mut().map(Vec::as_mut_slice)),
+        displacement: Part(world.bodies.displacement.each_mut().map(Vec::as_mut_slice)),
+        velocity: Part(world.bodies.velocity.each_mut().map(Vec::as_mut_slice)),
         turned: &mut world.turned,
         peak: &mut world.peak_speed_squared,
         partial: &mut scratch.partial,
@@ -141,8 +142,8 @@ impl Integration<'_> {
                 solid.inverse.col(k - 3)[k - 3]
             };
             let change = self.kick.span * ease;
-            let v = &mut work.rate.0[k][here.clone()];
-            let u = &mut work.pose.0[k][here.clone()];
+            let v = &mut work.velocity.0[k][here.clone()];
+            let u = &mut work.displacement.0[k][here.clone()];
             let f = &work.net[0].0[k][here.clone()];
             if damped {
                 let d = &work.net[1].0[k][here.clone()];
@@ -157,7 +158,7 @@ impl Integration<'_> {
                 }
             }
         }
-        let [x, y, z, ..] = &work.rate.0;
+        let [x, y, z, ..] = &work.velocity.0;
         let speeds = x[here.clone()]
             .iter()
             .zip(&y[here.clone()])
@@ -166,7 +167,7 @@ impl Integration<'_> {
             let square = x * x + y * y + z * z;
             *peak = if square > *peak { square } else { *peak };
         }
-        let [.., a, b, c] = &work.pose.0;
+        let [.., a, b, c] = &work.displacement.0;
         let mut most = Lanes::default();
         let angles = a[here.clone()]
             .chunks(LANES)
@@ -188,7 +189,7 @@ impl Integration<'_> {
     /// Kicks and moves any block.
     fn block(&self, b: usize, base: usize, work: &mut Piece) {
         let at = b - base;
-        let (mut v, mut w) = work.rate.get(at);
+        let (mut v, mut w) = work.velocity.get(at);
         let moving = kick::Moving {
             velocity: v,
             spin: w,
@@ -196,7 +197,7 @@ impl Integration<'_> {
         };
         let change = self.kick.change(b, &moving, &acting(&work.net, at));
         v += change.velocity;
-        let (mut u, mut th) = work.pose.get(at);
+        let (mut u, mut th) = work.displacement.get(at);
         u += self.dt * v;
         if let Some(turned) = &mut work.turned[at] {
             turned.momentum += change.momentum;
@@ -208,8 +209,8 @@ impl Integration<'_> {
             th += self.dt * w;
             work.partial[0].turning |= th.length_squared() > self.bound;
         }
-        work.rate.set(at, v, w);
-        work.pose.set(at, u, th);
+        work.velocity.set(at, v, w);
+        work.displacement.set(at, u, th);
         work.peak[at] = work.peak[at].max(v.length_squared());
     }
 }

@@ -275,7 +275,7 @@ impl World {
             };
             let v = now(&along, self.bodies.velocity(b));
             let w = now(&about, self.bodies.spin(b));
-            self.bodies.set_rate(b, v, w);
+            self.bodies.set_velocity(b, v, w);
             let solid = &self.solids[self.solid[b] as usize];
             if let Some(turned) = &mut self.turned[b] {
                 turned.momentum = turned_inertia(&solid.inertia, turned.attitude) * w;

@@ -3,7 +3,7 @@
 use super::state::push::Pushes;
 use super::state::scratch::{Lost, Partial, Scratch};
 use super::state::sums::Sums;
-use super::state::workspace::{Kind, Workspace};
+use super::state::workspace::{BlockClass, Workspace};
 use super::state::world::{PatchClass, World};
 use super::tiles::{Cut, Tiles};
 use super::wide::Wide;
@@ -31,7 +31,7 @@ impl Scratch {
             rebuilds: 0,
             deform: None,
             desk: Desk::default(),
-            soft: CellDesk::default(),
+            deformable: CellDesk::default(),
             slots: [Sums::default(), Sums::default()],
             wide: Vec::new(),
             strong: false,
@@ -75,7 +75,7 @@ impl Scratch {
 
     /// As [`Scratch::invalidate`] where deformable blocks of the `new` kinds have been appended or some have gone, and no
     /// shape or material has changed.
-    pub(crate) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = Kind>) {
+    pub(crate) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = BlockClass>) {
         world.fresh = true;
         let mut old = *self.deform.take().unwrap_or_default();
         old.kinds.extend(new);
@@ -92,7 +92,7 @@ impl Scratch {
     }
 
     /// Lays everything out; `kinds` of deformable blocks, the first ones, are taken over.
-    fn rebuild(&mut self, world: &World, kinds: Vec<Kind>) {
+    fn rebuild(&mut self, world: &World, kinds: Vec<BlockClass>) {
         let blocks = world.alive.len();
         self.tiles = Tiles::new(world, self.cut.unwrap_or_else(|| Cut::of(blocks)));
         let groups = self.tiles.groups();

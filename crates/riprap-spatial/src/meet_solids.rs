@@ -250,7 +250,7 @@ fn left(side: &Side, covered: &[face_overlap::Overlap], reference: &[Vec3]) -> O
         frame: [n, along, n.cross(along)],
         arm: whole.centroid + offset - reference[side.block as usize],
         area,
-        reach: radii,
+        half_spacing: radii,
         stiffness: [0.0; 2],
         impedance: [0.0; 2],
         anchor: [Vec3::ZERO; 4],

@@ -72,7 +72,7 @@ pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
         frame,
         arm: arm(cell, free.axis, sign, &free.part),
         area: length_b * length_c,
-        reach,
+        half_spacing: reach,
         stiffness: [0.0; 2],
         impedance: [0.0; 2],
         anchor: [Vec3::ZERO; 4],
@@ -88,7 +88,7 @@ pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
         Points::Gauss => 1.0,
         Points::Quarter => 0.75f64.sqrt(),
     };
-    let mut reach = class.reach.map(|r| r / spread);
+    let mut reach = class.half_spacing.map(|r| r / spread);
     if side == 1 {
         reach.swap(0, 1);
     }
@@ -98,7 +98,7 @@ pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
         frame: if side == 0 { [n, b, c] } else { [-n, c, b] },
         arm: class.arms[side],
         area: class.area,
-        reach,
+        half_spacing: reach,
         stiffness: [0.0; 2],
         impedance: [0.0; 2],
         anchor: [Vec3::ZERO; 4],

@@ -52,7 +52,7 @@ pub struct Points {
     /// Relative displacement (j minus i), m.
     pub at: [[f64; 3]; 4],
     /// Relative velocity, m/s.
-    pub rate: [[f64; 3]; 4],
+    pub velocity: [[f64; 3]; 4],
     /// Places of the points from the centroids of i and j, m; `None` with small kinematics.
     arms: Option<[[Vec3; 2]; 4]>,
 }
@@ -98,7 +98,7 @@ impl Poses<'_> {
         Points {
             frame: class.frame,
             at: between(&|b| bodies.displacement(b), &|b| bodies.rotation(b)),
-            rate: between(&|b| bodies.velocity(b), &|b| bodies.spin(b)),
+            velocity: between(&|b| bodies.velocity(b), &|b| bodies.spin(b)),
             arms: None,
         }
     }
@@ -115,7 +115,7 @@ impl Poses<'_> {
         let mut points = Points {
             frame,
             at: [[0.0; 3]; 4],
-            rate: [[0.0; 3]; 4],
+            velocity: [[0.0; 3]; 4],
             arms: Some([[Vec3::ZERO; 2]; 4]),
         };
         let mut arms = [[Vec3::ZERO; 2]; 4];
@@ -130,7 +130,7 @@ impl Poses<'_> {
                 self.bodies.velocity(blocks[k]) + self.bodies.spin(blocks[k]).cross(arms[k])
             });
             points.at[p] = frame.map(|e| e.dot(gap));
-            points.rate[p] = frame.map(|e| e.dot(speed[1] - speed[0]));
+            points.velocity[p] = frame.map(|e| e.dot(speed[1] - speed[0]));
         }
         points.arms = Some(arms);
         points
@@ -140,7 +140,8 @@ impl Poses<'_> {
 /// Place of point `p` relative to the patch centre at the start, m.
 #[must_use]
 pub fn place(class: &PatchClass, p: usize) -> Vec3 {
-    SIGNS[0][p] * class.reach[0] * class.frame[1] + SIGNS[1][p] * class.reach[1] * class.frame[2]
+    SIGNS[0][p] * class.half_spacing[0] * class.frame[1]
+        + SIGNS[1][p] * class.half_spacing[1] * class.frame[2]
 }
 
 /// Rotation of a rotation vector.
@@ -172,7 +173,10 @@ fn spread(class: &PatchClass, centre: Vec3, turn: Vec3) -> [[f64; 3]; 4] {
     let d = class.frame.map(|e| e.dot(centre));
     let w = class.frame.map(|e| e.dot(turn));
     std::array::from_fn(|p| {
-        let (b, c) = (SIGNS[0][p] * class.reach[0], SIGNS[1][p] * class.reach[1]);
+        let (b, c) = (
+            SIGNS[0][p] * class.half_spacing[0],
+            SIGNS[1][p] * class.half_spacing[1],
+        );
         [d[0] + w[1] * c - w[2] * b, d[1] - w[0] * c, d[2] + w[0] * b]
     })
 }
@@ -193,7 +197,10 @@ impl Points {
         }
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
         for (p, t) in t.iter().enumerate() {
-            let (b, c) = (SIGNS[0][p] * class.reach[0], SIGNS[1][p] * class.reach[1]);
+            let (b, c) = (
+                SIGNS[0][p] * class.half_spacing[0],
+                SIGNS[1][p] * class.half_spacing[1],
+            );
             for k in 0..3 {
                 force[k] += t[k];
             }
@@ -213,7 +220,10 @@ pub fn start(class: &PatchClass, prestress: Option<&Vec3>) -> [Traction; 4] {
     };
     let mean = class.frame.map(|e| e.dot(*centre));
     std::array::from_fn(|p| {
-        let (b, c) = (SIGNS[0][p] * class.reach[0], SIGNS[1][p] * class.reach[1]);
+        let (b, c) = (
+            SIGNS[0][p] * class.half_spacing[0],
+            SIGNS[1][p] * class.half_spacing[1],
+        );
         std::array::from_fn(|k| mean[k] + b * class.slope[0][k] + c * class.slope[1][k])
     })
 }
@@ -225,9 +235,9 @@ pub struct State<'a> {
     /// Slip of the points, where the model has any.
     pub slip: Option<&'a mut [[f64; 4]; 2]>,
     /// Lift of the points, where the model has any.
-    pub lift: Option<&'a mut [f64; 4]>,
-    /// Slip path of the points, where the model has any.
-    pub path: Option<&'a mut [f64; 4]>,
+    pub normal_offset: Option<&'a mut [f64; 4]>,
+    /// Accumulated slip of the points, where the model has any.
+    pub accumulated_slip: Option<&'a mut [f64; 4]>,
 }
 
 /// Memories of the four points from the lists of a patch.
@@ -235,13 +245,13 @@ pub struct State<'a> {
 pub fn memories(
     flags: u16,
     slip: Option<&[[f64; 4]; 2]>,
-    lift: Option<&[f64; 4]>,
-    path: Option<&[f64; 4]>,
+    normal_offset: Option<&[f64; 4]>,
+    accumulated_slip: Option<&[f64; 4]>,
 ) -> [Memory; 4] {
     std::array::from_fn(|p| Memory {
         slip: slip.map_or([0.0; 2], |s| [s[0][p], s[1][p]]),
-        lift: lift.map_or(0.0, |l| l[p]),
-        path: path.map_or(0.0, |l| l[p]),
+        normal_offset: normal_offset.map_or(0.0, |l| l[p]),
+        accumulated_slip: accumulated_slip.map_or(0.0, |l| l[p]),
         broken: flags & flag::of(flag::BROKEN, p) != 0,
         open: flags & flag::of(flag::OPEN, p) != 0,
         sliding: flags & flag::of(flag::SLIDING, p) != 0,
@@ -255,8 +265,8 @@ impl State<'_> {
         memories(
             *self.flags,
             self.slip.as_deref(),
-            self.lift.as_deref(),
-            self.path.as_deref(),
+            self.normal_offset.as_deref(),
+            self.accumulated_slip.as_deref(),
         )
     }
 
@@ -277,11 +287,11 @@ impl State<'_> {
                 slip[0][p] = m.slip[0];
                 slip[1][p] = m.slip[1];
             }
-            if let Some(lift) = self.lift.as_deref_mut() {
-                lift[p] = m.lift;
+            if let Some(normal_offset) = self.normal_offset.as_deref_mut() {
+                normal_offset[p] = m.normal_offset;
             }
-            if let Some(path) = self.path.as_deref_mut() {
-                path[p] = m.path;
+            if let Some(accumulated_slip) = self.accumulated_slip.as_deref_mut() {
+                accumulated_slip[p] = m.accumulated_slip;
             }
         }
         *self.flags = flags;
@@ -308,7 +318,7 @@ pub fn respond(
         );
     };
     let slid = *state.flags;
-    let moved = points.rate.map(|r| r.map(|v| v * elapsed));
+    let moved = points.velocity.map(|r| r.map(|v| v * elapsed));
     let result = match joint.failure {
         Failure::Point => {
             let (mut t, mut loss) = ([[0.0; 3]; 4], Loss::default());
@@ -328,7 +338,7 @@ pub fn respond(
             start,
             &points.at,
             &moved,
-            class.reach,
+            class.half_spacing,
             &mut memory,
         ),
     };
@@ -354,7 +364,7 @@ pub fn carried(
     })
 }
 
-/// Dashpot tractions at the closed points: `beta` (s) times spring times rate, along the patch where its law has
+/// Dashpot tractions at the closed points: `beta` (s) times spring times relative velocity, along the patch where its law has
 /// them.
 #[must_use]
 pub fn dashpots(
@@ -375,7 +385,7 @@ pub fn dashpots(
         };
         std::array::from_fn(|k| {
             if k == 0 || along {
-                beta * class.stiffness[k.min(1)] * points.rate[p][k]
+                beta * class.stiffness[k.min(1)] * points.velocity[p][k]
             } else {
                 0.0
             }
@@ -400,7 +410,7 @@ pub fn starts_moving(
         return 0;
     };
     let dashpots = dashpots(joint, class, points, beta, 0);
-    let parts = |p: &usize| start[*p][0] == 0.0 && points.rate[*p][0] > 0.0;
+    let parts = |p: &usize| start[*p][0] == 0.0 && points.velocity[*p][0] > 0.0;
     let opens = |p: &usize| {
         strength.tension == 0.0
             && match joint.failure {

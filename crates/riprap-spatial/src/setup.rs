@@ -424,7 +424,7 @@ pub struct Source {
     /// Time at which it goes off, s.
     pub delay: f64,
     /// What pushes.
-    pub push: Push,
+    pub push: CavityPressure,
 }
 
 /// Where a charge lies.
@@ -451,7 +451,7 @@ pub enum Place {
 
 /// What pushes on the faces of a cavity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Push {
+pub enum CavityPressure {
     /// Detonation gas with the two-stage adiabat, in balance with the volume of the cavity.
     Gas {
         /// The explosive.

@@ -49,7 +49,7 @@ pub fn evaluate(
     contacts::give_way(world, scratch);
     deform::contact::part(world, scratch);
     let meet = contacts::refresh(world, scratch);
-    let soft = deform::contact::refresh(world, scratch);
+    let deformable = deform::contact::refresh(world, scratch);
     contacts::terrain::prepare(world, scratch);
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
@@ -63,7 +63,7 @@ pub fn evaluate(
     if meet {
         stage(scratch, "contacts", |scratch| contacts::act(world, scratch));
     }
-    if soft {
+    if deformable {
         stage(scratch, "contacts", |scratch| {
             deform::contact::act(world, scratch);
         });
@@ -146,8 +146,8 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         memory: Memory {
             flags: &mut list.flags,
             slip: &mut list.slip,
-            lift: &mut list.lift,
-            path: &mut list.path,
+            normal_offset: &mut list.normal_offset,
+            accumulated_slip: &mut list.accumulated_slip,
         },
         net: [scratch.net.whole(), scratch.drag.whole()],
         slots: [slots.whole(), drag_slots.whole()],
@@ -221,7 +221,7 @@ impl World {
         let momentum = solid.inertia * spin;
         let turned = patch::turned_inertia(&solid.inverse, attitude) * momentum;
         self.works.edit_defect += 0.5 * momentum.dot(turned - spin);
-        self.bodies.set_rate(b, self.bodies.velocity(b), turned);
+        self.bodies.set_velocity(b, self.bodies.velocity(b), turned);
         self.turned[b] = Some(Box::new(Turned { attitude, momentum }));
     }
 
@@ -246,7 +246,7 @@ impl World {
         self.patches.need_lift();
         self.patches.flags[p] |= flag::OFFSET;
         for (q, shift) in shifts.iter().enumerate() {
-            self.patches.lift[p][q] += shift[0];
+            self.patches.normal_offset[p][q] += shift[0];
             self.patches.slip[p][0][q] += shift[1];
             self.patches.slip[p][1][q] += shift[2];
         }

@@ -303,8 +303,13 @@ impl Tiles {
         self.rows.clear();
         self.special.clear();
         let mut pushed = world.pushed();
-        let soft = world.found.soft.pairs.iter().flat_map(|pair| pair.ends);
-        for b in (world.found.pairs.iter().flat_map(|pair| pair.ends)).chain(soft) {
+        let deformable = world
+            .found
+            .deformable
+            .pairs
+            .iter()
+            .flat_map(|pair| pair.ends);
+        for b in (world.found.pairs.iter().flat_map(|pair| pair.ends)).chain(deformable) {
             pushed[b as usize] = true;
         }
         if world.has_terrain() {

@@ -16,7 +16,7 @@
 //! without products of b and c, because the points are symmetric about the centre. The normal is an axis, so n, b, c are
 //! x, y, z in turn, and force and moment follow component by component in space: no frames, no points. [`springs`] does
 //! that for the eight patches of a packet, and where a law has a strength it bounds the largest tension and shear that any
-//! of the four points can have (`|W|` times the reach on top of the centre's): a patch within its strength by these bounds is
+//! of the four points can have (`|W|` times the half_spacing on top of the centre's): a patch within its strength by these bounds is
 //! *certainly elastic*; the others are left to [`points`], which does the law of [`face_joint::plain_point`] point after
 //! point in all lanes, or to [`super::forces`] one by one.
 //!
@@ -52,7 +52,7 @@ pub struct Wide {
     /// Normal and shear stiffness, Pa/m.
     springs: [f64; 2],
     /// Distances of the points along b and c, m.
-    reach: [f64; 2],
+    half_spacing: [f64; 2],
     /// Most that the in-situ stress of a point differs from that of the centre (n, b, c), Pa.
     spread: [f64; 3],
     /// Cohesion, tension and tan(phi); infinite strength when elastic.
@@ -75,12 +75,12 @@ impl Wide {
         let axis = usize::from(class.axis % 3);
         let along = [0, 1, 2].map(|k| (k + 3 - axis) % 3);
         let [kn, ks] = class.stiffness;
-        let [b2, c2] = class.reach.map(|r| r * r);
+        let [b2, c2] = class.half_spacing.map(|r| r * r);
         let local = [kn, ks, ks];
         let turn = [ks * (b2 + c2), kn * c2, kn * b2];
         let [sb, sc] = class.slope;
         let moment = [b2 * sb[2] - c2 * sc[1], c2 * sc[0], -b2 * sb[0]];
-        let [rb, rc] = class.reach;
+        let [rb, rc] = class.half_spacing;
         Self {
             arms: class.arms.map(|a| a.to_array()),
             stiffness: along.map(|k| class.area * local[k]),
@@ -89,7 +89,7 @@ impl Wide {
             moment: along.map(|k| class.area * moment[k]),
             beta: class.beta,
             springs: class.stiffness,
-            reach: class.reach,
+            half_spacing: class.half_spacing,
             spread: [0, 1, 2].map(|k| rb * sb[k].abs() + rc * sc[k].abs()),
             strength: strength.map_or([f64::INFINITY, f64::INFINITY, 0.0], |s| {
                 [s.cohesion, s.tension, s.friction]
@@ -318,7 +318,7 @@ fn add_pairs(
 #[inline(always)]
 pub fn springs(shared: &Shared, packet: &Packet, places: &Places, class: &Class) -> (Force, u8) {
     let bodies = shared.poses.bodies;
-    let (d, w) = relative(&bodies.pose, places, &class.arms);
+    let (d, w) = relative(&bodies.displacement, places, &class.arms);
     let mut force = times(&class.stiffness, &d);
     let mut moment = times(&class.turning, &w);
     let start = in_situ(shared, packet);
@@ -337,7 +337,7 @@ pub fn springs(shared: &Shared, packet: &Packet, places: &Places, class: &Class)
 /// Forces of the dashpots of a packet where all patches are elastic.
 #[inline(always)]
 pub fn dashpots(shared: &Shared, places: &Places, class: &Class) -> Force {
-    let (v, spin) = relative(&shared.poses.bodies.rate, places, &class.arms);
+    let (v, spin) = relative(&shared.poses.bodies.velocity, places, &class.arms);
     let beta = class.beta + Lanes::all(shared.stiffness_damping);
     Force {
         force: scaled(beta, &times(&class.stiffness, &v)),
@@ -391,8 +391,8 @@ pub fn points(
     let bodies = shared.poses.bodies;
     let axis = usize::from(packet.axis);
     let local = |v: &Vectors| [v[axis], v[(axis + 1) % 3], v[(axis + 2) % 3]];
-    let (d, w) = relative(&bodies.pose, places, &class.arms);
-    let (v, spin) = relative(&bodies.rate, places, &class.arms);
+    let (d, w) = relative(&bodies.displacement, places, &class.arms);
+    let (v, spin) = relative(&bodies.velocity, places, &class.arms);
     let [d, w, v, spin] = [local(&d), local(&w), local(&v), local(&spin)];
     let start = local(&in_situ(shared, packet));
     let (slope_b, slope_c) = class.slopes(shared, packet);
@@ -404,8 +404,8 @@ pub fn points(
     let mut moments = [[Lanes::default(); 3]; 2];
     let mut lost = [Lanes::default(); 2];
     for (q, (sign_b, sign_c)) in SIGNS[0].into_iter().zip(SIGNS[1]).enumerate() {
-        let b = Lanes::all(sign_b) * class.reach[0];
-        let c = Lanes::all(sign_c) * class.reach[1];
+        let b = Lanes::all(sign_b) * class.half_spacing[0];
+        let c = Lanes::all(sign_c) * class.half_spacing[1];
         let here = |d: &Vectors, w: &Vectors| {
             [
                 d[0] + (w[1] * c - w[2] * b),
@@ -413,14 +413,14 @@ pub fn points(
                 d[2] + w[0] * b,
             ]
         };
-        let (place, rate) = (here(&d, &w), here(&v, &spin));
+        let (place, velocity) = (here(&d, &w), here(&v, &spin));
         let first = [
             start[0] + (b * slope_b[0] + c * slope_c[0]),
             start[1] + (b * slope_b[1] + c * slope_c[1]),
             start[2] + (b * slope_b[2] + c * slope_c[2]),
         ];
         let before = PlainState::read(memory, at, count, q);
-        let (t, mut after, loss) = law.answer(&first, &place, &rate, elapsed, &before);
+        let (t, mut after, loss) = law.answer(&first, &place, &velocity, elapsed, &before);
         if elapsed == 0.0 {
             after.slide_on(memory, at, count, q);
         }
@@ -429,9 +429,9 @@ pub fn points(
         let closed = Lanes::all(1.0) - after.open;
         let along = closed - law.sticking * after.sliding;
         let drag = [
-            closed * (beta * (kn * rate[0])),
-            along * (beta * (ks * rate[1])),
-            along * (beta * (ks * rate[2])),
+            closed * (beta * (kn * velocity[0])),
+            along * (beta * (ks * velocity[1])),
+            along * (beta * (ks * velocity[2])),
         ];
         for (kind, t) in [t, drag].into_iter().enumerate() {
             sums[kind] = plus(&sums[kind], &t);
@@ -502,7 +502,7 @@ impl PlainLanes {
         &self,
         start: &Vectors,
         place: &Vectors,
-        rate: &Vectors,
+        velocity: &Vectors,
         elapsed: f64,
         before: &PlainState,
     ) -> (Vectors, PlainState, [Lanes; 2]) {
@@ -516,8 +516,12 @@ impl PlainLanes {
                 residual: [self.residual[0].0[l], self.residual[1].0[l]],
             };
             let three = |v: &Vectors| [v[0].0[l], v[1].0[l], v[2].0[l]];
-            let rate = three(rate);
-            let moved = [rate[0] * elapsed, rate[1] * elapsed, rate[2] * elapsed];
+            let velocity = three(velocity);
+            let moved = [
+                velocity[0] * elapsed,
+                velocity[1] * elapsed,
+                velocity[2] * elapsed,
+            ];
             let old = Plain {
                 slip: [before.slip[0].0[l], before.slip[1].0[l]],
                 broken: before.broken.0[l],
@@ -608,7 +612,7 @@ pub struct Class {
     moment: Vectors,
     beta: Lanes,
     springs: [Lanes; 2],
-    reach: [Lanes; 2],
+    half_spacing: [Lanes; 2],
     spread: Vectors,
     strength: Vectors,
 }
@@ -632,7 +636,7 @@ impl Class {
                 moment: same(&k.moment),
                 beta: Lanes::all(k.beta),
                 springs: two(&k.springs),
-                reach: two(&k.reach),
+                half_spacing: two(&k.half_spacing),
                 spread: same(&k.spread),
                 strength: same(&k.strength),
             };
@@ -648,7 +652,7 @@ impl Class {
             moment: [0, 1, 2].map(|k| of(&|w| w.moment[k])),
             beta: of(&|w| w.beta),
             springs: [0, 1].map(|k| of(&|w| w.springs[k])),
-            reach: [0, 1].map(|k| of(&|w| w.reach[k])),
+            half_spacing: [0, 1].map(|k| of(&|w| w.half_spacing[k])),
             spread: [0, 1, 2].map(|k| of(&|w| w.spread[k])),
             strength: [0, 1, 2].map(|k| of(&|w| w.strength[k])),
         }
@@ -676,7 +680,7 @@ impl Class {
     fn doubtful(&self, axis: usize, start: &Vectors, d: &Vectors, w: &Vectors) -> u8 {
         let [n, b, c] = [axis, (axis + 1) % 3, (axis + 2) % 3];
         let [kn, ks] = self.springs;
-        let [rb, rc] = self.reach;
+        let [rb, rc] = self.half_spacing;
         let tension = start[n] + kn * (d[n] + (w[b].abs() * rc + w[c].abs() * rb)) + self.spread[0];
         let shear_b = (start[b] + ks * d[b]).abs() + ks * (w[n].abs() * rc) + self.spread[1];
         let shear_c = (start[c] + ks * d[c]).abs() + ks * (w[n].abs() * rb) + self.spread[2];

@@ -256,7 +256,12 @@ fn begin(world: &mut World, scratch: &mut Scratch, breaking: bool, field: impl F
     };
     phase::enter(world, &[], Some(&rules));
     if let Some(deform) = world.deform.as_deref_mut() {
-        for (u, place) in deform.nodes.moved.iter_mut().zip(&deform.nodes.place) {
+        for (u, place) in deform
+            .nodes
+            .displacement
+            .iter_mut()
+            .zip(&deform.nodes.place)
+        {
             *u = field(*place).to_array();
         }
     }
@@ -288,7 +293,7 @@ fn beam(cells: [usize; 3], own: bool, strain: Strain, threads: usize) -> (f64, u
         bonds = bonds.min((clock(&scratch) - before) / STEPS as f64);
     }
     let deform = world.deform.as_deref().expect("deformable blocks");
-    let nodes = deform.nodes.moved.iter().flatten();
+    let nodes = deform.nodes.displacement.iter().flatten();
     let hash = nodes.fold(0u64, |h, x| h.rotate_left(5) ^ x.to_bits());
     let rate = (bonds > 0.0).then(|| deform.points.len() as f64 / bonds);
     (best, hash, rate)

@@ -123,7 +123,7 @@ fn main() -> Result<(), String> {
         for &b in &loose {
             let moved = world.bodies.displacement(b) + Vec3::new(0.06, 0.06, 0.06);
             let turned = world.bodies.rotation(b);
-            world.bodies.set_pose(b, moved, turned);
+            world.bodies.set_displacement(b, moved, turned);
         }
         for p in 0..world.patches.len() {
             if world.patches.ends[p]

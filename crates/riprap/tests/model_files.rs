@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 use riprap::model::{Model, build};
-use riprap::planar::readings::INFOS;
+use riprap::planar::fields::INFOS;
 use riprap::run::engine::Kind;
 use riprap::scenario::diagnostic::{Diagnostics, Severity, Source};
 use riprap::scenario::language::Space;

@@ -1,4 +1,4 @@
-//! Joints that give way to found contact: the books stay closed, nothing is thrown apart, and looking
+//! Joints that give way to found contact: the ledger stays closed, nothing is thrown apart, and looking
 //! twice changes nothing.
 
 mod common;

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::model::{self, Model};
-use riprap::planar::readings::INFOS;
+use riprap::planar::fields::INFOS;
 use riprap::planar::setup::Setup;
 use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Drive, Ending, Look, Pause};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riprap::run::safety::{Answer, Mode, Rules, SafetyError, State, search};
+use riprap::run::safety::{Answer, Mechanism, Rules, SafetyError, State, search};
 use riprap::run::scene::Scene;
 use riprap::scenario::Source;
 
@@ -77,7 +77,7 @@ fn a_stone_on_a_slope_whatever_counts_as_moved() {
         };
         let answer = safety(&scene, "default", &rules).unwrap();
         agrees(&answer, wanted, rules.width);
-        assert_eq!(answer.mode, Some(Mode::Sliding));
+        assert_eq!(answer.mechanism, Some(Mechanism::Sliding));
         assert_eq!(answer.moving.len(), 1);
         assert_eq!(answer.moving[0].0, "stone");
     }

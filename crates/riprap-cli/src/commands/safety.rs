@@ -6,7 +6,7 @@ use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending};
 use riprap::run::job::{self, Job};
 use riprap::run::plan::Every;
-use riprap::run::safety::{self, Answer, Mode, Rules, SafetyError, State, Trial};
+use riprap::run::safety::{self, Answer, Mechanism, Rules, SafetyError, State, Trial};
 use riprap::scenario::units::Dim;
 
 use crate::args::Safety;
@@ -72,7 +72,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         screen::line(&serde_json::json!(&answer).to_string());
     } else {
         screen::line(&in_words(&answer, &rules));
-        if let Some(text) = mode(&answer) {
+        if let Some(text) = mechanism_line(&answer) {
             screen::line(&text);
         }
         screen::line(&format!("{}", folder.display()));
@@ -181,17 +181,17 @@ fn in_words(answer: &Answer, rules: &Rules) -> String {
 }
 
 /// What moves, and how.
-fn mode(answer: &Answer) -> Option<String> {
+fn mechanism_line(answer: &Answer) -> Option<String> {
     let count = answer.moving.len();
     let (noun, s) = if count == 1 {
         ("block", "s")
     } else {
         ("blocks", "")
     };
-    let how = match answer.mode? {
-        Mode::Sliding => format!("slide{s} or fall{s} without turning"),
-        Mode::Turning => format!("turn{s}"),
-        Mode::Both => format!("slide{s} and turn{s}"),
+    let how = match answer.mechanism? {
+        Mechanism::Sliding => format!("slide{s} or fall{s} without turning"),
+        Mechanism::Turning => format!("turn{s}"),
+        Mechanism::Both => format!("slide{s} and turn{s}"),
     };
     let names: Vec<&str> = (answer.moving.iter().take(NAMED))
         .map(|(name, _)| name.as_str())

@@ -16,7 +16,7 @@ pub enum PhaseKind {
 /// How a static phase of deformable blocks relaxes; the default is adaptive damping, equilibrium by the forces and
 /// breaking event by event.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Way {
+pub struct Relaxation {
     /// A constant c, 0 to 2, instead of the adaptive damping.
     pub damping: Option<f64>,
     /// Converged when the elastic energy changes by less than this share between two looks, instead of by the forces.

@@ -10,7 +10,7 @@
 //! broken point is a contact, [`contact`]: no tension, and a Coulomb slider in shear.
 //!
 //! Functions take the state at the last committed instant and return the new one; whoever iterates to equilibrium
-//! commits when it has converged. [`stored`] and [`loss`] keep the energy books: work = change of stored + loss.
+//! commits when it has converged. [`stored`] and [`loss`] keep the energy ledger: work = change of stored + loss.
 //!
 //! Source: Han, Liu & Li (2010), equations (8) to (11). Deviations: (11) is read with the sign of the normal force, so
 //! that tension does not raise the shear strength; (9) is a return mapping, so that reversals dissipate.
@@ -25,7 +25,7 @@ mod cohesive;
 #[cfg(test)]
 mod tests;
 
-pub use super::mohr_coulomb::{Mode, Strength};
+pub use super::mohr_coulomb::{FailureMode, Strength};
 pub use cohesive::{Cohesive, Softening, cohesive, munjiza};
 
 /// Traction: n, b, c, Pa.

@@ -28,9 +28,9 @@ pub struct Memory {
     /// Irrecoverable shear displacement along b and c, m.
     pub slip: [f64; 2],
     /// Opening at which the normal spring is relaxed, m.
-    pub lift: f64,
-    /// Length of the path of plastic shear, m.
-    pub path: f64,
+    pub normal_offset: f64,
+    /// Accumulated slip, m.
+    pub accumulated_slip: f64,
     /// Whether it has failed.
     pub broken: bool,
     /// Whether it is open: it carries nothing.
@@ -56,7 +56,7 @@ pub struct Loss {
 #[must_use]
 pub fn elastic(springs: Springs, start: &Traction, at: &[f64; 3], memory: &Memory) -> Traction {
     [
-        start[0] + springs[0] * (at[0] - memory.lift),
+        start[0] + springs[0] * (at[0] - memory.normal_offset),
         start[1] + springs[1] * (at[1] - memory.slip[0]),
         start[2] + springs[1] * (at[2] - memory.slip[1]),
     ]
@@ -123,13 +123,13 @@ pub fn point(
     }
     memory.sliding = true;
     let plastic = flow(law, springs, tau - limit, memory);
-    let lifted = memory.lift;
-    let more = (plastic).min((law.dilation_end - memory.path).max(0.0)) * law.dilation;
-    memory.lift += more;
-    memory.path += plastic;
+    let lifted = memory.normal_offset;
+    let more = (plastic).min((law.dilation_end - memory.accumulated_slip).max(0.0)) * law.dilation;
+    memory.normal_offset += more;
+    memory.accumulated_slip += plastic;
     let keep = (tau - springs[1] * plastic).max(0.0) / tau;
     let t = [
-        sigma - springs[0] * (memory.lift - lifted),
+        sigma - springs[0] * (memory.normal_offset - lifted),
         keep * trial[1],
         keep * trial[2],
     ];
@@ -138,7 +138,7 @@ pub fn point(
         memory.slip[k] += slip;
         loss.friction += 0.5 * (before[k + 1] + t[k + 1]) * slip;
     }
-    loss.friction += 0.5 * (before[0] + t[0]) * (memory.lift - lifted);
+    loss.friction += 0.5 * (before[0] + t[0]) * (memory.normal_offset - lifted);
     (t, loss)
 }
 
@@ -166,7 +166,7 @@ pub struct Plain {
     pub sliding: f64,
 }
 
-/// [`point`] without dilation and lift, and without branches, so that many points can go side by side.
+/// [`point`] without dilation and normal_offset, and without branches, so that many points can go side by side.
 #[inline(always)]
 #[must_use]
 pub fn plain_point(
@@ -232,7 +232,7 @@ pub fn plain_point(
 /// together, which raises the limit, until dilation ends.
 #[inline]
 fn flow(law: &Strength, springs: Springs, excess: f64, memory: &Memory) -> f64 {
-    let left = (law.dilation_end - memory.path).max(0.0);
+    let left = (law.dilation_end - memory.accumulated_slip).max(0.0);
     if law.dilation <= 0.0 || left <= 0.0 {
         return excess / springs[1];
     }
@@ -393,7 +393,11 @@ mod tests {
             assert!(t[1] <= limit * (1.0 + 1e-12));
             sigma = t[0];
         }
-        assert!((memory.lift - 0.2e-3).abs() < 1e-12, "{}", memory.lift);
+        assert!(
+            (memory.normal_offset - 0.2e-3).abs() < 1e-12,
+            "{}",
+            memory.normal_offset
+        );
         assert!((sigma + 2e10 * (1e-5 + 0.2e-3)).abs() < 1.0);
     }
 }

@@ -83,9 +83,9 @@ pub enum Criterion {
     Larger,
 }
 
-/// Way of breaking.
+/// FractureMode of breaking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Way {
+pub enum FractureMode {
     /// Across s3.
     Tension,
     /// By Griffith's criterion under compression, on inclined planes.
@@ -106,8 +106,8 @@ pub struct Principal {
 /// What a criterion says of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// Way of breaking that is nearest.
-    pub way: Way,
+    /// FractureMode of breaking that is nearest.
+    pub mode: FractureMode,
     /// Stress beyond the limit (less the margin), Pa: at least 0 when the block is to be cut.
     pub excess: f64,
     /// Load over the limit (less the margin); at least 1 when the block is to be cut.
@@ -186,8 +186,8 @@ pub fn assess(
     principal: &Principal,
 ) -> Verdict {
     let [s1, _, s3] = principal.values;
-    let verdict = |way, load: f64, limit: f64| Verdict {
-        way,
+    let verdict = |mode, load: f64, limit: f64| Verdict {
+        mode,
         excess: load - limit,
         utilisation: if limit > 0.0 {
             load / limit
@@ -197,15 +197,15 @@ pub fn assess(
     };
     let pulled = s1 + 3.0 * s3 < 0.0;
     let limit = rock.tension - margins.tension;
-    let tension = verdict(Way::Tension, -s3, limit);
+    let tension = verdict(FractureMode::Tension, -s3, limit);
     let shear = {
         let [load, limit] = rock.shear(s1, s3);
-        verdict(Way::Shear, load, limit - margins.shear)
+        verdict(FractureMode::Shear, load, limit - margins.shear)
     };
     match criterion {
         Criterion::Source if pulled => tension,
         Criterion::Griffith if pulled => tension,
-        Criterion::Griffith => verdict(Way::Griffith, griffith(s1, s3), limit),
+        Criterion::Griffith => verdict(FractureMode::Griffith, griffith(s1, s3), limit),
         Criterion::Source | Criterion::MohrCoulomb => shear,
         Criterion::Larger if tension.utilisation >= shear.utilisation => tension,
         Criterion::Larger => shear,
@@ -215,18 +215,18 @@ pub fn assess(
 /// Angle psi between a plane of breaking and the direction of s1, rad: 0 in tension, (14) for Griffith, (16) for
 /// Mohr-Coulomb, both corrected.
 #[must_use]
-pub fn plane_angle(rock: &Rock, way: Way, principal: &Principal) -> f64 {
+pub fn plane_angle(rock: &Rock, mode: FractureMode, principal: &Principal) -> f64 {
     let [s1, _, s3] = principal.values;
-    match way {
-        Way::Tension => 0.0,
-        Way::Griffith => {
+    match mode {
+        FractureMode::Tension => 0.0,
+        FractureMode::Griffith => {
             let cosine = (s1 - s3) / (2.0 * (s1 + s3));
             // Outside the compressive branch the plane contains s1.
             let cosine = if cosine >= 0.0 { cosine.min(1.0) } else { 1.0 };
             0.5 * libm::acos(cosine)
         }
         // Half of what the friction angle lacks to a right one.
-        Way::Shear => 0.5 * libm::atan2(1.0, rock.friction),
+        FractureMode::Shear => 0.5 * libm::atan2(1.0, rock.friction),
     }
 }
 
@@ -239,14 +239,14 @@ pub fn plane_angle(rock: &Rock, way: Way, principal: &Principal) -> f64 {
 #[must_use]
 pub fn cut_normal(
     rock: &Rock,
-    way: Way,
+    mode: FractureMode,
     principal: &Principal,
     gradient: &Gradient,
     hint: Option<Vec3>,
 ) -> Vec3 {
     let principal = hint.map_or(*principal, |hint| settle(principal, hint));
     let [e1, _, e3] = principal.axes;
-    let psi = plane_angle(rock, way, &principal);
+    let psi = plane_angle(rock, mode, &principal);
     if psi == 0.0 {
         return e3;
     }

@@ -53,7 +53,7 @@ pub struct Strength {
 
 /// How a point failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Mode {
+pub enum FailureMode {
     /// Beyond the tensile strength.
     Tension,
     /// Beyond the shear strength.
@@ -95,22 +95,22 @@ impl Strength {
     /// so that 1/u is the share of a load at which a linear body would begin to fail.
     #[inline]
     #[must_use]
-    pub fn utilisation(&self, t: &[f64; 3]) -> (f64, Mode) {
+    pub fn utilisation(&self, t: &[f64; 3]) -> (f64, FailureMode) {
         // What is left of the shear when friction has taken its part, which is more than nothing in tension.
         let beyond = -shear_limit(-norm(t[1], t[2]), self.friction, t[0]);
         let in_tension = ratio(t[0].max(0.0), self.tension);
         let in_shear = ratio(beyond.max(0.0), self.cohesion);
         if in_tension >= in_shear {
-            (in_tension, Mode::Tension)
+            (in_tension, FailureMode::Tension)
         } else {
-            (in_shear, Mode::Shear)
+            (in_shear, FailureMode::Shear)
         }
     }
 
     /// How a point under this traction fails, if it does.
     #[inline]
     #[must_use]
-    pub fn failure(&self, t: &[f64; 3]) -> Option<Mode> {
+    pub fn failure(&self, t: &[f64; 3]) -> Option<FailureMode> {
         let (used, mode) = self.utilisation(t);
         (used > 1.0).then_some(mode)
     }
@@ -173,12 +173,15 @@ mod tests {
             let tau = STRENGTH.peak(sigma);
             let (used, mode) = STRENGTH.utilisation(&[sigma, 0.6 * tau, 0.8 * tau]);
             assert!(
-                (used - 1.0).abs() < 1e-12 && mode == Mode::Shear,
+                (used - 1.0).abs() < 1e-12 && mode == FailureMode::Shear,
                 "{sigma} {used}"
             );
             assert!(STRENGTH.holds(sigma, tau) && !STRENGTH.holds(sigma, 1.001 * tau));
         }
-        assert_eq!(STRENGTH.utilisation(&[2e6, 0.0, 0.0]), (2.0, Mode::Tension));
+        assert_eq!(
+            STRENGTH.utilisation(&[2e6, 0.0, 0.0]),
+            (2.0, FailureMode::Tension)
+        );
         assert_eq!(STRENGTH.utilisation(&[-2e6, 0.0, 0.0]).0, 0.0);
     }
 

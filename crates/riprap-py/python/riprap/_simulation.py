@@ -101,7 +101,7 @@ class Simulation:
         return state == "running"
 
     def close(self) -> RunFolder | None:
-        """Closes the books and gives the run folder, if there is one."""
+        """Closes the ledger and gives the run folder, if there is one."""
         self._sim.close()
         return None if self.path is None else RunFolder(self.path)
 

@@ -29,7 +29,7 @@ impl ClassTable {
         };
         for (k, class) in world.classes.iter().enumerate() {
             let (arms, pair) = (&class.arms, class.materials);
-            let key = table.key(&class.frame, arms, class.area, class.reach, pair);
+            let key = table.key(&class.frame, arms, class.area, class.half_spacing, pair);
             table.known.insert(key, k as u32);
         }
         table
@@ -44,16 +44,16 @@ impl ClassTable {
         frame: &[Vec3; 3],
         arms: &[Vec3; 2],
         area: f64,
-        reach: [f64; 2],
+        half_spacing: [f64; 2],
         materials: [u16; 2],
     ) -> [i64; 22] {
         let mut key = [0; 22];
-        let lengths = arms.iter().flat_map(Vec3::to_array).chain(reach);
+        let lengths = arms.iter().flat_map(Vec3::to_array).chain(half_spacing);
         let units = frame.iter().flat_map(Vec3::to_array);
         let numbers = lengths
             .map(|x| (x / self.quantum).round())
             .chain(units.map(|x| (x / ROUNDING).round()))
-            .chain([(area / (self.quantum * reach[0].max(reach[1]))).round()]);
+            .chain([(area / (self.quantum * half_spacing[0].max(half_spacing[1]))).round()]);
         for (slot, number) in key.iter_mut().zip(numbers) {
             *slot = number as i64;
         }
@@ -81,9 +81,9 @@ impl ClassTable {
             Points::Gauss => 1.0,
             Points::Quarter => 0.75f64.sqrt(),
         };
-        let reach = overlap.gyration.map(|g| spread * g);
+        let half_spacing = overlap.gyration.map(|g| spread * g);
         let pair = materials.map(|m| m as u16);
-        let key = self.key(&overlap.frame, &arms, overlap.area, reach, pair);
+        let key = self.key(&overlap.frame, &arms, overlap.area, half_spacing, pair);
         if let Some(&class) = self.known.get(&key) {
             return Ok(class);
         }
@@ -100,7 +100,7 @@ impl ClassTable {
         world.classes.push(PatchClass {
             frame: overlap.frame,
             area: overlap.area,
-            reach,
+            half_spacing: half_spacing,
             arms,
             stiffness,
             beta: joint.damping * travel,

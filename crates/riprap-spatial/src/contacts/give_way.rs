@@ -81,7 +81,7 @@ fn gyration(world: &World, p: usize) -> [f64; 2] {
         Points::Gauss => 1.0,
         Points::Quarter => 0.75f64.sqrt(),
     };
-    class.reach.map(|reach| reach / spread)
+    class.half_spacing.map(|half_spacing| half_spacing / spread)
 }
 
 /// Whether a broken patch has slid, turned or opened too far.
@@ -95,8 +95,10 @@ fn is_past(world: &World, p: usize) -> bool {
     let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
     let [b, c] = gyration(world, p);
     let side = 2.0 * 3.0f64.sqrt() * b.min(c);
-    let lift = list.lift.get(p).copied().unwrap_or_default();
-    if (points.at.iter().zip(lift)).all(|(at, lift)| at[0] - lift > OPEN * side) {
+    let normal_offset = list.normal_offset.get(p).copied().unwrap_or_default();
+    if (points.at.iter().zip(normal_offset))
+        .all(|(at, normal_offset)| at[0] - normal_offset > OPEN * side)
+    {
         return true;
     }
     let slip = [1, 2].map(|k| 0.25 * points.at.iter().map(|at| at[k]).sum::<f64>());
@@ -261,10 +263,10 @@ mod tests {
         }
         run.scratch = Scratch::new(&mut run.world, Exec::serial());
         let weight = 250.0 * g;
-        run.world.bodies.pose[2][1] = -weight / 0.4e9;
+        run.world.bodies.displacement[2][1] = -weight / 0.4e9;
         // Its shear is at the limit: it slides from the first instant.
         let start = 0.5 * weight / (0.4 * 5e8);
-        run.world.bodies.pose[0][1] = start;
+        run.world.bodies.displacement[0][1] = start;
         run.world.patches.flags[0] |= flag::BROKEN;
         run.evaluate();
         run.world.start_energy = Some(run.view().balance().total());

@@ -107,7 +107,7 @@ fn transit(world: &World, desk: &Desk) -> f64 {
 
 /// Longest step in which no block uses up more than a share of its margin: whom it can run into is known before, s.
 ///
-/// A quarter of the time, because what the books take for the kinetic energy of a falling block, `m v(n-1/2).v(n+1/2)/2`, is less than its own by
+/// A quarter of the time, because what the ledger takes for the kinetic energy of a falling block, `m v(n-1/2).v(n+1/2)/2`, is less than its own by
 /// `m g² dt²/8`: where steps grow short before a contact that comes to light as a residual.
 pub(super) fn reach(world: &World) -> f64 {
     let g = world.gravity.length();

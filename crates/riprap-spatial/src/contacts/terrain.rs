@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 
 use super::make_shapes;
 use crate::exec::CHUNK;
-use crate::found::desk::{Acting, Desk, TerrainRoom};
+use crate::found::desk::{Acting, Desk, TerrainWorkspace};
 use crate::found::{
     Body, ContactLaw, Motion, Question, Reached, Shape, Terrain, Wrench, respond, turn,
 };
@@ -53,8 +53,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     states.resize_with(n, OnTerrain::default);
     let mut exerted = std::mem::take(&mut desk.terrain.exerted);
     exerted.resize(n, Acting::default());
-    let mut rooms = std::mem::take(&mut desk.terrain.rooms);
-    rooms.resize_with(n.div_ceil(CHUNK), TerrainRoom::default);
+    let mut workspaces = std::mem::take(&mut desk.terrain.workspaces);
+    workspaces.resize_with(n.div_ceil(CHUNK), TerrainWorkspace::default);
     let evaluation = Evaluation {
         world,
         desk,
@@ -63,7 +63,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     scratch.exec.chunks2(
         &mut states,
         &mut exerted,
-        &mut rooms,
+        &mut workspaces,
         |first, states, exerted, room| {
             room.friction = 0.0;
             room.left.clear();
@@ -72,7 +72,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
             }
         },
     );
-    for room in &rooms {
+    for room in &workspaces {
         world.works.friction += room.friction;
         for &b in &room.left {
             let event = world.event(EditKind::LeftTerrain, b);
@@ -86,7 +86,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     }
     world.found.terrain = states;
     desk.terrain.exerted = exerted;
-    desk.terrain.rooms = rooms;
+    desk.terrain.workspaces = workspaces;
     let limit = longest_step(world, &scratch.desk);
     world.found.longest_step = world.found.longest_step.map(|step| step.min(limit));
 }
@@ -149,7 +149,13 @@ struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    fn block(&self, b: usize, state: &mut OnTerrain, exerted: &mut Acting, room: &mut TerrainRoom) {
+    fn block(
+        &self,
+        b: usize,
+        state: &mut OnTerrain,
+        exerted: &mut Acting,
+        room: &mut TerrainWorkspace,
+    ) {
         *exerted = Acting::default();
         if !self.world.meets_terrain(b) {
             for facet in std::mem::take(&mut state.facets) {
@@ -232,7 +238,7 @@ impl Evaluation<'_> {
         position: Vec3,
         state: &mut OnTerrain,
         exerted: &mut Acting,
-        room: &mut TerrainRoom,
+        room: &mut TerrainWorkspace,
     ) {
         let areas = room.treader.facets.iter();
         let whole: f64 = areas.map(|on| on.sums.vector_area.length()).sum();

@@ -249,7 +249,7 @@ fn threads_and_restart_change_no_bit() {
     };
     let bits = |run: &Run| -> Vec<u64> {
         let bodies = &run.world.bodies;
-        let lists = bodies.pose.iter().chain(&bodies.rate).flatten();
+        let lists = bodies.displacement.iter().chain(&bodies.velocity).flatten();
         let shear = run.world.found.pairs.iter().map(|p| &p.memory.shear.x);
         lists.chain(shear).map(|x| x.to_bits()).collect()
     };

@@ -77,8 +77,8 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         freedoms: Freedoms {
             bodies: &world.bodies,
             turned: &world.turned,
-            displacement: &deform.nodes.moved,
-            velocity: &deform.nodes.rate,
+            displacement: &deform.nodes.displacement,
+            velocity: &deform.nodes.velocity,
         },
         turning: super::turn::Turning::new(&world.turned, &deform.slot, &work.turns),
         points: &deform.points,
@@ -86,7 +86,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         bonds: &world.setup.deform.bonds,
         live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
         relaxing: relax.is_some(),
-        waits: relax.is_some_and(|r| r.way.breaks != Breaks::Always),
+        waits: relax.is_some_and(|r| r.relaxation.breaks != Breaks::Always),
         breaking: deform.breaking,
         time: world.time,
         step: world.step,
@@ -277,8 +277,8 @@ impl Context<'_> {
             let global = t[0] * facet.now[0] + t[1] * facet.now[1] + t[2] * facet.now[2];
             *slot = (point.area * global).to_array();
             let Some(pending) = self.live else { continue };
-            let rate = self.freedoms.jump_rate(&point.anchors);
-            let before = facet.now.map(|e| e.dot(jump - pending * rate));
+            let velocity = self.freedoms.jump_velocity(&point.anchors);
+            let before = facet.now.map(|e| e.dot(jump - pending * velocity));
             let (t_before, old) = respond(memory, &before, false);
             let lost = bond::loss(
                 facet.stiffness,
@@ -333,8 +333,8 @@ pub fn commit(memory: &mut Memory, after: bond::State, area: f64, works: &mut Wo
 pub fn tell(memory: &mut Memory, law: &BondLaw, t: &bond::Traction, time: f64) {
     let mode = law.strength.map(|s| s.utilisation(t).1);
     memory.state = match mode {
-        Some(bond::Mode::Tension) | None => State::Opened,
-        Some(bond::Mode::Shear) => State::Sheared,
+        Some(bond::FailureMode::Tension) | None => State::Opened,
+        Some(bond::FailureMode::Shear) => State::Sheared,
     };
     memory.broken_at = time;
     memory.untold = true;

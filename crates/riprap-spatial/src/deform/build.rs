@@ -15,7 +15,7 @@ use crate::setup::deform::{BondLaw, BondSprings, NodeHold};
 use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
 use crate::state::face::Face;
 use crate::state::interface::Origin;
-use crate::state::workspace::{Kind, Workspace};
+use crate::state::workspace::{BlockClass, Workspace};
 use crate::world::World;
 
 /// Share of a face's area below which a node of it counts as covered.
@@ -82,8 +82,8 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
             let u = field(&set.displacement, global);
             let v = spec.velocity + spec.spin.cross(*node) + field(&set.velocity, global);
             deform.nodes.place.push(place);
-            deform.nodes.moved.push(u.to_array());
-            deform.nodes.rate.push(v.to_array());
+            deform.nodes.displacement.push(u.to_array());
+            deform.nodes.velocity.push(v.to_array());
         }
         if let Some(in_situ) = &setup.in_situ {
             deform
@@ -122,7 +122,7 @@ fn field(formulas: &[Option<Formula>; 3], at: Vec3) -> Vec3 {
 pub fn join(
     world: &World,
     deform: &mut Deform,
-    kinds: &[Kind],
+    kinds: &[BlockClass],
     overlaps: &[Overlap],
 ) -> Result<(), BuildError> {
     for overlap in overlaps {
@@ -262,9 +262,9 @@ pub(super) fn stiffness(
 pub fn conditions(
     world: &World,
     deform: &mut Deform,
-    kinds: &[Kind],
+    kinds: &[BlockClass],
     faces: &[Face],
-    walls: &[SoftWall],
+    walls: &[NodalWall],
 ) -> Result<(), BuildError> {
     let covered = covered(deform);
     for wall in walls {
@@ -315,7 +315,7 @@ pub fn conditions(
 /// The part of a face of a body that no facet covers.
 fn free(
     deform: &Deform,
-    kinds: &[Kind],
+    kinds: &[BlockClass],
     covered: &BTreeMap<(u32, [i64; 3]), f64>,
     body: Body,
     face: usize,
@@ -480,19 +480,19 @@ fn inside(world: &World, deform: &Deform, hold: &NodeHold) -> Vec<u32> {
 pub fn hold_now(deform: &mut Deform, t: f64) {
     let dynamic = deform.relax.is_none();
     for hold in &deform.holds {
-        let v = Vec3::from_array(deform.nodes.rate[hold.node as usize]);
+        let v = Vec3::from_array(deform.nodes.velocity[hold.node as usize]);
         let target = if dynamic {
             hold.velocity(t)
         } else {
             Vec3::ZERO
         };
-        deform.nodes.rate[hold.node as usize] = (hold.free * v + target).to_array();
+        deform.nodes.velocity[hold.node as usize] = (hold.free * v + target).to_array();
     }
 }
 
 /// A face of a deformable block at a cavity.
 #[derive(Clone, Copy, Debug)]
-pub struct SoftWall {
+pub struct NodalWall {
     /// Index into `Setup::sources`.
     pub source: u16,
     /// The block.
@@ -511,7 +511,7 @@ pub fn finish(
     world: &mut World,
     overlaps: &[Overlap],
     faces: Vec<Face>,
-    walls: &[SoftWall],
+    walls: &[NodalWall],
 ) -> Result<Vec<Face>, BuildError> {
     let Some(mut deform) = world.deform.take() else {
         return Ok(faces);

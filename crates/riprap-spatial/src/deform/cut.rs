@@ -29,7 +29,7 @@ use super::fracture::LOOK;
 use super::stable;
 use crate::cavity;
 use crate::edit::error::EditError;
-use crate::laws::fracture::Way;
+use crate::laws::fracture::FractureMode;
 use crate::read::view::View;
 use crate::refine::RefineError;
 pub use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
@@ -133,7 +133,7 @@ pub fn one(
     };
     let note = Note {
         normal,
-        way: Way::Tension,
+        mode: FractureMode::Tension,
         excess: 0.0,
     };
     let view = View { world, scratch };

@@ -4,7 +4,7 @@ use riprap_geom::Mat3;
 
 use super::store::{Body, Deform};
 use crate::laws::tetrahedron::{Gradient, StartStress, Strain, tensor};
-use crate::state::workspace::{Kind, Workspace};
+use crate::state::workspace::{BlockClass, Workspace};
 
 /// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m). With small strain those of a start
 /// stress are constant and not among them.
@@ -12,7 +12,7 @@ use crate::state::workspace::{Kind, Workspace};
 /// Small strain with a shared kind takes the dense matrix. To be called inside `Width::run`.
 #[inline(always)]
 pub fn add_forces(
-    kind: &Kind,
+    kind: &BlockClass,
     strain: Strain,
     start: &StartStress,
     u: &[[f64; 3]],
@@ -31,15 +31,15 @@ pub fn add_forces(
 impl Deform {
     /// Displacements of the nodes of a body, m.
     #[must_use]
-    pub fn moved(&self, body: &Body) -> &[[f64; 3]] {
-        &self.nodes.moved[body.nodes()]
+    pub fn displacement(&self, body: &Body) -> &[[f64; 3]] {
+        &self.nodes.displacement[body.nodes()]
     }
 
     /// Mean Cauchy stress (Pa, tension-positive) and mean displacement gradient of a body.
     #[must_use]
     pub fn average(&self, work: &Workspace, body: &Body) -> (Mat3, Gradient) {
         let kind = work.kind(body);
-        let u = self.moved(body);
+        let u = self.displacement(body);
         let start = work.start_of(self.slot[body.block as usize] as usize);
         let (stress, gradient) = kind.groups.average(&kind.law, body.strain, start, u);
         (tensor(stress), gradient)
@@ -50,7 +50,7 @@ impl Deform {
     pub fn strain_energy(&self, work: &Workspace, body: &Body) -> f64 {
         let kind = work.kind(body);
         let slot = self.slot[body.block as usize] as usize;
-        let u = self.moved(body);
+        let u = self.displacement(body);
         let held = self.start.get(slot).map_or(0.0, |s| s.energy);
         let start = work.start_of(slot);
         kind.groups.energy(&kind.law, body.strain, start, u) + held

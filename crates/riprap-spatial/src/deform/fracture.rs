@@ -30,7 +30,7 @@ struct Due {
     /// A single point; `None` breaks all points of the facet.
     point: Option<u32>,
     utilisation: f64,
-    mode: bond::Mode,
+    mode: bond::FailureMode,
 }
 
 /// Breaks what is due at the present state, after `evaluate` with the same damping and `dt` (s); evaluates anew and books
@@ -130,7 +130,7 @@ fn due(view: &View<'_>) -> Vec<Due> {
             continue;
         }
         let relax = deform.relax.as_ref();
-        let springs_break_at_once = relax.is_none_or(|r| r.way.breaks == Breaks::Always);
+        let springs_break_at_once = relax.is_none_or(|r| r.relaxation.breaks == Breaks::Always);
         match law.failure {
             // Softening points look after themselves, and so do those of dynamic phases.
             BondFailure::Spring if law.cohesive.is_some() || springs_break_at_once => {}
@@ -167,7 +167,7 @@ fn due(view: &View<'_>) -> Vec<Due> {
     }
     let most = found.iter().map(|d| d.utilisation).fold(0.0, f64::max);
     // While everything moves each facet fails when it fails.
-    let least = match deform.relax.as_ref().map(|r| r.way.breaks) {
+    let least = match deform.relax.as_ref().map(|r| r.relaxation.breaks) {
         Some(Breaks::Most) => TOGETHER * most,
         Some(Breaks::All | Breaks::Always) | None => 0.0,
     };
@@ -300,8 +300,8 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
             released += deform.points[p].area * (stored(&held) + unbooked - stored(&after));
             m.law = after;
             m.state = match one.mode {
-                bond::Mode::Tension => State::Opened,
-                bond::Mode::Shear => State::Sheared,
+                bond::FailureMode::Tension => State::Opened,
+                bond::FailureMode::Shear => State::Sheared,
             };
             m.broken_at = world.time;
             m.untold = true;

@@ -15,7 +15,7 @@ use super::store::{Deform, Point, Start};
 use crate::laws::bond::Traction;
 use crate::overlap::Overlap;
 use crate::setup::InSitu;
-use crate::state::workspace::Kind;
+use crate::state::workspace::BlockClass;
 use crate::world::World;
 
 /// Start stresses of a block with the centroid `centre` (m, local).
@@ -56,7 +56,7 @@ pub fn levers(mesh: &Tetrahedra, face: usize) -> BTreeMap<u32, Vec3> {
 pub fn tractions(
     world: &World,
     deform: &Deform,
-    kinds: &[Kind],
+    kinds: &[BlockClass],
     overlap: &Overlap,
     points: &[Point],
 ) -> Vec<Traction> {

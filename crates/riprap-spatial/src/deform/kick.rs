@@ -25,7 +25,7 @@ pub struct Kick<'a> {
     /// Middle of the coming step, s, and what prescribed velocities are multiplied by there.
     pub drive: (f64, f64),
     /// Velocities half a step ago, m/s.
-    pub rate: &'a [[f64; 3]],
+    pub velocity: &'a [[f64; 3]],
     /// Masses, kg.
     pub masses: &'a [f64],
     /// What the span is divided by: masses, or fictitious ones, kg.
@@ -117,7 +117,7 @@ impl Kick<'_> {
         let (load, push, v) = (
             eight_of(self.loads, node),
             eight_of(self.pushes, node),
-            eight_of(self.rate, node),
+            eight_of(self.velocity, node),
         );
         let force = plus(&plus(&plus(&vectors(net), &weight), &load), &push);
         let square = dot(&force, &force);
@@ -213,7 +213,7 @@ impl Kick<'_> {
         dashpot: Option<&Dashpot>,
         sums: &mut KickSums,
     ) -> Vec3 {
-        let v = Vec3::from_array(self.rate[node.node]);
+        let v = Vec3::from_array(self.velocity[node.node]);
         let local = self.damping.local;
         let drag = Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, node.net[k], v[k])));
         let alpha = self.damping.mass;
@@ -298,8 +298,8 @@ mod tests {
         let count = 45;
         let mut list =
             || -> Vec<[f64; 3]> { (0..count).map(|_| [draw(), draw(), draw()]).collect() };
-        let (mut net, rate, loads, pushes) = (list(), list(), list(), list());
-        let masses: Vec<f64> = rate.iter().map(|r| 1.5 + r[0]).collect();
+        let (mut net, velocity, loads, pushes) = (list(), list(), list(), list());
+        let masses: Vec<f64> = velocity.iter().map(|r| 1.5 + r[0]).collect();
         let mut hold = Hold::new(12);
         hold.add(Vec3::X, None);
         let dashpot = Dashpot {
@@ -312,7 +312,7 @@ mod tests {
             half: [0.05, 0.06],
             span: 0.11,
             drive: (0.0, 1.0),
-            rate: &rate,
+            velocity: &velocity,
             masses: &masses,
             inertias: &masses,
             loads: if loaded { &loads } else { &[] },

@@ -7,7 +7,7 @@ use riprap_geom::polyhedron::Tetrahedra;
 use super::store::{Anchor, Deform, Point};
 use crate::deform::shape::{centred, face_of, face_with};
 use crate::overlap::Overlap;
-use crate::state::workspace::Kind;
+use crate::state::workspace::BlockClass;
 use crate::world::World;
 
 /// Share of the overlap below which faces share nothing.
@@ -15,7 +15,12 @@ const SLIVER: f64 = 1e-9;
 
 /// The points of the overlap of two faces, at least one of them on a deformable block.
 #[must_use]
-pub fn points(world: &World, deform: &Deform, kinds: &[Kind], overlap: &Overlap) -> Vec<Point> {
+pub fn points(
+    world: &World,
+    deform: &Deform,
+    kinds: &[BlockClass],
+    overlap: &Overlap,
+) -> Vec<Point> {
     let n = overlap.frame[0];
     // Of the image in a periodic model the arms tell the shift.
     let centres = [0, 1].map(|s| world.reference[overlap.blocks[s] as usize] + overlap.arms[s]);
@@ -63,7 +68,7 @@ pub fn points(world: &World, deform: &Deform, kinds: &[Kind], overlap: &Overlap)
 fn fan(
     world: &World,
     deform: &Deform,
-    kinds: &[Kind],
+    kinds: &[BlockClass],
     block: usize,
     outward: Vec3,
     arm: Vec3,

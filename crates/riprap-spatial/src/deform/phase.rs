@@ -1,6 +1,6 @@
 //! Entering phases: which masses, whether it relaxes, whether bonds may break.
 
-use super::relax::{Relax, Way};
+use super::relax::{Relax, Relaxation};
 use super::store::{Deform, Masses};
 use crate::laws::tetrahedron::Strain;
 use crate::world::World;
@@ -22,7 +22,7 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64) -> bool {
     deform.breaking = rules.breaking;
     let stops = deform.relax.is_some() || rules.relax.is_some();
     if stops {
-        deform.nodes.rate.fill([0.0; 3]);
+        deform.nodes.velocity.fill([0.0; 3]);
     }
     match rules.relax {
         Some(tolerance) => {
@@ -71,10 +71,10 @@ pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
 }
 
 /// Chooses how the present phase relaxes.
-pub fn relax_by(world: &mut World, way: Way) {
+pub fn relax_by(world: &mut World, relaxation: Relaxation) {
     if let Some(relax) = world.deform.as_mut().and_then(|d| d.relax.as_mut()) {
-        relax.way = way;
-        relax.damping = way.damping.unwrap_or(relax.damping);
+        relax.relaxation = relaxation;
+        relax.damping = relaxation.damping.unwrap_or(relax.damping);
     }
 }
 

@@ -7,8 +7,8 @@
 //! whichever are larger.
 
 use super::store::{Deform, Facet};
-pub use crate::state::relax::{Breaks, Relax, Seen, Way};
-use crate::state::workspace::{Kind, Workspace};
+pub use crate::state::relax::{Breaks, Relax, Relaxation, Seen};
+use crate::state::workspace::{BlockClass, Workspace};
 use riprap_geom::Vec3;
 
 /// Iterations between two looks at convergence and damping.
@@ -63,7 +63,7 @@ impl Relax {
         self.since = 0;
         self.settled = false;
         self.ratio = ratio;
-        self.converged = match self.way.energy {
+        self.converged = match self.relaxation.energy {
             None => ratio <= self.tolerance,
             Some(share) => {
                 let energy = elastic(nodes, work, loads);
@@ -71,16 +71,16 @@ impl Relax {
                 before.is_some_and(|before| (energy - before).abs() <= share * energy.abs())
             }
         };
-        if let Some(damping) = self.way.damping {
+        if let Some(damping) = self.relaxation.damping {
             self.damping = damping;
             return;
         }
         if let Some(last) = &self.last {
             let (mut stiff, mut heavy) = (0.0, 0.0);
-            for k in 0..nodes.moved.len() {
+            for k in 0..nodes.displacement.len() {
                 let mass = work.fictitious[k];
                 for axis in 0..3 {
-                    let du = nodes.moved[k][axis] - last.moved[k][axis];
+                    let du = nodes.displacement[k][axis] - last.displacement[k][axis];
                     stiff -= du * (work.net[k][axis] - last.net[k][axis]);
                     heavy += mass * du * du;
                 }
@@ -90,7 +90,7 @@ impl Relax {
             }
         }
         self.last = Some(Seen {
-            moved: nodes.moved.clone(),
+            displacement: nodes.displacement.clone(),
             net: work.net.clone(),
         });
     }
@@ -99,7 +99,7 @@ impl Relax {
 /// Elastic energy, J: half the work of the internal forces, exact for small strain without friction.
 fn elastic(nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) -> f64 {
     let mut sum = 0.0;
-    for (k, (u, net)) in nodes.moved.iter().zip(&work.net).enumerate() {
+    for (k, (u, net)) in nodes.displacement.iter().zip(&work.net).enumerate() {
         let load = loads.get(k).copied().unwrap_or_default();
         for axis in 0..3 {
             sum += u[axis] * (load[axis] - net[axis]);
@@ -110,8 +110,8 @@ fn elastic(nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) ->
 
 /// Fictitious masses of all nodes.
 #[must_use]
-pub fn masses(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
-    let always = (deform.relax.as_ref()).is_some_and(|r| r.way.breaks == Breaks::Always);
+pub fn masses(deform: &Deform, kinds: &[BlockClass]) -> Vec<f64> {
+    let always = (deform.relax.as_ref()).is_some_and(|r| r.relaxation.breaks == Breaks::Always);
     let share = if always { CONTACT } else { 1.0 };
     let mut sums = row_sums(deform, kinds, share);
     for sum in &mut sums {
@@ -122,7 +122,7 @@ pub fn masses(deform: &Deform, kinds: &[Kind]) -> Vec<f64> {
 
 /// Row sums `sum_j |K_ij|` of the stiffness of blocks and bonds, the largest component of each node, N/m; those of bonds times `share`.
 #[must_use]
-pub fn row_sums(deform: &Deform, kinds: &[Kind], share: f64) -> Vec<f64> {
+pub fn row_sums(deform: &Deform, kinds: &[BlockClass], share: f64) -> Vec<f64> {
     let mut sums = vec![0.0; deform.nodes.len()];
     for body in &deform.bodies {
         let own = &kinds[body.kind as usize].row_sums;

@@ -6,7 +6,7 @@ use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
 
 use crate::setup::Shape;
 use crate::state::deform::Facet;
-use crate::state::workspace::Kind;
+use crate::state::workspace::BlockClass;
 use crate::state::world::World;
 
 /// Cosine beyond which two normals are the same.
@@ -41,7 +41,7 @@ pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
 
 /// Face of a kind with the outward normal `n`, the nearest to `at` (m from the centroid) of several.
 #[must_use]
-pub fn face_of(kind: &Kind, n: Vec3, at: Vec3) -> usize {
+pub fn face_of(kind: &BlockClass, n: Vec3, at: Vec3) -> usize {
     face_with(&kind.mesh, kind.faces.len(), n, at)
 }
 

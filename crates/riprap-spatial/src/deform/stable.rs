@@ -139,10 +139,10 @@ fn times(
     y: &mut [[f64; 3]],
 ) {
     let mut nodes = super::store::Nodes {
-        moved: x.to_vec(),
+        displacement: x.to_vec(),
         ..Default::default()
     };
-    for (u, root) in nodes.moved.iter_mut().zip(roots) {
+    for (u, root) in nodes.displacement.iter_mut().zip(roots) {
         *u = u.map(|c| c * root);
     }
     y.fill([0.0; 3]);
@@ -153,15 +153,15 @@ fn times(
                 let here = body.nodes();
                 let f = &mut y[here.clone()];
                 let (kind, none) = (work.kind(body), StartStress::none());
-                elements::add_forces(kind, Strain::Small, &none, &nodes.moved[here], f);
+                elements::add_forces(kind, Strain::Small, &none, &nodes.displacement[here], f);
             }
         },
     );
     let freedoms = Freedoms {
         bodies,
         turned,
-        displacement: &nodes.moved,
-        velocity: &nodes.rate,
+        displacement: &nodes.displacement,
+        velocity: &nodes.velocity,
     };
     for facet in &deform.facets {
         let n = facet.frame[0];

@@ -1,6 +1,6 @@
 //! One step of the deformable blocks: forces on nodes, velocity changes, motion.
 //!
-//! The same leapfrog and the same books as for rigid blocks: works are trapezoidal with the half-step velocities, so that their
+//! The same leapfrog and the same ledger as for rigid blocks: works are trapezoidal with the half-step velocities, so that their
 //! sum is exactly the change of `m v(n-1/2).v(n+1/2)/2`. While relaxing the masses are fictitious, the step is 1 s of no
 //! meaning, and model time stands still.
 
@@ -14,14 +14,14 @@ use crate::exec::Divide;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::StartStress;
 use crate::state::scratch::{NonFinite, Scratch};
-use crate::state::workspace::{BODIES, KickSums, Kind, start_of};
+use crate::state::workspace::{BODIES, BlockClass, KickSums, start_of};
 use crate::sums;
 use crate::world::World;
 
 /// What is the same for all bodies.
 struct Context<'a> {
     deform: &'a Deform,
-    kinds: &'a [Kind],
+    kinds: &'a [BlockClass],
     starts: &'a [StartStress],
     start_forces: &'a [[f64; 3]],
     links: &'a Links,
@@ -85,7 +85,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         half: [0.5 * world.pending, 0.5 * dt],
         span: 0.5 * (world.last_dt + dt),
         drive,
-        rate: &deform.nodes.rate,
+        velocity: &deform.nodes.velocity,
         masses: &work.masses,
         inertias: match work.fictitious.is_empty() {
             true => &work.masses,
@@ -181,7 +181,7 @@ impl Context<'_> {
                 None => f.fill([0.0; 3]),
             }
             if body.alive {
-                let u = &self.deform.nodes.moved[nodes];
+                let u = &self.deform.nodes.displacement[nodes];
                 let start = start_of(self.starts, first + k);
                 elements::add_forces(&self.kinds[body.kind as usize], body.strain, start, u, f);
             }
@@ -216,8 +216,8 @@ impl Context<'_> {
 /// Pieces of the motion.
 struct Moving<'a> {
     bodies: &'a [Body],
-    moved: &'a mut [[f64; 3]],
-    rate: &'a mut [[f64; 3]],
+    displacement: &'a mut [[f64; 3]],
+    velocity: &'a mut [[f64; 3]],
     change: &'a [[f64; 3]],
     masses: &'a [f64],
     speeds: &'a mut [f64],
@@ -227,9 +227,9 @@ impl Divide for Moving<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
         let (a, b) = self.bodies.split_at(middle * BODIES);
         let nodes = b[0].first as usize - a[0].first as usize;
-        let (moved, rate) = (
-            self.moved.split_at_mut(nodes),
-            self.rate.split_at_mut(nodes),
+        let (displacement, velocity) = (
+            self.displacement.split_at_mut(nodes),
+            self.velocity.split_at_mut(nodes),
         );
         let change = self.change.split_at(nodes);
         let masses = self.masses.split_at(nodes);
@@ -237,16 +237,16 @@ impl Divide for Moving<'_> {
         (
             Self {
                 bodies: a,
-                moved: moved.0,
-                rate: rate.0,
+                displacement: displacement.0,
+                velocity: velocity.0,
                 change: change.0,
                 masses: masses.0,
                 speeds: speeds.0,
             },
             Self {
                 bodies: b,
-                moved: moved.1,
-                rate: rate.1,
+                displacement: displacement.1,
+                velocity: velocity.1,
                 change: change.1,
                 masses: masses.1,
                 speeds: speeds.1,
@@ -266,8 +266,8 @@ pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 
     }
     let moving = Moving {
         bodies: &deform.bodies,
-        moved: &mut deform.nodes.moved,
-        rate: &mut deform.nodes.rate,
+        displacement: &mut deform.nodes.displacement,
+        velocity: &mut deform.nodes.velocity,
         change: &work.change,
         masses: &work.masses,
         speeds: &mut work.speeds,
@@ -295,13 +295,13 @@ pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 
 impl Moving<'_> {
     /// Moves the nodes and finds the speeds of the centroids of the bodies.
     fn go(self, dt: f64, width: Width) {
-        let moved = self.moved.as_flattened_mut().iter_mut();
-        let rate = self.rate.as_flattened_mut().iter_mut();
+        let displacement = self.displacement.as_flattened_mut().iter_mut();
+        let velocity = self.velocity.as_flattened_mut().iter_mut();
         let change = self.change.as_flattened();
         width.run(
             #[inline(always)]
             || {
-                for ((u, v), dv) in moved.zip(rate).zip(change) {
+                for ((u, v), dv) in displacement.zip(velocity).zip(change) {
                     *v += dv;
                     *u += dt * *v;
                 }
@@ -312,7 +312,7 @@ impl Moving<'_> {
             let nodes = body.nodes();
             let here = nodes.start - base..nodes.end - base;
             let (mut sum, mut mass) = (Vec3::ZERO, 0.0);
-            for (v, m) in self.rate[here.clone()].iter().zip(&self.masses[here]) {
+            for (v, m) in self.velocity[here.clone()].iter().zip(&self.masses[here]) {
                 sum += *m * Vec3::from_array(*v);
                 mass += m;
             }

@@ -79,7 +79,7 @@ fn gradient(deform: &Deform, slopes: &[Vec3], body: &Body) -> Mat3 {
     if body.strain == Strain::Small || !body.alive {
         return f;
     }
-    for (u, slope) in deform.moved(body).iter().zip(slopes) {
+    for (u, slope) in deform.displacement(body).iter().zip(slopes) {
         let u = Vec3::from_array(*u);
         f += Mat3::from_cols(slope.x * u, slope.y * u, slope.z * u);
     }

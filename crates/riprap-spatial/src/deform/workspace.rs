@@ -9,9 +9,9 @@ use crate::exec::Exec;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
 use crate::setup::{Setup, Shape};
 use crate::state::deform::{Deform, Masses};
-use crate::state::workspace::{BODIES, BondWorks, FACETS, KickSums, Kind, Workspace};
+use crate::state::workspace::{BODIES, BlockClass, BondWorks, FACETS, KickSums, Workspace};
 
-impl Kind {
+impl BlockClass {
     /// The kind that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
     pub(super) fn new(
         setup: &Setup,
@@ -58,7 +58,7 @@ impl Workspace {
 
     /// As [`Workspace::new`] with the first kinds as they were: kinds are only ever added.
     #[must_use]
-    pub fn grown(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Self {
+    pub fn grown(setup: &Setup, deform: &Deform, old: Vec<BlockClass>, exec: &Exec) -> Self {
         let nodes = deform.nodes.len();
         let mut work = Self {
             kinds: kinds(setup, deform, old, exec),
@@ -146,7 +146,7 @@ fn slopes(mesh: &Tetrahedra) -> Vec<Vec3> {
 const KINDS: usize = 64;
 
 /// All kinds, the first of them as they were.
-fn kinds(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Vec<Kind> {
+fn kinds(setup: &Setup, deform: &Deform, old: Vec<BlockClass>, exec: &Exec) -> Vec<BlockClass> {
     let mut shared = vec![0u32; deform.kinds.len()];
     for body in &deform.bodies {
         shared[body.kind as usize] += 1;
@@ -158,7 +158,7 @@ fn kinds(setup: &Setup, deform: &Deform, old: Vec<Kind>, exec: &Exec) -> Vec<Kin
         let some = some.iter();
         some.map(|&(block, shared)| {
             let spec = &setup.blocks[block as usize];
-            Kind::new(setup, deform, (&spec.shape, spec.material), shared > 1)
+            BlockClass::new(setup, deform, (&spec.shape, spec.material), shared > 1)
         })
         .collect::<Vec<_>>()
     });

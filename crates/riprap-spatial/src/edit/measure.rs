@@ -23,7 +23,7 @@ pub(super) fn of(view: &View, criterion: Criterion) -> Vec<f64> {
                 let class = view.patch_class(p);
                 let fastest = view
                     .patch_points(p)
-                    .rate
+                    .velocity
                     .iter()
                     .map(|r| r.iter().map(|v| v * v).sum::<f64>().sqrt())
                     .fold(0.0, f64::max);

@@ -22,8 +22,8 @@ pub(super) struct Old {
     /// Tractions at zero displacement.
     start: [Traction; 4],
     flags: u16,
-    lift: [f64; 4],
-    path: [f64; 4],
+    normal_offset: [f64; 4],
+    accumulated_slip: [f64; 4],
     origin: Origin,
 }
 
@@ -37,8 +37,8 @@ impl Old {
             tractions: view.patch_tractions(p),
             start: patch::start(&class, list.prestress.get(p)),
             flags: list.flags[p],
-            lift: list.lift.get(p).copied().unwrap_or_default(),
-            path: list.path.get(p).copied().unwrap_or_default(),
+            normal_offset: list.normal_offset.get(p).copied().unwrap_or_default(),
+            accumulated_slip: list.accumulated_slip.get(p).copied().unwrap_or_default(),
             origin: list.origin_of(p),
             ends,
             class,
@@ -61,19 +61,20 @@ impl Old {
         let shift = world.reference[i] + class.arms[0] - self.centre;
         let [_, b, c] = self.class.frame;
         let whole = self.flags & (flag::BROKEN | flag::OPEN) == 0;
-        let same = shift.length() < 1e-9 * self.class.reach[0].max(self.class.reach[1])
+        let same = shift.length()
+            < 1e-9 * self.class.half_spacing[0].max(self.class.half_spacing[1])
             && (class.area - self.class.area).abs() < 1e-9 * class.area;
         let mut flags = self.flags & flag::FINITE;
         let mut new = New {
             tractions: [[0.0; 3]; 4],
-            lift: [None; 4],
-            path: [0.0; 4],
+            normal_offset: [None; 4],
+            accumulated_slip: [0.0; 4],
         };
         for q in 0..4 {
             let at = shift + patch::place(&class, q);
             let at = [
-                at.dot(b) / self.class.reach[0],
-                at.dot(c) / self.class.reach[1],
+                at.dot(b) / self.class.half_spacing[0],
+                at.dot(c) / self.class.half_spacing[1],
             ];
             let nearest = if same { q } else { nearest(at) };
             new.tractions[q] = if whole && !same {
@@ -81,7 +82,7 @@ impl Old {
             } else {
                 self.tractions[nearest]
             };
-            new.path[q] = self.path[nearest];
+            new.accumulated_slip[q] = self.accumulated_slip[nearest];
             for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
                 if self.flags & flag::of(group, nearest) != 0 {
                     flags |= flag::of(group, q);
@@ -89,8 +90,9 @@ impl Old {
             }
             if self.flags & flag::of(flag::OPEN, nearest) != 0 {
                 // An open point closes at the displacement at which it would have closed.
-                let closes = self.lift[nearest] - self.start[nearest][0] / self.class.stiffness[0];
-                new.lift[q] = Some(closes);
+                let closes =
+                    self.normal_offset[nearest] - self.start[nearest][0] / self.class.stiffness[0];
+                new.normal_offset[q] = Some(closes);
             }
         }
         new.put(world, p, flags);
@@ -98,7 +100,7 @@ impl Old {
     }
 }
 
-/// The point whose quarter holds a place given in units of the reach.
+/// The point whose quarter holds a place given in units of the half_spacing.
 fn nearest(at: [f64; 2]) -> usize {
     let side = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
     (0..4)
@@ -106,7 +108,7 @@ fn nearest(at: [f64; 2]) -> usize {
         .unwrap_or(0)
 }
 
-/// Bilinear field through the four points, at a place in units of the reach.
+/// Bilinear field through the four points, at a place in units of the half_spacing.
 fn bilinear(tractions: &[Traction; 4], at: [f64; 2]) -> Traction {
     let mut out = [0.0; 3];
     for (q, t) in tractions.iter().enumerate() {
@@ -122,8 +124,8 @@ fn bilinear(tractions: &[Traction; 4], at: [f64; 2]) -> Traction {
 struct New {
     tractions: [Traction; 4],
     /// For open points: the opening displacement at which they close, m.
-    lift: [Option<f64>; 4],
-    path: [f64; 4],
+    normal_offset: [Option<f64>; 4],
+    accumulated_slip: [f64; 4],
 }
 
 impl New {
@@ -138,7 +140,7 @@ impl New {
         let at = poses.points(&class, world.patches.ends[p], finite).at;
         let start = patch::start(&class, world.patches.prestress.get(p));
         let [kn, ks] = class.stiffness;
-        let (mut slip, mut lift) = ([[0.0; 4]; 2], [0.0; 4]);
+        let (mut slip, mut normal_offset) = ([[0.0; 4]; 2], [0.0; 4]);
         let size = self
             .tractions
             .iter()
@@ -146,7 +148,7 @@ impl New {
             .fold(0.0_f64, |m, t| m.max(t.abs()));
         for q in 0..4 {
             let (t, s, u) = (&self.tractions[q], &start[q], &at[q]);
-            lift[q] = match self.lift[q] {
+            normal_offset[q] = match self.normal_offset[q] {
                 Some(closes) => closes + s[0] / kn,
                 None => u[0] + (s[0] - t[0]) / kn,
             };
@@ -155,16 +157,20 @@ impl New {
             }
         }
         let list = &mut world.patches;
-        let zero = size == 0.0 && lift.iter().chain(slip.iter().flatten()).all(|x| *x == 0.0);
+        let zero = size == 0.0
+            && normal_offset
+                .iter()
+                .chain(slip.iter().flatten())
+                .all(|x| *x == 0.0);
         if !zero {
             flags |= flag::OFFSET;
             list.need_slip();
             list.need_lift();
             list.slip[p] = slip;
-            list.lift[p] = lift;
+            list.normal_offset[p] = normal_offset;
         }
-        if let Some(path) = list.path.get_mut(p) {
-            *path = self.path;
+        if let Some(accumulated_slip) = list.accumulated_slip.get_mut(p) {
+            *accumulated_slip = self.accumulated_slip;
         }
         list.flags[p] = flags;
     }
@@ -177,8 +183,8 @@ pub(super) fn inside(world: &mut World, p: usize, stress: &Mat3, finite: bool) {
     let t = class.frame.map(|e| e.dot(traction));
     let new = New {
         tractions: [t; 4],
-        lift: [None; 4],
-        path: [0.0; 4],
+        normal_offset: [None; 4],
+        accumulated_slip: [0.0; 4],
     };
     new.put(world, p, if finite { flag::FINITE } else { 0 });
 }

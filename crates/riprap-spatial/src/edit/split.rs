@@ -288,8 +288,8 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
             let from = centre - (reference(root) + f.arm);
             // Half edges are sqrt(3) radii of gyration.
             n.dot(face.frame[0]) > 0.5
-                && from.dot(b).abs() < 1.8 * f.reach[0]
-                && from.dot(c).abs() < 1.8 * f.reach[1]
+                && from.dot(b).abs() < 1.8 * f.half_spacing[0]
+                && from.dot(c).abs() < 1.8 * f.half_spacing[1]
         })
     }) else {
         return;

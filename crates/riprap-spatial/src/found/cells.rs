@@ -10,7 +10,7 @@ use riprap_geom::polyhedron::Tetrahedra;
 
 use super::friction::ContactLaw;
 use super::grid::{Box3, Grid};
-use super::tetra::{Cell, Piece, Room as Overlapping};
+use super::tetra::{Cell, Piece, Workspace as Overlapping};
 
 /// A block now.
 #[derive(Clone, Debug)]
@@ -137,9 +137,9 @@ pub struct PairSlot {
     pub area: f64,
 }
 
-/// Room and sums of a run of pairs.
+/// Workspace and sums of a run of pairs.
 #[derive(Debug, Default)]
-pub struct PairRoom {
+pub struct PairWorkspace {
     /// For overlaps of cells.
     pub overlapping: Overlapping,
     /// Cells of both blocks that can take part.
@@ -160,7 +160,7 @@ pub struct PairRoom {
     pub touching: u64,
 }
 
-/// Room for all found contacts of deformable blocks.
+/// Workspace for all found contacts of deformable blocks.
 #[derive(Debug, Default)]
 pub struct CellDesk {
     /// Whether the list of pairs is that of the state.
@@ -174,7 +174,7 @@ pub struct CellDesk {
     /// Per pair.
     pub slots: Vec<PairSlot>,
     /// Per run of pairs.
-    pub rooms: Vec<PairRoom>,
+    pub workspaces: Vec<PairWorkspace>,
     /// For the search.
     pub grid: Grid,
     /// For the search: boxes of all blocks.

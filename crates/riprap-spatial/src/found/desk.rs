@@ -9,7 +9,7 @@ use super::surface::Walker;
 use super::terrain::{Terrain, Treader};
 use crate::state::found::FacetContact;
 
-/// Room for all found contacts of a model.
+/// Workspace for all found contacts of a model.
 #[derive(Debug, Default)]
 pub struct Desk {
     /// Whether the candidate list is that of the state.
@@ -42,8 +42,8 @@ pub struct Desk {
     pub first_pair: Vec<u32>,
     /// What acts on each block of the model; empty without pairs.
     pub acting: Vec<Acting>,
-    /// Room of each run of pairs.
-    pub rooms: Vec<Room>,
+    /// Workspace of each run of pairs.
+    pub workspaces: Vec<Workspace>,
     /// Whether any contact has dashpots.
     pub damped: bool,
     /// The contact that is deepest for its blocks; `None` where none touch.
@@ -74,7 +74,7 @@ impl Deepest {
     }
 }
 
-/// Room for all blocks on terrain.
+/// Workspace for all blocks on terrain.
 #[derive(Debug, Default)]
 pub struct TerrainDesk {
     /// Blocks that are terrain, ascending.
@@ -85,15 +85,15 @@ pub struct TerrainDesk {
     pub laws: Vec<Vec<ContactLaw>>,
     /// What terrain does to each block.
     pub exerted: Vec<Acting>,
-    /// Room of each run of blocks.
-    pub rooms: Vec<TerrainRoom>,
+    /// Workspace of each run of blocks.
+    pub workspaces: Vec<TerrainWorkspace>,
     /// Whether any contact has dashpots.
     pub damped: bool,
 }
 
-/// Room and sums of a run of blocks on terrain.
+/// Workspace and sums of a run of blocks on terrain.
 #[derive(Debug, Default)]
-pub struct TerrainRoom {
+pub struct TerrainWorkspace {
     /// Finds surfaces.
     pub treader: Treader,
     /// Normals of the block, turned into space.
@@ -177,9 +177,9 @@ pub struct Acting {
     pub drag: Share,
 }
 
-/// Room and sums of a run of pairs.
+/// Workspace and sums of a run of pairs.
 #[derive(Debug, Default)]
-pub struct Room {
+pub struct Workspace {
     /// Walks over surfaces.
     pub walker: Walker,
     /// Heat of friction in this step, J.

@@ -121,7 +121,7 @@ impl Polygon {
     }
 }
 
-/// Room for making pieces; kept, so that a piece takes no memory.
+/// Workspace for making pieces; kept, so that a piece takes no memory.
 #[derive(Clone, Debug, Default)]
 pub struct Cutter {
     /// The piece made last.

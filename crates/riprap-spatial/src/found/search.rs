@@ -99,7 +99,7 @@ impl Search {
     /// Whether block `b` at `pose` will have left its margin when it has gone the way `next` (m) further.
     #[must_use]
     pub fn leaves(&self, b: usize, radius: f64, pose: &Pose, next: f64) -> bool {
-        let way = moved(&self.pose[b], pose, radius) + next;
+        let way = path_bound(&self.pose[b], pose, radius) + next;
         way > self.margin[b] || way.is_nan()
     }
 }
@@ -108,7 +108,7 @@ impl Search {
 ///
 /// A turn by the angle a changes the quaternion by 2 sin(a/4) and moves a point at the radius by 2 R sin(a/2).
 #[must_use]
-pub fn moved(from: &Pose, to: &Pose, radius: f64) -> f64 {
+pub fn path_bound(from: &Pose, to: &Pose, radius: f64) -> f64 {
     let turned = (to.rotation - from.rotation)
         .length_squared()
         .min((to.rotation + from.rotation).length_squared());
@@ -156,7 +156,7 @@ pub struct Candidates {
     pub asleep_until: Vec<f64>,
     grid: Grid,
     boxes: Vec<Box3>,
-    room: Vec<Room>,
+    room: Vec<Workspace>,
     outside: Vec<bool>,
 }
 
@@ -174,7 +174,7 @@ impl Candidates {
         let close = self.grid.close_pairs(boxes, blocks.roles, excluded, exec);
         let runs = close.len().div_ceil(CHUNK);
         if self.room.len() < runs {
-            self.room.resize_with(runs, Room::default);
+            self.room.resize_with(runs, Workspace::default);
         }
         exec.ranges(close.len(), &mut self.room, |range, room| {
             room.pairs.clear();
@@ -327,7 +327,7 @@ fn grown_box(shape: &Shape, pose: &Pose, margin: f64) -> Box3 {
 
 /// Workspace of a run of pairs, and what it found.
 #[derive(Clone, Debug, Default)]
-struct Room {
+struct Workspace {
     normals: [Vec<Vec3>; 2],
     planes: Planes,
     /// Corners of each block about the origin of the pair, m.
@@ -338,7 +338,7 @@ struct Room {
     lists: Vec<u16>,
 }
 
-impl Room {
+impl Workspace {
     /// Adds the pair if it can touch.
     fn add(&mut self, blocks: &Blocks, search: &Search, boxes: [&Box3; 2], [i, j]: [u32; 2]) {
         let ends = [i as usize, j as usize];

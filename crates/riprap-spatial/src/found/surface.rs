@@ -121,7 +121,7 @@ struct Tie {
     offset: f64,
 }
 
-/// Room for evaluating pairs one after the other; kept, so that a pair takes no memory.
+/// Workspace for evaluating pairs one after the other; kept, so that a pair takes no memory.
 #[derive(Clone, Debug, Default)]
 pub struct Walker {
     /// Listed planes of the pair evaluated last.

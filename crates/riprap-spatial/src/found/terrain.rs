@@ -29,7 +29,7 @@ use super::surface::Sums;
 pub const DEPTH: f64 = 1.0;
 /// Triangles belong to one facet if they lie in the plane of its first one within this share of that one's longest edge.
 const FLAT: f64 = 1e-9;
-/// Room for rounding in a test that leaves faces out.
+/// Workspace for rounding in a test that leaves faces out.
 const SLACK: f64 = 1.0 + 1e-9;
 
 /// A height field made ready for contact.
@@ -170,7 +170,7 @@ struct Kept {
     frame: Frame,
 }
 
-/// Room for evaluating blocks one after the other; kept, so that a block takes no memory.
+/// Workspace for evaluating blocks one after the other; kept, so that a block takes no memory.
 #[derive(Clone, Debug, Default)]
 pub struct Treader {
     /// What the block evaluated last has on each facet, by number.

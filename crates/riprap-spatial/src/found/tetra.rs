@@ -142,9 +142,9 @@ pub struct Overlap {
     pub surface: Piece,
 }
 
-/// Room for the overlap of two cells; kept, so that nothing is allocated.
+/// Workspace for the overlap of two cells; kept, so that nothing is allocated.
 #[derive(Clone, Debug, Default)]
-pub struct Room {
+pub struct Workspace {
     solid: Solid,
     spare: Solid,
     distances: Vec<f64>,
@@ -189,7 +189,7 @@ enum Left {
     None,
 }
 
-impl Room {
+impl Workspace {
     /// The overlap of two cells; `None` where they have no volume in common.
     pub fn overlap(&mut self, [a, b]: [&Cell; 2]) -> Option<Overlap> {
         if a.misses(b) || b.misses(a) {

@@ -2,7 +2,7 @@
 
 use crate::cavity::walls::{self, Spot};
 use crate::cavity::{EARLY, upward};
-use crate::setup::{Push as Kind, Venting};
+use crate::setup::{CavityPressure, Venting};
 use crate::state::event::EditKind;
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
@@ -84,7 +84,7 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
     let source = &world.setup.sources[cavity.source as usize];
     let before = (cavity.volume, cavity.pressure);
     let work = match (&source.push, &cavity.gas) {
-        (Kind::Gas { venting, .. }, Some(gas)) => {
+        (CavityPressure::Gas { venting, .. }, Some(gas)) => {
             cavity.volume = gas.start + gas.factor * (swept - cavity.base);
             cavity.pressure =
                 cavity.sealed(*venting, world.time) * gas.adiabat.pressure(cavity.volume);
@@ -94,13 +94,13 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
                 gas.adiabat.work(cavity.volume) - gas.adiabat.work(before.0)
             }
         }
-        (Kind::Pressure { time }, _) => {
+        (CavityPressure::Pressure { time }, _) => {
             let ignited = cavity.ignited.unwrap_or(world.time);
             cavity.volume = cavity.removed + swept - cavity.base;
             cavity.pressure = time.at(world.time - ignited);
             0.5 * (before.1 + cavity.pressure) * (cavity.volume - before.0)
         }
-        (Kind::Gas { .. }, None) => return,
+        (CavityPressure::Gas { .. }, None) => return,
     };
     cavity.work += work;
     world.works.gas += work;
@@ -120,7 +120,8 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
 /// Whether the gas of a cavity that has gone off begins to escape now.
 fn begins_to_vent(world: &World, k: usize) -> bool {
     let cavity = &world.cavities[k];
-    let Kind::Gas { venting, .. } = &world.setup.sources[cavity.source as usize].push else {
+    let CavityPressure::Gas { venting, .. } = &world.setup.sources[cavity.source as usize].push
+    else {
         return false;
     };
     if cavity.venting.is_some() {

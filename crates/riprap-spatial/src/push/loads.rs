@@ -6,7 +6,7 @@ use crate::anchor::Anchor;
 use crate::setup::LoadKind;
 use crate::state::deform::{Body, Deform};
 use crate::state::push::Account;
-use crate::state::workspace::{Kind, Workspace};
+use crate::state::workspace::{BlockClass, Workspace};
 use crate::state::world::World;
 
 /// Pushes blocks with all loads at the world's present time.
@@ -14,10 +14,10 @@ pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
         for &b in load.blocks.iter().filter(|b| world.alive[**b as usize]) {
-            let soft = world.deform.as_deref().zip(work);
-            let soft =
-                soft.and_then(|(deform, work)| Some((deform, deform.body(b as usize)?, work)));
-            match soft {
+            let deformable = world.deform.as_deref().zip(work);
+            let deformable = deformable
+                .and_then(|(deform, work)| Some((deform, deform.body(b as usize)?, work)));
+            match deformable {
                 None => {
                     loads.need_blocks(world.alive.len());
                     on_rigid(world, &load.kind, factor, b, loads);
@@ -58,7 +58,7 @@ fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32, loads: &mut Acc
 fn on_nodes(
     deform: &Deform,
     body: &Body,
-    kind: &Kind,
+    kind: &BlockClass,
     load: &LoadKind,
     factor: f64,
     loads: &mut Account,
@@ -91,7 +91,7 @@ fn on_nodes(
 }
 
 /// Nodes and weights of the tetrahedron that holds a point (from the centroid, m), or comes nearest to it.
-fn holder(kind: &Kind, at: Vec3) -> [(u32, f64); 4] {
+fn holder(kind: &BlockClass, at: Vec3) -> [(u32, f64); 4] {
     let mesh = &kind.mesh;
     let mut best = ([(0, 0.0); 4], f64::NEG_INFINITY);
     for (tet, g) in mesh.tets.iter().zip(&mesh.gradients) {

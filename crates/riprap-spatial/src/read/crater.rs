@@ -13,14 +13,14 @@ pub const UPLIFT: f64 = 0.02;
 
 /// Rings of the free surface about the axis of a charge, from the inside outwards.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Profile {
+pub struct CraterProfile {
     /// Depth of the charge below the free surface over it, m.
     pub depth: f64,
     /// Mean distance from the axis (m) and mean uplift (m) of the blocks of each ring.
     pub rings: Vec<[f64; 2]>,
 }
 
-impl Profile {
+impl CraterProfile {
     /// Uplift of the innermost ring, m.
     #[must_use]
     pub fn dome(&self) -> f64 {
@@ -44,7 +44,7 @@ impl Profile {
 impl View<'_> {
     /// Uplift of the free surface about a cavity. Rings are as wide as the narrowest surface block.
     #[must_use]
-    pub fn profile(&self, cavity: &Cavity) -> Profile {
+    pub fn profile(&self, cavity: &Cavity) -> CraterProfile {
         let world = self.world;
         let up = self.up();
         let centre = self.charge_centre(cavity);
@@ -62,7 +62,7 @@ impl View<'_> {
             found.push([across.length(), self.displacement(b).dot(up), height]);
         }
         let rings = rings(&mut found, width);
-        Profile {
+        CraterProfile {
             depth: found.first().map_or(0.0, |f| f[2]),
             rings,
         }
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn radius_is_read_between_rings() {
-        let profile = Profile {
+        let profile = CraterProfile {
             depth: 2.0,
             rings: vec![[0.5, 0.10], [1.5, 0.06], [2.5, 0.02], [3.5, 0.05]],
         };

@@ -7,11 +7,11 @@ use crate::deform::store::{Anchor, Body, Deform, Facet};
 use crate::laws::bond;
 use crate::laws::tetrahedron::Gradient;
 use crate::read::view::View;
-use crate::state::workspace::{Kind, Workspace};
+use crate::state::workspace::{BlockClass, Workspace};
 
 /// A deformable block with all that is known of it.
 #[derive(Clone, Copy)]
-pub struct Soft<'a> {
+pub struct DeformableView<'a> {
     /// All deformable blocks.
     pub deform: &'a Deform,
     /// Their scratch data.
@@ -19,12 +19,12 @@ pub struct Soft<'a> {
     /// The block.
     pub body: &'a Body,
     /// Its shape and elements.
-    pub kind: &'a Kind,
+    pub kind: &'a BlockClass,
     /// Share of the coming kick that lies before the present time.
     past: f64,
 }
 
-impl<'a> Soft<'a> {
+impl<'a> DeformableView<'a> {
     /// Sum over its nodes of mass (kg) times a function of the node's number.
     fn sum(&self, get: impl Fn(usize) -> Vec3) -> Vec3 {
         let masses = self.kind.masses();
@@ -41,30 +41,30 @@ impl<'a> Soft<'a> {
 
     /// Displacement of a node, m.
     #[must_use]
-    pub fn moved(&self, node: usize) -> Vec3 {
-        Vec3::from_array(self.deform.nodes.moved[node])
+    pub fn node_displacement(&self, node: usize) -> Vec3 {
+        Vec3::from_array(self.deform.nodes.displacement[node])
     }
 
     /// Velocity of a node at the present time, m/s; zero while relaxing, where rates mean nothing.
     #[must_use]
-    pub fn rate(&self, node: usize) -> Vec3 {
+    pub fn node_velocity(&self, node: usize) -> Vec3 {
         if self.deform.relax.is_some() {
             return Vec3::ZERO;
         }
         let change = self.past * Vec3::from_array(self.work.change[node]);
-        Vec3::from_array(self.deform.nodes.rate[node]) + change
+        Vec3::from_array(self.deform.nodes.velocity[node]) + change
     }
 
     /// Displacement of its centre of mass, m.
     #[must_use]
     pub fn displacement(&self) -> Vec3 {
-        self.sum(|n| self.moved(n)) / self.mass()
+        self.sum(|n| self.node_displacement(n)) / self.mass()
     }
 
     /// Velocity of its centre of mass, m/s.
     #[must_use]
     pub fn velocity(&self) -> Vec3 {
-        self.sum(|n| self.rate(n)) / self.mass()
+        self.sum(|n| self.node_velocity(n)) / self.mass()
     }
 
     /// Mean stress (Pa, tension-positive).
@@ -90,14 +90,14 @@ impl<'a> Soft<'a> {
     pub fn spin(&self, inverse: &Mat3) -> Vec3 {
         let centre = self.centre();
         let v = self.velocity();
-        let momentum = self.sum(|n| (self.place(n) - centre).cross(self.rate(n) - v));
+        let momentum = self.sum(|n| (self.place(n) - centre).cross(self.node_velocity(n) - v));
         *inverse * momentum
     }
 
     /// Present place of a node, m (local).
     #[must_use]
     pub fn place(&self, node: usize) -> Vec3 {
-        self.deform.nodes.place[node] + self.moved(node)
+        self.deform.nodes.place[node] + self.node_displacement(node)
     }
 
     fn centre(&self) -> Vec3 {
@@ -113,7 +113,7 @@ impl<'a> Soft<'a> {
             } else {
                 self.deform.nodes.place[n]
             };
-            place.cross(self.rate(n))
+            place.cross(self.node_velocity(n))
         })
     }
 
@@ -137,7 +137,7 @@ impl<'a> Soft<'a> {
         let nodes = self.body.nodes().zip(masses);
         let terms = nodes.map(|(n, m)| {
             let m = fictitious.get(n).unwrap_or(m);
-            let v = Vec3::from_array(self.deform.nodes.rate[n]);
+            let v = Vec3::from_array(self.deform.nodes.velocity[n]);
             m * get(v, Vec3::from_array(self.work.change[n]))
         });
         0.5 * terms.sum::<f64>()
@@ -177,8 +177,8 @@ impl<'a> View<'a> {
     /// the centroid is read.
     #[must_use]
     pub fn spot(&self, b: u32, at: Vec3) -> u32 {
-        self.soft(b as usize)
-            .map_or(u32::MAX, |soft| soft.nearest(at) as u32)
+        self.deformable(b as usize)
+            .map_or(u32::MAX, |deformable| deformable.nearest(at) as u32)
     }
 
     /// Motion of a node: block and the number of [`View::spot`].
@@ -187,9 +187,9 @@ impl<'a> View<'a> {
         let &[b, node] = of else {
             return Vec3::NAN;
         };
-        match (self.soft(b as usize), what) {
-            (Some(soft), Motion::Displacement) => soft.moved(node as usize),
-            (Some(soft), Motion::Velocity) => soft.rate(node as usize),
+        match (self.deformable(b as usize), what) {
+            (Some(deformable), Motion::Displacement) => deformable.node_displacement(node as usize),
+            (Some(deformable), Motion::Velocity) => deformable.node_velocity(node as usize),
             (None, Motion::Displacement) => self.displacement(b as usize),
             (None, Motion::Velocity) => self.velocity(b as usize),
         }
@@ -201,11 +201,11 @@ impl<'a> View<'a> {
         let Some((deform, work)) = self.softs() else {
             return (Vec3::NAN, Vec3::NAN);
         };
-        let (mut moved, mut area, mut force) = (Vec3::ZERO, 0.0, Vec3::ZERO);
+        let (mut displacement, mut area, mut force) = (Vec3::ZERO, 0.0, Vec3::ZERO);
         let mut seen = std::collections::BTreeSet::new();
         for surface in deform.surfaces.iter().filter(|s| s.boundary() == Some(k)) {
             for &(node, share) in &surface.nodes {
-                moved += share * Vec3::from_array(deform.nodes.moved[node as usize]);
+                displacement += share * Vec3::from_array(deform.nodes.displacement[node as usize]);
                 area += share;
                 if let Ok(hold) = deform.holds.binary_search_by_key(&node, |h| h.node)
                     && seen.insert(node)
@@ -216,15 +216,15 @@ impl<'a> View<'a> {
             }
             force += crate::push::surface::total(self.world, deform, surface);
         }
-        (moved / area, force)
+        (displacement / area, force)
     }
 
     /// Block `b` if it is deformable.
     #[must_use]
-    pub fn soft(&self, b: usize) -> Option<Soft<'a>> {
+    pub fn deformable(&self, b: usize) -> Option<DeformableView<'a>> {
         let (deform, work) = self.softs()?;
         let body = deform.body(b)?;
-        Some(Soft {
+        Some(DeformableView {
             deform,
             work,
             body,
@@ -246,7 +246,7 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn facet_force(&self, (a, b): (u32, u32)) -> Vec3 {
         let mut sum = Vec3::ZERO;
-        for pair in &self.world.found.soft.pairs {
+        for pair in &self.world.found.deformable.pairs {
             if pair.ends == [a, b] {
                 sum -= pair.force;
             } else if pair.ends == [b, a] {

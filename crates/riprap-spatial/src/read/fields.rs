@@ -201,8 +201,8 @@ pub fn principal(m: &Mat3) -> [f64; 3] {
 }
 
 fn gradient(v: &View<'_>, of: &[u32]) -> Gradient {
-    v.soft(first(of))
-        .map_or([[f64::NAN; 3]; 3], |soft| soft.gradient())
+    v.deformable(first(of))
+        .map_or([[f64::NAN; 3]; 3], |deformable| deformable.gradient())
 }
 
 fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
@@ -333,7 +333,7 @@ fields! {
     "energy.damping" "J" Energy Scalar true "Dissipated by patch, mass and local damping." |v, _| one(v.world.works.damping);
     "energy.fracture" "J" Energy Scalar true "Released when points fail and open." |v, _| one(v.world.works.fracture);
     "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws." |v, _| one(v.world.works.edit_defect);
-    "energy.residual" "J" Energy Scalar true "What the books do not explain." |v, _| one(v.balance().residual());
+    "energy.residual" "J" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
     "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
 }
 

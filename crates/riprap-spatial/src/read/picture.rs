@@ -53,10 +53,10 @@ fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) 
         Some(turned) => turned.attitude,
         None => patch::rotation(world.bodies.rotation(b)),
     };
-    let soft = view.soft(b);
+    let deformable = view.deformable(b);
     let node = |k: usize| {
-        soft.map(|soft| {
-            let at = soft.place(soft.body.first as usize + k);
+        deformable.map(|deformable| {
+            let at = deformable.place(deformable.body.first as usize + k);
             (at + world.setup.origin).to_array()
         })
     };
@@ -206,7 +206,7 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             _ if sheared > failed - sheared => 2.0,
             _ => 1.0,
         };
-        let soft: Vec<f64> = points
+        let deformable: Vec<f64> = points
             .filter(|p| {
                 let memory = &deform.memory[*p];
                 !memory.state.is_broken() && memory.law.damage > 0.0
@@ -230,8 +230,8 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             facet.frame[0].z,
             failed,
             mode,
-            soft.len() as f64,
-            soft.iter().sum(),
+            deformable.len() as f64,
+            deformable.iter().sum(),
             f64::from(facet.origin.code()),
         ];
         let mut numbers = numbers.into_iter();

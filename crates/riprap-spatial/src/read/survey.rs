@@ -22,12 +22,12 @@ impl View<'_> {
         (-gravity).try_normalize().unwrap_or(Vec3::Z)
     }
 
-    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the books need at the start.
+    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs at the start.
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         let one = |b: usize| {
-            if let Some(soft) = self.soft(b) {
-                return soft.half_kick();
+            if let Some(deformable) = self.deformable(b) {
+                return deformable.half_kick();
             }
             let (solid, change) = (self.world.solid_of(b), self.scratch.change(self.world, b));
             solid.mass * change.velocity.length_squared()
@@ -39,8 +39,8 @@ impl View<'_> {
     /// Displacement (m) and rotation vector (rad) of every block since the start.
     #[must_use]
     pub fn present_poses(&self) -> Vec<[Vec3; 2]> {
-        let pose = |b: usize| match self.soft(b) {
-            Some(soft) => [soft.displacement(), soft.rotation()],
+        let pose = |b: usize| match self.deformable(b) {
+            Some(deformable) => [deformable.displacement(), deformable.rotation()],
             None => [
                 self.world.bodies.displacement(b),
                 self.world.bodies.rotation(b),
@@ -64,8 +64,8 @@ impl View<'_> {
     /// Average stress of one block, Pa, tension-positive; see [`View::stresses`].
     #[must_use]
     pub fn stress(&self, block: usize) -> Mat3 {
-        if let Some(soft) = self.soft(block) {
-            return soft.stress();
+        if let Some(deformable) = self.deformable(block) {
+            return deformable.stress();
         }
         let world = self.world;
         let mut sum = Mat3::ZERO;
@@ -146,13 +146,13 @@ impl World {
     /// Stops all blocks.
     pub fn halt(&mut self) {
         for b in 0..self.bodies.len() {
-            self.bodies.set_rate(b, Vec3::ZERO, Vec3::ZERO);
+            self.bodies.set_velocity(b, Vec3::ZERO, Vec3::ZERO);
             if let Some(turned) = &mut self.turned[b] {
                 turned.momentum = Vec3::ZERO;
             }
         }
         if let Some(deform) = &mut self.deform {
-            deform.nodes.rate.fill([0.0; 3]);
+            deform.nodes.velocity.fill([0.0; 3]);
         }
         self.last_dt = 0.0;
     }

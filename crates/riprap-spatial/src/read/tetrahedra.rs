@@ -19,12 +19,13 @@ pub fn tetrahedra(view: &View<'_>) -> Option<Surfaces> {
     for body in deform.living() {
         let kind = work.kind(body);
         let start = work.start_of(deform.slot[body.block as usize] as usize);
-        let u = deform.moved(body);
+        let u = deform.displacement(body);
         let stresses = kind.groups.stresses(&kind.law, body.strain, start, u);
         for (tet, s) in stresses.iter().enumerate() {
             for node in kind.mesh.tets[tet] {
                 let node = (body.first + node) as usize;
-                let at = deform.nodes.place[node] + Vec3::from_array(deform.nodes.moved[node]);
+                let at =
+                    deform.nodes.place[node] + Vec3::from_array(deform.nodes.displacement[node]);
                 out.points.push((at + view.world.setup.origin).to_array());
             }
             out.ends.push(out.points.len() as u32);

@@ -45,8 +45,8 @@ impl View<'_> {
     /// Velocity of the centroid of block `b` at the present time, m/s.
     #[must_use]
     pub fn velocity(&self, b: usize) -> Vec3 {
-        if let Some(soft) = self.soft(b) {
-            return soft.velocity();
+        if let Some(deformable) = self.deformable(b) {
+            return deformable.velocity();
         }
         let change = self.scratch.change(self.world, b);
         self.world.bodies.velocity(b) + self.past() * change.velocity
@@ -55,8 +55,8 @@ impl View<'_> {
     /// Spin of block `b` at the present time, rad/s.
     #[must_use]
     pub fn spin(&self, b: usize) -> Vec3 {
-        if let Some(soft) = self.soft(b) {
-            return soft.spin(&self.world.solid_of(b).inverse);
+        if let Some(deformable) = self.deformable(b) {
+            return deformable.spin(&self.world.solid_of(b).inverse);
         }
         let change = self.scratch.change(self.world, b);
         match &self.world.turned[b] {
@@ -76,8 +76,8 @@ impl View<'_> {
 
     /// Displacement of the centroid since the start, m.
     fn shift(&self, b: usize) -> Vec3 {
-        match self.soft(b) {
-            Some(soft) => soft.displacement(),
+        match self.deformable(b) {
+            Some(deformable) => deformable.displacement(),
             None => self.world.bodies.displacement(b),
         }
     }
@@ -91,8 +91,8 @@ impl View<'_> {
     /// Rotation vector since the start or the last reset (difference of the vectors), rad.
     #[must_use]
     pub fn rotation(&self, b: usize) -> Vec3 {
-        let rotation = match self.soft(b) {
-            Some(soft) => soft.rotation(),
+        let rotation = match self.deformable(b) {
+            Some(deformable) => deformable.rotation(),
             None => self.world.bodies.rotation(b),
         };
         rotation - self.world.datum(b)[1]
@@ -108,8 +108,8 @@ impl View<'_> {
     /// velocity taken half a step as long as the last one after the present time.
     #[must_use]
     pub fn kinetic(&self, b: usize) -> f64 {
-        if let Some(soft) = self.soft(b) {
-            return soft.kinetic();
+        if let Some(deformable) = self.deformable(b) {
+            return deformable.kinetic();
         }
         let world = self.world;
         let (solid, change) = (world.solid_of(b), self.scratch.change(world, b));
@@ -161,8 +161,8 @@ impl View<'_> {
         let finite = self.world.turned.iter().any(Option::is_some);
         self.living()
             .map(|b| {
-                if let Some(soft) = self.soft(b) {
-                    return soft.angular_momentum(soft.body.strain == Strain::Large);
+                if let Some(deformable) = self.deformable(b) {
+                    return deformable.angular_momentum(deformable.body.strain == Strain::Large);
                 }
                 let solid = self.world.solid_of(b);
                 let place = if finite {
@@ -187,13 +187,13 @@ impl View<'_> {
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
         let (world, exec) = (self.world, &self.scratch.exec);
-        let soft = self.soft_unbalanced();
-        if let Some(ratio) = soft.filter(|_| world.patches.is_empty()) {
+        let deformable = self.soft_unbalanced();
+        if let Some(ratio) = deformable.filter(|_| world.patches.is_empty()) {
             return ratio;
         }
         let free = |b: usize| world.alive[b] && world.is_free(b);
         let of_block = |b: usize| {
-            if !free(b) || self.soft(b).is_some() {
+            if !free(b) || self.deformable(b).is_some() {
                 return [0.0; 2];
             }
             let solid = world.solid_of(b);
@@ -216,7 +216,7 @@ impl View<'_> {
             all += contact.force.length() * count;
         }
         let rigid = if all > 0.0 { net / all } else { 0.0 };
-        soft.map_or(rigid, |soft| soft.max(rigid))
+        deformable.map_or(rigid, |deformable| deformable.max(rigid))
     }
 
     /// The free rigid block whose net force is the largest share of the forces that act on it, and that share.
@@ -242,7 +242,7 @@ impl View<'_> {
             }
         }
         self.living()
-            .filter(|&b| world.is_free(b) && self.soft(b).is_none() && all[b] > 0.0)
+            .filter(|&b| world.is_free(b) && self.deformable(b).is_none() && all[b] > 0.0)
             .map(|b| {
                 let [along, _] = world.freedoms(b);
                 let net = along * scratch.net.force(b);
@@ -282,8 +282,13 @@ impl View<'_> {
     fn tractions(&self, p: usize, points: &Points) -> [Traction; 4] {
         let (list, class) = (&self.world.patches, self.patch_class(p));
         let joint = patch::joint(&self.world.setup.interfaces, class);
-        let (slip, lift) = (list.slip.get(p), list.lift.get(p));
-        let memory = patch::memories(list.flags[p], slip, lift, list.path.get(p));
+        let (slip, normal_offset) = (list.slip.get(p), list.normal_offset.get(p));
+        let memory = patch::memories(
+            list.flags[p],
+            slip,
+            normal_offset,
+            list.accumulated_slip.get(p),
+        );
         let start = patch::start(class, list.prestress.get(p));
         patch::carried(joint, class, points, &start, &memory)
     }
@@ -343,8 +348,8 @@ impl View<'_> {
         for (b, s) in sum.iter_mut().enumerate() {
             let volume = world.solid_of(b).volume;
             *s = (0.5 / volume) * (*s + s.transpose());
-            if let Some(soft) = self.soft(b) {
-                *s = soft.stress();
+            if let Some(deformable) = self.deformable(b) {
+                *s = deformable.stress();
             }
         }
         sum
@@ -383,7 +388,7 @@ impl View<'_> {
         out.contact_normal += self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
         out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
-        for pair in &self.world.found.soft.pairs {
+        for pair in &self.world.found.deformable.pairs {
             out.contact_normal += pair.energy;
             out.contact_shear += pair.stored;
         }
@@ -428,9 +433,9 @@ impl View<'_> {
 
     /// Depth of each found contact of deformable blocks over the smaller distance of the centres from the surface, with the blocks.
     fn soft_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
-        let pairs = self.world.found.soft.pairs.iter();
+        let pairs = self.world.found.deformable.pairs.iter();
         pairs
-            .zip(&self.scratch.soft.constants)
+            .zip(&self.scratch.deformable.constants)
             .filter(|(pair, _)| pair.depth > 0.0)
             .map(|(pair, k)| (pair.depth / k.peak, pair.ends[0], pair.ends[1]))
     }

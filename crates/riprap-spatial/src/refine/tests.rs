@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::dynamics::TimeFunction;
-use crate::setup::{BlockName, Boundary, BoundaryKind, FaceSet, Group, Place, Push, Solid, Source};
+use crate::setup::{
+    BlockName, Boundary, BoundaryKind, CavityPressure, FaceSet, Group, Place, Solid, Source,
+};
 
 /// A lattice of unit cubes (times `edge`) from the origin.
 pub(crate) fn lattice(cells: [u32; 3], edge: f64) -> Setup {
@@ -183,7 +185,7 @@ fn lists_follow_the_split() {
         name: "hole".into(),
         place: Place::Blocks { blocks: vec![1] },
         delay: 0.0,
-        push: Push::Pressure {
+        push: CavityPressure::Pressure {
             time: TimeFunction::Constant(1.0),
         },
     });

@@ -69,7 +69,7 @@ pub(super) struct FaceSpring {
     frame: [Vec3; 3],
     arm: Vec3,
     area: f64,
-    reach: [f64; 2],
+    half_spacing: [f64; 2],
     stiffness: [f64; 2],
     /// Dashpots on the velocity of the face, Pa s/m.
     impedance: [f64; 2],
@@ -121,7 +121,7 @@ impl Springs {
                     frame: f.frame,
                     arm: f.arm,
                     area: f.area,
-                    reach: f.reach,
+                    half_spacing: f.half_spacing,
                     stiffness,
                     impedance,
                 })
@@ -307,7 +307,7 @@ impl Step<'_> {
             // Springs of boundaries have no dashpots parallel to them.
             let stiffness =
                 [0, 1].map(|k| weights.spring * s.stiffness[k] + weights.dashpot * s.impedance[k]);
-            let (f, m) = pull(&s.frame, s.area, s.reach, stiffness, d, a[1]);
+            let (f, m) = pull(&s.frame, s.area, s.half_spacing, stiffness, d, a[1]);
             let y = &mut sum[s.block as usize - base];
             y[0] += f;
             y[1] += s.arm.cross(f) + m;
@@ -379,7 +379,14 @@ fn one(class: &PatchClass, stiffness: [f64; 2], at: &[Shift], ends: [u32; 2]) ->
     let [a, b] = ends.map(|b| &at[b as usize]);
     let d = b[0] - a[0] + b[1].cross(class.arms[1]) - a[1].cross(class.arms[0]);
     let turn = b[1] - a[1];
-    let (f, m) = pull(&class.frame, class.area, class.reach, stiffness, d, turn);
+    let (f, m) = pull(
+        &class.frame,
+        class.area,
+        class.half_spacing,
+        stiffness,
+        d,
+        turn,
+    );
     let moments = [class.arms[0].cross(f) + m, class.arms[1].cross(f) + m];
     (f, moments)
 }
@@ -413,7 +420,7 @@ fn eight(
     let d = [0, 1, 2].map(|k| dot(&frame[k], &d));
     let w = [0, 1, 2].map(|k| dot(&frame[k], &w));
     let [kn, ks] = stiffness.map(Lanes::all);
-    let [rb, rc] = class.reach.map(Lanes::all);
+    let [rb, rc] = class.half_spacing.map(Lanes::all);
     // The four points in the order of `SIGNS`: (-, -), (+, -), (+, +), (-, +).
     let (p, q) = (w[1] * rc, w[2] * rb);
     let (low, high) = (d[0] - p, d[0] + p);
@@ -455,7 +462,7 @@ fn eight(
 fn pull(
     frame: &[Vec3; 3],
     area: f64,
-    reach: [f64; 2],
+    half_spacing: [f64; 2],
     stiffness: [f64; 2],
     d: Vec3,
     w: Vec3,
@@ -464,7 +471,7 @@ fn pull(
     let w = frame.map(|e| e.dot(w));
     let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
     for (sign_b, sign_c) in SIGNS[0].into_iter().zip(SIGNS[1]) {
-        let (b, c) = (sign_b * reach[0], sign_c * reach[1]);
+        let (b, c) = (sign_b * half_spacing[0], sign_c * half_spacing[1]);
         let t = [
             stiffness[0] * (d[0] + w[1] * c - w[2] * b),
             stiffness[1] * (d[1] - w[0] * c),
@@ -505,7 +512,7 @@ mod tests {
             let class = PatchClass {
                 frame: [turn.x_axis, turn.y_axis, turn.z_axis],
                 area: 0.7,
-                reach: [0.21, 0.34],
+                half_spacing: [0.21, 0.34],
                 arms: [vector(), vector()],
                 stiffness: [3.1e9, 1.7e9],
                 beta: 1e-5,

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 pub struct Bodies {
     /// Displacement of the centroid (x, y, z), m, then rotation vector about x, y, z, rad (for
     /// blocks with finite rotations the vector of the total rotation).
-    pub pose: [Vec<f64>; 6],
+    pub displacement: [Vec<f64>; 6],
     /// Velocity of the centroid (x, y, z), m/s, then spin about x, y, z, rad/s.
-    pub rate: [Vec<f64>; 6],
+    pub velocity: [Vec<f64>; 6],
 }
 
 impl Bodies {
@@ -19,15 +19,15 @@ impl Bodies {
     pub fn at_rest(n: usize) -> Self {
         let zeros = || std::array::from_fn(|_| vec![0.0; n]);
         Self {
-            pose: zeros(),
-            rate: zeros(),
+            displacement: zeros(),
+            velocity: zeros(),
         }
     }
 
     /// Number of blocks.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.pose[0].len()
+        self.displacement[0].len()
     }
 
     /// Whether there are no blocks.
@@ -39,47 +39,47 @@ impl Bodies {
     /// Displacement of the centroid, m.
     #[must_use]
     pub fn displacement(&self, b: usize) -> Vec3 {
-        vec3(&self.pose, 0, b)
+        vec3(&self.displacement, 0, b)
     }
 
     /// Rotation vector, rad.
     #[must_use]
     pub fn rotation(&self, b: usize) -> Vec3 {
-        vec3(&self.pose, 3, b)
+        vec3(&self.displacement, 3, b)
     }
 
     /// Velocity of the centroid half a step ago, m/s.
     #[must_use]
     pub fn velocity(&self, b: usize) -> Vec3 {
-        vec3(&self.rate, 0, b)
+        vec3(&self.velocity, 0, b)
     }
 
     /// Spin half a step ago, rad/s.
     #[must_use]
     pub fn spin(&self, b: usize) -> Vec3 {
-        vec3(&self.rate, 3, b)
+        vec3(&self.velocity, 3, b)
     }
 
     /// Sets displacement (m) and rotation vector (rad).
-    pub fn set_pose(&mut self, b: usize, displacement: Vec3, rotation: Vec3) {
-        put(&mut self.pose, 0, b, displacement);
-        put(&mut self.pose, 3, b, rotation);
+    pub fn set_displacement(&mut self, b: usize, displacement: Vec3, rotation: Vec3) {
+        put(&mut self.displacement, 0, b, displacement);
+        put(&mut self.displacement, 3, b, rotation);
     }
 
     /// Sets velocity (m/s) and spin (rad/s).
-    pub fn set_rate(&mut self, b: usize, velocity: Vec3, spin: Vec3) {
-        put(&mut self.rate, 0, b, velocity);
-        put(&mut self.rate, 3, b, spin);
+    pub fn set_velocity(&mut self, b: usize, velocity: Vec3, spin: Vec3) {
+        put(&mut self.velocity, 0, b, velocity);
+        put(&mut self.velocity, 3, b, spin);
     }
 
     /// Appends a block; returns its index.
-    pub fn push(&mut self, pose: [Vec3; 2], rate: [Vec3; 2]) -> usize {
+    pub fn push(&mut self, displacement: [Vec3; 2], velocity: [Vec3; 2]) -> usize {
         let b = self.len();
-        for list in self.pose.iter_mut().chain(&mut self.rate) {
+        for list in self.displacement.iter_mut().chain(&mut self.velocity) {
             list.push(0.0);
         }
-        self.set_pose(b, pose[0], pose[1]);
-        self.set_rate(b, rate[0], rate[1]);
+        self.set_displacement(b, displacement[0], displacement[1]);
+        self.set_velocity(b, velocity[0], velocity[1]);
         b
     }
 }

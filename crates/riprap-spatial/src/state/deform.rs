@@ -97,9 +97,9 @@ pub struct Nodes {
     /// Place at the start, m (local).
     pub place: Vec<Vec3>,
     /// Displacement, m.
-    pub moved: Vec<[f64; 3]>,
+    pub displacement: Vec<[f64; 3]>,
     /// Velocity half a step ago, m/s (fictitious while relaxing).
-    pub rate: Vec<[f64; 3]>,
+    pub velocity: Vec<[f64; 3]>,
 }
 
 impl Nodes {
@@ -299,7 +299,7 @@ impl Deform {
         let body = &mut self.bodies[slot as usize];
         body.alive = false;
         let nodes = body.nodes();
-        self.nodes.rate[nodes.clone()].fill([0.0; 3]);
+        self.nodes.velocity[nodes.clone()].fill([0.0; 3]);
         self.holds.retain(|h| !nodes.contains(&(h.node as usize)));
         self.surfaces.retain(|s| s.body != slot);
         let (mut facets, mut worn) = (Vec::new(), Vec::new());

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use crate::laws::fracture::Way;
+use crate::laws::fracture::FractureMode;
 
 /// What has happened to blocks and cavities, for the record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,8 +46,8 @@ pub enum EditKind {
 pub struct Note {
     /// Unit normal of the planes.
     pub normal: Vec3,
-    /// Way of breaking.
-    pub way: Way,
+    /// FractureMode of breaking.
+    pub mode: FractureMode,
     /// Stress beyond the limit, Pa.
     pub excess: f64,
 }

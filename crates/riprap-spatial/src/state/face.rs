@@ -19,7 +19,7 @@ pub struct Face {
     /// Area, m².
     pub area: f64,
     /// Distance of the four points from the centre along b and c, m.
-    pub reach: [f64; 2],
+    pub half_spacing: [f64; 2],
     /// Normal and shear stiffness of the half block behind the face, Pa/m; 0 without a boundary.
     pub stiffness: [f64; 2],
     /// Impedances rho c_P and rho c_S, Pa s/m; 0 without a boundary.
@@ -33,6 +33,6 @@ impl Face {
     #[must_use]
     pub fn place(&self, p: usize) -> Vec3 {
         let [_, b, c] = self.frame;
-        self.arm + SIGNS[0][p] * self.reach[0] * b + SIGNS[1][p] * self.reach[1] * c
+        self.arm + SIGNS[0][p] * self.half_spacing[0] * b + SIGNS[1][p] * self.half_spacing[1] * c
     }
 }

@@ -18,7 +18,7 @@ pub struct FoundContacts {
     /// on from a checkpoint takes the steps of one that never stopped.
     pub longest_step: Option<f64>,
     /// Those of deformable blocks.
-    pub soft: super::soft::SoftContacts,
+    pub deformable: super::deformable::DeformableContacts,
     /// What each block has to do with terrain; empty without terrain.
     pub terrain: Vec<OnTerrain>,
 }

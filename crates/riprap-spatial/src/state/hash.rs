@@ -17,7 +17,7 @@ impl World {
         let mut hash = StateHash::default();
         hash.numbers(&[self.time, self.last_dt]);
         hash.count(self.step);
-        for list in self.bodies.pose.iter().chain(&self.bodies.rate) {
+        for list in self.bodies.displacement.iter().chain(&self.bodies.velocity) {
             hash.numbers(list);
         }
         for (alive, turned) in self.alive.iter().zip(&self.turned) {
@@ -58,7 +58,7 @@ impl World {
                 hash.numbers(&[offset.normal, offset.overlap, offset.slip]);
             }
         }
-        for pair in self.found.soft.pairs.iter().filter(|p| p.depth > 0.0) {
+        for pair in self.found.deformable.pairs.iter().filter(|p| p.depth > 0.0) {
             let (m, [i, j]) = (&pair.memory, pair.ends);
             hash.count(u64::from(i) << 32 | u64::from(j));
             hash.numbers(&m.shear.to_array());
@@ -111,11 +111,11 @@ fn memory(list: &Patches, p: usize) -> [f64; 16] {
     if let Some(slip) = list.slip.get(p) {
         memory[..8].copy_from_slice(slip.as_flattened());
     }
-    if let Some(lift) = list.lift.get(p) {
-        memory[8..12].copy_from_slice(lift);
+    if let Some(normal_offset) = list.normal_offset.get(p) {
+        memory[8..12].copy_from_slice(normal_offset);
     }
-    if let Some(path) = list.path.get(p) {
-        memory[12..].copy_from_slice(path);
+    if let Some(accumulated_slip) = list.accumulated_slip.get(p) {
+        memory[12..].copy_from_slice(accumulated_slip);
     }
     memory
 }
@@ -124,7 +124,7 @@ fn bodies(hash: &mut StateHash, deform: &Deform) {
     for body in &deform.bodies {
         hash.count(u64::from(body.block) << 1 | u64::from(body.alive));
     }
-    for list in [&deform.nodes.moved, &deform.nodes.rate] {
+    for list in [&deform.nodes.displacement, &deform.nodes.velocity] {
         hash.numbers(list.as_flattened());
     }
     for start in &deform.start {

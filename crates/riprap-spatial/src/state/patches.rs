@@ -26,9 +26,9 @@ pub struct Patches {
     pub slip: Vec<[[f64; 4]; 2]>,
     /// Opening at which the normal spring of each point is relaxed, m: dilation, edits and changes of
     /// kinematics; empty when there is none.
-    pub lift: Vec<[f64; 4]>,
-    /// Length of the path of plastic shear of each point, m; empty without dilation.
-    pub path: Vec<[f64; 4]>,
+    pub normal_offset: Vec<[f64; 4]>,
+    /// Accumulated slip of each point, m; empty without dilation.
+    pub accumulated_slip: Vec<[f64; 4]>,
     /// Where each comes from; empty while all were built with the model.
     pub origin: Vec<Origin>,
 }
@@ -58,8 +58,8 @@ impl Patches {
         pick(&mut self.flags, chosen);
         pick(&mut self.prestress, chosen);
         pick(&mut self.slip, chosen);
-        pick(&mut self.lift, chosen);
-        pick(&mut self.path, chosen);
+        pick(&mut self.normal_offset, chosen);
+        pick(&mut self.accumulated_slip, chosen);
         pick(&mut self.origin, chosen);
     }
 
@@ -82,8 +82,8 @@ impl Patches {
         close(&mut self.flags, gone);
         close(&mut self.prestress, gone);
         close(&mut self.slip, gone);
-        close(&mut self.lift, gone);
-        close(&mut self.path, gone);
+        close(&mut self.normal_offset, gone);
+        close(&mut self.accumulated_slip, gone);
         close(&mut self.origin, gone);
     }
 
@@ -108,12 +108,12 @@ impl Patches {
 
     /// Makes room for lifts where there is none yet.
     pub fn need_lift(&mut self) {
-        self.lift.resize(self.ends.len(), [0.0; 4]);
+        self.normal_offset.resize(self.ends.len(), [0.0; 4]);
     }
 
     /// Makes room for slip paths where there is none yet.
     pub fn need_path(&mut self) {
-        self.path.resize(self.ends.len(), [0.0; 4]);
+        self.accumulated_slip.resize(self.ends.len(), [0.0; 4]);
     }
 }
 
@@ -127,7 +127,7 @@ pub mod flag {
     pub const SLIDING: u16 = 0x0f00;
     /// The patch uses finite rotations.
     pub const FINITE: u16 = 0x1000;
-    /// `slip` or `lift` are in use.
+    /// `slip` or `normal_offset` are in use.
     pub const OFFSET: u16 = 0x2000;
 
     /// Bits of points that slid by `before`, and go on doing so by `after`: a law that is applied again at the same instant
@@ -152,7 +152,7 @@ pub struct PatchClass {
     /// Area, m².
     pub area: f64,
     /// Distance of the points from the centre along b and c, m.
-    pub reach: [f64; 2],
+    pub half_spacing: [f64; 2],
     /// Centre of the patch from the centroids of i and j, m.
     pub arms: [Vec3; 2],
     /// Normal and shear stiffness, Pa/m.
@@ -182,7 +182,7 @@ mod tests {
             ends: (0..10).map(|k| [k, k + 1]).collect(),
             class: (0..10).collect(),
             flags: (0..10).collect(),
-            lift: (0..10).map(|k| [f64::from(k); 4]).collect(),
+            normal_offset: (0..10).map(|k| [f64::from(k); 4]).collect(),
             ..Patches::default()
         };
         for gone in [

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-pub use crate::dynamics::relaxation::{Breaks, Way};
+pub use crate::dynamics::relaxation::{Breaks, Relaxation};
 
 /// State of a relaxing phase.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -28,7 +28,7 @@ pub struct Relax {
     /// Largest norm of the external forces or reactions so far in the phase, N.
     pub largest: f64,
     /// How it relaxes.
-    pub way: Way,
+    pub relaxation: Relaxation,
     /// Elastic energy at the last look, J, where it decides.
     pub energy: Option<f64>,
 }
@@ -37,7 +37,7 @@ pub struct Relax {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Seen {
     /// Displacements of the nodes, m.
-    pub moved: Vec<[f64; 3]>,
+    pub displacement: Vec<[f64; 3]>,
     /// Net forces on them, N.
     pub net: Vec<[f64; 3]>,
 }

@@ -39,7 +39,7 @@ pub struct Scratch {
     /// Of found contacts.
     pub desk: Desk,
     /// Of found contacts of deformable blocks.
-    pub soft: CellDesk,
+    pub deformable: CellDesk,
     pub(crate) slots: [Sums; 2],
     pub(crate) wide: Vec<Wide>,
     pub(crate) strong: bool,

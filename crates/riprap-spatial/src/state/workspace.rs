@@ -16,7 +16,7 @@ pub const FACETS: usize = 64;
 
 /// Shape, elements and masses of congruent bodies of one material.
 #[derive(Debug)]
-pub struct Kind {
+pub struct BlockClass {
     /// Nodes and tetrahedra about the centroid.
     pub mesh: Tetrahedra,
     /// Its faces: corners, anticlockwise seen from outside.
@@ -37,7 +37,7 @@ pub struct Kind {
     pub(crate) first_slope: usize,
 }
 
-impl Kind {
+impl BlockClass {
     /// Masses of the nodes in the phase that it was made for, kg.
     #[must_use]
     pub fn masses(&self) -> &[f64] {
@@ -49,7 +49,7 @@ impl Kind {
 #[derive(Debug, Default)]
 pub struct Workspace {
     /// Shapes and elements, as `Deform::kinds`.
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<BlockClass>,
     /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m, one kind after another.
     pub(crate) slopes: Vec<Vec3>,
     /// What a step reads of bonds.
@@ -105,9 +105,9 @@ impl Workspace {
         }
     }
 
-    /// Kind of a body.
+    /// BlockClass of a body.
     #[must_use]
-    pub fn kind(&self, body: &Body) -> &Kind {
+    pub fn kind(&self, body: &Body) -> &BlockClass {
         &self.kinds[body.kind as usize]
     }
 }
@@ -122,7 +122,7 @@ pub fn start_of(starts: &[StartStress], k: usize) -> &StartStress {
 /// What displacements of the nodes are multiplied with in the mean displacement gradient of a body, 1/m.
 #[derive(Clone, Copy)]
 pub struct Slopes<'a> {
-    pub(crate) kinds: &'a [Kind],
+    pub(crate) kinds: &'a [BlockClass],
     pub(crate) slopes: &'a [Vec3],
 }
 

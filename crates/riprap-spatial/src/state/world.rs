@@ -120,8 +120,8 @@ impl World {
         Freedoms {
             bodies: &self.bodies,
             turned: &self.turned,
-            displacement: &deform.nodes.moved,
-            velocity: &deform.nodes.rate,
+            displacement: &deform.nodes.displacement,
+            velocity: &deform.nodes.velocity,
         }
     }
 
@@ -132,8 +132,8 @@ impl World {
         Freedoms {
             bodies: &self.bodies,
             turned: &self.turned,
-            displacement: nodes.map_or(&[], |n| &n.moved),
-            velocity: nodes.map_or(&[], |n| &n.rate),
+            displacement: nodes.map_or(&[], |n| &n.displacement),
+            velocity: nodes.map_or(&[], |n| &n.velocity),
         }
     }
 

@@ -7,8 +7,8 @@ use super::solid::change_joint;
 use crate::laws::fracture::Margins;
 use crate::planar::setup::ContactLaw;
 use crate::run::plan::{
-    Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxing, TimeStep,
-    Until, Way,
+    Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxation, Relaxing,
+    TimeStep, Until,
 };
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::quantity::Interval;
@@ -130,7 +130,7 @@ impl Builder<'_> {
             tolerance: said.until.unbalanced.si_or(RELAXED),
             load_steps: read.load_steps(),
             iterations: read.iterations(),
-            way: said.relaxation.as_ref().map_or(Way::default(), way),
+            relaxation: said.relaxation.as_ref().map_or(Relaxation::default(), way),
         });
         let cut = said
             .cut
@@ -241,8 +241,8 @@ fn every(interval: Interval) -> Option<Every> {
 }
 
 /// How a phase relaxes.
-fn way(said: &language::Relaxation) -> Way {
-    Way {
+fn way(said: &language::Relaxation) -> Relaxation {
+    Relaxation {
         damping: said.damping.as_ref().map(Quantity::si),
         energy: said.energy.as_ref().map(Quantity::si),
         breaks: said.breaks.unwrap_or_default(),

@@ -47,7 +47,7 @@ impl Kind {
     #[must_use]
     pub fn fields(self) -> &'static [FieldInfo] {
         match self {
-            Kind::Planar => planar::readings::INFOS,
+            Kind::Planar => planar::fields::INFOS,
             Kind::Spatial => spatial::fields::INFOS,
         }
     }
@@ -105,8 +105,8 @@ pub struct Planar {
 }
 
 impl Planar {
-    fn view(&self) -> planar::fields::View<'_> {
-        planar::fields::View {
+    fn view(&self) -> planar::view::View<'_> {
+        planar::view::View {
             world: &self.world,
             scratch: &self.scratch,
         }

@@ -295,7 +295,7 @@ impl Live {
         Ok(self.ending.clone())
     }
 
-    /// Goes on to the end, or until `look` stops it, and closes the books.
+    /// Goes on to the end, or until `look` stops it, and closes the ledger.
     ///
     /// # Errors
     /// The disk.
@@ -307,7 +307,7 @@ impl Live {
         self.close()
     }
 
-    /// Closes the books where they are: a run that has not ended can be resumed.
+    /// Closes the ledger where it is: a run that has not ended can be resumed.
     ///
     /// # Errors
     /// The disk.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 pub use crate::dynamics::damping::Damping;
-pub use crate::dynamics::relaxation::{Breaks, PhaseKind, Way};
+pub use crate::dynamics::relaxation::{Breaks, PhaseKind, Relaxation};
 use crate::planar::setup::ContactLaw;
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
@@ -94,7 +94,7 @@ pub struct Relaxing {
     /// Iterations after which a load step that has not converged ends the phase.
     pub iterations: u64,
     /// How it relaxes.
-    pub way: Way,
+    pub relaxation: Relaxation,
 }
 
 impl Phase {

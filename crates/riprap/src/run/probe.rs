@@ -6,9 +6,9 @@ use crate::Vec2;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::planar::classify::{Classified, classify};
-use crate::planar::fields::View;
 use crate::planar::setup::Setup;
 use crate::planar::step::{self, NonFinite};
+use crate::planar::view::View;
 use crate::planar::world::{World, Wrench};
 
 /// One contact region. Forces are per metre of thickness and act on the first block.

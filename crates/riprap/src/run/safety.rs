@@ -30,7 +30,7 @@ use super::simulation::{Cursor, RunError, Simulation, Snapshot, Stage};
 use crate::exec::{Exec, ExecError};
 use crate::setup::Setup;
 use verdict::{Look, Watch};
-pub use verdict::{Mode, State};
+pub use verdict::{Mechanism, State};
 
 /// Largest factor that is tried; above it strength does not decide. Its inverse is the smallest.
 const MOST: f64 = 64.0;
@@ -104,7 +104,7 @@ pub struct Answer {
     /// Blocks that move at `fails_at`, the farthest first, with their displacement in m.
     pub moving: Vec<(String, f64)>,
     /// How they move.
-    pub mode: Option<Mode>,
+    pub mechanism: Option<Mechanism>,
 }
 
 /// Why there is no answer.
@@ -174,7 +174,7 @@ pub fn search(
         undecided,
         trials: search.trials,
         moving: failed.as_ref().map_or_else(Vec::new, |f| f.moving.clone()),
-        mode: failed.and_then(|f| f.mode),
+        mechanism: failed.and_then(|f| f.mechanism),
     })
 }
 
@@ -315,7 +315,7 @@ pub fn plan_of_mechanism(
 struct Failed {
     factor: f64,
     moving: Vec<(String, f64)>,
-    mode: Option<Mode>,
+    mechanism: Option<Mechanism>,
 }
 
 struct Search<'a> {
@@ -471,7 +471,7 @@ impl Search<'_> {
                 let view = simulation.view();
                 self.failed = Some(Failed {
                     factor,
-                    mode: verdict::mode(&moving),
+                    mechanism: verdict::mechanism(&moving),
                     moving: moving
                         .iter()
                         .map(|m| (view.name(m.block), verdict::length(m.shift)))

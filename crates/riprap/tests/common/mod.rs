@@ -4,11 +4,11 @@
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::ledger::Balance;
-use riprap::planar::fields::View;
 use riprap::planar::setup::{
     BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Reflex, Setup, Support,
 };
 use riprap::planar::step::{Damping, Scratch, advance, evaluate};
+use riprap::planar::view::View;
 use riprap::planar::world::{World, Wrench};
 
 pub const DISTANCE: NormalLaw = NormalLaw::DistancePotential;

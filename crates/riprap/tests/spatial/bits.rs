@@ -6,8 +6,8 @@ use riprap::spatial::cavity;
 use riprap::spatial::edit::{self, EditKind};
 use riprap::spatial::lanes::Width;
 use riprap::spatial::setup::{
-    Boundary, BoundaryKind, Coupling, Criterion, During, FaceSet, Kinematics, Place, Push,
-    Refinement, Region, Setup, Shape, Source,
+    Boundary, BoundaryKind, CavityPressure, Coupling, Criterion, During, FaceSet, Kinematics,
+    Place, Refinement, Region, Setup, Shape, Source,
 };
 use riprap::spatial::step::{Scratch, advance};
 use riprap::spatial::tiles::Cut;
@@ -170,7 +170,7 @@ fn blasted() -> Setup {
             centre: Vec3::splat(6.0),
         },
         delay: 10.0 * DT,
-        push: Push::Gas {
+        push: CavityPressure::Gas {
             explosive: AMMONIUM,
             mass: 40.0,
             coupling: Coupling::Scaled { exponent: 0.5 },

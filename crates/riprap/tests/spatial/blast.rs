@@ -4,8 +4,8 @@ use riprap::Vec3;
 use riprap::spatial::cavity;
 use riprap::spatial::edit::{self, EditKind};
 use riprap::spatial::setup::{
-    Boundary, BoundaryKind, Coupling, Dashpots, Explosive, FaceSet, InSitu, JointLaw, Motion,
-    Place, Push, Refinement, Region, Setup, Source, Support, Venting,
+    Boundary, BoundaryKind, CavityPressure, Coupling, Dashpots, Explosive, FaceSet, InSitu,
+    JointLaw, Motion, Place, Refinement, Region, Setup, Source, Support, Venting,
 };
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
@@ -25,7 +25,7 @@ fn charge(centre: Vec3, mass: f64, coupling: Coupling) -> Source {
         name: "charge".into(),
         place: Place::Point { centre },
         delay: 0.0,
-        push: Push::Gas {
+        push: CavityPressure::Gas {
             explosive: AMMONIUM,
             mass,
             coupling,
@@ -189,7 +189,7 @@ fn plateaus_of_the_source_s_cube() {
 }
 
 /// A lattice of 6 x 6 x 4 m that holds a charge below its free top.
-fn slab(push: Push, delay: f64) -> Run {
+fn slab(push: CavityPressure, delay: f64) -> Run {
     let mut setup = rock(lattice([6, 6, 4], 1.0), elastic());
     setup.sources.push(Source {
         name: "charge".into(),
@@ -207,7 +207,7 @@ fn slab(push: Push, delay: f64) -> Run {
 fn a_pressure_history_begins_with_its_delay() {
     let time = riprap::dynamics::TimeFunction::triangle(1e6, 1e-4, 3e-4);
     let delay = 2.2e-4;
-    let mut run = slab(Push::Pressure { time }, delay);
+    let mut run = slab(CavityPressure::Pressure { time }, delay);
     let mut early = 0.0_f64;
     let mut ignited = None;
     blast(&mut run, 1e-3, |run| {
@@ -245,7 +245,7 @@ fn gas_that_vents_stops_pushing() {
             span: 1e-4,
         },
     ] {
-        let push = Push::Gas {
+        let push = CavityPressure::Gas {
             explosive: AMMONIUM,
             mass: 100.0,
             coupling: Coupling::Decoupled,
@@ -275,7 +275,7 @@ fn gas_that_vents_stops_pushing() {
 /// Blocks beside the cavity are split while the gas pushes: volume, pressure and forces go on.
 #[test]
 fn walls_follow_a_split() {
-    let push = Push::Gas {
+    let push = CavityPressure::Gas {
         explosive: AMMONIUM,
         mass: 2000.0,
         coupling: Coupling::Coupled,

@@ -22,7 +22,7 @@ fn shaken(run: &mut Run, speed: f64) {
     for b in 0..run.world.alive.len() {
         run.world
             .bodies
-            .set_rate(b, speed * draws.vector(), speed * draws.vector());
+            .set_velocity(b, speed * draws.vector(), speed * draws.vector());
     }
 }
 
@@ -68,17 +68,17 @@ fn the_books_of_a_failing_body_close() {
         shaken(&mut run, 0.1);
         let dt = share * 0.6325 * 0.5 / CP;
         run.steps((2000.0 / share) as usize, dt);
-        let books = run.balance();
-        let error = books.residual() / books.start;
+        let balance = run.balance();
+        let error = balance.residual() / balance.start;
         println!(
             "{share}: start {:.4e} kinetic {:.3e} stored {:.3e} friction {:.3e} fracture {:.3e} residual {error:.1e}",
-            books.start,
-            books.kinetic,
-            books.contact_normal + books.contact_shear,
-            books.works.friction,
-            books.works.fracture
+            balance.start,
+            balance.kinetic,
+            balance.contact_normal + balance.contact_shear,
+            balance.works.friction,
+            balance.works.fracture
         );
-        assert!(books.works.friction > 0.01 * books.start);
+        assert!(balance.works.friction > 0.01 * balance.start);
         assert!(error.abs() < bound, "{error:e}");
     }
 }

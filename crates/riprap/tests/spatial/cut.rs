@@ -10,7 +10,7 @@ use riprap::spatial::edit::EditKind;
 use riprap::spatial::setup::deform::{BondFailure, NodeHold, Strain, Strength};
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 
-use crate::deform::{begin, bonds, on_plane, pull, roller, soft};
+use crate::deform::{begin, bonds, deformable, on_plane, pull, roller};
 use crate::rock::{Draws, Run, brick, elastic, lattice, rock};
 
 /// Momentum, angular momentum, kinetic energy and mass of all nodes.
@@ -20,8 +20,8 @@ fn sums(run: &Run) -> (Vec3, Vec3, f64, f64) {
     for body in deform.living() {
         let masses = work.kind(body).masses();
         for (n, m) in body.nodes().zip(masses) {
-            let at = deform.nodes.place[n] + Vec3::from_array(deform.nodes.moved[n]);
-            let v = Vec3::from_array(deform.nodes.rate[n]);
+            let at = deform.nodes.place[n] + Vec3::from_array(deform.nodes.displacement[n]);
+            let v = Vec3::from_array(deform.nodes.velocity[n]);
             p += *m * v;
             h += *m * at.cross(v);
             t += 0.5 * m * v.length_squared();
@@ -38,7 +38,11 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
     for _ in 0..60 {
         let half = 0.015;
         let block = brick(Vec3::new(1.0, 2.0, -1.0), Vec3::splat(half));
-        let mut run = Run::new(soft(rock(vec![block], elastic()), Strain::Small, 3e-4));
+        let mut run = Run::new(deformable(
+            rock(vec![block], elastic()),
+            Strain::Small,
+            3e-4,
+        ));
         let dynamic = Rules {
             relax: None,
             breaking: false,
@@ -53,8 +57,8 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
             let r = (deform.nodes.place[n] - Vec3::new(1.0, 2.0, -1.0)) / half;
             let u = 1e-6 * (a * r.x + b * r.y + c * r.z + 0.3 * r * r.x);
             let v = slide + spin.cross(r) + 0.1 * draw();
-            deform.nodes.moved[n] = u.to_array();
-            deform.nodes.rate[n] = v.to_array();
+            deform.nodes.displacement[n] = u.to_array();
+            deform.nodes.velocity[n] = v.to_array();
         }
         run.evaluate(1e-9);
         let normal = draw();
@@ -87,7 +91,7 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
 /// The specimen of section 4.1 of the source.
 fn specimen() -> Run {
     let edge = 0.03;
-    let mut setup = soft(
+    let mut setup = deformable(
         rock(lattice([10, 10, 1], edge), elastic()),
         Strain::Small,
         3e-4,
@@ -221,7 +225,7 @@ fn blocks_under_compression_are_cut_along_an_x() {
 
 /// A dynamic phase of cubes that fly apart a little.
 fn dynamic(counts: [usize; 3]) -> Run {
-    let mut setup = soft(rock(lattice(counts, 0.03), elastic()), Strain::Small, 3e-4);
+    let mut setup = deformable(rock(lattice(counts, 0.03), elastic()), Strain::Small, 3e-4);
     setup.materials[0].young = Some(30e9);
     let mut run = Run::new(setup);
     let rules = Rules {
@@ -298,7 +302,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
         residual_friction: 0.5,
         ..Strength::default()
     };
-    let mut setup = soft(
+    let mut setup = deformable(
         rock(lattice([2, 1, 1], 0.03), elastic()),
         Strain::Small,
         3e-4,
@@ -324,7 +328,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
     let deform = run.world.deform.as_mut().unwrap();
     for n in deform.bodies[1].nodes() {
         let opening = 4e-6 * (1.0 + 0.5 * (deform.nodes.place[n].y / 0.03));
-        deform.nodes.moved[n] = [opening, 0.0, 0.0];
+        deform.nodes.displacement[n] = [opening, 0.0, 0.0];
     }
     run.scratch.invalidate(&mut run.world);
     run.evaluate(1e-9);

@@ -4,7 +4,7 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::spatial::deform::fracture;
 use riprap::spatial::deform::phase::{self, Rules};
-use riprap::spatial::deform::relax::Way;
+use riprap::spatial::deform::relax::Relaxation;
 use riprap::spatial::setup::deform::{
     BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Notch, Strain, Strength,
 };
@@ -29,7 +29,7 @@ pub fn bonds(thickness: f64) -> BondLaw {
 }
 
 /// Makes all blocks of a model deformable.
-pub fn soft(setup: Setup, strain: Strain, thickness: f64) -> Setup {
+pub fn deformable(setup: Setup, strain: Strain, thickness: f64) -> Setup {
     let blocks = (0..setup.blocks.len() as u32).collect();
     Setup {
         deform: Deformables {
@@ -110,7 +110,7 @@ fn bar(n: usize, edge: f64, thickness: f64, stress: f64) -> Run {
             )
         })
         .collect();
-    let setup = soft(rock(blocks, elastic()), Strain::Small, thickness);
+    let setup = deformable(rock(blocks, elastic()), Strain::Small, thickness);
     let length = edge * n as f64;
     Run::new(Setup {
         boundaries: vec![
@@ -138,7 +138,7 @@ fn a_bar_stretches_by_its_blocks_and_bonds() {
             end / exact
         );
         for b in 0..n {
-            let s = view.soft(b).expect("a deformable block").stress();
+            let s = view.deformable(b).expect("a deformable block").stress();
             let off = (s - riprap_geom::Mat3::from_diagonal(Vec3::new(stress, 0.0, 0.0)))
                 .to_cols_array()
                 .into_iter()
@@ -175,7 +175,7 @@ fn the_bits_do_not_depend_on_threads() {
                 .map(|x| x.to_bits())
                 .collect::<Vec<_>>()
         };
-        (bits(&nodes.moved), bits(&nodes.rate))
+        (bits(&nodes.displacement), bits(&nodes.velocity))
     };
     assert_eq!(hash(1), hash(2));
 }
@@ -185,7 +185,7 @@ fn spinning(strain: Strain) -> Run {
     let half = 0.015;
     let mut spec = brick(Vec3::splat(half), Vec3::splat(half));
     spec.spin = Vec3::new(300.0, 200.0, 500.0);
-    Run::new(soft(rock(vec![spec], elastic()), strain, 3e-4))
+    Run::new(deformable(rock(vec![spec], elastic()), strain, 3e-4))
 }
 
 #[test]
@@ -196,9 +196,11 @@ fn a_free_cube_turns_without_swelling() {
         strain: None,
     };
     let size = |run: &Run| {
-        let soft = run.view().soft(0).expect("a deformable block");
-        let first = soft.body.first as usize;
-        soft.place(first).distance(soft.place(first + 7))
+        let deformable = run.view().deformable(0).expect("a deformable block");
+        let first = deformable.body.first as usize;
+        deformable
+            .place(first)
+            .distance(deformable.place(first + 7))
     };
     let mut run = spinning(Strain::Large);
     begin(&mut run, &rules);
@@ -240,7 +242,7 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
             )
         })
         .collect();
-    let mut setup = soft(rock(blocks, elastic()), Strain::Small, 3e-4);
+    let mut setup = deformable(rock(blocks, elastic()), Strain::Small, 3e-4);
     let length = edge * f64::from(n);
     let shape = format!("1e-6*cos(pi*x/{length})");
     setup.deform.sets[0].displacement[0] =
@@ -260,7 +262,7 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
     let mut before = 0.0;
     for step in 0..(2.6 * period / dt) as usize {
         run.steps(1, dt);
-        let u = run.world.deform.as_ref().expect("nodes").nodes.moved[14][0];
+        let u = run.world.deform.as_ref().expect("nodes").nodes.displacement[14][0];
         if step > 0 && before > 0.0 && u <= 0.0 {
             crossings.push((step as f64 + before / (before - u)) * dt);
         }
@@ -289,7 +291,7 @@ fn pair_of(failure: BondFailure) -> Run {
     let blocks = [0.5, 1.5]
         .map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half)))
         .to_vec();
-    let mut setup = soft(rock(blocks, elastic()), Strain::Small, 0.01);
+    let mut setup = deformable(rock(blocks, elastic()), Strain::Small, 0.01);
     setup.deform.bonds = vec![Some(BondLaw {
         strength: Some(Strength {
             tension: 1e6,
@@ -357,7 +359,7 @@ fn a_bond_breaks_at_its_strength_and_gives_its_energy_back() {
         // The step before carried less than the strength, the next one would carry more.
         let per_step = YOUNG * 1e-5 / (2.0 * (1.0 + 0.005));
         assert!(last < 1e6 && last + per_step > 1e6, "{failure:?}: {last}");
-        // Relaxed again, nothing is left and the books close.
+        // Relaxed again, nothing is left and the ledger closes.
         loop {
             run.steps(1, 1.0);
             run.evaluate(1.0);
@@ -384,7 +386,7 @@ fn a_bond_breaks_at_its_strength_and_gives_its_energy_back() {
 #[test]
 fn a_notch_of_springs_is_a_third_of_a_block_longer() {
     let broken = |springs: bool| {
-        let mut setup = soft(
+        let mut setup = deformable(
             rock(lattice([2, 2, 1], 1.0), elastic()),
             Strain::Small,
             0.01,
@@ -408,7 +410,7 @@ fn a_notch_of_springs_is_a_third_of_a_block_longer() {
 /// Constant damping and the change of energy as a measure of rest lead to the same equilibrium, more slowly.
 #[test]
 fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
-    let end = |way: Option<Way>| {
+    let end = |way: Option<Relaxation>| {
         let mut run = bar(4, 0.03, 3e-4, 1e6);
         let rules = Rules {
             relax: Some(1e-8),
@@ -431,10 +433,10 @@ fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
         (run.view().strain_energy(), run.world.step)
     };
     let (energy, steps) = end(None);
-    let way = Way {
+    let way = Relaxation {
         damping: Some(0.05),
         energy: Some(1e-9),
-        ..Way::default()
+        ..Relaxation::default()
     };
     let (same, more) = end(Some(way));
     assert!((same / energy - 1.0).abs() < 1e-5, "{same} {energy}");
@@ -447,7 +449,7 @@ fn a_stretched_bond_turns_with_its_blocks() {
     let blocks = [0.5, 1.5]
         .map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half)))
         .to_vec();
-    let mut run = Run::new(soft(rock(blocks, elastic()), Strain::Large, 0.01));
+    let mut run = Run::new(deformable(rock(blocks, elastic()), Strain::Large, 0.01));
     let rules = Rules {
         relax: None,
         breaking: false,
@@ -460,7 +462,7 @@ fn a_stretched_bond_turns_with_its_blocks() {
     let nodes = deform.nodes.len();
     for (k, (u, x)) in deform
         .nodes
-        .moved
+        .displacement
         .iter_mut()
         .zip(&deform.nodes.place)
         .enumerate()
@@ -489,9 +491,11 @@ fn the_measure_of_strain_can_change_with_the_phase() {
     begin(&mut run, &large);
     let dt = 0.25 * stable_step(&run.world, &run.scratch, 0.0).dt;
     run.steps(2000, dt);
-    let soft = run.view().soft(0).expect("a deformable block");
-    assert_eq!(soft.body.strain, Strain::Large);
-    let first = soft.body.first as usize;
-    let size = soft.place(first).distance(soft.place(first + 7));
+    let deformable = run.view().deformable(0).expect("a deformable block");
+    assert_eq!(deformable.body.strain, Strain::Large);
+    let first = deformable.body.first as usize;
+    let size = deformable
+        .place(first)
+        .distance(deformable.place(first + 7));
     assert!((size / (0.03 * 3f64.sqrt()) - 1.0).abs() < 1e-3, "{size}");
 }

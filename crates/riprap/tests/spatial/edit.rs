@@ -34,7 +34,7 @@ fn moving(joint: JointLaw, kinematics: Kinematics, speed: f64, steps: usize) -> 
     for b in 0..run.world.alive.len() {
         run.world
             .bodies
-            .set_rate(b, speed * draws.vector(), speed * draws.vector());
+            .set_velocity(b, speed * draws.vector(), speed * draws.vector());
         let spin = run.world.bodies.spin(b);
         let inertia = run.world.solid_of(b).inertia;
         if let Some(turned) = &mut run.world.turned[b] {

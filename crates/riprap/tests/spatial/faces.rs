@@ -201,9 +201,9 @@ fn a_moved_face_squeezes_a_column() {
             "{b}: {found:e} {expected:e}"
         );
     }
-    let books = run.balance();
-    assert!((books.works.supports / (-0.5 * expected * pushed) - 1.0).abs() < 0.02);
-    let defect = books.residual() / books.works.supports;
+    let balance = run.balance();
+    assert!((balance.works.supports / (-0.5 * expected * pushed) - 1.0).abs() < 0.02);
+    let defect = balance.residual() / balance.works.supports;
     println!(
         "stress {:.4e} of {expected:.4e} Pa, residual {defect:.1e}",
         stress[0].col(2).z

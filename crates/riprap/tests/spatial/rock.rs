@@ -109,7 +109,7 @@ impl Run {
         evaluate(&mut self.world, &mut self.scratch, &self.damping, dt).expect("finite forces");
         if self.world.start_energy.is_none() {
             let view = self.view();
-            // The books begin with the half kick behind them.
+            // The ledger begins with the half kick behind them.
             let start = view.balance().total() - 0.5 * view.half_kick();
             self.world.start_energy = Some(start);
         }

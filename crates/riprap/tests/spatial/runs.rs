@@ -10,13 +10,13 @@ use riprap::run::checks::{Check, Expected, Status, Window};
 use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{self, Job};
 use riprap::run::plan::{
-    Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until,
-    Way,
+    Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Plan, Relaxation, Relaxing,
+    TimeStep, Until,
 };
 use riprap::spatial::setup::deform::Strain;
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 
-use crate::deform::soft;
+use crate::deform::deformable;
 use crate::rock::{elastic, lattice, rock};
 
 fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
@@ -167,7 +167,7 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
 
 #[test]
 fn a_static_phase_without_equilibrium_says_so() {
-    let mut job = column_of(|setup| soft(setup, Strain::Small, 0.01));
+    let mut job = column_of(|setup| deformable(setup, Strain::Small, 0.01));
     job.checks.clear();
     let phase = &mut job.plan.phases[0];
     phase.until.time = None;
@@ -178,7 +178,7 @@ fn a_static_phase_without_equilibrium_says_so() {
             tolerance: 1e-9,
             load_steps: 1,
             iterations: 50,
-            way: Way::default(),
+            relaxation: Relaxation::default(),
         }),
         cut: None,
     });

@@ -8,8 +8,8 @@ use riprap::Vec3;
 use riprap::dynamics::TimeFunction;
 use riprap::spatial::cavity;
 use riprap::spatial::setup::{
-    BlockSpec, Boundary, BoundaryKind, Coupling, FaceSet, JointLaw, Place, Push, Setup, Shape,
-    Solid, Source,
+    BlockSpec, Boundary, BoundaryKind, CavityPressure, Coupling, FaceSet, JointLaw, Place, Setup,
+    Shape, Solid, Source,
 };
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
@@ -171,7 +171,7 @@ fn gas_in_a_spherical_cavity_comes_to_its_plateau() {
         name: "charge".into(),
         place: Place::Blocks { blocks: vec![0] },
         delay: 0.0,
-        push: Push::Gas {
+        push: CavityPressure::Gas {
             explosive: AMMONIUM,
             mass: AMMONIUM.density * part,
             coupling: Coupling::Coupled,

@@ -95,13 +95,16 @@ fn default_dashpots_do_not_hold_a_slab_that_slides() {
         let found = acceleration(&mut run);
         println!("{failure:?}: {found:.6} m/s2 of {:.6}", excess());
         assert!((found / excess() - 1.0).abs() < 1e-3, "{failure:?} {found}");
-        let books = run.balance();
-        let error = books.residual() / books.works.friction;
+        let balance = run.balance();
+        let error = balance.residual() / balance.works.friction;
         println!(
             "friction {:.4e} J, residual {error:.1e}",
-            books.works.friction
+            balance.works.friction
         );
-        assert!(books.works.damping > 0.0 && error.abs() < 1e-3, "{error:e}");
+        assert!(
+            balance.works.damping > 0.0 && error.abs() < 1e-3,
+            "{error:e}"
+        );
 
         let mut run = Run::new(slabs(&[Dashpots::Closed], failure));
         run.steps(6000, DT);

@@ -72,7 +72,7 @@ fn a_block_on_a_fixed_base_has_its_natural_frequencies() {
         let dt = 1e-5;
         let record = |v: Vec3, w: Vec3, read: &dyn Fn(&Run) -> f64| {
             let mut run = make();
-            run.world.bodies.set_rate(1, v, w);
+            run.world.bodies.set_velocity(1, v, w);
             let mut q = Vec::new();
             for _ in 0..4000 {
                 run.steps(1, dt);

@@ -26,7 +26,7 @@ fn speed_ratio(cells: [usize; 3], waves: [f64; 3], polarisation: Vec3, speed: f6
         // The rotation of the medium, half the curl.
         let turn = -0.5 * phase.sin() * k.cross(polarisation);
         let u = 1e-6 * phase.cos() * polarisation;
-        run.world.bodies.set_pose(b, u, 1e-6 * turn);
+        run.world.bodies.set_displacement(b, u, 1e-6 * turn);
     }
     let dt = 0.2 / CP;
     let project = |run: &Run| -> f64 {
@@ -140,8 +140,12 @@ fn launch(run: &mut Run, centre: f64, length: f64, shear: bool, backward: bool) 
         ));
     }
     for (b, (pose, rate)) in rates.into_iter().enumerate() {
-        run.world.bodies.set_pose(b, 1e-6 * pose[0], 1e-6 * pose[1]);
-        run.world.bodies.set_rate(b, 1e-6 * rate[0], 1e-6 * rate[1]);
+        run.world
+            .bodies
+            .set_displacement(b, 1e-6 * pose[0], 1e-6 * pose[1]);
+        run.world
+            .bodies
+            .set_velocity(b, 1e-6 * rate[0], 1e-6 * rate[1]);
     }
 }
 
@@ -211,14 +215,14 @@ fn end_reflection(length: f64, shear: bool, half_cell: bool) -> f64 {
     let speed = if shear { CS } else { CP };
     let dt = 0.3 / CP;
     run.steps((2.0 * half / speed / dt) as usize, dt);
-    let books = run.balance();
+    let balance = run.balance();
     assert!(
-        books.residual().abs() < 1e-6 * books.start,
+        balance.residual().abs() < 1e-6 * balance.start,
         "{} of {}",
-        books.residual(),
-        books.start
+        balance.residual(),
+        balance.start
     );
-    assert!(books.works.absorbed > 0.9 * books.start);
+    assert!(balance.works.absorbed > 0.9 * balance.start);
     largest(&run, 0.0, n as f64)
 }
 
@@ -265,7 +269,7 @@ fn the_stable_step_is_that_of_the_lattice() {
             for b in 0..64 {
                 run.world
                     .bodies
-                    .set_pose(b, 1e-9 * draws.vector(), 1e-9 * draws.vector());
+                    .set_displacement(b, 1e-9 * draws.vector(), 1e-9 * draws.vector());
             }
             run.steps(if bounded { 4000 } else { 400 }, share * expected / CP);
             let far = (0..64)

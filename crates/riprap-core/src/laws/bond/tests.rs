@@ -1,4 +1,4 @@
-//! Bonds: strength, slider, softening energies, energy books.
+//! Bonds: strength, slider, softening energies, energy ledger.
 
 use super::*;
 
@@ -57,10 +57,16 @@ fn tension_lowers_the_shear_strength() {
     let t: Traction = [4e6, 8.5e6, 0.0];
     let printed = t[0].abs() * STRENGTH.friction + STRENGTH.cohesion;
     assert!(t[1] < printed);
-    assert_eq!(STRENGTH.failure(&t), Some(Mode::Shear));
-    assert_eq!(STRENGTH.failure(&[5.1e6, 0.0, 0.0]), Some(Mode::Tension));
+    assert_eq!(STRENGTH.failure(&t), Some(FailureMode::Shear));
+    assert_eq!(
+        STRENGTH.failure(&[5.1e6, 0.0, 0.0]),
+        Some(FailureMode::Tension)
+    );
     assert_eq!(STRENGTH.failure(&[-4e6, 0.0, 10.3e6]), None);
-    assert_eq!(STRENGTH.failure(&[-4e6, 0.0, 10.4e6]), Some(Mode::Shear));
+    assert_eq!(
+        STRENGTH.failure(&[-4e6, 0.0, 10.4e6]),
+        Some(FailureMode::Shear)
+    );
     assert!((STRENGTH.apex() - 13.86e6).abs() < 0.01e6);
     let nothing = Strength {
         tension: 0.0,

@@ -14,7 +14,7 @@ pub fn face(
     start: &[Traction; 4],
     at: &[[f64; 3]; 4],
     moved: &[[f64; 3]; 4],
-    reach: [f64; 2],
+    half_spacing: [f64; 2],
     memory: &mut [Memory; 4],
 ) -> ([Traction; 4], Loss) {
     let mut loss = Loss::default();
@@ -43,13 +43,13 @@ pub fn face(
             }
         }
     });
-    let sums = Sums::of(&t, reach);
+    let sums = Sums::of(&t, half_spacing);
     let intact = !memory[0].broken;
     for m in memory.iter_mut() {
         m.sliding = false;
     }
     if intact {
-        if law.holds(sums.normal, sums.shear_measure(reach)) {
+        if law.holds(sums.normal, sums.shear_measure(half_spacing)) {
             return (t, loss);
         }
         for m in memory.iter_mut() {
@@ -65,7 +65,7 @@ pub fn face(
     }
     let closed = pressed > 0.0;
     let limit = if closed { law.residual(-pressed) } else { 0.0 };
-    let measure = sums.shear_measure(reach);
+    let measure = sums.shear_measure(half_spacing);
     let keep = if measure > limit {
         limit / measure
     } else {
@@ -73,7 +73,7 @@ pub fn face(
     };
     let slides = keep < 1.0;
     for p in 0..4 {
-        let [b, c] = [SIGNS[0][p] * reach[0], SIGNS[1][p] * reach[1]];
+        let [b, c] = [SIGNS[0][p] * half_spacing[0], SIGNS[1][p] * half_spacing[1]];
         if slides {
             t[p][1] = keep * (sums.shear[0] - sums.twist * c);
             t[p][2] = keep * (sums.shear[1] + sums.twist * b);
@@ -103,23 +103,25 @@ struct Sums {
 
 impl Sums {
     #[inline]
-    fn of(t: &[Traction; 4], reach: [f64; 2]) -> Self {
+    fn of(t: &[Traction; 4], half_spacing: [f64; 2]) -> Self {
         let mean = |k: usize| 0.25 * (t[0][k] + t[1][k] + t[2][k] + t[3][k]);
         let mut moment = 0.0;
         for p in 0..4 {
-            moment += 0.25 * (SIGNS[0][p] * reach[0] * t[p][2] - SIGNS[1][p] * reach[1] * t[p][1]);
+            moment += 0.25
+                * (SIGNS[0][p] * half_spacing[0] * t[p][2]
+                    - SIGNS[1][p] * half_spacing[1] * t[p][1]);
         }
         Self {
             normal: mean(0),
             shear: [mean(1), mean(2)],
-            twist: moment / (reach[0] * reach[0] + reach[1] * reach[1]),
+            twist: moment / (half_spacing[0] * half_spacing[0] + half_spacing[1] * half_spacing[1]),
         }
     }
 
     /// Mean shear and torsion in one number: torsion counts as the shear it makes at the points.
     #[inline]
-    fn shear_measure(&self, reach: [f64; 2]) -> f64 {
-        let twist = self.twist * norm(reach[0], reach[1]);
+    fn shear_measure(&self, half_spacing: [f64; 2]) -> f64 {
+        let twist = self.twist * norm(half_spacing[0], half_spacing[1]);
         norm(norm(self.shear[0], self.shear[1]), twist)
     }
 }
@@ -131,9 +133,9 @@ mod tests {
 
     #[test]
     fn a_face_fails_by_shear_and_torsion_together() {
-        let (law, springs, reach) = (strength(), [2e10, 1e10], [0.25, 0.25]);
+        let (law, springs, half_spacing) = (strength(), [2e10, 1e10], [0.25, 0.25]);
         let start = [[-1e6, 0.0, 0.0]; 4];
-        // Pure twist: the points reach the shear limit all at once.
+        // Pure twist: the points half_spacing the shear limit all at once.
         let radius = 0.25 * 2f64.sqrt();
         let limit = law.peak(-1e6);
         let twist = |angle: f64| -> [[f64; 3]; 4] {
@@ -143,7 +145,15 @@ mod tests {
             let mut memory = [Memory::default(); 4];
             let at = twist(share * limit / (1e10 * radius));
             let moved = [[0.0; 3]; 4];
-            let (t, _) = face(&law, springs, &start, &at, &moved, reach, &mut memory);
+            let (t, _) = face(
+                &law,
+                springs,
+                &start,
+                &at,
+                &moved,
+                half_spacing,
+                &mut memory,
+            );
             assert_eq!(memory[0].broken, broken);
             let size = norm(t[0][1], t[0][2]);
             let residual = law.residual(-1e6);

@@ -64,16 +64,23 @@ fn griffith_is_continuous_and_the_printed_form_is_not() {
         assert!((griffith(s1, s3) / st - 1.0).abs() < 1e-12);
         let (psi, most) = worst(s1, s3, |sigma, tau| tau * tau - 4.0 * st * (sigma + st));
         assert!(most.abs() < 1e-6 * st * st, "{most}");
-        let angle = plane_angle(&ROCK, Way::Griffith, &plain(s1, 0.5 * (s1 + s3), s3));
+        let angle = plane_angle(
+            &ROCK,
+            FractureMode::Griffith,
+            &plain(s1, 0.5 * (s1 + s3), s3),
+        );
         assert!((angle - psi).abs() < 1e-3, "{angle} {psi}");
         // Printed (14) with s1 - s2 depends on the stress that lies in the plane.
         let wrong = 0.5 * ((s1 - 0.5 * (s1 + s3)) / (2.0 * (s1 + s3))).acos();
         assert!((wrong - psi).abs() > 0.02, "{wrong} {psi}");
     }
-    let uniaxial = plane_angle(&ROCK, Way::Griffith, &plain(8.0 * st, 0.0, 0.0));
+    let uniaxial = plane_angle(&ROCK, FractureMode::Griffith, &plain(8.0 * st, 0.0, 0.0));
     assert!((uniaxial.to_degrees() - 30.0).abs() < 1e-12);
-    assert!(plane_angle(&ROCK, Way::Griffith, &plain(3.0 * st, 0.0, -st)).abs() < 1e-7);
-    assert_eq!(plane_angle(&ROCK, Way::Griffith, &plain(st, 0.0, -st)), 0.0);
+    assert!(plane_angle(&ROCK, FractureMode::Griffith, &plain(3.0 * st, 0.0, -st)).abs() < 1e-7);
+    assert_eq!(
+        plane_angle(&ROCK, FractureMode::Griffith, &plain(st, 0.0, -st)),
+        0.0
+    );
 }
 
 #[test]
@@ -84,7 +91,7 @@ fn mohr_coulomb_is_the_worst_plane_and_the_printed_angle_is_not() {
     for (s1, s3) in [(30e6, 0.0), (50e6, 7e6), (10e6, -3e6)] {
         let (psi, most) = worst(s1, s3, |sigma, tau| tau - sigma * tan - ROCK.cohesion);
         assert!((most - mohr_coulomb(&ROCK, s1, s3)).abs() < 1.0);
-        let angle = plane_angle(&ROCK, Way::Shear, &plain(s1, s3, s3));
+        let angle = plane_angle(&ROCK, FractureMode::Shear, &plain(s1, s3, s3));
         assert!((angle - psi).abs() < 1e-4);
         assert!((angle.to_degrees() - 30.0).abs() < 1e-9);
         // Printed (16), pi/2 +- phi/2: the plane hardly slides.
@@ -125,7 +132,7 @@ fn criteria_and_margins() {
     // Pure tension.
     for criterion in [Criterion::Source, Criterion::Griffith, Criterion::Larger] {
         let v = verdict(criterion, &none, 0.0, -5.1e6);
-        assert!(v.cut() && v.way == Way::Tension && v.utilisation > 1.0);
+        assert!(v.cut() && v.mode == FractureMode::Tension && v.utilisation > 1.0);
         assert!(!verdict(criterion, &none, 0.0, -4.9e6).cut());
         let early = Margins {
             tension: 0.2e6,
@@ -134,7 +141,10 @@ fn criteria_and_margins() {
         assert!(verdict(criterion, &early, 0.0, -4.9e6).cut());
     }
     // Compression: 30 MPa is over Mohr-Coulomb's 27.71 and below Griffith's 40.
-    assert_eq!(verdict(Criterion::Source, &none, 30e6, 0.0).way, Way::Shear);
+    assert_eq!(
+        verdict(Criterion::Source, &none, 30e6, 0.0).mode,
+        FractureMode::Shear
+    );
     assert!(verdict(Criterion::Source, &none, 30e6, 0.0).cut());
     assert!(verdict(Criterion::Source, &none, 27.72e6, 0.0).cut());
     assert!(!verdict(Criterion::Source, &none, 27.70e6, 0.0).cut());
@@ -145,10 +155,10 @@ fn criteria_and_margins() {
     assert!(verdict(Criterion::Source, &early, 21e6, 0.0).cut());
     assert!(!verdict(Criterion::Griffith, &none, 39e6, 0.0).cut());
     let v = verdict(Criterion::Griffith, &none, 41e6, 0.0);
-    assert!(v.cut() && v.way == Way::Griffith);
+    assert!(v.cut() && v.mode == FractureMode::Griffith);
     assert_eq!(
-        verdict(Criterion::MohrCoulomb, &none, 0.0, -9e6).way,
-        Way::Shear
+        verdict(Criterion::MohrCoulomb, &none, 0.0, -9e6).mode,
+        FractureMode::Shear
     );
     // The gap of (17): s3 below -st with s1 + 3 s3 > 0.
     let weak = Rock {
@@ -182,7 +192,7 @@ fn principal_stresses_are_sorted_and_plane() {
         assert!(p.axes[0].distance(Vec3::new(-s, c, 0.0)) < 1e-12, "{p:?}");
         assert!(p.axes[2].distance(Vec3::new(c, s, 0.0)) < 1e-12);
         // Tension: the crack lies across s3.
-        let n = cut_normal(&ROCK, Way::Tension, &p, &[[0.0; 3]; 3], None);
+        let n = cut_normal(&ROCK, FractureMode::Tension, &p, &[[0.0; 3]; 3], None);
         assert!(n.distance(Vec3::new(c, s, 0.0)) < 1e-12);
     }
     // Out-of-plane stress is not looked at.
@@ -195,8 +205,8 @@ fn rotation_chooses_the_conjugate() {
     // Compressed along y; stress and strain are the same for both mirror images, the rotation is not.
     let p = plain(30e6, 5e6, 0.0);
     let turned = |w: f64| [[1e-4, -w, 0.0], [w, -7e-4, 0.0], [0.0, 0.0, 0.0]];
-    let n = cut_normal(&ROCK, Way::Shear, &p, &turned(1e-4), None);
-    let m = cut_normal(&ROCK, Way::Shear, &p, &turned(-1e-4), None);
+    let n = cut_normal(&ROCK, FractureMode::Shear, &p, &turned(1e-4), None);
+    let m = cut_normal(&ROCK, FractureMode::Shear, &p, &turned(-1e-4), None);
     for v in [n, m] {
         // The normal makes 60 degrees with s1 (y).
         assert!((v.y.abs() - 0.5).abs() < 1e-12 && v.z.abs() < 1e-12);
@@ -207,8 +217,11 @@ fn rotation_chooses_the_conjugate() {
         "{n} {m}"
     );
     // Without rotation: always the same.
-    let tie = cut_normal(&ROCK, Way::Shear, &p, &turned(0.0), None);
-    assert_eq!(tie, cut_normal(&ROCK, Way::Shear, &p, &turned(1e-16), None));
+    let tie = cut_normal(&ROCK, FractureMode::Shear, &p, &turned(0.0), None);
+    assert_eq!(
+        tie,
+        cut_normal(&ROCK, FractureMode::Shear, &p, &turned(1e-16), None)
+    );
     // The chosen plane slides more: its normal and that mirrored.
     let slide = |n: Vec3, w: f64| {
         let s = Vec3::new(n.y, -n.x, 0.0);
@@ -241,6 +254,6 @@ fn equal_stresses_follow_the_hint() {
         ..p
     };
     assert_eq!(settle(&upper, hint).axes[2], Vec3::Z);
-    let n = cut_normal(&ROCK, Way::Shear, &p, &[[0.0; 3]; 3], Some(hint));
+    let n = cut_normal(&ROCK, FractureMode::Shear, &p, &[[0.0; 3]; 3], Some(hint));
     assert!(n.dot(across).abs() < 1e-12);
 }

@@ -4,19 +4,19 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::law::{Asked, Sides, respond};
 use super::limit;
-use crate::found::cells::{CellDesk, Member, PairRoom, PairSlot, Spot, Star};
+use crate::found::cells::{CellDesk, Member, PairSlot, PairWorkspace, Spot, Star};
 use crate::found::grid::Box3;
 use crate::found::tetra::Piece;
 use crate::state::deform::Deform;
+use crate::state::deformable::{DeformableMemory, DeformablePair};
 use crate::state::scratch::Scratch;
-use crate::state::soft::{SoftMemory, SoftPair};
 use crate::state::workspace::Workspace;
 use crate::world::World;
 
 /// Finds what all pairs exert and pushes blocks and nodes with it, in the order of the pairs.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
-    let mut pairs = std::mem::take(&mut world.found.soft.pairs);
-    let mut desk = std::mem::take(&mut scratch.soft);
+    let mut pairs = std::mem::take(&mut world.found.deformable.pairs);
+    let mut desk = std::mem::take(&mut scratch.deformable);
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
         return;
     };
@@ -27,9 +27,9 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         }
     });
     desk.stars = stars;
-    let (mut slots, mut rooms) = (
+    let (mut slots, mut workspaces) = (
         std::mem::take(&mut desk.slots),
-        std::mem::take(&mut desk.rooms),
+        std::mem::take(&mut desk.workspaces),
     );
     let evaluation = Evaluation {
         world,
@@ -42,7 +42,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     scratch.exec.chunks2(
         &mut pairs,
         &mut slots,
-        &mut rooms,
+        &mut workspaces,
         |first, pairs, slots, room| {
             [room.friction, room.damping, room.brought] = [0.0; 3];
             room.touching = 0;
@@ -72,9 +72,9 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         }
     }
     desk.slots = slots;
-    desk.rooms = rooms;
+    desk.workspaces = workspaces;
     let longest = limit::longest_step(world, &desk);
-    for room in &desk.rooms {
+    for room in &desk.workspaces {
         world.works.friction += room.friction;
         world.works.damping += room.damping;
         // What stands pressed at the start of a run is part of the energy that it starts with.
@@ -82,10 +82,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             world.works.edit_defect += room.brought;
         }
     }
-    world.found.soft.pairs = pairs;
-    let soft = &mut world.found.soft;
-    soft.longest_step = soft.longest_step.map(|limit| limit.min(longest));
-    scratch.soft = desk;
+    world.found.deformable.pairs = pairs;
+    let deformable = &mut world.found.deformable;
+    deformable.longest_step = deformable.longest_step.map(|limit| limit.min(longest));
+    scratch.deformable = desk;
 }
 
 /// Puts a star where its block is now.
@@ -95,7 +95,7 @@ fn put(world: &World, deform: &Deform, work: &Workspace, member: &Member, star: 
             let body = &deform.bodies[k as usize];
             let place = |n: u32| {
                 let n = (body.first + n) as usize;
-                deform.nodes.place[n] + Vec3::from_array(deform.nodes.moved[n])
+                deform.nodes.place[n] + Vec3::from_array(deform.nodes.displacement[n])
             };
             let tets = &work.kind(body).mesh.tets;
             star.put(tets, member.peak, place(body.count - 1), place);
@@ -122,7 +122,13 @@ struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    fn pair(&self, k: usize, pair: &mut SoftPair, slot: &mut PairSlot, room: &mut PairRoom) {
+    fn pair(
+        &self,
+        k: usize,
+        pair: &mut DeformablePair,
+        slot: &mut PairSlot,
+        room: &mut PairWorkspace,
+    ) {
         let constants = &self.desk.constants[k];
         let stars = constants.members.map(|m| &self.desk.stars[m as usize]);
         let sides = Sides {
@@ -159,11 +165,11 @@ impl Evaluation<'_> {
             } else {
                 0.0
             };
-            *pair = SoftPair {
+            *pair = DeformablePair {
                 ends: pair.ends,
                 known: true,
                 depth,
-                ..SoftPair::default()
+                ..DeformablePair::default()
             };
             slot.spots.clear();
             return;
@@ -207,9 +213,9 @@ fn press(
     stars: [&Star; 2],
     sides: &Sides,
     stiffness: f64,
-    pair: &mut SoftPair,
+    pair: &mut DeformablePair,
     slot: &mut PairSlot,
-    room: &mut PairRoom,
+    room: &mut PairWorkspace,
 ) {
     let common = Box3 {
         low: stars[0].bounds.low.max(stars[1].bounds.low),
@@ -288,7 +294,7 @@ pub(crate) fn depart(world: &mut World, scratch: &Scratch, dt: f64) {
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
         return;
     };
-    let desk = &scratch.soft;
+    let desk = &scratch.deformable;
     let [mut friction, mut damping] = [0.0; 2];
     for (slot, constants) in desk.slots.iter().zip(&desk.constants) {
         if slot.spots.is_empty() {
@@ -301,16 +307,16 @@ pub(crate) fn depart(world: &mut World, scratch: &Scratch, dt: f64) {
             members: constants.members.map(|m| &desk.members[m as usize]),
         };
         for spot in &slot.spots {
-            let rate = sides.rate(spot);
-            friction -= 0.5 * dt * spot.spring.dot(rate);
-            damping -= 0.5 * dt * spot.drag.dot(rate);
+            let velocity = sides.relative_velocity(spot);
+            friction -= 0.5 * dt * spot.spring.dot(velocity);
+            damping -= 0.5 * dt * spot.drag.dot(velocity);
         }
     }
     world.works.friction += friction;
     world.works.damping += damping;
 }
 
-impl SoftMemory {
+impl DeformableMemory {
     /// A contact without memory.
     pub(super) fn forget(&mut self) {
         *self = Self::default();

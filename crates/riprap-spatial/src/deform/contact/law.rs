@@ -16,7 +16,7 @@ use crate::found::cells::{Member, Spot};
 use crate::found::tetra::Piece;
 use crate::state::bodies::Bodies;
 use crate::state::deform::Deform;
-use crate::state::soft::SoftMemory;
+use crate::state::deformable::DeformableMemory;
 use crate::state::workspace::Workspace;
 
 /// Mean radius of the pressure over its radius of gyration.
@@ -75,7 +75,7 @@ impl Sides<'_> {
         match member.body {
             Some(body) => {
                 let (first, nodes) = self.nodes(body, spot.tets[side]);
-                let rates = &self.deform.nodes.rate;
+                let rates = &self.deform.nodes.velocity;
                 let mut sum = Vec3::ZERO;
                 for (node, weight) in nodes.into_iter().zip(spot.weights[side]) {
                     sum += weight * Vec3::from_array(rates[(first + node) as usize]);
@@ -90,7 +90,7 @@ impl Sides<'_> {
     }
 
     /// Velocity of the second block against the first at a spot, m/s.
-    pub(super) fn rate(&self, spot: &Spot) -> Vec3 {
+    pub(super) fn relative_velocity(&self, spot: &Spot) -> Vec3 {
         self.velocity(1, spot) - self.velocity(0, spot)
     }
 }
@@ -132,7 +132,7 @@ struct Contact {
     /// Sum over the spots of pressure times the square of the distance from the point, N m²; 0 where they carry no torsion.
     moment: f64,
     /// Velocity of the second block against the first, m/s.
-    rate: Vec3,
+    velocity: Vec3,
     /// Spin of the second block against the first about the normal, and mean of both, rad/s.
     twist: [f64; 2],
 }
@@ -177,14 +177,14 @@ impl Contact {
             polar,
             gyration,
             moment: 0.0,
-            rate: Vec3::ZERO,
+            velocity: Vec3::ZERO,
             twist: [0.0; 2],
         };
         let (mut moment, mut spins) = (0.0, [0.0; 2]);
         for spot in spots {
             let lever = contact.lever(spot);
             let two = [0, 1].map(|side| asked.sides.velocity(side, spot));
-            contact.rate += spot.pressure / pressure * (two[1] - two[0]);
+            contact.velocity += spot.pressure / pressure * (two[1] - two[0]);
             moment += spot.pressure * lever.length_squared();
             for (spin, v) in spins.iter_mut().zip(two) {
                 *spin += spot.pressure * lever.dot(v);
@@ -231,7 +231,7 @@ pub(super) fn respond(
     asked: &Asked,
     spots: &mut [Spot],
     shares: &mut [Vec<f64>; 2],
-    memory: &mut SoftMemory,
+    memory: &mut DeformableMemory,
 ) -> Reply {
     let Some(c) = Contact::new(asked, spots) else {
         memory.forget();
@@ -258,12 +258,12 @@ pub(super) fn respond(
     let across = dashpot(law.normal_stiffness) / c.pressure;
     let mut normal = 0.0;
     for spot in spots.iter_mut() {
-        let opening = asked.sides.rate(spot).dot(c.normal);
+        let opening = asked.sides.relative_velocity(spot).dot(c.normal);
         let drag = (-across * spot.pressure * opening).max(-spot.pressure);
         normal += spot.pressure + drag;
         spot.drag = drag * c.normal;
     }
-    let along = c.rate - c.rate.dot(c.normal) * c.normal;
+    let along = c.velocity - c.velocity.dot(c.normal) * c.normal;
     let largest = if law.friction.is_infinite() {
         f64::INFINITY
     } else {
@@ -307,15 +307,15 @@ pub(super) fn respond(
     for spot in spots {
         spot.spring = c.share(spot, memory.shear, memory.torsion);
         spot.drag += c.share(spot, sticking.0, sticking.1);
-        let rate = asked.sides.rate(spot);
-        reply.friction -= 0.5 * asked.dt * spot.spring.dot(rate);
-        reply.damping -= 0.5 * asked.dt * spot.drag.dot(rate);
+        let velocity = asked.sides.relative_velocity(spot);
+        reply.friction -= 0.5 * asked.dt * spot.spring.dot(velocity);
+        reply.damping -= 0.5 * asked.dt * spot.drag.dot(velocity);
     }
     reply
 }
 
 /// Turns the springs with the contact, lets go what has opened, and stretches them.
-fn take_on(law: &ContactLaw, c: &Contact, along: Vec3, dt: f64, memory: &mut SoftMemory) {
+fn take_on(law: &ContactLaw, c: &Contact, along: Vec3, dt: f64, memory: &mut DeformableMemory) {
     let length = memory.shear.length();
     let mut shear = memory.shear + memory.normal.cross(c.normal).cross(memory.shear);
     shear += dt * c.twist[1] * c.normal.cross(shear);

@@ -86,9 +86,9 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     }
     for a in some.iter().filter_map(|s| s[1]) {
         for s in &some {
-            for (soft, b) in s.iter().enumerate() {
+            for (deformable, b) in s.iter().enumerate() {
                 if let Some(b) = *b {
-                    between(&world.setup, [a, b], [false, soft == 0], [1.0; 2])?;
+                    between(&world.setup, [a, b], [false, deformable == 0], [1.0; 2])?;
                 }
             }
         }
@@ -98,12 +98,12 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
 
 /// Ends all of these contacts: what their springs still hold is friction.
 fn leave(world: &mut World, scratch: &mut Scratch) {
-    for pair in std::mem::take(&mut world.found.soft.pairs) {
+    for pair in std::mem::take(&mut world.found.deformable.pairs) {
         world.works.friction += pair.stored;
         world.works.edit_defect -= pair.energy;
     }
-    world.found.soft.search = Default::default();
-    scratch.soft = Default::default();
+    world.found.deformable.search = Default::default();
+    scratch.deformable = Default::default();
     scratch.pushes.own.blocks.clear();
     scratch.tiles.make_rows(world);
 }

@@ -15,8 +15,8 @@ use super::LOOK;
 use crate::deform::bonds;
 use crate::laws::bond;
 use crate::state::deform::{Deform, Facet};
+use crate::state::deformable::{DeformableMemory, DeformablePair};
 use crate::state::scratch::Scratch;
-use crate::state::soft::{SoftMemory, SoftPair};
 use crate::world::World;
 
 /// Slip over the side of a square of the area of the facet.
@@ -94,8 +94,8 @@ pub(crate) fn part(world: &mut World, scratch: &mut Scratch) {
         relax.disturb();
     }
     // The list of pairs is made anew, with these.
-    scratch.soft.ready = false;
-    world.found.soft.roles.clear();
+    scratch.deformable.ready = false;
+    world.found.deformable.roles.clear();
 }
 
 fn sorted([i, j]: [u32; 2]) -> [u32; 2] {
@@ -155,17 +155,17 @@ fn hand_over(world: &mut World, facet: &Facet) {
         -1.0
     };
     let ends = sorted(facet.blocks);
-    let pairs = &mut world.found.soft.pairs;
+    let pairs = &mut world.found.deformable.pairs;
     let at = pairs.partition_point(|pair| pair.ends < ends);
     if pairs.get(at).is_none_or(|pair| pair.ends != ends) {
-        let fresh = SoftPair {
+        let fresh = DeformablePair {
             ends,
-            ..SoftPair::default()
+            ..DeformablePair::default()
         };
         pairs.insert(at, fresh);
     }
     let pair = &mut pairs[at];
-    let memory = SoftMemory {
+    let memory = DeformableMemory {
         shear: pair.memory.shear + forward * shear,
         torsion: pair.memory.torsion + torsion,
         normal: forward * n,

@@ -11,13 +11,13 @@ use riprap_geom::{Mat3, Vec3};
 use crate::deform::relax;
 use crate::deform::shape::centred;
 use crate::exec::{CHUNK, Exec};
-use crate::found::cells::{CellDesk, Member, PairConstants, PairRoom, PairSlot, Star, peak};
+use crate::found::cells::{CellDesk, Member, PairConstants, PairSlot, PairWorkspace, Star, peak};
 use crate::found::grid::{Box3, Role};
-use crate::found::search::moved;
+use crate::found::search::path_bound;
 use crate::state::deform::Deform;
+use crate::state::deformable::{DeformablePair, DeformableSearch};
 use crate::state::scratch::Scratch;
-use crate::state::soft::{SoftPair, SoftSearch};
-use crate::state::workspace::{Kind, Workspace};
+use crate::state::workspace::{BlockClass, Workspace};
 use crate::world::{World, flag};
 
 /// Margin of a block over its size (the smaller of its radius and twice the median radius).
@@ -34,39 +34,39 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if !world.setup.found_contacts || world.deform.is_none() {
         return false;
     }
-    let known = world.found.soft.roles.len() == world.alive.len();
+    let known = world.found.deformable.roles.len() == world.alive.len();
     let look = world.pending > 0.0 && world.step.is_multiple_of(super::LOOK);
     let mut renew = false;
     if !known || world.fresh || look {
         let roles = roles(world);
-        renew = roles != world.found.soft.roles;
-        world.found.soft.roles = roles;
+        renew = roles != world.found.deformable.roles;
+        world.found.deformable.roles = roles;
     }
     if world.fresh {
-        scratch.soft.ready = false;
+        scratch.deformable.ready = false;
     }
-    if !world.found.soft.roles.contains(&Role::Seeker) {
-        if !world.found.soft.pairs.is_empty() {
+    if !world.found.deformable.roles.contains(&Role::Seeker) {
+        if !world.found.deformable.pairs.is_empty() {
             super::leave(world, scratch);
         }
-        world.found.soft.longest_step = Some(f64::INFINITY);
+        world.found.deformable.longest_step = Some(f64::INFINITY);
         return false;
     }
     renew |= outdated(
         world,
-        &mut scratch.soft.outside,
+        &mut scratch.deformable.outside,
         scratch.coming_dt,
         &scratch.exec,
     );
     if renew {
         take_over(world);
-        scratch.soft.ready = false;
+        scratch.deformable.ready = false;
     }
-    if !scratch.soft.ready {
+    if !scratch.deformable.ready {
         rebuild(world, scratch);
     }
-    world.found.soft.longest_step = Some(f64::INFINITY);
-    !world.found.soft.pairs.is_empty()
+    world.found.deformable.longest_step = Some(f64::INFINITY);
+    !world.found.deformable.pairs.is_empty()
 }
 
 /// Who can meet whom.
@@ -137,12 +137,12 @@ fn join(root: &mut [u32], ends: [u32; 2]) {
 
 /// Whether a point of a block will have left the margin of its block by the end of the coming step.
 fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> bool {
-    let (soft, count) = (&world.found.soft, world.alive.len());
+    let (deformable, count) = (&world.found.deformable, world.alive.len());
     let Some(deform) = world.deform.as_deref() else {
         return false;
     };
-    let search = &soft.search;
-    if search.margins.len() != count || search.moved.len() != deform.nodes.len() {
+    let search = &deformable.search;
+    if search.margins.len() != count || search.displacement.len() != deform.nodes.len() {
         return true;
     }
     let leaves = |b: usize| {
@@ -150,14 +150,14 @@ fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> boo
         let beyond = |way: f64| way > margin || way.is_nan();
         match deform.body(b) {
             Some(body) => body.nodes().any(|n| {
-                let now = Vec3::from_array(deform.nodes.moved[n]);
-                let rate = Vec3::from_array(deform.nodes.rate[n]);
-                let then = Vec3::from_array(search.moved[n]);
-                beyond((now - then).length() + dt * rate.length())
+                let now = Vec3::from_array(deform.nodes.displacement[n]);
+                let velocity = Vec3::from_array(deform.nodes.velocity[n]);
+                let then = Vec3::from_array(search.displacement[n]);
+                beyond((now - then).length() + dt * velocity.length())
             }),
             None => {
                 let radius = world.solid_of(b).radius;
-                let way = moved(&search.poses[b], &world.pose(b), radius);
+                let way = path_bound(&search.poses[b], &world.pose(b), radius);
                 beyond(way + dt * speed(world, b))
             }
         }
@@ -165,7 +165,7 @@ fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> boo
     outside.clear();
     outside.resize(count.div_ceil(CHUNK), false);
     exec.ranges(count, outside, |mut range, outside| {
-        *outside = range.any(|b| soft.roles[b] != Role::Absent && leaves(b));
+        *outside = range.any(|b| deformable.roles[b] != Role::Absent && leaves(b));
     });
     outside.contains(&true)
 }
@@ -178,7 +178,7 @@ pub(super) fn speed(world: &World, b: usize) -> f64 {
 /// Largest speed of the points of a block, m/s.
 pub(super) fn fastest(world: &World, deform: &Deform, b: usize) -> f64 {
     match deform.body(b) {
-        Some(body) => deform.nodes.rate[body.nodes()]
+        Some(body) => deform.nodes.velocity[body.nodes()]
             .iter()
             .map(|v| Vec3::from_array(*v).length())
             .fold(0.0, f64::max),
@@ -191,7 +191,7 @@ fn take_over(world: &mut World) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
-    let roles = &world.found.soft.roles;
+    let roles = &world.found.deformable.roles;
     let there = |b: &usize| roles[*b] != Role::Absent;
     let count = world.alive.len();
     let mut radii: Vec<f64> = (0..count)
@@ -211,17 +211,17 @@ fn take_over(world: &mut World) {
             .min(FAST_MARGIN * size)
             .max(MARGIN * size)
     };
-    let search = SoftSearch {
-        moved: deform.nodes.moved.clone(),
+    let search = DeformableSearch {
+        displacement: deform.nodes.displacement.clone(),
         poses: (0..count).map(|b| world.pose(b)).collect(),
         margins: (0..count).map(margin).collect(),
     };
-    world.found.soft.search = search;
+    world.found.deformable.search = search;
 }
 
 /// Box of a block at the last look, grown by its margin.
 fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
-    let search = &world.found.soft.search;
+    let search = &world.found.deformable.search;
     let mut around = Box3::EMPTY;
     let mut add = |at: Vec3| {
         around.low = around.low.min(at);
@@ -230,7 +230,7 @@ fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
     match deform.body(b) {
         Some(body) => {
             for n in body.nodes() {
-                add(deform.nodes.place[n] + Vec3::from_array(search.moved[n]));
+                add(deform.nodes.place[n] + Vec3::from_array(search.displacement[n]));
             }
         }
         None => {
@@ -257,8 +257,8 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     else {
         return;
     };
-    let desk = &mut scratch.soft;
-    let roles = &world.found.soft.roles;
+    let desk = &mut scratch.deformable;
+    let roles = &world.found.deformable.roles;
     desk.boxes.clear();
     desk.boxes.extend((0..roles.len()).map(|b| match roles[b] {
         Role::Absent => Box3::EMPTY,
@@ -281,12 +281,12 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         },
         &scratch.exec,
     );
-    let mut old = std::mem::take(&mut world.found.soft.pairs)
+    let mut old = std::mem::take(&mut world.found.deformable.pairs)
         .into_iter()
         .peekable();
     let mut pairs = Vec::with_capacity(close.len());
     let works = &mut world.works;
-    let mut lost = |pair: SoftPair| {
+    let mut lost = |pair: DeformablePair| {
         works.friction += pair.stored;
         works.edit_defect -= pair.energy;
     };
@@ -294,14 +294,14 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         while let Some(gone) = old.next_if(|pair| pair.ends < ends) {
             lost(gone);
         }
-        let fresh = SoftPair {
+        let fresh = DeformablePair {
             ends,
-            ..SoftPair::default()
+            ..DeformablePair::default()
         };
         pairs.push(old.next_if(|pair| pair.ends == ends).unwrap_or(fresh));
     }
     old.for_each(lost);
-    world.found.soft.pairs = pairs;
+    world.found.deformable.pairs = pairs;
     lay_out(world, work, desk);
     if deform.relax.is_some() {
         work.fictitious = relax::masses(deform, &work.kinds);
@@ -310,7 +310,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     // Rigid blocks that are no longer in a pair keep nothing of what pushed them.
     scratch.pushes.own.blocks.clear();
     scratch.tiles.make_rows(world);
-    scratch.soft.ready = true;
+    scratch.deformable.ready = true;
 }
 
 /// What follows from the list of pairs.
@@ -318,7 +318,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
-    let pairs = &world.found.soft.pairs;
+    let pairs = &world.found.deformable.pairs;
     let mut blocks: Vec<u32> = pairs.iter().flat_map(|p| p.ends).collect();
     blocks.sort_unstable();
     blocks.dedup();
@@ -368,8 +368,8 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
             ..PairSlot::default()
         }
     }));
-    desk.rooms
-        .resize_with(pairs.len().div_ceil(CHUNK), PairRoom::default);
+    desk.workspaces
+        .resize_with(pairs.len().div_ceil(CHUNK), PairWorkspace::default);
 }
 
 fn member(
@@ -416,7 +416,7 @@ fn member(
 }
 
 /// Area that each node stands for and that of the largest face, m².
-fn shown(kind: &Kind) -> (Vec<f64>, f64) {
+fn shown(kind: &BlockClass) -> (Vec<f64>, f64) {
     let mut areas = vec![0.0; kind.mesh.nodes.len()];
     let mut largest = 0.0_f64;
     for face in 0..kind.faces.len() {
@@ -431,7 +431,7 @@ fn shown(kind: &Kind) -> (Vec<f64>, f64) {
 }
 
 /// Bound of the square of the highest frequency of a block by itself (Gershgorin), 1/s².
-fn own_frequency(kind: &Kind) -> f64 {
+fn own_frequency(kind: &BlockClass) -> f64 {
     let sums = crate::laws::tetrahedron::row_sums(&kind.mesh, &kind.law);
     let ratios = sums.iter().zip(kind.masses()).map(|(sum, m)| sum / m);
     ratios.fold(0.0, f64::max)

@@ -42,7 +42,7 @@ fn cube(centre: Vec3, turn: Quat) -> BlockSpec {
 }
 
 /// Blocks of E = 100 MPa, nu = 0.25, those named deformable; contact stiffness 1e9 and 5e8 Pa/m; all bonds without strength.
-fn model(blocks: Vec<BlockSpec>, soft: &[u32], friction: f64, damping: f64) -> Setup {
+fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64) -> Setup {
     let mut setup = Setup {
         names: vec!["rock".into()],
         blocks,
@@ -81,7 +81,7 @@ fn model(blocks: Vec<BlockSpec>, soft: &[u32], friction: f64, damping: f64) -> S
     });
     setup.deform = Deformables {
         sets: vec![DeformableSet {
-            blocks: soft.to_vec(),
+            blocks: deformable.to_vec(),
             strain: Strain::Large,
             displacement: [None, None, None],
             velocity: [None, None, None],
@@ -193,7 +193,14 @@ fn collision(turn: Quat, dt: f64) -> [f64; 3] {
     });
     // They have touched and are apart again.
     assert!(pressed > 0.1, "{pressed}");
-    assert!(run.world.found.soft.pairs.iter().all(|p| p.depth == 0.0));
+    assert!(
+        run.world
+            .found
+            .deformable
+            .pairs
+            .iter()
+            .all(|p| p.depth == 0.0)
+    );
     [worst, drift, turned]
 }
 
@@ -226,7 +233,7 @@ fn a_cube_comes_to_rest_with_its_weight_on_a_rigid_floor() {
     let mut run = Run::new(setup, 1, 5e-5);
     let mut deepest = 0.0_f64;
     run.watch(1.0, |run| {
-        for pair in &run.world.found.soft.pairs {
+        for pair in &run.world.found.deformable.pairs {
             deepest = deepest.max(pair.depth);
         }
     });
@@ -235,7 +242,7 @@ fn a_cube_comes_to_rest_with_its_weight_on_a_rigid_floor() {
     // The block itself swings on with nothing to damp it: mean over a while.
     let (mut sum, mut count) = (0.0, 0);
     run.watch(1.3, |run| {
-        sum += run.world.found.soft.pairs[0].force.z;
+        sum += run.world.found.deformable.pairs[0].force.z;
         count += 1;
     });
     let mean = sum / f64::from(count);
@@ -301,8 +308,8 @@ fn threads_and_restart_change_no_bit() {
             block.spin = Vec3::new(0.3 * y, -0.2 * x, 0.1 * z);
             blocks.push(block);
         }
-        let soft: Vec<u32> = (1..161).filter(|b| b % 5 != 0).collect();
-        let mut setup = fixed(model(blocks, &soft, 0.5, 0.2), &[0]);
+        let deformable: Vec<u32> = (1..161).filter(|b| b % 5 != 0).collect();
+        let mut setup = fixed(model(blocks, &deformable, 0.5, 0.2), &[0]);
         setup.gravity = Vec3::new(0.0, 0.0, -9.81);
         setup
     };
@@ -310,7 +317,13 @@ fn threads_and_restart_change_no_bit() {
     one.until(0.03);
     let world = one.world.clone();
     one.until(0.045);
-    let touching = one.world.found.soft.pairs.iter().filter(|p| p.depth > 0.0);
+    let touching = one
+        .world
+        .found
+        .deformable
+        .pairs
+        .iter()
+        .filter(|p| p.depth > 0.0);
     assert!(touching.count() > 30);
     let mut two = Run::new(setup(), 2, 1e-4);
     two.until(0.045);
@@ -343,6 +356,6 @@ fn a_whole_lattice_has_no_pairs() {
     }
     let mut run = Run::new(setup, 1, 1e-5);
     run.until(1e-3);
-    assert!(run.world.found.soft.pairs.is_empty());
-    assert!(run.world.found.soft.search.moved.is_empty());
+    assert!(run.world.found.deformable.pairs.is_empty());
+    assert!(run.world.found.deformable.search.displacement.is_empty());
 }

@@ -19,9 +19,12 @@ pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family]
             block(world, family.cut, k);
             body(world, deform, family, part);
             let nodes = first..first + part.mesh.nodes.len();
-            let (moved, rates) = (&handed.moved[nodes.clone()], &handed.rates[nodes.clone()]);
-            deform.nodes.moved.extend_from_slice(moved);
-            deform.nodes.rate.extend_from_slice(rates);
+            let (displacement, velocity) = (
+                &handed.displacement[nodes.clone()],
+                &handed.velocity[nodes.clone()],
+            );
+            deform.nodes.displacement.extend_from_slice(displacement);
+            deform.nodes.velocity.extend_from_slice(velocity);
             deform.start.push(handed.starts[k].clone());
             first = nodes.end;
         }
@@ -117,5 +120,5 @@ pub(super) fn retire(world: &mut World, deform: &mut Deform, family: &Family) {
     let body = &mut deform.bodies[family.slot as usize];
     body.alive = false;
     let nodes = body.nodes();
-    deform.nodes.rate[nodes].fill([0.0; 3]);
+    deform.nodes.velocity[nodes].fill([0.0; 3]);
 }

@@ -5,7 +5,7 @@ use riprap_geom::polyhedron::cut::Part;
 use super::transfer::Handed;
 use crate::setup::Shape;
 use crate::state::event::Note;
-use crate::state::workspace::Kind;
+use crate::state::workspace::BlockClass;
 
 /// A block to be cut.
 pub(super) struct Cut {
@@ -16,7 +16,7 @@ pub(super) struct Cut {
     /// Their shapes in the frame of the model.
     pub(super) shapes: Vec<Shape>,
     /// Their kinds.
-    pub(super) kinds: Vec<Kind>,
+    pub(super) kinds: Vec<BlockClass>,
     /// What they take over.
     pub(super) handed: Handed,
 }

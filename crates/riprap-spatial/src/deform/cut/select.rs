@@ -15,7 +15,7 @@ use crate::read::view::View;
 use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
 use crate::setup::{Shape, Solid};
 use crate::state::event::Note;
-use crate::state::workspace::{BODIES, Kind, Workspace};
+use crate::state::workspace::{BODIES, BlockClass, Workspace};
 use crate::world::World;
 
 /// The parts together must have the volume of the block up to this share.
@@ -80,7 +80,7 @@ impl Planner<'_> {
         if !verdict.cut() {
             return None;
         }
-        let normal = fracture::cut_normal(&rock, verdict.way, &principal, &gradient, None);
+        let normal = fracture::cut_normal(&rock, verdict.mode, &principal, &gradient, None);
         // A part gets the plane that was missing, not a full set.
         let planes = if tip.is_some() && generation(world, deform, block) > 0 {
             1
@@ -93,7 +93,7 @@ impl Planner<'_> {
             .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)))?;
         let note = Note {
             normal,
-            way: verdict.way,
+            mode: verdict.mode,
             excess: verdict.excess,
         };
         let cut = cut(world, (deform, work), body, note, parts);
@@ -126,8 +126,8 @@ pub(super) fn cut(
     let shapes: Vec<Shape> = parts.iter().map(shape).collect();
     let material = world.setup.blocks[block as usize].material;
     // As they will be made from the shapes after a restart, to the last bit.
-    let kind = |shape| Kind::new(&world.setup, deform, (shape, material), false);
-    let kinds: Vec<Kind> = shapes.iter().map(kind).collect();
+    let kind = |shape| BlockClass::new(&world.setup, deform, (shape, material), false);
+    let kinds: Vec<BlockClass> = shapes.iter().map(kind).collect();
     let handed = transfer::hand_on(deform, work, body, &parts, &kinds);
     for part in &mut parts {
         // Nobody asks for them any more, and there may be very many parts.
@@ -144,7 +144,7 @@ pub(super) fn cut(
 }
 
 /// Whether a part would need a time step below the floor.
-fn too_slow(world: &World, parent: &Kind, cut: &Cut, rules: &Rules) -> bool {
+fn too_slow(world: &World, parent: &BlockClass, cut: &Cut, rules: &Rules) -> bool {
     if rules.step_floor <= 0.0 {
         return false;
     }
@@ -157,7 +157,7 @@ fn too_slow(world: &World, parent: &Kind, cut: &Cut, rules: &Rules) -> bool {
         return false;
     };
     // Gershgorin's bound of the squared frequency, with a bond on every face.
-    let bound = |kind: &Kind| {
+    let bound = |kind: &BlockClass| {
         let mut rows = row_sums(&kind.mesh, &kind.law);
         for face in 0..kind.faces.len() {
             for (node, area) in kind.mesh.tributary(face) {

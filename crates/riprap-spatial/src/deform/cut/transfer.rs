@@ -7,14 +7,14 @@ use riprap_geom::polyhedron::cut::Part;
 use crate::deform::store::{Body, Deform, Start};
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Symmetric};
 use crate::laws::transfer::{self, LinearStress, Motion, PointLocation};
-use crate::state::workspace::{Kind, Workspace};
+use crate::state::workspace::{BlockClass, Workspace};
 
 /// What the parts of a block take over from it.
 pub(super) struct Handed {
     /// Displacements of the nodes of all parts, part by part, m.
-    pub(super) moved: Vec<[f64; 3]>,
+    pub(super) displacement: Vec<[f64; 3]>,
     /// Their velocities, m/s.
-    pub(super) rates: Vec<[f64; 3]>,
+    pub(super) velocity: Vec<[f64; 3]>,
     /// Start stress of each part.
     pub(super) starts: Vec<Start>,
     /// Motion of the block about its centroid at the start.
@@ -29,18 +29,18 @@ pub(super) fn hand_on(
     work: &Workspace,
     body: &Body,
     parts: &[Part],
-    kinds: &[Kind],
+    kinds: &[BlockClass],
 ) -> Handed {
     let kind = work.kind(body);
-    let (moved, rates) = (
-        &deform.nodes.moved[body.nodes()],
-        &deform.nodes.rate[body.nodes()],
+    let (displacement, velocity) = (
+        &deform.nodes.displacement[body.nodes()],
+        &deform.nodes.velocity[body.nodes()],
     );
-    let at = |mesh: &Tetrahedra, moved: &[[f64; 3]]| -> Vec<Vec3> {
-        let pairs = mesh.nodes.iter().zip(moved);
+    let at = |mesh: &Tetrahedra, displacement: &[[f64; 3]]| -> Vec<Vec3> {
+        let pairs = mesh.nodes.iter().zip(displacement);
         pairs.map(|(x, u)| *x + Vec3::from_array(*u)).collect()
     };
-    let before = transfer::motion(kind.masses(), &at(&kind.mesh, moved), rates);
+    let before = transfer::motion(kind.masses(), &at(&kind.mesh, displacement), velocity);
     let count = parts.iter().map(|p| p.mesh.nodes.len()).sum();
     let (mut u, mut v) = (Vec::with_capacity(count), Vec::with_capacity(count));
     let mut places = Vec::with_capacity(count);
@@ -50,8 +50,8 @@ pub(super) fn hand_on(
         let first = u.len();
         for node in &part.mesh.nodes {
             let place = location.locate(*node);
-            u.push(transfer::interpolate(&place, moved));
-            v.push(transfer::interpolate(&place, rates));
+            u.push(transfer::interpolate(&place, displacement));
+            v.push(transfer::interpolate(&place, velocity));
         }
         places.extend(at(&part.mesh, &u[first..]));
         masses.extend_from_slice(own.masses());
@@ -69,8 +69,8 @@ pub(super) fn hand_on(
     });
     Handed {
         starts: starts.collect(),
-        moved: u,
-        rates: v,
+        displacement: u,
+        velocity: v,
         before,
         after,
     }
@@ -88,7 +88,7 @@ impl<'a> Stressed<'a> {
     fn new(deform: &'a Deform, work: &'a Workspace, body: &'a Body) -> Self {
         let kind = work.kind(body);
         let slot = deform.slot[body.block as usize] as usize;
-        let u = deform.moved(body);
+        let u = deform.displacement(body);
         let start = work.start_of(slot);
         let stresses = transfer::stresses(&kind.groups, &kind.law, body.strain, start, u);
         let own = deform.start.get(slot).map_or(0.0, |s| s.energy);
@@ -104,7 +104,7 @@ impl<'a> Stressed<'a> {
     }
 
     /// Start stress with which a part with displacements `u` has this stress.
-    fn of(&self, part: &Part, kind: &Kind, u: &[[f64; 3]]) -> Start {
+    fn of(&self, part: &Part, kind: &BlockClass, u: &[[f64; 3]]) -> Start {
         let (law, groups) = (&kind.law, &kind.groups);
         let wanted = self.field.means(&part.mesh);
         let start: StartStress =

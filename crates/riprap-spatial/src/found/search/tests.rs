@@ -407,7 +407,7 @@ fn the_bound_of_the_way_holds_for_the_corners() {
         let (from, to) = (pose(&mut chance), pose(&mut chance));
         let way = |v: &Vec3| (to.place(*v) - from.place(*v)).length();
         let farthest = shape.vertices.iter().map(way).fold(0.0, f64::max);
-        assert!(farthest <= moved(&from, &to, shape.radius) * (1.0 + 1e-12));
+        assert!(farthest <= path_bound(&from, &to, shape.radius) * (1.0 + 1e-12));
     }
     // The same attitude has two quaternions.
     let q = chance.rotation();
@@ -415,7 +415,7 @@ fn the_bound_of_the_way_holds_for_the_corners() {
         position: Vec3::ZERO,
         rotation,
     };
-    assert_eq!(moved(&turned(q), &turned(-q), 1.0), 0.0);
+    assert_eq!(path_bound(&turned(q), &turned(-q), 1.0), 0.0);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
 
-use super::{Cell, Overlap, Piece, Room};
+use super::{Cell, Overlap, Piece, Workspace};
 use crate::found::kit::{self, Chance, KINDS, Kind};
 
 const KN: f64 = 1e9;
@@ -56,7 +56,7 @@ struct Contact {
 }
 
 fn contact(stars: [&Star; 2]) -> Contact {
-    let mut room = Room::default();
+    let mut room = Workspace::default();
     let mut out = Contact {
         energy: 0.0,
         forces: stars.map(|s| vec![Vec3::ZERO; s.nodes.len()]),
@@ -247,7 +247,7 @@ fn a_smaller_face_off_the_middle_keeps_its_resultant() {
 
 #[test]
 fn touching_and_separate_cells_have_no_overlap() {
-    let mut room = Room::default();
+    let mut room = Workspace::default();
     for gap in [0.0, 1e-3] {
         let upper = Star::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 + gap));
         let found = contact([&Star::cube(), &upper]);
@@ -308,7 +308,7 @@ fn time_of_a_pair_of_tetrahedra() {
             .iter()
             .flat_map(|a| cells[1].iter().map(move |b| [a, b]))
             .collect();
-        let mut room = Room::default();
+        let mut room = Workspace::default();
         let touching: Vec<[&Cell; 2]> = pairs
             .iter()
             .copied()

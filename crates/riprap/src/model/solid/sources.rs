@@ -17,7 +17,7 @@ use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
 use crate::scenario::{Diagnostic, Name, Span};
 use crate::spatial::setup::{
-    Coupling, Criterion, During, Place, Push, Refinement, Region, Shape, Source, Venting,
+    CavityPressure, Coupling, Criterion, During, Place, Refinement, Region, Shape, Source, Venting,
 };
 
 /// Exponent that keeps the force on the wall of the cavity.
@@ -54,7 +54,7 @@ impl Builder<'_> {
                 span: self.reading(format!("{path}.venting.time"), time).span(),
             }),
         };
-        let push = |mass: f64| Push::Gas {
+        let push = |mass: f64| CavityPressure::Gas {
             explosive,
             mass,
             coupling,
@@ -93,11 +93,16 @@ impl Builder<'_> {
             return;
         };
         if let Some(place) = self.source_place(name, &cavity.centre, &cavity.line, &cavity.group) {
-            self.enter_source(name.text.clone(), place, delay, Push::Pressure { time });
+            self.enter_source(
+                name.text.clone(),
+                place,
+                delay,
+                CavityPressure::Pressure { time },
+            );
         }
     }
 
-    fn enter_source(&mut self, name: String, place: Place, delay: f64, push: Push) {
+    fn enter_source(&mut self, name: String, place: Place, delay: f64, push: CavityPressure) {
         self.directory.sources.push(name.clone());
         self.spatial.sources.push(Source {
             name,
@@ -374,7 +379,7 @@ impl Builder<'_> {
             let source = &self.spatial.sources[k];
             let (cells, cavity) = self.removed(&source.place);
             let (mass, volume, scaled) = match &source.push {
-                Push::Gas {
+                CavityPressure::Gas {
                     explosive,
                     mass,
                     coupling,
@@ -383,7 +388,7 @@ impl Builder<'_> {
                     let scaled = matches!(coupling, Coupling::Scaled { .. });
                     (Some(*mass), Some(mass / explosive.density), scaled)
                 }
-                Push::Pressure { .. } => (None, None, false),
+                CavityPressure::Pressure { .. } => (None, None, false),
             };
             let name = source.name.clone();
             let ratio = volume.map(|volume| cavity / volume);

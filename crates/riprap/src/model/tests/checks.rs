@@ -34,8 +34,8 @@ name = "elsewhere"
 field = "model.kinetic"
 value = "0 J/m"
 absolute = "1 J/m"
-only = ["soft"]
-[variants.soft]
+only = ["deformable"]
+[variants.deformable]
 "interfaces.default.friction_angle" = "5 deg"
 "#
     ));

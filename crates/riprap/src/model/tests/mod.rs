@@ -1,7 +1,7 @@
 //! Small scenarios, good and bad, through `build`. Files are in `riprap-scenario/tests/scenarios/bad-model`.
 
 use super::*;
-use crate::planar::readings::INFOS;
+use crate::planar::fields::INFOS;
 use crate::planar::setup::{LoadKind, Motion, NormalLaw};
 use crate::run::checks::{Expected, Window};
 use crate::run::plan::{Every, PhaseKind, TimeStep};

@@ -3,8 +3,8 @@
 use super::*;
 use crate::record::field::{FieldInfo, Shape as FieldShape, Site};
 use crate::spatial::setup::{
-    BoundaryKind, Coupling, Criterion, Dashpots, FaceSet, Kinematics, Motion, Place, Points, Push,
-    Region, Setup, Shape, Stiffness, StiffnessRule,
+    BoundaryKind, CavityPressure, Coupling, Criterion, Dashpots, FaceSet, Kinematics, Motion,
+    Place, Points, Region, Setup, Shape, Stiffness, StiffnessRule,
 };
 use riprap_geom::Vec3;
 
@@ -233,7 +233,7 @@ fn charges_are_placed_coupled_and_weighed() {
     );
     assert!(matches!(
         source.push,
-        Push::Gas {
+        CavityPressure::Gas {
             mass: 16.0,
             coupling: Coupling::Coupled,
             venting: None,
@@ -383,7 +383,7 @@ fn stresses_have_the_sign_of_their_name() {
 fn joints_and_their_changes() {
     let (setup, model) = solid(&format!(
         r#"{GRID}
-[interfaces.soft]
+[interfaces.deformable]
 between = ["rock", "soil"]
 normal_stiffness = "4 GPa/m"
 friction_coefficient = 0.5
@@ -401,19 +401,19 @@ poisson = 0.3
 [[phases]]
 name = "weak"
 until.steps = 1
-[phases.interfaces.soft]
+[phases.interfaces.deformable]
 tension = "0 Pa"
 [[phases]]
 name = "weaker"
 until.steps = 1
-[phases.interfaces.soft]
+[phases.interfaces.deformable]
 friction_angle = "0 deg"
 "#
     ));
     assert_eq!(setup.pair_table, [0, 1, 1, 0]);
-    let soft = setup.interfaces[1].joint;
+    let deformable = setup.interfaces[1].joint;
     assert_eq!(
-        soft.stiffness,
+        deformable.stiffness,
         Stiffness::Given {
             normal: 4e9,
             shear: 2e9
@@ -421,7 +421,7 @@ friction_angle = "0 deg"
     );
     let dashpots = setup.interfaces.iter().map(|i| i.joint.dashpots);
     assert!(dashpots.eq([Dashpots::Sticking, Dashpots::Closed]));
-    let strength = soft.strength.unwrap();
+    let strength = deformable.strength.unwrap();
     assert_eq!((strength.friction, strength.residual_friction), (0.5, 0.0));
     assert!((strength.dilation - 1.0).abs() < 1e-15 && strength.dilation_end == 5e-3);
     // TAIL is the last phase; changes add up.

@@ -78,7 +78,7 @@ pub(super) fn spatial(world: &mut spatial::world::World, phase: &Phase) {
     });
     spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
     if let Some(relax) = phase.deform.and_then(|d| d.relax) {
-        spatial::deform::phase::relax_by(world, relax.way);
+        spatial::deform::phase::relax_by(world, relax.relaxation);
     }
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::deform::cut::allow(world, cut.as_ref());

@@ -2,11 +2,11 @@
 
 use crate::record::manifest::{Place as Spot, Source};
 use crate::spatial::edit::EditKind;
-use crate::spatial::setup::{Place, Push};
+use crate::spatial::setup::{CavityPressure, Place};
 use crate::{Vec3, planar, spatial};
 
 /// Joints that have broken since the last look.
-pub(super) fn planar_events(v: &planar::fields::View<'_>) -> Vec<serde_json::Value> {
+pub(super) fn planar_events(v: &planar::view::View<'_>) -> Vec<serde_json::Value> {
     let world = v.world;
     let name = |b: u32| &world.setup.blocks[b as usize].name;
     world
@@ -41,8 +41,8 @@ pub(super) fn source(v: &spatial::view::View<'_>, cavity: &spatial::cavity::Cavi
         place,
         delay: source.delay,
         mass: match source.push {
-            Push::Gas { mass, .. } => Some(mass),
-            Push::Pressure { .. } => None,
+            CavityPressure::Gas { mass, .. } => Some(mass),
+            CavityPressure::Pressure { .. } => None,
         },
         charge_volume: cavity.gas.map(|_| cavity.charge_volume()),
         cavity_volume: cavity.removed,
@@ -97,7 +97,7 @@ pub(super) fn spatial_event(
                 "block": v.name(event.subject as usize),
                 "children": children,
                 "normal": note.map(|n| n.normal.to_array()),
-                "way": note.map(|n| n.way),
+                "mode": note.map(|n| n.mode),
                 "excess": note.map(|n| n.excess),
                 "facets_before": event.patches[0], "facets_after": event.patches[1],
             })

@@ -9,7 +9,7 @@ use crate::{Vec3, planar, spatial};
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reading {
     /// From the planar engine.
-    Planar(planar::readings::Reading),
+    Planar(planar::fields::Reading),
     /// From the spatial engine.
     Spatial(spatial::fields::Reading),
 }
@@ -23,7 +23,7 @@ impl Reading {
         match kind {
             Kind::Planar => {
                 let along = gauge.along.map(|[x, y, _z]| [x, y]);
-                let reading = planar::readings::Reading::new(&gauge.field, &gauge.of, along)?;
+                let reading = planar::fields::Reading::new(&gauge.field, &gauge.of, along)?;
                 Ok(Self::Planar(reading))
             }
             Kind::Spatial => {

@@ -26,7 +26,7 @@ pub struct Movement {
 #[derive(Clone, Copy)]
 pub enum View<'a> {
     /// Of the planar engine.
-    Planar(planar::fields::View<'a>),
+    Planar(planar::view::View<'a>),
     /// Of the spatial engine.
     Spatial(spatial::view::View<'a>),
 }
@@ -34,7 +34,7 @@ pub enum View<'a> {
 impl<'a> View<'a> {
     /// The planar view, for what only that engine has.
     #[must_use]
-    pub fn planar(self) -> Option<planar::fields::View<'a>> {
+    pub fn planar(self) -> Option<planar::view::View<'a>> {
         match self {
             Self::Planar(view) => Some(view),
             Self::Spatial(_) => None,
@@ -104,7 +104,7 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Sum over the blocks of `m dv² + I dw²` of the coming half kick: what the books need at the start.
+    /// Sum over the blocks of `m dv² + I dw²` of the coming half kick: what the ledger needs at the start.
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         match self {

@@ -29,7 +29,7 @@ pub enum State {
 /// How the blocks of a mechanism move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Mode {
+pub enum Mechanism {
     /// They only slide or fall: turning moves their edges by less than a tenth of the displacement.
     Sliding,
     /// They only turn: edges move by more than the displacement of the centroids.
@@ -160,17 +160,17 @@ pub fn length(v: [f64; 3]) -> f64 {
 }
 
 /// How the blocks of a mechanism move; `None` without any.
-pub fn mode(moving: &[Movement]) -> Option<Mode> {
+pub fn mechanism(moving: &[Movement]) -> Option<Mechanism> {
     if moving.is_empty() {
         return None;
     }
     let edges = |m: &Movement| 0.5 * m.size * length(m.turn);
     if moving.iter().all(|m| edges(m) < 0.1 * length(m.shift)) {
-        Some(Mode::Sliding)
+        Some(Mechanism::Sliding)
     } else if moving.iter().all(|m| edges(m) > length(m.shift)) {
-        Some(Mode::Turning)
+        Some(Mechanism::Turning)
     } else {
-        Some(Mode::Both)
+        Some(Mechanism::Both)
     }
 }
 
@@ -210,12 +210,12 @@ mod tests {
 
     #[test]
     fn modes_in_words() {
-        assert_eq!(mode(&[]), None);
-        assert_eq!(mode(&[movement(1.0, 0.01)]), Some(Mode::Sliding));
-        assert_eq!(mode(&[movement(0.1, 0.2)]), Some(Mode::Turning));
+        assert_eq!(mechanism(&[]), None);
+        assert_eq!(mechanism(&[movement(1.0, 0.01)]), Some(Mechanism::Sliding));
+        assert_eq!(mechanism(&[movement(0.1, 0.2)]), Some(Mechanism::Turning));
         assert_eq!(
-            mode(&[movement(1.0, 0.01), movement(1.0, 0.5)]),
-            Some(Mode::Both)
+            mechanism(&[movement(1.0, 0.01), movement(1.0, 0.5)]),
+            Some(Mechanism::Both)
         );
     }
 }

@@ -7,22 +7,22 @@ use crate::found::{Pose, Role};
 
 /// Found contacts of deformable blocks with each other and with rigid ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SoftContacts {
+pub struct DeformableContacts {
     /// Who can meet whom, per block.
     pub roles: Vec<Role>,
     /// What the list of pairs is made of.
-    pub search: SoftSearch,
+    pub search: DeformableSearch,
     /// Pairs of blocks that can touch, sorted by their blocks.
-    pub pairs: Vec<SoftPair>,
+    pub pairs: Vec<DeformablePair>,
     /// Longest step that these contacts allowed at the last evaluation, s; `None` before the first.
     pub longest_step: Option<f64>,
 }
 
 /// Where everything was at the last look, and how far it may go until the next one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SoftSearch {
+pub struct DeformableSearch {
     /// Displacements of all nodes, m.
-    pub moved: Vec<[f64; 3]>,
+    pub displacement: Vec<[f64; 3]>,
     /// Poses of all blocks, of use for rigid ones.
     pub poses: Vec<Pose>,
     /// How far a point of each block may move, m.
@@ -31,13 +31,13 @@ pub struct SoftSearch {
 
 /// Two blocks that can touch, at least one of them deformable.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SoftPair {
+pub struct DeformablePair {
     /// The blocks; the smaller number first.
     pub ends: [u32; 2],
     /// Whether the pair has been evaluated before: what a new one stores already comes from an edit.
     pub known: bool,
     /// Springs along the contact.
-    pub memory: SoftMemory,
+    pub memory: DeformableMemory,
     /// Energy in these springs, J.
     pub stored: f64,
     /// Energy of the pressure, J.
@@ -50,7 +50,7 @@ pub struct SoftPair {
 
 /// What a contact remembers from step to step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SoftMemory {
+pub struct DeformableMemory {
     /// Shear force on the second block, N.
     pub shear: Vec3,
     /// Torsion on the second block about the normal, N m.
