@@ -5,8 +5,9 @@
 //! beside pandas and pyvista into `target/venv`, where pytest runs. Where no Python can be had the step is skipped
 //! with the reason; `RIPRAP_REQUIRE_PYTHON=1` makes that a failure.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use crate::shell::{self, Counts};
 use crate::steps::Outcome;
@@ -47,6 +48,13 @@ impl Failed {
 }
 
 fn tested(root: &Path) -> Result<Outcome, Failed> {
+    let twice = compiled_twice(root).map_err(Failed::Broken)?;
+    if !twice.is_empty() {
+        return Err(Failed::Broken(format!(
+            "compiled twice, because the wheel alone wants other features than the workspace: {}; name the features in {CRATE}/Cargo.toml",
+            twice.join(", ")
+        )));
+    }
     let python = tools(root)?;
     let folder = root.join("target/python");
     let wheel = build(root, &python, &folder.join("wheels"), false)?;
@@ -122,6 +130,29 @@ fn pip(python: &Path, words: &[&str]) -> Result<(), String> {
         Ok(status) if status.success() => Ok(()),
         Ok(_) | Err(_) => Err(format!("pip could not install {}", words.join(" "))),
     }
+}
+
+/// Dependencies of the wheel that the build of the whole workspace compiles with other features: each would be compiled twice, with
+/// everything above it (five minutes for `rand` alone).
+fn compiled_twice(root: &Path) -> Result<Vec<String>, String> {
+    let listed = |of: &[&str]| -> Result<BTreeSet<String>, String> {
+        let output = Command::new(shell::cargo())
+            .args(["tree", "--locked", "--prefix", "none", "--no-dedupe"])
+            .args(["--format", "{p} [{f}]"])
+            .args(of)
+            .current_dir(root)
+            .stderr(Stdio::inherit())
+            .output()
+            .map_err(|e| format!("cargo tree: {e}"))?;
+        if !output.status.success() {
+            return Err("cargo tree failed".to_owned());
+        }
+        let text = String::from_utf8_lossy(&output.stdout);
+        Ok(text.lines().map(str::to_owned).collect())
+    };
+    let workspace = listed(&["--workspace", "--edges", "normal,build,dev"])?;
+    let wheel = listed(&["--package", "riprap-py", "--edges", "normal,build"])?;
+    Ok(wheel.difference(&workspace).cloned().collect())
 }
 
 /// Builds the wheel into `out`, which holds nothing else afterwards.
