@@ -189,7 +189,7 @@ impl Simulation {
         self.read(py, |live| {
             let s = live.simulation();
             let view = s.view();
-            let one = |h: &riprap::run::plan::History| {
+            let one = |h: &riprap::plan::History| {
                 let reading = Reading::new(s.kind(), &h.gauge)
                     .map_err(|e| PyValueError::new_err(e.to_string()))?;
                 Ok((h.name.clone(), reading.value(&view), reading.info().unit))

@@ -4,7 +4,7 @@
 
 use riprap::Vec3;
 use riprap::exec::Exec;
-use riprap::run::plan::{Phase, Plan, TimeStep};
+use riprap::plan::{Phase, Plan, TimeStep};
 use riprap::run::simulation::Simulation;
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Points, Setup,

@@ -4,10 +4,10 @@
 
 use riprap::Vec2;
 use riprap::exec::Exec;
+use riprap::plan::{Phase, Plan};
 use riprap::planar::setup::{
     BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Reflex, Setup, Support,
 };
-use riprap::run::plan::{Phase, Plan};
 use riprap::run::simulation::Simulation;
 
 /// A rectangle of rock with corners (m) `from` and `to`.

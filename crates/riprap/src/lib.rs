@@ -4,7 +4,7 @@
 //! recorded by `record`. `ARCHITECTURE.md` has the map and the arrows.
 //!
 //! A program begins with [`run::simulation::Simulation`]: made of a scene as text (`from_toml`) or of a [`setup::Setup`] and a
-//! [`run::plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
+//! [`plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
 //! checks and checkpoints are [`run::job`]. Features: `scenario` (the language, and all that runs scene files) and `plot`.
 
 // Tests may compare with the functions of the platform.
@@ -12,6 +12,7 @@
 
 #[cfg(feature = "scenario")]
 pub mod model;
+pub mod plan;
 pub mod run;
 pub mod setup;
 

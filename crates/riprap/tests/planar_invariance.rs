@@ -12,12 +12,12 @@ use std::path::{Path, PathBuf};
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::model::{self, Model};
+use riprap::plan::{Plan, TimeStep, Until};
 use riprap::planar::fields::INFOS;
 use riprap::planar::setup::Setup;
 use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Drive, Ending, Look, Pause};
 use riprap::run::job::{self, Job};
-use riprap::run::plan::{Plan, TimeStep, Until};
 use riprap::run::simulation::Simulation;
 use riprap::scenario::{Source, parse};
 

@@ -5,10 +5,10 @@ mod common;
 use common::{DISTANCE, block, comb, hold, l_shape, law, moved, rectangle, setup};
 use riprap::Vec2;
 use riprap::exec::Exec;
+use riprap::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
 use riprap::planar::bond::Bond;
 use riprap::planar::setup::{BondLaw, Setup, Strength};
 use riprap::record::checkpoint;
-use riprap::run::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
 
 use std::alloc::{GlobalAlloc, Layout, System};

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use riprap::plan::Every;
 use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending};
 use riprap::run::job::{self, Job};
-use riprap::run::plan::Every;
 use riprap::run::safety::{self, Answer, Mechanism, Rules, SafetyError, State, Trial};
 use riprap::scenario::units::Dim;
 

@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use super::fields::{FieldUse, Said as Place};
-use crate::run::checks::{Check, Expected, Part, Reduce, Window};
+use crate::plan::{Check, Expected, Part, Reduce, Window};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};

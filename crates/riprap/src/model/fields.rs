@@ -3,8 +3,8 @@
 use riprap_geom::{Vec2, polygon};
 
 use super::builder::Builder;
+use crate::plan::Gauge;
 use crate::record::field::{FieldError, Part, Shape, Site, find};
-use crate::run::plan::Gauge;
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::quantity::{Any, Direction, Length, Vector};
 use crate::scenario::units::{self, Dim};

@@ -7,8 +7,8 @@ use riprap_geom::pairs::touching_boxes;
 use riprap_geom::polygon::{self, Aabb};
 
 use super::builder::Builder;
+use crate::plan::PhaseKind;
 use crate::planar::setup::Motion;
-use crate::run::plan::PhaseKind;
 use crate::scenario::Diagnostic;
 use crate::scenario::language::Space;
 use crate::scenario::read::with_unit;

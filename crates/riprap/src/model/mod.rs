@@ -32,8 +32,8 @@ pub use assertions::{Bisection, LIMIT};
 pub use builder::build;
 pub use summary::{Charge, Region, Summary};
 
-use crate::run::checks::Check;
-use crate::run::plan::Plan;
+use crate::plan::Check;
+use crate::plan::Plan;
 use crate::scenario::Diagnostic;
 pub use crate::setup::Setup;
 

@@ -5,11 +5,11 @@ use super::fields::Said as Place;
 use super::interfaces::change_contact;
 use super::solid::change_joint;
 use crate::laws::fracture::Margins;
-use crate::planar::setup::ContactLaw;
-use crate::run::plan::{
+use crate::plan::{
     Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxation, Relaxing,
     TimeStep, Until,
 };
+use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::read::{Given, Provenance, with_unit};

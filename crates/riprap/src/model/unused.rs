@@ -13,7 +13,7 @@
 //! | `phases.*` `load_steps`, `iterations`, `relaxation` | static phases in which all free blocks deform |
 
 use crate::model::builder::Builder;
-use crate::run::plan::PhaseKind;
+use crate::plan::PhaseKind;
 use crate::scenario::diagnostic::list;
 use crate::scenario::language::{Fixed, Interface, InterfaceChange, Output, Phase, Target};
 use crate::scenario::{Diagnostic, Span, target_span};

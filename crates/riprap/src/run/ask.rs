@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::engine::View;
-use super::plan::Gauge;
+use crate::plan::Gauge;
 use crate::record::field::{self, FieldError, FieldInfo, Site};
 
 /// Why a field cannot be read.

@@ -1,145 +1,18 @@
 //! Checks of a scene: what is watched during a run, and what it must come out as.
 //!
-//! A [`Check`] is resolved (block numbers, SI values); a [`Watch`] is fed one value a step and
+//! A [`Check`] of the plan is resolved (block numbers, SI values); a [`Watch`] is fed one value a step and
 //! reduces them as it goes, so that no history has to be kept; [`Watch::finish`] compares.
 //! Nothing here knows an engine: whoever advances the world reads the field and calls
 //! [`Watch::observe`].
 
 mod watch;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 pub use watch::Watch;
 
-use super::plan::Gauge;
-use crate::dynamics::Formula;
-
-/// One check with SI numbers.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Check {
-    /// What is checked, in words.
-    pub name: String,
-    /// What is read.
-    pub gauge: Gauge,
-    /// Unit of the field, as printed.
-    pub unit: String,
-    /// When it is read.
-    pub window: Window,
-    /// What it must be.
-    pub expected: Expected,
-    /// Allowed difference as a share of the expected number; with `absolute`, either is enough.
-    pub relative: Option<f64>,
-    /// Allowed difference.
-    pub absolute: Option<f64>,
-    /// Reason why it is known to fail.
-    pub known: Option<String>,
-}
-
-/// When a check is read.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Window {
-    /// Before the first step.
-    Start,
-    /// At a model time, s; between two steps linearly.
-    At(f64),
-    /// After the last step.
-    End,
-    /// Over an interval of model time, ends included.
-    Over {
-        /// First time, s.
-        from: f64,
-        /// Last time, s; infinite for the whole run.
-        to: f64,
-        /// How the values become one.
-        reduce: Reduce,
-    },
-    /// Within one phase.
-    Phase {
-        /// Index of the phase.
-        phase: u32,
-        /// Which part of it.
-        part: Part,
-    },
-}
-
-/// The part of a phase in which a check is read.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Part {
-    /// Its first state.
-    Start,
-    /// Its last state.
-    End,
-    /// All of it.
-    Whole(Reduce),
-}
-
-impl Window {
-    /// The only phase in which it is read.
-    #[must_use]
-    pub fn phase(self) -> Option<u32> {
-        match self {
-            Window::Phase { phase, .. } => Some(phase),
-            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => None,
-        }
-    }
-
-    /// What it is for one who sees the states of that phase only.
-    #[must_use]
-    pub fn within(self) -> Self {
-        match self {
-            Window::Phase { part, .. } => match part {
-                Part::Start => Window::Start,
-                Part::End => Window::End,
-                Part::Whole(reduce) => Window::Over {
-                    from: 0.0,
-                    to: f64::INFINITY,
-                    reduce,
-                },
-            },
-            Window::Start | Window::At(_) | Window::End | Window::Over { .. } => self,
-        }
-    }
-}
-
-/// How values over an interval become one number.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Reduce {
-    /// Largest value.
-    Max,
-    /// Smallest value.
-    Min,
-    /// Mean over time (trapezoids).
-    Mean,
-    /// Largest less smallest value.
-    Range,
-    /// First time at which the value is above the threshold, s.
-    FirstAbove(f64),
-    /// Share of the time during which the value is above the threshold.
-    ShareAbove(f64),
-}
-
-/// What a check must come out as.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub enum Expected {
-    /// A number.
-    Value(f64),
-    /// A formula in `t` (time of the reading, s) and fixed names.
-    Formula {
-        /// Compiled for `t` and the names.
-        formula: Formula,
-        /// Names and SI values besides `t`.
-        names: Vec<(String, f64)>,
-    },
-    /// A table, linear between its points, read at the time of the reading.
-    Table {
-        /// Times, s, ascending.
-        t: Vec<f64>,
-        /// Values.
-        v: Vec<f64>,
-    },
-    /// Lowest and highest allowed number.
-    Between(f64, f64),
-}
+#[cfg(doc)]
+use crate::plan::Check;
 
 /// How a check ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

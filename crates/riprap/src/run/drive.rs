@@ -9,10 +9,11 @@ pub use look::{Look, Measured, Progress};
 
 use thiserror::Error;
 
-use super::checks::{Watch, Window};
+use super::checks::Watch;
 use super::engine::Reading;
 use super::recorder::{RecordError, Recorder};
 use super::simulation::{RunError, Simulation, Stage};
+use crate::plan::Window;
 use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, OutputError};
 

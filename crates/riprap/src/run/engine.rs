@@ -12,9 +12,9 @@ use thiserror::Error;
 pub use reading::Reading;
 pub use view::{Movement, View};
 
-use super::plan::{Damping, Phase};
 use crate::exec::Exec;
 use crate::ledger::Works;
+use crate::plan::{Damping, Phase};
 use crate::profile::Profile;
 use crate::record::field::FieldInfo;
 use crate::setup::Setup;

@@ -8,9 +8,9 @@ use thiserror::Error;
 use super::engine::BuildError;
 use super::given_step::{self, TooLong};
 use super::meeting;
-use super::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
+use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use crate::setup::Setup;
 
 /// Longest time spent on trial steps.

@@ -6,8 +6,8 @@
 use thiserror::Error;
 
 use super::engine::Kind;
-use super::plan::TimeStep;
 use super::simulation::Simulation;
+use crate::plan::TimeStep;
 
 /// What the estimate of the stable step stays below the limit.
 const MARGIN: f64 = 1.005;

@@ -11,14 +11,15 @@ use std::time::{Instant, SystemTime};
 
 use thiserror::Error;
 
-use super::checks::{Check, CheckResult, Watch};
+use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
-use super::plan::Plan;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
+use crate::plan::Check;
+use crate::plan::Plan;
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
 use crate::record::manifest::{Machine, ManifestError, StageTime, utc};

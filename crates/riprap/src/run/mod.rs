@@ -10,7 +10,6 @@ pub mod forecast;
 pub mod given_step;
 pub mod job;
 mod meeting;
-pub mod plan;
 pub mod probe;
 pub mod recorder;
 pub mod safety;

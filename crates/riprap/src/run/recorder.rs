@@ -5,9 +5,9 @@ use serde_json::json;
 
 use super::checks::Watch;
 use super::engine::{Kind, Reading};
-use super::plan::{Every, Plan};
 use super::simulation::{PhaseEnd, Simulation, Snapshot, SnapshotRef, Unconverged};
 use crate::ledger::COLUMNS;
+use crate::plan::{Every, Plan};
 use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
 

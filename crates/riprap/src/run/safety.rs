@@ -25,9 +25,9 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::engine::BuildError;
-use super::plan::{Damping, Deforming, Phase, Plan, Reduction, TimeStep};
 use super::simulation::{Cursor, RunError, Simulation, Snapshot, Stage};
 use crate::exec::{Exec, ExecError};
+use crate::plan::{Damping, Deforming, Phase, Plan, Reduction, TimeStep};
 use crate::setup::Setup;
 use verdict::{Look, Watch};
 pub use verdict::{Mechanism, State};

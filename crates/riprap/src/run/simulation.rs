@@ -16,9 +16,9 @@ pub use error::RunError;
 
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use super::meeting;
-use super::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::exec::Exec;
 use crate::ledger::Balance;
+use crate::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::setup::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.

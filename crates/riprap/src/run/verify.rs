@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::checks::{Check, CheckResult, Status, Watch};
+use super::checks::{CheckResult, Status, Watch};
 use super::drive::{Control, Ending, Look};
 use super::job::{Job, watch_only};
 use super::scene::Scene;
 use super::trials;
 use crate::exec::side_by_side;
+use crate::plan::Check;
 use crate::scenario::Case;
 
 /// How many checks passed, failed and were skipped.

@@ -8,7 +8,7 @@ use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
 
 /// The bar that is cut and spalled, up to a little after it has broken.
-fn bar() -> (riprap::model::Setup, riprap::run::plan::Plan) {
+fn bar() -> (riprap::model::Setup, riprap::plan::Plan) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/fracture");
     let changes = [("phases.0.until.time".to_owned(), "\"745 us\"".to_owned())];
     let path = Path::new(folder).join("spall_cut.toml");

@@ -3,16 +3,17 @@
 use std::path::Path;
 
 use riprap::Vec3;
-use riprap::record::folder::Existing;
-use riprap::record::table::Table;
-use riprap::record::{Manifest, vtu};
-use riprap::run::checks::{Check, Expected, Status, Window};
-use riprap::run::drive::{Control, Ending, Look};
-use riprap::run::job::{self, Job};
-use riprap::run::plan::{
+use riprap::plan::{Check, Expected, Window};
+use riprap::plan::{
     Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Plan, Relaxation, Relaxing,
     TimeStep, Until,
 };
+use riprap::record::folder::Existing;
+use riprap::record::table::Table;
+use riprap::record::{Manifest, vtu};
+use riprap::run::checks::Status;
+use riprap::run::drive::{Control, Ending, Look};
+use riprap::run::job::{self, Job};
 use riprap::spatial::setup::deform::Strain;
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 

@@ -7,7 +7,7 @@ use super::grid::grid_of;
 use super::shapes::{bounds, solid, volume};
 use super::triple;
 use crate::model::builder::Builder;
-use crate::run::plan::PhaseKind;
+use crate::plan::PhaseKind;
 use crate::scenario::language::Space;
 use crate::scenario::read::with_unit;
 use crate::scenario::{Diagnostic, Quantity, Span};

@@ -1,10 +1,10 @@
 //! Small scenarios, good and bad, through `build`. Files are in `riprap-scenario/tests/scenarios/bad-model`.
 
 use super::*;
+use crate::plan::{Every, PhaseKind, TimeStep};
+use crate::plan::{Expected, Window};
 use crate::planar::fields::INFOS;
 use crate::planar::setup::{LoadKind, Motion, NormalLaw};
-use crate::run::checks::{Expected, Window};
-use crate::run::plan::{Every, PhaseKind, TimeStep};
 use crate::scenario::diagnostic::{Diagnostics, Source};
 use crate::scenario::{parse, units};
 use riprap_geom::Vec2;

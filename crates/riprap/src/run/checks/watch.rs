@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Check, CheckResult, Expected, Reduce, Status, Window};
+use super::{CheckResult, Status};
+use crate::plan::{Check, Expected, Reduce, Window};
 
 /// A check while the run goes on; part of checkpoints.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -295,7 +296,7 @@ fn interpolate(t: &[f64], v: &[f64], at: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::dynamics::Formula;
-    use crate::run::plan::Gauge;
+    use crate::plan::Gauge;
 
     fn check(window: Window, expected: Expected) -> Check {
         Check {

@@ -1,7 +1,7 @@
 //! What the beginning of a phase changes in blocks, supports and laws.
 
 use crate::Vec2;
-use crate::run::plan::Phase;
+use crate::plan::Phase;
 use crate::{planar, spatial};
 
 /// In the plane.

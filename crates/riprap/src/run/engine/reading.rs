@@ -1,8 +1,8 @@
 //! One number of a model, read again and again.
 
 use super::{Kind, View};
+use crate::plan::Gauge;
 use crate::record::field::{FieldError, FieldInfo};
-use crate::run::plan::Gauge;
 use crate::{Vec3, planar, spatial};
 
 /// One number that is read again and again.

@@ -3,9 +3,10 @@
 use super::*;
 use crate::Vec2;
 use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw, Reflex};
+use crate::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
+use crate::plan::{Expected, Window};
 use crate::planar::setup::{self, BlockSpec, Interface, Motion, Support};
-use crate::run::checks::{Expected, Status, Window};
-use crate::run::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
+use crate::run::checks::Status;
 
 /// A block that falls onto a fixed one.
 fn falling() -> Job {
@@ -227,7 +228,7 @@ fn a_run_without_a_place_to_write_says_so() {
 /// A check that names a phase sees the states of that phase only, its first and its last included.
 #[test]
 fn checks_of_a_phase() {
-    use crate::run::checks::{Part, Reduce};
+    use crate::plan::{Part, Reduce};
     let mut job = falling();
     let lasting = |name: &str, time: f64| Phase {
         name: name.to_owned(),

@@ -29,7 +29,7 @@ impl Simulation {
     /// use riprap::Vec2;
     /// use riprap::exec::Exec;
     /// use riprap::planar::setup::{BlockSpec, ContactLaw, FrictionLaw, Interface, NormalLaw, Reflex, Setup};
-    /// use riprap::run::plan::{Plan, Phase, TimeStep};
+    /// use riprap::plan::{Plan, Phase, TimeStep};
     /// use riprap::run::simulation::{Reached, Simulation};
     ///
     /// let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];

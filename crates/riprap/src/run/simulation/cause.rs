@@ -2,8 +2,8 @@
 
 use super::Simulation;
 use crate::dynamics::TimeFunction;
+use crate::plan::TimeStep;
 use crate::run::engine::View;
-use crate::run::plan::TimeStep;
 use crate::{planar, spatial};
 
 /// Why the motion of a block is no number.

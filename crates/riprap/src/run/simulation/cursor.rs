@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::plan::Plan;
 use crate::run::engine::{State, StateRef};
-use crate::run::plan::Plan;
 
 /// Where in the plan a run is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

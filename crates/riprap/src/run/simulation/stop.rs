@@ -4,7 +4,7 @@ use super::cause;
 use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
 use crate::ledger::{Balance, COLUMNS};
-use crate::run::plan::Relaxing;
+use crate::plan::Relaxing;
 use crate::spatial::found::desk::Deepest;
 use crate::spatial::found::limits::{self, Depth};
 

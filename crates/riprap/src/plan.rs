@@ -1,6 +1,10 @@
 //! The plan of a run: phases, what to record, when to stop. SI numbers, no behaviour.
 
+mod check;
+
 use serde::{Deserialize, Serialize};
+
+pub use check::{Check, Expected, Part, Reduce, Window};
 
 pub use crate::dynamics::damping::Damping;
 pub use crate::dynamics::relaxation::{Breaks, PhaseKind, Relaxation};
