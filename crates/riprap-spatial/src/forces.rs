@@ -88,8 +88,8 @@ impl<'a> Memory<'a> {
         let part = |flags, slip, normal_offset, accumulated_slip| Self {
             flags,
             slip,
-            normal_offset: normal_offset,
-            accumulated_slip: accumulated_slip,
+            normal_offset,
+            accumulated_slip,
         };
         (
             part(flags.0, slip.0, normal_offset.0, accumulated_slip.0),

@@ -3,33 +3,33 @@
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
-pub mod anchor;
-pub mod boundary;
+mod anchor;
+mod boundary;
 pub mod build;
 pub mod cavity;
 pub mod contacts;
 pub mod deform;
 pub mod edit;
-pub mod forces;
+mod forces;
 pub mod found;
 mod gather;
 mod integrate;
-pub mod kick;
+mod kick;
 mod layout;
-pub mod meet;
-pub mod meet_solids;
-pub mod overlap;
-pub mod patch;
-pub mod push;
+mod meet;
+mod meet_solids;
+mod overlap;
+mod patch;
+mod push;
 pub mod read;
-pub mod refine;
-pub mod region;
+mod refine;
+mod region;
 pub mod setup;
 pub mod stable;
-pub mod state;
+mod state;
 pub mod step;
 pub mod tiles;
-pub mod wide;
+mod wide;
 
 pub use read::{fields, view};
 pub use riprap_core::lanes;

@@ -100,7 +100,7 @@ impl ClassTable {
         world.classes.push(PatchClass {
             frame: overlap.frame,
             area: overlap.area,
-            half_spacing: half_spacing,
+            half_spacing,
             arms,
             stiffness,
             beta: joint.damping * travel,
