@@ -70,6 +70,16 @@ pub struct MassProperties {
 /// Area, centroid and second moment, exact for any simple polygon (sums over signed triangles).
 ///
 /// A polygon without area gets the mean of its vertices as centroid.
+/// # Examples
+///
+/// ```
+/// use riprap_geom::Vec2;
+/// use riprap_geom::polygon::mass_properties;
+///
+/// let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(Vec2::from);
+/// let properties = mass_properties(&square);
+/// assert_eq!((properties.area, properties.centroid), (4.0, Vec2::new(1.0, 1.0)));
+/// ```
 pub fn mass_properties(vertices: &[Vec2]) -> MassProperties {
     let Some(&origin) = vertices.first() else {
         return MassProperties {

@@ -161,6 +161,19 @@ impl Polyhedron {
     ///
     /// # Errors
     /// The first thing that is wrong with it.
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap_geom::Vec3;
+    /// use riprap_geom::polyhedron::Polyhedron;
+    ///
+    /// // A tetrahedron with three edges of 1 m along the axes.
+    /// let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+    /// let faces = vec![vec![0, 2, 1], vec![0, 1, 3], vec![0, 3, 2], vec![1, 2, 3]];
+    /// let solid = Polyhedron::new(corners, faces)?;
+    /// assert!((solid.moments().volume - 1.0 / 6.0).abs() < 1e-15);
+    /// # Ok::<(), riprap_geom::polyhedron::SolidError>(())
+    /// ```
     pub fn new(vertices: Vec<Vec3>, faces: Vec<Vec<u32>>) -> Result<Self, SolidError> {
         let mut solid = Self { vertices, faces };
         solid.check_numbers()?;

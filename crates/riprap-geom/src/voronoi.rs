@@ -30,6 +30,20 @@ pub struct Cells {
 /// Divide a simple anticlockwise region.
 ///
 /// *Errors*: as `cut::cut`.
+/// # Examples
+///
+/// ```
+/// use riprap_geom::Vec2;
+/// use riprap_geom::polygon::signed_area;
+/// use riprap_geom::voronoi::{Cells, voronoi};
+///
+/// let region = [[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [0.0, 5.0]].map(Vec2::from);
+/// let cells = Cells { cell_size: 1.0, seed: 1, relax: 5, smallest_edge: 0.0 };
+/// let blocks = voronoi(&region, &cells)?;
+/// let area: f64 = blocks.polygons.iter().map(|cell| signed_area(cell)).sum();
+/// assert!((area - 50.0).abs() < 1e-9);
+/// # Ok::<(), riprap_geom::GeomError>(())
+/// ```
 pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
     polygon::validate(region)?;
     demand(

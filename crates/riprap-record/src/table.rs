@@ -82,6 +82,18 @@ impl Table {
     ///
     /// # Errors
     /// As [`Table::read`].
+    /// # Examples
+    ///
+    /// ```
+    /// use std::path::Path;
+    ///
+    /// use riprap_record::table::Table;
+    ///
+    /// let table = Table::parse(b"time [s],speed [m/s]\n0,0\n0.5,4.9\n", Path::new("histories.csv"))?;
+    /// let speed = table.column("speed")?;
+    /// assert_eq!((speed.unit.as_str(), speed.values[1]), ("m/s", 4.9));
+    /// # Ok::<(), riprap_record::table::TableError>(())
+    /// ```
     pub fn parse(bytes: &[u8], path: &Path) -> Result<Self, TableError> {
         let whole = bytes.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
         let cut = whole < bytes.len();

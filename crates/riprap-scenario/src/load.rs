@@ -113,6 +113,17 @@ pub fn read(path: &Path) -> Result<Source, Diagnostics> {
 ///
 /// # Errors
 /// Everything that is wrong with it: syntax, keys, types, units, ranges and references.
+/// # Examples
+///
+/// A key with a slip of the pen: the answer says where, and what may have been meant.
+///
+/// ```
+/// use riprap_scenario::{Source, parse};
+///
+/// let text = "riprap = 1\ntitle = \"x\"\n[space.planar]\n[materials.rock]\ndensty = \"2500 kg/m3\"\n";
+/// let wrong = parse(Source::new("scene.toml", text)).unwrap_err().to_string();
+/// assert!(wrong.contains("scene.toml:5") && wrong.contains("density"), "{wrong}");
+/// ```
 pub fn parse(mut source: Source) -> Result<Parsed, Diagnostics> {
     if source.text.starts_with('\u{feff}') {
         source.text.drain(..'\u{feff}'.len_utf8());

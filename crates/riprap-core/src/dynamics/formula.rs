@@ -97,6 +97,15 @@ impl Formula {
     ///
     /// # Errors
     /// Text that is no formula, is too large, or uses a name that is not in `known`.
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap_core::dynamics::Formula;
+    ///
+    /// let fall = Formula::new("0.5*g*t^2", &["t", "g"])?;
+    /// assert_eq!(fall.value(&[("t", 2.0), ("g", 10.0)]), 20.0);
+    /// # Ok::<(), riprap_core::dynamics::formula::FormulaError>(())
+    /// ```
     pub fn new(text: &str, known: &[&str]) -> Result<Self, FormulaError> {
         let formula = Self::compiled(text)?;
         for name in &formula.names {

@@ -46,6 +46,16 @@ pub enum BisectError<E> {
 ///
 /// # Errors
 /// Ends that behave the same, and whatever a trial returns.
+/// # Examples
+///
+/// ```
+/// use riprap::run::bisect::bisect;
+///
+/// // A column of width 1 m and height h topples on a slope of 20 degrees when h is greater than 1/tan(20 degrees).
+/// let steepness = 20f64.to_radians().tan();
+/// let found = bisect::<()>(1.0, 5.0, 1e-3, |height| Ok(height * steepness > 1.0)).unwrap();
+/// assert!((found.limit() - 1.0 / steepness).abs() < 1e-3);
+/// ```
 pub fn bisect<E>(
     low: f64,
     high: f64,

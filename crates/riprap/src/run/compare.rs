@@ -70,6 +70,19 @@ pub fn folders(first: &Path, second: &Path) -> Result<Vec<Difference>, CompareEr
 ///
 /// # Errors
 /// A table without `time`.
+/// # Examples
+///
+/// ```
+/// use std::path::Path;
+///
+/// use riprap::record::table::Table;
+/// use riprap::run::compare::tables;
+///
+/// let first = Table::parse(b"time [s],x [m]\n0,0\n1,2\n", Path::new("first.csv"))?;
+/// let second = Table::parse(b"time [s],x [m]\n0,0\n1,3\n", Path::new("second.csv"))?;
+/// assert_eq!(tables(&first, &second, "")?.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn tables(first: &Table, second: &Table, prefix: &str) -> Result<Vec<Difference>, TableError> {
     let (t, u) = (first.column("time")?, second.column("time")?);
     let mut found = Vec::new();

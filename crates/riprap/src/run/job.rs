@@ -243,6 +243,57 @@ impl Live {
     ///
     /// # Errors
     /// Unknown fields.
+    /// # Examples
+    ///
+    /// A scene run to its end, with its checks.
+    ///
+    /// ```
+    /// use riprap::run::checks::Status;
+    /// use riprap::run::drive::Control;
+    /// use riprap::run::job::Live;
+    /// use riprap::run::scene::Scene;
+    /// use riprap::scenario::Source;
+    ///
+    /// // A stone on a slope of 30 degrees, friction angle 40 degrees.
+    /// # let text = r#"
+    /// # riprap = 1
+    /// # title = "a stone on a slope"
+    /// # [space.planar]
+    /// # gravity = ["0 m/s2", "-9.81 m/s2"]
+    /// # tilt = "30 deg"
+    /// # [materials.rock]
+    /// # density = "2500 kg/m3"
+    /// # [interfaces.default]
+    /// # normal_stiffness = "1 GPa/m"
+    /// # friction_angle = "40 deg"
+    /// # [[blocks]]
+    /// # name = "slope"
+    /// # material = "rock"
+    /// # rectangle = { size = ["20 m", "1 m"], corner = ["-10 m", "-1 m"] }
+    /// # [[blocks]]
+    /// # name = "stone"
+    /// # material = "rock"
+    /// # rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+    /// # [[supports]]
+    /// # on = { block = "slope" }
+    /// # fixed = {}
+    /// # [[phases]]
+    /// # name = "settle"
+    /// # kind = "static"
+    /// # until = { unbalanced = 1e-6, steps = 50000 }
+    /// # [[checks]]
+    /// # name = "the stone stays"
+    /// # field = "block.displacement"
+    /// # of = "stone"
+    /// # at = "end"
+    /// # between = ["0 m", "1 mm"]
+    /// # "#;
+    /// let scene = Scene::parse(Source::new("slope.toml", text), ".".into(), &[])?;
+    /// let job = scene.prepare(&scene.plain())?.job();
+    /// let outcome = Live::unrecorded(job, 1)?.finish(&mut |_| Control::Continue)?;
+    /// assert!(outcome.checks.iter().all(|check| check.status == Status::Passed));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn unrecorded(job: Job, threads: usize) -> Result<Self, JobError> {
         let exec = Exec::new(threads)?;
         let simulation = Simulation::new(job.setup, job.plan, exec)?;

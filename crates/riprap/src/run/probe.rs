@@ -47,6 +47,54 @@ pub const THRESHOLD: f64 = 1e-3;
 ///
 /// # Errors
 /// A block with forces that are not finite.
+/// # Examples
+///
+/// ```
+/// use riprap::run::probe::touches;
+/// use riprap::run::scene::Scene;
+/// use riprap::scenario::Source;
+///
+/// // A stone on a slope of 30 degrees, friction angle 40 degrees.
+/// # let text = r#"
+/// # riprap = 1
+/// # title = "a stone on a slope"
+/// # [space.planar]
+/// # gravity = ["0 m/s2", "-9.81 m/s2"]
+/// # tilt = "30 deg"
+/// # [materials.rock]
+/// # density = "2500 kg/m3"
+/// # [interfaces.default]
+/// # normal_stiffness = "1 GPa/m"
+/// # friction_angle = "40 deg"
+/// # [[blocks]]
+/// # name = "slope"
+/// # material = "rock"
+/// # rectangle = { size = ["20 m", "1 m"], corner = ["-10 m", "-1 m"] }
+/// # [[blocks]]
+/// # name = "stone"
+/// # material = "rock"
+/// # rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+/// # [[supports]]
+/// # on = { block = "slope" }
+/// # fixed = {}
+/// # [[phases]]
+/// # name = "settle"
+/// # kind = "static"
+/// # until = { unbalanced = 1e-6, steps = 50000 }
+/// # [[checks]]
+/// # name = "the stone stays"
+/// # field = "block.displacement"
+/// # of = "stone"
+/// # at = "end"
+/// # between = ["0 m", "1 mm"]
+/// # "#;
+/// let scene = Scene::parse(Source::new("slope.toml", text), ".".into(), &[])?;
+/// let job = scene.prepare(&scene.plain())?.job();
+/// // Side on side, not yet pressed: nothing touches with an overlap.
+/// let touches = touches(job.setup.planar().unwrap(), None)?;
+/// assert!(touches.iter().all(|touch| touch.overlap < 1e-9));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonFinite> {
     let (mut world, mut scratch) = World::new(setup.clone(), Exec::serial());
     // The forces do not depend on the step; a small one keeps the unused velocity changes finite.
