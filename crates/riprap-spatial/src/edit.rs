@@ -76,11 +76,9 @@ pub fn renew_laws(world: &mut World) {
 /// deformable blocks. Nothing else changes; what is beyond the new strength slides or breaks in the next step.
 pub fn reduce_strengths(world: &mut World, rows: &[u16], factor: f64) {
     for &row in rows {
-        let joint = &mut world.setup.interfaces[row as usize].joint;
-        joint.strength = joint.strength.map(|s| s.reduced(factor));
-        if let Some(Some(bond)) = world.setup.deform.bonds.get_mut(row as usize) {
-            *bond = bond.reduced(factor);
-        }
+        let law = &mut world.setup.interfaces[row as usize];
+        law.joint.strength = law.joint.strength.map(|s| s.reduced(factor));
+        law.bond = law.bond.map(|bond| bond.reduced(factor));
     }
 }
 

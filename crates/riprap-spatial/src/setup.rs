@@ -220,6 +220,8 @@ pub struct InterfaceLaw {
     pub name: String,
     /// Law of the patches.
     pub joint: JointLaw,
+    /// Law of the bonds where at least one of the blocks is deformable; `None` where no deformable block meets.
+    pub bond: Option<deform::BondLaw>,
     /// Tangent of the friction angle of found contacts where patches are elastic, if one is given.
     pub friction: Option<f64>,
 }

@@ -47,6 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         blocks,
         interfaces: vec![InterfaceLaw {
             name: "joint".to_owned(),
+            bond: None,
             friction: None,
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),

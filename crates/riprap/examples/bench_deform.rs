@@ -207,6 +207,21 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
         blocks,
         interfaces: vec![InterfaceLaw {
             name: "default".into(),
+            bond: Some(BondLaw {
+                springs: BondSprings::Thickness {
+                    thickness: 0.01 * EDGE,
+                    moduli: None,
+                },
+                strength: Some(Strength {
+                    tension: 5e6,
+                    cohesion: 8e6,
+                    friction: 0.5,
+                    residual_friction: 0.5,
+                    ..Strength::default()
+                }),
+                cohesive: None,
+                failure: BondFailure::Spring,
+            }),
             friction: None,
             joint: JointLaw {
                 stiffness: Springs::Rule(StiffnessRule::Material),
@@ -226,21 +241,6 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
                 displacement: [None, None, None],
                 velocity: [None, None, None],
             }],
-            bonds: vec![Some(BondLaw {
-                springs: BondSprings::Thickness {
-                    thickness: 0.01 * EDGE,
-                    moduli: None,
-                },
-                strength: Some(Strength {
-                    tension: 5e6,
-                    cohesion: 8e6,
-                    friction: 0.5,
-                    residual_friction: 0.5,
-                    ..Strength::default()
-                }),
-                cohesive: None,
-                failure: BondFailure::Spring,
-            })],
             ..Deformables::default()
         },
         ..Setup::default()

@@ -69,6 +69,7 @@ fn lattice(edge: usize) -> Setup {
         blocks,
         interfaces: vec![InterfaceLaw {
             name: "joint".into(),
+            bond: None,
             friction: None,
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),

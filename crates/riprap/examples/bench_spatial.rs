@@ -95,6 +95,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
         blocks,
         interfaces: vec![InterfaceLaw {
             name: "joint".into(),
+            bond: None,
             friction: None,
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),

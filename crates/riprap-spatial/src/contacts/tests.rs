@@ -45,6 +45,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
     });
     setup.interfaces.push(InterfaceLaw {
         name: "default".into(),
+        bond: None,
         friction: None,
         joint: JointLaw {
             stiffness: Stiffness::Given {

@@ -13,6 +13,7 @@ use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
 use crate::ledger::Works;
+use crate::setup::InterfaceLaw;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
@@ -83,7 +84,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         turning: super::turn::Turning::new(&world.turned, &deform.slot, &work.turns),
         points: &deform.points,
         links: &work.links.links,
-        bonds: &world.setup.deform.bonds,
+        interfaces: &world.setup.interfaces,
         live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
         relaxing: relax.is_some(),
         waits: relax.is_some_and(|r| r.relaxation.breaks != Breaks::Always),
@@ -124,7 +125,7 @@ struct Context<'a> {
     turning: Option<super::turn::Turning<'a>>,
     points: &'a [Point],
     links: &'a [Link],
-    bonds: &'a [Option<BondLaw>],
+    interfaces: &'a [InterfaceLaw],
     /// Time moved since the last evaluation, s, if the laws must be applied.
     live: Option<f64>,
     /// Whether softening waits for convergence.
@@ -151,7 +152,7 @@ impl Context<'_> {
         );
         let mut works = BondWorks::default();
         for (k, facet) in piece.facets.iter().enumerate() {
-            let Some(law) = self.bonds[usize::from(facet.row)].as_ref() else {
+            let Some(law) = self.interfaces[usize::from(facet.row)].bond.as_ref() else {
                 continue;
             };
             if !piece.worn[k] && law.cohesive.is_none() {
@@ -174,7 +175,7 @@ impl Context<'_> {
     #[inline(always)]
     fn whole(&self, piece: &mut Piece) {
         for (k, sheet) in piece.sheets.iter().enumerate() {
-            let law = self.bonds[usize::from(sheet.row)].as_ref();
+            let law = self.interfaces[usize::from(sheet.row)].bond.as_ref();
             if piece.worn[k] || law.is_some_and(|l| l.cohesive.is_some()) {
                 continue;
             }

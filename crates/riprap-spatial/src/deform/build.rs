@@ -131,8 +131,7 @@ pub fn join(
         let materials = specs.map(|s| usize::from(s.material));
         let count = world.setup.materials.len();
         let row = world.setup.pair_table[materials[0] * count + materials[1]];
-        let bonds = &world.setup.deform.bonds;
-        let Some(Some(law)) = bonds.get(usize::from(row)) else {
+        let Some(law) = &world.setup.interfaces[usize::from(row)].bond else {
             return Err(BuildError::NoBond {
                 interface: world.setup.interfaces[usize::from(row)].name.clone(),
                 blocks: blocks.map(|b| world.name(b)),

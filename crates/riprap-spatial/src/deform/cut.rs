@@ -104,7 +104,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     }
     step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
     let view = View { world, scratch };
-    let (after, ratio) = (view.balance().residual(), view.soft_unbalanced());
+    let (after, ratio) = (view.balance().residual(), view.deformable_unbalanced());
     world.works.edit_defect += after - before;
     if let Some(deform) = world.deform.as_deref_mut() {
         deform.cut_blocks += count as u64;
@@ -137,7 +137,7 @@ pub fn one(
         excess: 0.0,
     };
     let view = View { world, scratch };
-    let Some((deform, work)) = view.softs() else {
+    let Some((deform, work)) = view.deformables() else {
         return Ok(Vec::new());
     };
     let Some(body) = deform.body(block as usize) else {

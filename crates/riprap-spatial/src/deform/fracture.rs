@@ -84,7 +84,7 @@ pub(super) fn settle(world: &mut World) {
         let freedoms = world.freedoms_with(&deform);
         let (mut broke, mut works) = (false, Works::default());
         for (k, facet) in deform.facets.iter().enumerate() {
-            let law = world.setup.deform.bonds[usize::from(facet.row)].as_ref();
+            let law = world.setup.interfaces[usize::from(facet.row)].bond.as_ref();
             // Bonds that may not break do not soften for good.
             let changes = |l: &&BondLaw| match l.cohesive {
                 Some(_) => deform.breaking,
@@ -116,13 +116,15 @@ pub(super) fn settle(world: &mut World) {
 
 /// What breaks now.
 fn due(view: &View<'_>) -> Vec<Due> {
-    let Some((deform, work)) = view.softs() else {
+    let Some((deform, work)) = view.deformables() else {
         return Vec::new();
     };
     let mut stresses = Stresses::default();
     let mut found: Vec<Due> = Vec::new();
     for (k, facet) in deform.facets.iter().enumerate() {
-        let law = view.world.setup.deform.bonds[usize::from(facet.row)].as_ref();
+        let law = view.world.setup.interfaces[usize::from(facet.row)]
+            .bond
+            .as_ref();
         let Some((law, strength)) = law.and_then(|l| Some((l, l.strength?))) else {
             continue;
         };
@@ -213,7 +215,7 @@ fn mean_traction(deform: &Deform, work: &Workspace, facet: &Facet) -> Option<Tra
 /// Largest utilisation of the facets for which `chosen` holds (their two blocks), each by `failure`.
 #[must_use]
 pub fn largest(view: &View<'_>, failure: BondFailure, chosen: impl Fn([u32; 2]) -> bool) -> f64 {
-    let Some((deform, _)) = view.softs() else {
+    let Some((deform, _)) = view.deformables() else {
         return 0.0;
     };
     let facets = deform.facets.iter().enumerate();
@@ -225,9 +227,11 @@ pub fn largest(view: &View<'_>, failure: BondFailure, chosen: impl Fn([u32; 2]) 
 /// Utilisation of facet `k` by `failure`; `None` if it is broken or never breaks.
 #[must_use]
 pub fn utilisation(view: &View<'_>, k: usize, failure: BondFailure) -> Option<f64> {
-    let (deform, work) = view.softs()?;
+    let (deform, work) = view.deformables()?;
     let facet = &deform.facets[k];
-    let law = view.world.setup.deform.bonds[usize::from(facet.row)].as_ref()?;
+    let law = view.world.setup.interfaces[usize::from(facet.row)]
+        .bond
+        .as_ref()?;
     let strength = law.strength?;
     match failure {
         BondFailure::Spring => whole(deform, facet)
@@ -277,7 +281,7 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
     let mut facets: Vec<u32> = Vec::new();
     for one in due {
         let facet = &deform.facets[one.facet as usize];
-        let law = world.setup.deform.bonds[usize::from(facet.row)].as_ref();
+        let law = world.setup.interfaces[usize::from(facet.row)].bond.as_ref();
         let Some((law, strength)) = law.and_then(|l: &BondLaw| Some((l, l.strength?))) else {
             continue;
         };

@@ -9,10 +9,10 @@ use crate::world::World;
 /// Facets with broken points; `None` if no block is deformable.
 #[must_use]
 pub fn surfaces(view: &View<'_>) -> Option<Surfaces> {
-    let (deform, _) = view.softs()?;
+    let (deform, _) = view.deformables()?;
     let world = view.world;
     let mut out = Surfaces::default();
-    let mut rows: Vec<[f64; 8]> = Vec::new();
+    let mut rows: Vec<[f64; 9]> = Vec::new();
     for (k, facet) in deform.facets.iter().enumerate() {
         if view.broken_points(facet) == 0 {
             continue;
@@ -38,6 +38,7 @@ pub fn surfaces(view: &View<'_>) -> Option<Surfaces> {
         ("time", "s"),
         ("opening", "m"),
         ("slip", "m"),
+        ("origin", "-"),
     ];
     out.columns = names
         .iter()
@@ -48,8 +49,8 @@ pub fn surfaces(view: &View<'_>) -> Option<Surfaces> {
 }
 
 /// Facet, blocks, broken area (m²), mode (1 tension, 2 shear, by area), time of the first break (s), mean opening and
-/// sliding of the broken points (m).
-fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
+/// sliding of the broken points (m), where the facet comes from ([`Origin::code`](crate::state::interface::Origin::code)).
+fn row(world: &World, deform: &Deform, k: usize) -> [f64; 9] {
     let facet = &deform.facets[k];
     let freedoms = world.freedoms_with(deform);
     let (mut areas, mut time) = ([0.0; 2], f64::INFINITY);
@@ -78,5 +79,6 @@ fn row(world: &World, deform: &Deform, k: usize) -> [f64; 8] {
         time,
         opening / area,
         slip / area,
+        f64::from(facet.origin.code()),
     ]
 }

@@ -198,7 +198,7 @@ impl<'a> View<'a> {
     /// Mean displacement (m) and force (N) of the faces of deformable blocks that boundary number `k` acts on.
     #[must_use]
     pub fn on_boundary(&self, k: usize) -> (Vec3, Vec3) {
-        let Some((deform, work)) = self.softs() else {
+        let Some((deform, work)) = self.deformables() else {
             return (Vec3::NAN, Vec3::NAN);
         };
         let (mut displacement, mut area, mut force) = (Vec3::ZERO, 0.0, Vec3::ZERO);
@@ -222,7 +222,7 @@ impl<'a> View<'a> {
     /// Block `b` if it is deformable.
     #[must_use]
     pub fn deformable(&self, b: usize) -> Option<DeformableView<'a>> {
-        let (deform, work) = self.softs()?;
+        let (deform, work) = self.deformables()?;
         let body = deform.body(b)?;
         Some(DeformableView {
             deform,
@@ -235,7 +235,7 @@ impl<'a> View<'a> {
 
     /// The deformable blocks, if there are any.
     #[must_use]
-    pub fn softs(&self) -> Option<(&'a Deform, &'a Workspace)> {
+    pub fn deformables(&self) -> Option<(&'a Deform, &'a Workspace)> {
         self.world
             .deform
             .as_deref()
@@ -253,7 +253,7 @@ impl<'a> View<'a> {
                 sum += pair.force;
             }
         }
-        if let Some((deform, work)) = self.softs() {
+        if let Some((deform, work)) = self.deformables() {
             for facet in &deform.facets {
                 let sign = match facet.blocks {
                     blocks if blocks == [a, b] => 1.0,
@@ -271,7 +271,7 @@ impl<'a> View<'a> {
     /// Number of broken points of a facet.
     #[must_use]
     pub fn broken_points(&self, facet: &Facet) -> u32 {
-        let Some((deform, _)) = self.softs() else {
+        let Some((deform, _)) = self.deformables() else {
             return 0;
         };
         let points = &deform.memory[facet.points()];
@@ -280,8 +280,8 @@ impl<'a> View<'a> {
 
     /// Forces of bonds on rigid blocks: block, present arm from its centroid (m), force (N).
     pub fn bond_forces(&self) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
-        let (world, softs) = (self.world, self.softs());
-        softs.into_iter().flat_map(move |(deform, work)| {
+        let (world, deformables) = (self.world, self.deformables());
+        deformables.into_iter().flat_map(move |(deform, work)| {
             let freedoms = world.freedoms_with(deform);
             let sides = deform.facets.iter().flat_map(|f| [(f, 0), (f, 1)]);
             let rigid = sides.filter(|(f, side)| f.rigid[*side]);
@@ -302,7 +302,7 @@ impl<'a> View<'a> {
     /// Elastic energy of the deformable blocks, J.
     #[must_use]
     pub fn strain_energy(&self) -> f64 {
-        let Some((deform, work)) = self.softs() else {
+        let Some((deform, work)) = self.deformables() else {
             return 0.0;
         };
         let bodies: Vec<&Body> = deform.living().collect();
@@ -313,14 +313,14 @@ impl<'a> View<'a> {
     /// Elastic energy of the normal and of the shear springs of bonds, J.
     #[must_use]
     pub fn bond_energy(&self) -> [f64; 2] {
-        let Some((deform, _)) = self.softs() else {
+        let Some((deform, _)) = self.deformables() else {
             return [0.0; 2];
         };
         let freedoms = self.world.freedoms_with(deform);
-        let bonds = &self.world.setup.deform.bonds;
+        let interfaces = &self.world.setup.interfaces;
         let one = |k: usize| {
             let (facet, worn) = (&deform.facets[k], deform.worn[k]);
-            let law = bonds[usize::from(facet.row)].as_ref();
+            let law = interfaces[usize::from(facet.row)].bond.as_ref();
             let linear = !worn && law.is_none_or(|l| l.cohesive.is_none());
             let points = &deform.points[facet.points()];
             let mut sum = [0.0; 2];
@@ -354,8 +354,8 @@ impl<'a> View<'a> {
 
     /// Ratio of the net forces on free nodes to the external forces or the reactions.
     #[must_use]
-    pub fn soft_unbalanced(&self) -> Option<f64> {
-        let (_, work) = self.softs()?;
+    pub fn deformable_unbalanced(&self) -> Option<f64> {
+        let (_, work) = self.deformables()?;
         let [net, reactions, external] = work.norms;
         Some(if net == 0.0 {
             0.0

@@ -26,9 +26,11 @@ impl View<'_> {
             let whole = list.flags[p] & flag::BROKEN != flag::BROKEN;
             (holds && whole).then_some(list.ends[p])
         });
-        let facets = self.softs().into_iter().flat_map(|(deform, _)| {
+        let facets = self.deformables().into_iter().flat_map(|(deform, _)| {
             deform.facets.iter().filter_map(|facet| {
-                let law = world.setup.deform.bonds[usize::from(facet.row)].as_ref()?;
+                let law = world.setup.interfaces[usize::from(facet.row)]
+                    .bond
+                    .as_ref()?;
                 let holds = law
                     .strength
                     .as_ref()

@@ -161,7 +161,11 @@ fn broken_shares(view: &View<'_>) -> Vec<f64> {
             sums[*b as usize][1] += 4.0;
         }
     }
-    for facet in view.softs().iter().flat_map(|(deform, _)| &deform.facets) {
+    for facet in view
+        .deformables()
+        .iter()
+        .flat_map(|(deform, _)| &deform.facets)
+    {
         let broken = view.broken_points(facet);
         for b in facet.blocks {
             sums[b as usize][0] += f64::from(broken);
@@ -173,7 +177,7 @@ fn broken_shares(view: &View<'_>) -> Vec<f64> {
 
 /// Facets of deformable blocks, in the columns of patches.
 fn put_facets(view: &View<'_>, frame: &mut Frame) {
-    let Some((deform, work)) = view.softs() else {
+    let Some((deform, work)) = view.deformables() else {
         return;
     };
     let many = deform.facets.len() > MANY_PATCHES;

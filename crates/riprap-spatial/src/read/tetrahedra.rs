@@ -12,7 +12,7 @@ use crate::read::view::View;
 /// `principal_stress` from the largest tension down.
 #[must_use]
 pub fn tetrahedra(view: &View<'_>) -> Option<Surfaces> {
-    let (deform, work) = view.softs()?;
+    let (deform, work) = view.deformables()?;
     let mut out = Surfaces::default();
     let (mut blocks, mut normal, mut shear) = (Vec::new(), Vec::new(), Vec::new());
     let (mut stretch, mut slide, mut main) = (Vec::new(), Vec::new(), Vec::new());

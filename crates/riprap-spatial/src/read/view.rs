@@ -187,7 +187,7 @@ impl View<'_> {
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
         let (world, exec) = (self.world, &self.scratch.exec);
-        let deformable = self.soft_unbalanced();
+        let deformable = self.deformable_unbalanced();
         if let Some(ratio) = deformable.filter(|_| world.patches.is_empty()) {
             return ratio;
         }

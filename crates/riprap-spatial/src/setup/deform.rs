@@ -10,13 +10,11 @@ pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondFailure, CutAnchor};
 pub use crate::laws::tetrahedron::Strain;
 
-/// Deformable blocks, their bonds and what holds single nodes.
+/// Deformable blocks and what holds single nodes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Deformables {
     /// Sets of deformable blocks; a block is in one set at most.
     pub sets: Vec<DeformableSet>,
-    /// Bond law of each row of `Setup::interfaces`; `None` where no deformable block meets.
-    pub bonds: Vec<Option<BondLaw>>,
     /// Held and driven nodes; a later entry wins over an earlier one for the same direction.
     pub holds: Vec<NodeHold>,
     /// What is broken at the start.

@@ -6,7 +6,7 @@
 //! | run | sides | kernels |
 //! |---|---|---|
 //! | [`Patches`](super::patches::Patches) | rigid blocks that shared a face | `wide` eight at a time, `patch` for any state |
-//! | [`Facet`](super::deform::Facet)s | at least one deformable block | `deform::bonds` |
+//! | [`Facet`](super::deform::Facet)s | at least one deformable block | `InterfaceLaw::bond` |
 //! | [`FoundPair`](super::found::FoundPair)s | rigid blocks that have met | `found` |
 
 use serde::{Deserialize, Serialize};

@@ -69,9 +69,7 @@ impl Builder<'_> {
         }
         for interface in &mut self.spatial.interfaces {
             reduce_joint(&mut interface.joint, factor);
-        }
-        for bond in self.spatial.deform.bonds.iter_mut().flatten() {
-            *bond = bond.reduced(factor);
+            interface.bond = interface.bond.map(|bond| bond.reduced(factor));
         }
         for phase in &mut self.plan.phases {
             phase.contacts.iter_mut().for_each(|(_, law)| reduce(law));

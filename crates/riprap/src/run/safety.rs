@@ -241,10 +241,10 @@ fn rows(setup: &Setup, rules: &Rules) -> Result<Vec<u16>, SafetyError> {
             .collect()
         }
         Setup::Spatial(setup) => {
-            let all = setup.interfaces.iter().enumerate();
-            all.map(|(row, i)| {
-                let bond = setup.deform.bonds.get(row).copied().flatten();
-                let bond = bond.is_some_and(|b| b.strength.is_some() || b.cohesive.is_some());
+            let all = setup.interfaces.iter();
+            all.map(|i| {
+                let bond =
+                    (i.bond.as_ref()).is_some_and(|b| b.strength.is_some() || b.cohesive.is_some());
                 (i.name.as_str(), i.joint.strength.is_some() || bond)
             })
             .collect()

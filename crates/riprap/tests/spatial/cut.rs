@@ -15,7 +15,7 @@ use crate::rock::{Draws, Run, brick, elastic, lattice, rock};
 
 /// Momentum, angular momentum, kinetic energy and mass of all nodes.
 fn sums(run: &Run) -> (Vec3, Vec3, f64, f64) {
-    let (deform, work) = run.view().softs().unwrap();
+    let (deform, work) = run.view().deformables().unwrap();
     let (mut p, mut h, mut t, mut mass) = (Vec3::ZERO, Vec3::ZERO, 0.0, 0.0);
     for body in deform.living() {
         let masses = work.kind(body).masses();
@@ -98,7 +98,7 @@ fn specimen() -> Run {
     );
     setup.materials[0].young = Some(30e9);
     let friction = 30_f64.to_radians().tan();
-    setup.deform.bonds[0] = Some(riprap::spatial::setup::deform::BondLaw {
+    setup.interfaces[0].bond = Some(riprap::spatial::setup::deform::BondLaw {
         strength: Some(Strength {
             tension: 5e6,
             cohesion: 8e6,
@@ -277,7 +277,7 @@ fn the_stable_step_after_a_cut_is_safe_and_not_much_too_short() {
         }
         let exec = riprap::exec::Exec::serial();
         let highest = |run: &Run| {
-            let (deform, work) = run.view().softs().unwrap();
+            let (deform, work) = run.view().deformables().unwrap();
             riprap::spatial::deform::stable::highest(&run.world, deform, work, &exec).0
         };
         let kept = highest(&run);
@@ -308,7 +308,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
         3e-4,
     );
     setup.materials[0].young = Some(30e9);
-    setup.deform.bonds[0] = Some(riprap::spatial::setup::deform::BondLaw {
+    setup.interfaces[0].bond = Some(riprap::spatial::setup::deform::BondLaw {
         strength: Some(strength),
         cohesive: Some(Cohesive {
             strength,
@@ -334,7 +334,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
     run.evaluate(1e-9);
     // Area, force on A and mean damage of facets, by whether they join parts of one block.
     let sums = |run: &Run, inside: bool| {
-        let (deform, work) = run.view().softs().unwrap();
+        let (deform, work) = run.view().deformables().unwrap();
         let (mut area, mut force, mut damage) = (0.0, Vec3::ZERO, 0.0);
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for facet in deform

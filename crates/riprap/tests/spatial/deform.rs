@@ -31,7 +31,12 @@ pub fn bonds(thickness: f64) -> BondLaw {
 /// Makes all blocks of a model deformable.
 pub fn deformable(setup: Setup, strain: Strain, thickness: f64) -> Setup {
     let blocks = (0..setup.blocks.len() as u32).collect();
+    let mut interfaces = setup.interfaces;
+    for law in &mut interfaces {
+        law.bond = Some(bonds(thickness));
+    }
     Setup {
+        interfaces,
         deform: Deformables {
             sets: vec![DeformableSet {
                 blocks,
@@ -39,7 +44,6 @@ pub fn deformable(setup: Setup, strain: Strain, thickness: f64) -> Setup {
                 displacement: [None, None, None],
                 velocity: [None, None, None],
             }],
-            bonds: vec![Some(bonds(thickness))],
             ..Deformables::default()
         },
         ..setup
@@ -292,7 +296,7 @@ fn pair_of(failure: BondFailure) -> Run {
         .map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half)))
         .to_vec();
     let mut setup = deformable(rock(blocks, elastic()), Strain::Small, 0.01);
-    setup.deform.bonds = vec![Some(BondLaw {
+    setup.interfaces[0].bond = Some(BondLaw {
         strength: Some(Strength {
             tension: 1e6,
             cohesion: 4e6,
@@ -302,7 +306,7 @@ fn pair_of(failure: BondFailure) -> Run {
         }),
         failure,
         ..bonds(0.01)
-    })];
+    });
     let velocity = [
         Some(riprap::dynamics::TimeFunction::Constant(1e-5)),
         None,

@@ -76,6 +76,7 @@ pub fn rock(blocks: Vec<BlockSpec>, joint: JointLaw) -> Setup {
         blocks,
         interfaces: vec![InterfaceLaw {
             name: "default".into(),
+            bond: None,
             friction: None,
             joint,
         }],

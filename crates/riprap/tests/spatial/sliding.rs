@@ -54,6 +54,7 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
     });
     setup.interfaces.push(InterfaceLaw {
         name: "closed".into(),
+        bond: None,
         friction: None,
         joint: law(Dashpots::Closed),
     });

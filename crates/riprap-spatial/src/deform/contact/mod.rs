@@ -22,7 +22,7 @@ pub(crate) use search::refresh;
 
 use crate::build::{BuildError, stiffness};
 use crate::found::ContactLaw;
-use crate::setup::Setup;
+use crate::setup::{InterfaceLaw, Setup};
 use crate::state::scratch::Scratch;
 use crate::world::World;
 
@@ -42,10 +42,9 @@ fn between(
 ) -> Result<ContactLaw, BuildError> {
     let materials = ends.map(|b| usize::from(setup.blocks[b as usize].material));
     let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
-    let joint = &setup.interfaces[usize::from(row)].joint;
-    let bond = setup.deform.bonds.get(usize::from(row));
+    let InterfaceLaw { joint, bond, .. } = &setup.interfaces[usize::from(row)];
     // What is elastic neither opens nor slides; a found contact under its law must open, but does not slide.
-    let (springs, friction, cohesion) = match bond.and_then(Option::as_ref) {
+    let (springs, friction, cohesion) = match bond {
         Some(bond) => (
             super::build::stiffness(setup, bond, materials, rigid, depths)?,
             bond.strength.map_or(f64::INFINITY, |s| s.residual_friction),

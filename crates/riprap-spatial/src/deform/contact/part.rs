@@ -126,7 +126,7 @@ fn hand_over(world: &mut World, facet: &Facet) {
         return;
     };
     let freedoms = world.freedoms_with(deform);
-    let Some(Some(law)) = world.setup.deform.bonds.get(usize::from(facet.row)) else {
+    let Some(law) = &world.setup.interfaces[usize::from(facet.row)].bond else {
         return;
     };
     let [n, b, c] = facet.now;

@@ -58,6 +58,21 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
     });
     setup.interfaces.push(InterfaceLaw {
         name: "default".into(),
+        bond: Some(BondLaw {
+            springs: BondSprings::Thickness {
+                thickness: 1e-3,
+                moduli: Some([1e6, 5e5]),
+            },
+            strength: Some(Strength {
+                tension: 0.0,
+                cohesion: 0.0,
+                friction,
+                residual_friction: friction,
+                ..Strength::default()
+            }),
+            cohesive: None,
+            failure: BondFailure::Spring,
+        }),
         friction: None,
         joint: JointLaw {
             stiffness: Stiffness::Given {
@@ -86,21 +101,6 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
             displacement: [None, None, None],
             velocity: [None, None, None],
         }],
-        bonds: vec![Some(BondLaw {
-            springs: BondSprings::Thickness {
-                thickness: 1e-3,
-                moduli: Some([1e6, 5e5]),
-            },
-            strength: Some(Strength {
-                tension: 0.0,
-                cohesion: 0.0,
-                friction,
-                residual_friction: friction,
-                ..Strength::default()
-            }),
-            cohesive: None,
-            failure: BondFailure::Spring,
-        })],
         ..Deformables::default()
     };
     for (k, block) in setup.blocks.iter_mut().enumerate() {
@@ -351,7 +351,7 @@ fn a_whole_lattice_has_no_pairs() {
         brick([at(0), at(1), at(2)], [0.5; 3])
     });
     let mut setup = model(blocks.collect(), &[0, 1, 2, 3, 4, 5, 6, 7], 0.5, 0.0);
-    if let Some(law) = &mut setup.deform.bonds[0] {
+    if let Some(law) = &mut setup.interfaces[0].bond {
         law.strength = None;
     }
     let mut run = Run::new(setup, 1, 1e-5);

@@ -416,7 +416,7 @@ impl Maker<'_> {
         let materials = [usize::from(m); 2];
         let row = materials[0] * self.world.setup.materials.len() + materials[0];
         let row = self.world.setup.pair_table[row];
-        let Some(Some(law)) = self.world.setup.deform.bonds.get(usize::from(row)) else {
+        let Some(law) = &self.world.setup.interfaces[usize::from(row)].bond else {
             return Err(EditError::Build(BuildError::NoBond {
                 interface: self.world.setup.interfaces[usize::from(row)].name.clone(),
                 blocks: [family.first, family.first + 1].map(|b| self.world.name(b as usize)),

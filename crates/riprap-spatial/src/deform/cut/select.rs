@@ -27,7 +27,7 @@ const ON_PLANE: f64 = 1e-2;
 
 /// Blocks whose criterion is met, in the order of their numbers, with their parts.
 pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
-    let Some((deform, work)) = view.softs() else {
+    let Some((deform, work)) = view.deformables() else {
         return Vec::new();
     };
     let world = view.world;
@@ -150,7 +150,7 @@ fn too_slow(world: &World, parent: &BlockClass, cut: &Cut, rules: &Rules) -> boo
     }
     let m = usize::from(world.setup.blocks[cut.block as usize].material);
     let row = world.setup.pair_table[m * world.setup.materials.len() + m];
-    let Some(Some(bond)) = world.setup.deform.bonds.get(usize::from(row)) else {
+    let Some(bond) = &world.setup.interfaces[usize::from(row)].bond else {
         return false;
     };
     let Ok([across, along]) = stiffness(&world.setup, bond, [m; 2], [false; 2], [0.0; 2]) else {
@@ -186,13 +186,8 @@ fn generation(world: &World, deform: &Deform, block: u32) -> u8 {
 fn rock(world: &World, block: u32) -> Option<Rock> {
     let m = usize::from(world.setup.blocks[block as usize].material);
     let row = world.setup.pair_table[m * world.setup.materials.len() + m];
-    let strength = world
-        .setup
-        .deform
-        .bonds
-        .get(usize::from(row))?
-        .as_ref()?
-        .strength?;
+    let law = &world.setup.interfaces[usize::from(row)];
+    let strength = law.bond.as_ref()?.strength?;
     Some(Rock {
         tension: strength.tension,
         cohesion: strength.cohesion,

@@ -299,7 +299,7 @@ pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeMap<u32, Vec<usi
 /// Distance (m) of a point (local) from the nearest broken facet, at the start.
 #[must_use]
 pub fn distance(view: &View<'_>, at: Vec3) -> f64 {
-    let Some((deform, _)) = view.softs() else {
+    let Some((deform, _)) = view.deformables() else {
         return f64::NAN;
     };
     let distances = broken(deform).map(|k| {
@@ -313,7 +313,7 @@ pub fn distance(view: &View<'_>, at: Vec3) -> f64 {
 /// infinite where there is none.
 #[must_use]
 pub fn offset(view: &View<'_>, at: Vec3, along: Vec3) -> f64 {
-    let Some((deform, _)) = view.softs() else {
+    let Some((deform, _)) = view.deformables() else {
         return f64::NAN;
     };
     let near = near(view.world, deform);

@@ -34,12 +34,12 @@ impl Builder<'_> {
         });
     }
 
-    /// Bond laws of all interfaces, in their order.
+    /// Laws of the bonds of all interfaces, and where bonds are broken at the start.
     pub(super) fn bonds(&mut self) {
-        for (name, interface) in self.parsed.scenario.interfaces.iter() {
+        for (row, (name, interface)) in self.parsed.scenario.interfaces.iter().enumerate() {
             let said = interface.brittle_bond.as_ref();
             let law = said.map(|said| self.bond_law(name.as_str(), said));
-            self.spatial.deform.bonds.push(law);
+            self.spatial.interfaces[row].bond = law;
         }
         for notch in &self.parsed.scenario.notches {
             let corners = [&notch.region.min, &notch.region.max];

@@ -38,6 +38,7 @@ impl Builder<'_> {
             self.spatial.interfaces.push(InterfaceLaw {
                 name: name.text.clone(),
                 joint,
+                bond: None,
                 friction: friction.flatten(),
             });
         }

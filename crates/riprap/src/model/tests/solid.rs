@@ -468,7 +468,7 @@ cohesive = { mode_1 = "5 kJ/m2", mode_2 = "50 kJ/m2" }
     let crate::model::Setup::Spatial(setup) = model.setup else {
         panic!()
     };
-    let law = setup.deform.bonds[0].unwrap();
+    let law = setup.interfaces[0].bond.unwrap();
     for strength in [law.strength.unwrap(), law.cohesive.unwrap().strength] {
         assert!((strength.tension - 1e6).abs() < 1e-6);
         assert!((strength.cohesion - 2e6).abs() < 1e-6);

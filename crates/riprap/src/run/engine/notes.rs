@@ -55,7 +55,7 @@ pub(super) fn break_event(
     v: &spatial::view::View<'_>,
     event: &spatial::deform::store::Break,
 ) -> serde_json::Value {
-    let blocks = v.softs().map(|(deform, _)| {
+    let blocks = v.deformables().map(|(deform, _)| {
         let facet = &deform.facets[event.facet as usize];
         facet.blocks.map(|b| v.name(b as usize))
     });
