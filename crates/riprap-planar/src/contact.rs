@@ -413,6 +413,7 @@ fn apply(
     let normal = pressed.normal.force / elastic;
     let tangent = normal.perp();
     let velocity = relative.at(x);
+    let remembered = contact.shear;
 
     // Dashpots: along the resultant, and against relative rotation of the contact length.
     let stiffness = law.normal_stiffness * length;
@@ -457,12 +458,19 @@ fn apply(
         &damp,
         works,
     );
-    let energy = if contact.shear == 0.0 {
-        0.0
-    } else {
-        0.5 * contact.shear * contact.shear / (law.shear_stiffness * length)
+    let stored = |force: f64| {
+        if force == 0.0 {
+            0.0
+        } else {
+            0.5 * force * force / (law.shear_stiffness * length)
+        }
     };
-    works.friction += contact.shear_energy - energy;
+    let energy = stored(contact.shear);
+    // The stiffness of the spring goes with the contact length: what a change of length alone does to the energy of the
+    // force that is remembered nobody has rubbed off. It is the law's.
+    let stretched = stored(remembered) - contact.shear_energy;
+    works.law_defect += stretched;
+    works.friction += contact.shear_energy + stretched - energy;
     contact.shear_energy = energy;
     contact.length = length;
     contact.depth = pressed.depth;
