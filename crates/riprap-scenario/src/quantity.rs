@@ -364,6 +364,14 @@ impl<K: Kind> Quantity<K> {
         }
     }
 
+    /// The unit that was written, and what one of it is in SI; `None` for bare numbers and what cannot be read.
+    pub fn unit(&self) -> Option<(&str, f64)> {
+        match &self.raw {
+            Raw::Number(_) => None,
+            Raw::Text(text) => units::unit_of(text),
+        }
+    }
+
     /// SI value; NaN where [`super::parse`] would report an error.
     pub fn si(&self) -> f64 {
         self.read().map_or(f64::NAN, |(value, _)| value)

@@ -1,6 +1,7 @@
 //! The plan of a run: phases, what to record, when to stop. SI numbers, no behaviour.
 
 mod check;
+pub mod shown;
 
 use serde::{Deserialize, Serialize};
 

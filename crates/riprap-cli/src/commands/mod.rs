@@ -71,19 +71,8 @@ pub fn check_line(check: &CheckResult, with_scene: bool) -> String {
         line.push_str(": ");
     }
     line.push_str(&check.check);
-    if let Some(measured) = check.measured {
-        let unit = if check.unit == "-" {
-            String::new()
-        } else {
-            format!(" {}", check.unit)
-        };
-        line.push_str(&format!(": {measured:.6e}{unit}"));
-    }
-    if !check.expected.is_empty() {
-        line.push_str(&format!(", expected {}", check.expected));
-    }
-    if !check.tolerance.is_empty() {
-        line.push_str(&format!(" ({})", check.tolerance));
+    if !check.words.is_empty() {
+        line.push_str(&format!(": {}", check.words));
     }
     if !check.note.is_empty() {
         line.push_str(&format!("; {}", check.note.replace('\n', "\n        ")));

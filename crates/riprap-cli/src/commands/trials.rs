@@ -126,13 +126,15 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
                 });
                 screen::line(&line.to_string());
             } else {
-                let measured = trial
-                    .measured
-                    .map_or_else(String::new, |m| format!(" ({m:.6e})"));
-                screen::line(&format!(
-                    "trial {count}: {:.9e} {word}{measured} {}",
-                    trial.value, trial.note
-                ));
+                let measured = match &trial.measured_words[..] {
+                    "" => String::new(),
+                    words => format!(" ({words})"),
+                };
+                let line = format!(
+                    "trial {count}: {} {word}{measured} {}",
+                    trial.words, trial.note
+                );
+                screen::line(line.trim_end());
             }
         },
     );
@@ -147,20 +149,13 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
         screen::line(&line.to_string());
         return Ok(());
     }
-    let degrees = |value: f64| {
-        if unit == "rad" {
-            format!(" = {:.4} deg", value.to_degrees())
-        } else {
-            String::new()
-        }
-    };
+    let words = |value| found.shown.text(value, found.digits);
     screen::line(&format!(
-        "{}: limit {:.9e} {unit}{} (holds at {:.9e}, fails at {:.9e})",
+        "{}: limit {} (holds at {}, fails at {})",
         found.key,
-        bracket.limit(),
-        degrees(bracket.limit()),
-        bracket.holds_at,
-        bracket.fails_at
+        words(bracket.limit()),
+        words(bracket.holds_at),
+        words(bracket.fails_at)
     ));
     Ok(())
 }
@@ -168,6 +163,7 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
 /// `riprap compare`.
 pub fn compare(args: &Compare) -> Result<(), Failure> {
     let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    trials::comparable(&scene)?;
     scenes::case(&scene, &args.scene.change)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "compare", args.force);
     make_folder(&folder, existing)?;
@@ -230,9 +226,10 @@ impl From<TrialError> for Failure {
             TrialError::Scene(wrong) => Failure::Scene(wrong),
             TrialError::Job(wrong) => wrong.into(),
             TrialError::Stopped => Failure::Interrupted("nothing was found yet".to_owned()),
-            TrialError::NoBisect { .. } | TrialError::NoLimit(_) | TrialError::Compare(_) => {
-                Failure::Input(error.to_string())
-            }
+            TrialError::NoBisect { .. }
+            | TrialError::OneLaw { .. }
+            | TrialError::NoLimit(_)
+            | TrialError::Compare(_) => Failure::Input(error.to_string()),
         }
     }
 }

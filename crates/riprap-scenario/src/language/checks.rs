@@ -114,10 +114,14 @@ pub enum Reduce {
     Min,
     /// Mean over time.
     Mean,
+    /// Root of the mean square over time.
+    Rms,
     /// Largest less smallest value.
     Range,
     /// First time at which the value is above `threshold`, s.
     FirstAbove,
+    /// First time at which it is below `threshold`, s.
+    FirstBelow,
     /// Share of the time during which the value is above `threshold`.
     ShareAbove,
 }

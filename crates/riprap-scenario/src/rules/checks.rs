@@ -15,7 +15,8 @@ impl Rules {
         self.one_of(&criterion.field.span, "fails_when", &keys);
         let at = (criterion.of.as_ref(), criterion.at_point.as_ref());
         self.of_or_point(at, &criterion.field.span);
-        if let Some(Reduce::FirstAbove | Reduce::ShareAbove) = criterion.reduce {
+        if let Some(Reduce::FirstAbove | Reduce::FirstBelow | Reduce::ShareAbove) = criterion.reduce
+        {
             let message = "fails_when cannot use `first_above` or `share_above`".to_owned();
             self.error(
                 "value.word",
@@ -83,8 +84,10 @@ impl Rules {
             self.in_order(first, last, false, "`over` is [first time, last time]");
         }
         let needs = match check.reduce {
-            Some(Reduce::FirstAbove | Reduce::ShareAbove) => true,
-            Some(Reduce::Max | Reduce::Min | Reduce::Mean | Reduce::Range) | None => false,
+            Some(Reduce::FirstAbove | Reduce::FirstBelow | Reduce::ShareAbove) => true,
+            Some(Reduce::Max | Reduce::Min | Reduce::Mean | Reduce::Rms | Reduce::Range) | None => {
+                false
+            }
         };
         if needs != check.threshold.is_some() {
             let message = if needs {
@@ -92,7 +95,7 @@ impl Rules {
             } else {
                 format!("{of} has a `threshold` that nothing uses")
             };
-            let help = "`threshold` belongs to reduce = \"first_above\" and \"share_above\"";
+            let help = "`threshold` belongs to reduce = \"first_above\", \"first_below\" and \"share_above\"";
             self.error("key.missing", span, message, help);
         }
         if let Some([low, high]) = &check.between {

@@ -356,6 +356,15 @@ pub fn dimension(unit: &str) -> Result<Dim, UnitError> {
     }
 }
 
+/// The unit of a text such as `"16 GPa"`, and what one of it is in SI; `None` without unit.
+#[must_use]
+pub fn unit_of(text: &str) -> Option<(&str, f64)> {
+    let (_, rest) = split_number(text.trim()).ok()?;
+    let unit = rest.trim();
+    let (one, _) = parse_unit(unit).ok()?;
+    (!unit.is_empty()).then_some((unit, one))
+}
+
 fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {

@@ -103,11 +103,11 @@ pub(super) fn checks(out: &mut String, run: &Run) {
         count("failed"),
         count("skipped")
     );
-    out.push_str("<table class=\"grid\"><tr><th></th><th>check</th><th>measured</th><th>expected</th><th>tolerance</th></tr>\n");
+    out.push_str(
+        "<table class=\"grid\"><tr><th></th><th>check</th><th>measured, expected</th></tr>\n",
+    );
     for line in &lines {
         let status = text_of(line, "status");
-        let unit = text_of(line, "unit");
-        let unit = if unit == "-" { "" } else { &unit };
         let note = text_of(line, "note");
         let note = if note.is_empty() {
             note
@@ -116,13 +116,10 @@ pub(super) fn checks(out: &mut String, run: &Run) {
         };
         let _ = writeln!(
             out,
-            "<tr class=\"{0}\"><td>{0}</td><td>{1}{note}</td><td>{2} {3}</td><td>{4}</td><td>{5}</td></tr>",
+            "<tr class=\"{0}\"><td>{0}</td><td>{1}{note}</td><td>{2}</td></tr>",
             escape(&status),
             escape(&text_of(line, "check")),
-            escape(&text_of(line, "measured")),
-            escape(unit),
-            escape(&text_of(line, "expected")),
-            escape(&text_of(line, "tolerance")),
+            escape(&text_of(line, "words")),
         );
     }
     out.push_str("</table>\n");

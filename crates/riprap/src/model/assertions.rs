@@ -2,6 +2,7 @@
 
 use super::builder::Builder;
 use super::fields::{FieldUse, Said as Place};
+use crate::plan::shown::Shown;
 use crate::plan::{Check, Expected, Part, Reduce, Window};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Reduce as Said};
@@ -21,6 +22,8 @@ pub struct Bisection {
     pub tolerance: f64,
     /// SI unit of the three, as it is written behind a number in a scenario; empty for none.
     pub unit: String,
+    /// Unit in which the author gave them; `None` for plain numbers.
+    pub shown: Option<Shown>,
     /// What to read at the end of each trial; its expectation is the allowed band, so that the scene
     /// fails when the check does.
     pub holds: Check,
@@ -144,7 +147,7 @@ impl Builder<'_> {
         // What comes out may have another unit than the field.
         let unit = match window.within() {
             Window::Over {
-                reduce: Reduce::FirstAbove(_),
+                reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_),
                 ..
             } => "s",
             Window::Over {
@@ -166,6 +169,16 @@ impl Builder<'_> {
             name: said.name.text.clone(),
             gauge: used.gauge(),
             unit: field_unit,
+            shown: shown(
+                [
+                    said.value.as_ref(),
+                    said.between.as_ref().map(|[low, _]| low),
+                    said.between.as_ref().map(|[_, high]| high),
+                    said.absolute.as_ref(),
+                ]
+                .into_iter()
+                .flatten(),
+            ),
             window,
             expected,
             relative: said.relative.as_ref().map(Quantity::si),
@@ -213,7 +226,9 @@ impl Builder<'_> {
             Said::Min => Reduce::Min,
             Said::Mean => Reduce::Mean,
             Said::Range => Reduce::Range,
+            Said::Rms => Reduce::Rms,
             Said::FirstAbove => Reduce::FirstAbove(limit(self)?),
+            Said::FirstBelow => Reduce::FirstBelow(limit(self)?),
             Said::ShareAbove => Reduce::ShareAbove(limit(self)?),
         })
     }
@@ -348,9 +363,11 @@ impl Builder<'_> {
             high: said.high.si(),
             tolerance: said.tolerance.si(),
             unit,
+            shown: shown([&said.low, &said.high, &said.tolerance].into_iter()),
             holds: Check {
                 name: format!("holds ({})", criterion.field),
                 unit: used.unit.to_owned(),
+                shown: shown(criterion.above.iter().chain(&criterion.below)),
                 gauge: used.gauge(),
                 window,
                 expected: Expected::Between(below, above),
@@ -361,6 +378,16 @@ impl Builder<'_> {
             checks,
         })
     }
+}
+
+/// The unit that the author of a scene wrote first.
+fn shown<'a>(said: impl Iterator<Item = &'a Quantity<Any>>) -> Option<Shown> {
+    let mut units = said.filter_map(Quantity::unit);
+    let (unit, one) = units.next()?;
+    Some(Shown {
+        unit: unit.to_owned(),
+        one,
+    })
 }
 
 /// SI unit of the searched interval; empty for plain numbers.

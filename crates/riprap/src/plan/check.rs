@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Gauge;
+use super::shown::Shown;
 use crate::dynamics::Formula;
 
 /// One check with SI numbers.
@@ -12,8 +13,10 @@ pub struct Check {
     pub name: String,
     /// What is read.
     pub gauge: Gauge,
-    /// Unit of the field, as printed.
+    /// SI unit of the field.
     pub unit: String,
+    /// Unit in which the author of the scene gave what is expected; `None` where there is none.
+    pub shown: Option<Shown>,
     /// When it is read.
     pub window: Window,
     /// What it must be.
@@ -101,10 +104,14 @@ pub enum Reduce {
     Min,
     /// Mean over time (trapezoids).
     Mean,
+    /// Root of the mean square over time (trapezoids of the square).
+    Rms,
     /// Largest less smallest value.
     Range,
     /// First time at which the value is above the threshold, s.
     FirstAbove(f64),
+    /// First time at which the value is below the threshold, s.
+    FirstBelow(f64),
     /// Share of the time during which the value is above the threshold.
     ShareAbove(f64),
 }

@@ -45,6 +45,8 @@ pub struct CheckResult {
     pub tolerance: String,
     /// Unit of `measured`.
     pub unit: String,
+    /// What came out and what was expected, for reading: in the unit of the scene.
+    pub words: String,
     /// Why it failed or was skipped.
     pub note: String,
 }

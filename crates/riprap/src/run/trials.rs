@@ -11,7 +11,10 @@ use super::compare::{self, CompareError, Difference};
 use super::drive::{Control, Ending, Look};
 use super::job::{self, JobError, Outcome, watch_only};
 use super::scene::Scene;
+use crate::model::Bisection;
+use crate::plan::shown::{Shown, digits_for};
 use crate::record::folder::Existing;
+use crate::scenario::language::Space;
 use crate::scenario::{Case, Diagnostics};
 
 /// Why trials could not be made.
@@ -31,6 +34,15 @@ pub enum TrialError {
         /// The scene.
         path: PathBuf,
     },
+    /// In space there is one normal law.
+    #[error(
+        "{} is in [space.spatial]: compare is for the plane, which has two normal laws; to see what a law or a number \
+         does in space write [variants] and run `riprap sweep`", path.display()
+    )]
+    OneLaw {
+        /// The scene.
+        path: PathBuf,
+    },
     /// The user stopped it.
     #[error("stopped by the user")]
     Stopped,
@@ -47,8 +59,12 @@ pub enum TrialError {
 pub struct Trial {
     /// Value of the key, SI.
     pub value: f64,
+    /// The value, for reading: in the unit of the scene.
+    pub words: String,
     /// What was read.
     pub measured: Option<f64>,
+    /// What was read, for reading, beside the bound.
+    pub measured_words: String,
     /// Whether the scene failed.
     pub failed: bool,
     /// How the run ended when it was not at its end.
@@ -62,8 +78,12 @@ pub struct Found {
     pub key: String,
     /// SI unit of the values; empty for none.
     pub unit: String,
+    /// How its values are shown: in the unit in which the scene gave the interval.
+    pub shown: Shown,
     /// Values that hold and fail.
     pub bracket: Bracket,
+    /// Digits that the tolerance of the search makes meaningful.
+    pub digits: usize,
 }
 
 /// Searches for the value at which a case of `scene` begins to fail.
@@ -85,6 +105,8 @@ pub fn search(
             path: scene.path.clone(),
         });
     };
+    let shown = shown(&wanted);
+    let digits = digits_for(wanted.tolerance / wanted.low.abs().max(wanted.high.abs()));
     let trial = |value: f64| -> Result<bool, TrialError> {
         // After the changes of the case, which may name the key themselves.
         let mut changed = case.clone();
@@ -106,9 +128,14 @@ pub fn search(
         let holds = checks.iter().all(|check| check.status == Status::Passed);
         let failed = !note.is_empty() || !holds;
         let measured = checks.first().and_then(|check| check.measured);
+        let measured_words = checks
+            .first()
+            .map_or_else(String::new, |check| check.words.clone());
         report(&Trial {
             value,
+            words: shown.text(value, digits),
             measured,
+            measured_words,
             failed,
             note,
         });
@@ -123,9 +150,17 @@ pub fn search(
         })?;
     Ok(Found {
         key: wanted.key,
+        shown: shown.clone(),
         unit: wanted.unit,
         bracket,
+        digits,
     })
+}
+
+/// The unit of a search.
+fn shown(wanted: &Bisection) -> Shown {
+    let given = wanted.shown.clone();
+    given.unwrap_or_else(|| Shown::suited(&wanted.unit, wanted.low.abs().max(wanted.high.abs())))
 }
 
 /// Both normal laws, in the order in which they are compared.
@@ -142,6 +177,19 @@ pub struct Side {
     pub outcome: Outcome,
 }
 
+/// Whether the scene has two normal laws to compare.
+///
+/// # Errors
+/// A scene in space.
+pub fn comparable(scene: &Scene) -> Result<(), TrialError> {
+    match scene.parsed.scenario.space {
+        Space::Planar(_) => Ok(()),
+        Space::Spatial(_) => Err(TrialError::OneLaw {
+            path: scene.path.clone(),
+        }),
+    }
+}
+
 /// Runs the plain case (or the one called `case`) of `scene` under both laws into sub-folders of
 /// `folder` and compares.
 ///
@@ -155,6 +203,7 @@ pub fn both_laws(
     threads: usize,
     look: &mut dyn FnMut(&str, &mut Look<'_>) -> Control,
 ) -> Result<(Vec<Side>, Vec<Difference>), TrialError> {
+    comparable(scene)?;
     let mut sides = Vec::new();
     for law in LAWS {
         let mut chosen = case

@@ -240,6 +240,7 @@ fn broken(path: &Path, case: &str, check: &str, why: &str) -> CheckResult {
         status: Status::Failed,
         measured: None,
         expected: String::new(),
+        words: String::new(),
         tolerance: String::new(),
         unit: String::new(),
         note: why.trim_end().to_owned(),

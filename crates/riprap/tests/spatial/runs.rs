@@ -80,6 +80,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         name: "settlement of the top block".to_owned(),
         gauge: gauge("block.displacement.z", &[2], None),
         unit: "m".to_owned(),
+        shown: None,
         window: Window::End,
         expected: Expected::Value(settled),
         relative: Some(1e-6),

@@ -3,7 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::{CheckResult, Status};
+use crate::plan::shown::{Shown, digits_for};
 use crate::plan::{Check, Expected, Reduce, Window};
+
+/// Digits of numbers that the author of the scene gave: enough to give them back.
+const MOST_GIVEN: usize = 7;
 
 /// A check while the run goes on; part of checkpoints.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -102,6 +106,17 @@ impl Watch {
                     self.span += time - t0;
                 }
             }
+            Reduce::Rms => {
+                if let Some((t0, v0)) = before {
+                    self.sum += 0.5 * (v0 * v0 + value * value) * (time - t0);
+                    self.span += time - t0;
+                }
+            }
+            Reduce::FirstBelow(threshold) => {
+                if value < threshold && self.found.is_none() {
+                    self.found = Some((time, time));
+                }
+            }
             Reduce::FirstAbove(threshold) => {
                 if value > threshold && self.found.is_none() {
                     self.found = Some((time, time));
@@ -145,6 +160,11 @@ impl Watch {
                     Reduce::Min => Ok((at, self.low)),
                     Reduce::Range => Ok((at, self.high - self.low)),
                     Reduce::Mean => Ok((at, one)),
+                    Reduce::Rms if self.span > 0.0 => Ok((at, one.sqrt())),
+                    Reduce::Rms => Ok((at, last.abs())),
+                    Reduce::FirstBelow(threshold) => self
+                        .found
+                        .ok_or_else(|| format!("it never came below {threshold}")),
                     Reduce::FirstAbove(threshold) => self
                         .found
                         .ok_or_else(|| format!("it never came above {threshold}")),
@@ -167,8 +187,10 @@ impl Watch {
             expected: String::new(),
             tolerance: self.tolerance(&unit),
             unit: unit.clone(),
+            words: String::new(),
             note: String::new(),
         };
+        let mut at = f64::NAN;
         let agrees = match self.reading() {
             Err(why) => {
                 result.note = why;
@@ -177,10 +199,12 @@ impl Watch {
             }
             Ok((time, value)) => {
                 result.measured = Some(value);
+                at = time;
                 result.expected = self.expected_text(time, &unit);
                 self.agrees(time, value)
             }
         };
+        result.words = self.words(at, result.measured, &unit);
         result.status = match (&self.check.known, agrees) {
             (None, true) => Status::Passed,
             (None, false) => Status::Failed,
@@ -203,7 +227,7 @@ impl Watch {
     fn result_unit(&self) -> &str {
         match self.check.window.within() {
             Window::Over {
-                reduce: Reduce::FirstAbove(_),
+                reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_),
                 ..
             } => "s",
             Window::Over {
@@ -262,6 +286,53 @@ impl Watch {
         }
     }
 
+    /// `40.02 deg, expected 40 deg (0.01 relative)`.
+    fn words(&self, time: f64, measured: Option<f64>, unit: &str) -> String {
+        let expected = self.expected_at(time).filter(|value| value.is_finite());
+        let size = match self.check.expected {
+            Expected::Between(low, high) if high.is_finite() => low.abs().max(high.abs()),
+            Expected::Between(low, _) => low.abs(),
+            Expected::Value(_) | Expected::Formula { .. } | Expected::Table { .. } => {
+                expected.or(measured).unwrap_or(0.0).abs()
+            }
+        };
+        let of_field = unit == self.check.unit;
+        let given = self.check.shown.clone().filter(|_| of_field);
+        let shown = given.unwrap_or_else(|| Shown::suited(unit, size));
+        let share = self.check.absolute.map(|a| a / size);
+        let tolerance = match (share.filter(|s| s.is_finite()), self.check.relative) {
+            (Some(a), Some(r)) => a.min(r),
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => f64::NAN,
+        };
+        let digits = digits_for(tolerance);
+        let mut words = measured.map_or_else(String::new, |v| shown.text(v, digits));
+        let expected = match (&self.check.expected, expected) {
+            (Expected::Between(low, high), _) => Some(match (low.is_finite(), high.is_finite()) {
+                (true, false) => format!("at least {}", shown.text(*low, MOST_GIVEN)),
+                (false, true) => format!("at most {}", shown.text(*high, MOST_GIVEN)),
+                (true, true) | (false, false) => format!(
+                    "{} to {}",
+                    shown.number(*low, MOST_GIVEN),
+                    shown.text(*high, MOST_GIVEN)
+                ),
+            }),
+            (_, Some(value)) => Some(shown.text(value, digits)),
+            (Expected::Value(_) | Expected::Formula { .. } | Expected::Table { .. }, None) => None,
+        };
+        if let Some(expected) = expected {
+            let comma = if words.is_empty() { "" } else { ", " };
+            words.push_str(&format!("{comma}expected {expected}"));
+        }
+        let relative = self.check.relative.map(|r| format!("{r} relative"));
+        let absolute = self.check.absolute.map(|a| shown.text(a, MOST_GIVEN));
+        let allowed: Vec<String> = relative.into_iter().chain(absolute).collect();
+        if !allowed.is_empty() {
+            words.push_str(&format!(" ({})", allowed.join(" or ")));
+        }
+        words
+    }
+
     fn tolerance(&self, unit: &str) -> String {
         let unit = if unit == "-" {
             String::new()
@@ -307,6 +378,7 @@ mod tests {
                 ..Gauge::default()
             },
             unit: "m".to_owned(),
+            shown: None,
             window,
             expected,
             relative: None,
@@ -346,6 +418,9 @@ mod tests {
             (over(Reduce::Min), 0.4),
             (over(Reduce::Range), 6.0),
             (over(Reduce::FirstAbove(3.0)), 0.6),
+            (over(Reduce::FirstBelow(1.0)), 0.2),
+            // Trapezoids on x^4: mean of 100 t^4 over 0.2 to 0.8, as summed.
+            (over(Reduce::Rms), root_mean_square()),
             // Trapezoids on x^2: exact mean 2.8 plus h^2/12 (f'(b) - f'(a))/(b - a) = 1/60.
             (over(Reduce::Mean), 2.8 + 1.0 / 60.0),
             (over(Reduce::ShareAbove(3.0)), 0.3 / 0.6),
@@ -353,6 +428,57 @@ mod tests {
             let result = fed(window, Expected::Value(value));
             assert_eq!(result.status, Status::Passed, "{window:?} {result:?}");
         }
+    }
+
+    /// Root of the mean of (10 t^2)^2 at 0.2, 0.3, ... 0.8 by trapezoids.
+    fn root_mean_square() -> f64 {
+        let squares: Vec<f64> = (2..=8).map(|i| 0.01 * f64::from(i * i * i * i)).collect();
+        let ends = 0.5 * (squares[0] + squares[6]);
+        ((ends + squares[1..6].iter().sum::<f64>()) / 6.0).sqrt()
+    }
+
+    #[test]
+    fn words_are_in_the_unit_of_the_scene() {
+        let words = |unit: &str, given: Option<(&str, f64)>, expected, relative, value| {
+            let mut one = check(Window::End, expected);
+            unit.clone_into(&mut one.unit);
+            (one.absolute, one.relative) = (None, relative);
+            one.shown = given.map(|(unit, one)| Shown {
+                unit: unit.to_owned(),
+                one,
+            });
+            let mut watch = Watch::new(one);
+            watch.observe(1.0, value);
+            watch.finish("", "", false).words
+        };
+        let deg = std::f64::consts::PI / 180.0;
+        let said = words(
+            "rad",
+            Some(("deg", deg)),
+            Expected::Value(2.0 * deg),
+            Some(0.01),
+            2.01 * deg,
+        );
+        assert_eq!(said, "2.01 deg, expected 2 deg (0.01 relative)");
+        let said = words(
+            "rad",
+            None,
+            Expected::Value(2.0 * deg),
+            Some(1e-6),
+            2.0 * deg,
+        );
+        assert_eq!(said, "2 deg, expected 2 deg (0.000001 relative)");
+        let said = words(
+            "Pa",
+            None,
+            Expected::Between(1.0e6, 2.5e6),
+            None,
+            1.234_567e6,
+        );
+        assert_eq!(said, "1.2346 MPa, expected 1 to 2.5 MPa");
+        let band = Expected::Between(f64::NEG_INFINITY, 300.0);
+        let said = words("N", Some(("kN", 1e3)), band, None, 250.0);
+        assert_eq!(said, "0.25 kN, expected at most 0.3 kN");
     }
 
     #[test]

@@ -111,6 +111,35 @@ impl Meter {
     }
 }
 
+/// Wall time of a phase from which on its rest is foretold, s: the first steps fill lists and memory.
+const SETTLED: f64 = 2.0;
+/// Time over which progress is averaged, at least, s.
+const AVERAGE: f64 = 20.0;
+
+/// Foretells the end of a phase from how its share has grown.
+#[derive(Debug, Default)]
+struct Forecast {
+    phase: usize,
+    /// Wall time (s since the start) and share at the begin of the average, and of the next one.
+    marks: Option<[(f64, f64); 2]>,
+}
+
+impl Forecast {
+    /// Wall time to the end of a phase, s; `None` as long as nobody can know.
+    fn remaining(&mut self, now: f64, phase: usize, share: Option<f64>) -> Option<f64> {
+        let share = share?;
+        if self.phase != phase {
+            *self = Self { phase, marks: None };
+        }
+        let [begin, next] = self.marks.get_or_insert([(now, share); 2]);
+        if now - next.0 > AVERAGE {
+            *begin = std::mem::replace(next, (now, share));
+        }
+        let (passed, grown) = (now - begin.0, share - begin.1);
+        (passed >= SETTLED && grown > 0.0).then(|| passed * (1.0 - share).max(0.0) / grown)
+    }
+}
+
 /// Wall clock of a run; asks the operating system for the time only every few steps.
 #[derive(Debug)]
 pub(super) struct Clock {
@@ -120,6 +149,8 @@ pub(super) struct Clock {
     next: u64,
     rate: f64,
     meter: Meter,
+    begun: Instant,
+    forecast: Forecast,
 }
 
 impl Clock {
@@ -131,6 +162,8 @@ impl Clock {
             next: step,
             rate: 0.0,
             meter: Meter::default(),
+            begun: Instant::now(),
+            forecast: Forecast::default(),
         }
     }
 
@@ -168,14 +201,11 @@ impl Clock {
         control
     }
 
-    fn progress(&self, simulation: &Simulation) -> Progress {
+    fn progress(&mut self, simulation: &Simulation) -> Progress {
         let cursor = simulation.cursor();
         let (step, share) = (simulation.steps(), simulation.progress());
-        let done = step - cursor.start_step;
-        let remaining = share.filter(|s| *s > 0.0 && self.rate > 0.0).map(|s| {
-            let left = (done as f64 * (1.0 - s) / s).max(0.0);
-            left / self.rate
-        });
+        let now = self.begun.elapsed().as_secs_f64();
+        let remaining = self.forecast.remaining(now, cursor.phase + 1, share);
         Progress {
             phase: simulation
                 .phase()
@@ -190,5 +220,34 @@ impl Clock {
             remaining,
             energy_unit: simulation.kind().energy_unit(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_is_foretold_when_it_can_be() {
+        let mut forecast = Forecast::default();
+        // A slow first second (lists, memory, first touch), then 1 % a second.
+        assert_eq!(forecast.remaining(0.0, 1, Some(0.0)), None);
+        assert_eq!(forecast.remaining(1.0, 1, Some(0.0001)), None);
+        for second in 2..80 {
+            let share = 0.01 * f64::from(second - 1);
+            let left = forecast.remaining(f64::from(second), 1, Some(share));
+            let told = left.unwrap_or_else(|| panic!("nothing after {second} s"));
+            let true_left = 100.0 * (1.0 - share);
+            assert!(
+                told >= true_left && told < 2.1 * true_left,
+                "{second}: {told}"
+            );
+            assert!(second < 45 || told < 1.01 * true_left, "{second}: {told}");
+        }
+        // Another phase begins anew, one without an end in sight says nothing.
+        assert_eq!(forecast.remaining(80.0, 2, Some(0.5)), None);
+        assert_eq!(forecast.remaining(83.0, 2, None), None);
+        // A run that was resumed counts what it has done itself.
+        assert_eq!(forecast.remaining(90.0, 2, Some(0.75)), Some(10.0));
     }
 }

@@ -90,6 +90,7 @@ fn falling() -> Job {
             ..Gauge::default()
         },
         unit: "m".to_owned(),
+        shown: None,
         window: Window::At(0.05),
         expected: Expected::Value(-0.0125),
         relative: Some(1e-9),
@@ -247,6 +248,7 @@ fn checks_of_a_phase() {
             ..Gauge::default()
         },
         unit: "m/s".to_owned(),
+        shown: None,
         window: Window::Phase { phase, part },
         expected: Expected::Value(velocity),
         absolute: Some(1e-9),
