@@ -14,6 +14,16 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+/// Version, commit and target of this program. Changes that are not committed do not show.
+pub const VERSION: &str = concat!(
+    env!("CARGO_PKG_VERSION"),
+    " (commit ",
+    env!("RIPRAP_COMMIT"),
+    ", ",
+    env!("RIPRAP_TARGET"),
+    ")"
+);
+
 const FIRST_STEPS: &str = "\
 First steps:
   riprap new hill --template slope       write a scene to start from
@@ -34,7 +44,7 @@ Exit codes:
 /// A scene is a TOML file: blocks, how they touch, what pushes them, what to record. Every
 /// quantity has its unit, and a scene can check its own results.
 #[derive(Debug, Parser)]
-#[command(name = "riprap", version, after_help = FIRST_STEPS, arg_required_else_help = true)]
+#[command(name = "riprap", version = VERSION, after_help = FIRST_STEPS, arg_required_else_help = true)]
 #[command(disable_help_subcommand = true, max_term_width = 100)]
 pub struct Cli {
     /// Colours in messages and progress lines
@@ -90,7 +100,7 @@ pub struct Scene {
 }
 
 /// What is changed in a scene before it is read.
-#[derive(Debug, Default, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct Change {
     /// Change a key of the scene; repeatable. Quantities keep their units
     ///
@@ -376,19 +386,21 @@ pub struct Fields {
     pub json: bool,
 }
 
-/// Explain a scene or a key of the scenario language.
+/// Explain a scene, a key of the scenario language or a concept.
 ///
 /// For a file: the resolved scene, every default filled in, with where each value came from.
-/// For a key: what it means, its unit, its default and its range.
+/// For a key: what it means, its unit, its default and its range. For any other word: the keys, fields, pages and scenes
+/// that speak of it.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   riprap explain hill.toml
-  riprap explain interfaces.default.friction_angle")]
+  riprap explain interfaces.default.friction_angle
+  riprap explain pore pressure")]
 pub struct Explain {
-    /// A scene file, or a key
-    #[arg(value_name = "FILE|KEY")]
-    pub what: String,
+    /// A scene file, a key, or words
+    #[arg(value_name = "FILE|KEY|WORDS", required = true)]
+    pub what: Vec<String>,
     #[command(flatten)]
     pub change: Change,
 }

@@ -1,7 +1,7 @@
 //! Messages to the user: with a place in a file, drawn by miette on a terminal and as plain lines
 //! elsewhere (the library's own form, which begins like a compiler message).
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report,
@@ -40,19 +40,24 @@ impl Style {
 
 /// Prints one line without a place to stderr: `error: …`.
 pub fn print_line(word: &str, text: &str) {
-    eprintln!("{word}: {text}");
+    say(&format!("{word}: {text}"));
+}
+
+/// One line to stderr. Nobody can be told that it cannot be written; a reader that has gone must not stop a run.
+pub fn say(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// Prints `diagnostics` to stderr, and how many there are when there are several.
 pub fn print(diagnostics: &Diagnostics, style: Style) {
-    eprintln!("{}", rendered(diagnostics, style).trim_end());
+    say(rendered(diagnostics, style).trim_end());
     let (errors, warnings) = (diagnostics.errors(), diagnostics.warnings());
     if errors + warnings > 1 {
-        eprintln!(
+        say(&format!(
             "\n{}: {}",
             diagnostics.source.name,
             counted(errors, warnings)
-        );
+        ));
     }
 }
 

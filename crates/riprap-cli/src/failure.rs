@@ -69,6 +69,19 @@ impl Failure {
     }
 }
 
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Failure::Checks => f.write_str("checks failed"),
+            Failure::Scene(all) => f.write_str(&all.render()),
+            Failure::Physics(text)
+            | Failure::Input(text)
+            | Failure::Output(text)
+            | Failure::Interrupted(text) => f.write_str(text),
+        }
+    }
+}
+
 impl From<Diagnostics> for Failure {
     fn from(all: Diagnostics) -> Self {
         Failure::Scene(all)

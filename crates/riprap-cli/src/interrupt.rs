@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::diagnostics;
 use crate::failure::Failure;
 
 /// Whether the user has asked to stop.
@@ -19,7 +20,9 @@ impl Interrupt {
                 // The last checkpoint on disk is whole; nothing is lost but the steps since.
                 std::process::exit(i32::from(crate::failure::INTERRUPTED));
             }
-            eprintln!("\nstopping at the next step with a checkpoint; Ctrl-C again quits at once");
+            diagnostics::say(
+                "\nstopping at the next step with a checkpoint; Ctrl-C again quits at once",
+            );
         })
         .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))?;
         Ok(Interrupt(asked))

@@ -8,6 +8,7 @@
 
 mod args;
 mod commands;
+mod concepts;
 mod diagnostics;
 mod failure;
 mod interrupt;
@@ -15,6 +16,7 @@ mod numbers;
 mod progress;
 mod scenes;
 mod screen;
+mod slip;
 mod templates;
 
 use std::process::ExitCode;
@@ -26,7 +28,7 @@ use diagnostics::Style;
 use failure::Failure;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = Cli::try_parse().unwrap_or_else(|error| slip::exit(&error));
     let style = Style::for_stderr(cli.color);
     match dispatch(cli.verb, style) {
         Ok(()) => ExitCode::SUCCESS,
@@ -51,7 +53,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::ProbeContact(args) => commands::probe::run(&args, style),
         Verb::Verify(args) => commands::verify::run(&args),
         Verb::Plot(args) => commands::plot::run(&args),
-        Verb::View(args) => commands::view::run(&args),
+        Verb::View(args) => commands::view::run(&args, style),
         Verb::Report(args) => commands::report::run(&args),
         Verb::Paraview(args) => commands::paraview::run(&args),
         Verb::Fields(args) => commands::language::fields(&args),

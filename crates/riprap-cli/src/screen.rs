@@ -2,6 +2,8 @@
 
 use std::io::{ErrorKind, Write};
 
+use crate::diagnostics;
+
 /// Prints `text` to stdout as it is.
 ///
 /// A reader that has gone (`riprap fields | head`) ends the program quietly; any other error,
@@ -12,7 +14,7 @@ pub fn print(text: &str) {
         if error.kind() == ErrorKind::BrokenPipe {
             std::process::exit(0);
         }
-        eprintln!("error: could not write to stdout: {error}");
+        diagnostics::print_line("error", &format!("could not write to stdout: {error}"));
         std::process::exit(i32::from(crate::failure::NOT_WRITTEN));
     }
 }

@@ -4,6 +4,12 @@
 pub struct Template {
     /// What the user calls it.
     pub name: &'static str,
+    /// `plane` or `space`.
+    pub space: &'static str,
+    /// Number of its blocks.
+    pub blocks: &'static str,
+    /// Processor time of a run, with its unit.
+    pub time: &'static str,
     /// What happens in it, in one line.
     pub about: &'static str,
     /// The scene.

@@ -188,6 +188,17 @@ fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
             }
         },
         Which::Time(t) => {
+            let (first, last) = (list[0].time, list[list.len() - 1].time);
+            // Half a frame beyond an end still means the frame there.
+            let before = 0.5 * list.get(1).map_or(0.0, |next| next.time - first);
+            let after = 0.5 * list.iter().rev().nth(1).map_or(0.0, |e| last - e.time);
+            if !(first - before..=last + after).contains(&t) {
+                return Err(PlotError::OutsideTheRun {
+                    time: t,
+                    first,
+                    last,
+                });
+            }
             let gap = |i: &usize| (list[*i].time - t).abs();
             (0..list.len())
                 .min_by(|a, b| gap(a).total_cmp(&gap(b)))

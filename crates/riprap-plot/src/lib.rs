@@ -89,6 +89,18 @@ pub enum PlotError {
         /// How many there are.
         count: usize,
     },
+    /// No frame at that time.
+    #[error(
+        "there is no frame at t = {time} s; the frames of the run are from t = {first} s to {last} s"
+    )]
+    OutsideTheRun {
+        /// What was asked for in s.
+        time: f64,
+        /// Time of the first frame in s.
+        first: f64,
+        /// Time of the last frame in s.
+        last: f64,
+    },
     /// Nothing to draw.
     #[error("nothing to plot: {what}")]
     NothingToDraw {

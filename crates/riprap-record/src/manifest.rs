@@ -214,6 +214,13 @@ pub struct Manifest {
     pub fields: Vec<FieldNote>,
     /// Charges and other cavities of a run in space, in the order of the scene.
     pub sources: Vec<Source>,
+    /// Acceleration of gravity, m/s²: a picture stands on its feet by it. Zero in folders of earlier versions.
+    pub gravity: [f64; 3],
+    /// Names of the materials, in the order of the numbers that frames carry.
+    pub materials: Vec<String>,
+    /// Whether this is a model before it is run (`riprap view SCENE`), and no run.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub preview: bool,
 }
 
 impl Default for Manifest {
@@ -242,6 +249,9 @@ impl Default for Manifest {
             profile: Vec::new(),
             fields: Vec::new(),
             sources: Vec::new(),
+            gravity: [0.0; 3],
+            materials: Vec::new(),
+            preview: false,
         }
     }
 }

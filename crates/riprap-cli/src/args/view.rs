@@ -4,22 +4,29 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-/// Watch a run in the browser.
+use super::Change;
+
+/// Watch a run in the browser, or look at a scene before it is run.
 ///
 /// Serves a page on this machine only, without network, and opens it: blocks in motion, coloured by any
 /// field, contacts, vectors, clipping, histories, pictures and films. A run that is still going on is
-/// followed. Two runs stand side by side. Ctrl-C ends it; nothing in the run folder is changed.
+/// followed. Two runs stand side by side. Of a scene the model is shown as it stands before the first step, with the
+/// warnings of `riprap check`, and shown anew whenever the file is saved. Ctrl-C ends it; nothing in the run folder is
+/// changed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   riprap view hill.run
+  riprap view hill.toml                  the model before it is run
   riprap view dry.run wet.run            two runs side by side
   riprap view hill.run --no-open         only print the address
   riprap view hill.run --port 9000")]
 pub struct View {
-    /// Run folder
-    #[arg(value_name = "RUN")]
+    /// Run folder, or a scene
+    #[arg(value_name = "RUN|SCENE")]
     pub run: PathBuf,
+    #[command(flatten)]
+    pub change: Change,
     /// Another run folder, shown beside it
     #[arg(value_name = "RUN2")]
     pub other: Option<PathBuf>,

@@ -11,7 +11,7 @@ use riprap::scenario;
 use crate::args::{Explain, Fields, Hash, Schema};
 use crate::diagnostics::Style;
 use crate::failure::Failure;
-use crate::{scenes, screen};
+use crate::{concepts, scenes, screen};
 
 /// `riprap schema`.
 pub fn schema(args: &Schema) -> Result<(), Failure> {
@@ -26,15 +26,18 @@ pub fn schema(args: &Schema) -> Result<(), Failure> {
 
 /// `riprap explain`.
 pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
-    let path = Path::new(&args.what);
+    let what = args.what.join(" ");
+    let path = Path::new(&what);
     // A key never looks like this; a file that does not exist deserves a message about files.
-    let names_a_file = path.exists() || args.what.contains('/') || args.what.ends_with(".toml");
+    let names_a_file = path.exists() || what.contains('/') || what.ends_with(".toml");
     if !names_a_file {
-        screen::line(
-            scenario::explain_key(&args.what)
-                .map_err(Failure::Input)?
-                .trim_end(),
-        );
+        let text = match scenario::explain_key(&what) {
+            Ok(text) => text,
+            // A path with dots was meant as a key, and its slip is told.
+            Err(why) if what.contains('.') => return Err(Failure::Input(why)),
+            Err(why) => concepts::find(&what).ok_or(Failure::Input(why))?,
+        };
+        screen::line(text.trim_end());
         return Ok(());
     }
     let prepared = scenes::prepare_file(path, &args.change, style, false)?;

@@ -12,7 +12,10 @@ use crate::templates::{self, TEMPLATES};
 pub fn run(args: &New) -> Result<(), Failure> {
     if args.list {
         for template in TEMPLATES {
-            screen::line(&format!("{:<12} {}", template.name, template.about));
+            screen::line(&format!(
+                "{:<10} {}  {:>6} blocks  {:>6}  {}",
+                template.name, template.space, template.blocks, template.time, template.about
+            ));
         }
         return Ok(());
     }

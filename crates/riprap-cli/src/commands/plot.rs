@@ -255,6 +255,7 @@ impl From<PlotError> for Failure {
             | PlotError::Field(_)
             | PlotError::NoFrames { .. }
             | PlotError::NoSuchFrame { .. }
+            | PlotError::OutsideTheRun { .. }
             | PlotError::NothingToDraw { .. }
             | PlotError::Unsuitable { .. }
             | PlotError::Fit { .. }

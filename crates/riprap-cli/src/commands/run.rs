@@ -45,6 +45,9 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
 
 /// `riprap resume`.
 pub fn resume(args: &Resume) -> Result<(), Failure> {
+    if let Some(wrong) = not_a_folder(&args.run) {
+        return Err(Failure::Input(wrong));
+    }
     let head = format!(
         "riprap {}  resuming {}",
         env!("CARGO_PKG_VERSION"),
@@ -52,6 +55,27 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
     );
     with_display(&args.how, &head, &args.run, |look| {
         job::resume(&args.run, threads(&args.how), look).map_err(Failure::from)
+    })
+}
+
+/// What to write instead when `path` is a file: a scene is run, its run folder is gone on with.
+fn not_a_folder(path: &Path) -> Option<String> {
+    if !path.is_file() {
+        return None;
+    }
+    let (shown, folder) = (path.display(), default_folder(path, "run"));
+    let made = folder.join("manifest.json").exists();
+    Some(if path.extension().is_some_and(|e| e == "toml") {
+        let next = if made {
+            format!("riprap resume {}", folder.display())
+        } else {
+            format!("riprap run {shown}")
+        };
+        format!(
+            "{shown} is a scene, and `resume` goes on with a run: the folder that `riprap run` made; write {next}"
+        )
+    } else {
+        format!("{shown} is a file; `resume` goes on in a run folder, for example hill.run")
     })
 }
 

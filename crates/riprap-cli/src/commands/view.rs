@@ -1,15 +1,26 @@
 //! `riprap view`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
+use riprap::record::Manifest;
+use riprap::run::job::{self, Live};
+use riprap::run::scene::Scene;
 use riprap_view::{Server, ServerError};
 
-use crate::args::View;
-use crate::diagnostics;
+use crate::args::{Change, View};
+use crate::diagnostics::{self, Style};
 use crate::failure::Failure;
-use crate::screen;
+use crate::{scenes, screen};
 
-pub fn run(args: &View) -> Result<(), Failure> {
+pub fn run(args: &View, style: Style) -> Result<(), Failure> {
+    if args.run.is_file() && args.run.extension().is_some_and(|e| e == "toml") {
+        if args.other.is_some() {
+            let text = "a scene is looked at alone; name one scene, or one or two run folders";
+            return Err(Failure::Input(text.to_owned()));
+        }
+        return preview(args, style);
+    }
     let runs: Vec<_> = [Some(&args.run), args.other.as_ref()]
         .into_iter()
         .flatten()
@@ -18,7 +29,83 @@ pub fn run(args: &View) -> Result<(), Failure> {
     for run in &runs {
         exists(run)?;
     }
-    let server = Server::bind(&runs, args.port)?;
+    serve(&runs, args)
+}
+
+/// Time between two looks at the file of a scene.
+const LOOK: Duration = Duration::from_millis(300);
+
+/// Shows the model of a scene as it stands before its first step, and again when the file is saved.
+fn preview(args: &View, style: Style) -> Result<(), Failure> {
+    let scratch = std::env::temp_dir().join(format!("riprap-view-{}", std::process::id()));
+    let folder = scratch.join(args.run.file_stem().unwrap_or_default());
+    let gone = scratch.clone();
+    ctrlc::set_handler(move || {
+        // What stays behind lies among the temporary files of the system.
+        let _ = std::fs::remove_dir_all(&gone);
+        std::process::exit(i32::from(crate::failure::INTERRUPTED));
+    })
+    .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))?;
+    let (scene, change) = (args.run.clone(), args.change.clone());
+    let model = model(&scene, &change, &folder, style)?;
+    let watched = folder.clone();
+    std::thread::spawn(move || watch(&scene, &change, &watched, style, model));
+    let done = serve(&[folder], args);
+    let _ = std::fs::remove_dir_all(&scratch);
+    done
+}
+
+/// Writes the model of a scene into `folder`.
+fn model(file: &Path, change: &Change, folder: &Path, style: Style) -> Result<Live, Failure> {
+    let prepared = scenes::prepare_file(file, change, style, false)?;
+    let scene = prepared.parsed.clone();
+    job::preview(prepared.job(), folder).map_err(|error| Failure::of_job(error, &scene))
+}
+
+/// Writes the model anew whenever the scene has been saved. What is wrong with it is told here and on the page.
+fn watch(file: &Path, change: &Change, folder: &Path, style: Style, mut shown: Live) {
+    let saved = || std::fs::metadata(file).and_then(|m| m.modified()).ok();
+    let mut last = saved();
+    loop {
+        std::thread::sleep(LOOK);
+        let now = saved();
+        if now.is_none() || now == last {
+            continue;
+        }
+        last = now;
+        // A model that cannot be made must not take the old one away: it is made elsewhere first.
+        let tried = Scene::load(file, &change.set)
+            .map_err(Failure::from)
+            .and_then(|scene| Ok(scene.prepare(&scenes::case(&scene, change)?)?));
+        let failure = match tried {
+            Ok(_) => {
+                // Its folder is in use as long as it lives.
+                drop(shown);
+                match model(file, change, folder, style) {
+                    Ok(live) => {
+                        shown = live;
+                        continue;
+                    }
+                    Err(failure) => {
+                        failure.print(style);
+                        return;
+                    }
+                }
+            }
+            Err(failure) => failure,
+        };
+        failure.print(style);
+        if let Ok(mut manifest) = Manifest::read(folder) {
+            manifest.message = failure.to_string();
+            if let Err(error) = manifest.write(folder) {
+                diagnostics::print_line("note", &error.to_string());
+            }
+        }
+    }
+}
+
+fn serve(runs: &[PathBuf], args: &View) -> Result<(), Failure> {
+    let server = Server::bind(runs, args.port)?;
     let url = server.url();
     screen::line(&format!("{url}  (Ctrl-C ends it)"));
     if !args.no_open && open::that_detached(&url).is_err() {
@@ -33,7 +120,7 @@ fn exists(run: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     let what = if run.exists() {
-        "is a file, not a run folder"
+        "is a file, neither a run folder nor a scene (.toml)"
     } else {
         "does not exist"
     };

@@ -39,10 +39,21 @@ fn every_template_runs() {
         .filter_map(|line| line.split_whitespace().next())
         .collect();
     assert!(names.len() > 10, "{list}");
-    for name in names {
+    for (name, line) in names.into_iter().zip(list.lines()) {
         bench.run(&["new", name, "--template", name]).expect(0);
         let file = format!("{name}.toml");
         let text = std::fs::read_to_string(bench.path(&file)).expect("read the template");
+        let said = bench.run(&["check", &file, "--json"]).expect(0).out;
+        let found: serde_json::Value = serde_json::from_str(&said).expect("JSON");
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let blocks = found["model"]["blocks"].to_string();
+        let space = if text.contains("[space.planar]") {
+            "plane"
+        } else {
+            "space"
+        };
+        assert_eq!(words[1..4], [space, blocks.as_str(), "blocks"], "{line}");
+        assert!(words[4].parse::<f64>().is_ok() && words[5] == "s", "{line}");
         bench.file(&file, short(&text));
         let out = format!("{name}.run");
         bench.run(&["run", &file, "--out", &out]).expect(0);

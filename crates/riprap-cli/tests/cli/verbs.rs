@@ -369,12 +369,22 @@ fn a_report_is_one_file() {
 }
 
 #[test]
-fn only_folders_are_viewed() {
+fn folders_and_scenes_are_viewed() {
     let bench = Bench::with_scene();
+    bench.file("notes.txt", "no scene");
     bench
-        .run(&["view", "fall.toml", "--no-open"])
+        .run(&["view", "notes.txt", "--no-open"])
         .expect(2)
-        .warns(&["is a file, not a run folder"]);
+        .warns(&["neither a run folder nor a scene"]);
+    bench.file("wrong.toml", FALL.replace("density", "densty"));
+    bench
+        .run(&["view", "wrong.toml", "--no-open"])
+        .expect(2)
+        .warns(&["did you mean `density`"]);
+    bench
+        .run(&["view", "fall.toml", "fall.run", "--no-open"])
+        .expect(2)
+        .warns(&["a scene is looked at alone"]);
     bench
         .run(&["view", "nothing.run", "--no-open"])
         .expect(2)
@@ -408,7 +418,7 @@ fn plots_are_drawn() {
         .run(&["plot", "fall.run", "blocks", "--time", "soon"])
         .expect(2);
     bench.run(&["plot", "nowhere"]).expect(2);
-    let strip = ["--time", "0 s", "--time", "1 s", "--vectors", "velocity"];
+    let strip = ["--time", "0 s", "--time", "0.2 s", "--vectors", "velocity"];
     let words = [
         &["plot", "fall.run", "blocks", "--exaggerate", "2"],
         &strip[..],

@@ -71,9 +71,126 @@ fn wrong_words_are_bad_input() {
 }
 
 #[test]
-fn the_version_is_that_of_the_package() {
+fn the_version_says_package_commit_and_target() {
     let said = Bench::new().run(&["--version"]).expect(0);
-    assert_eq!(said.out, format!("riprap {}\n", env!("CARGO_PKG_VERSION")));
+    let rest = said
+        .out
+        .strip_prefix(&format!("riprap {} (commit ", env!("CARGO_PKG_VERSION")))
+        .and_then(|rest| rest.strip_suffix(")\n"));
+    let (commit, target) = rest.and_then(|r| r.split_once(", ")).expect(&said.out);
+    let hex = commit.len() == 12 && commit.chars().all(|c| c.is_ascii_hexdigit());
+    assert!(hex || commit == "unknown", "{commit}");
+    assert!(target.contains(std::env::consts::ARCH), "{target}");
+}
+
+#[test]
+fn wrong_verbs_get_a_suggestion() {
+    let bench = Bench::new();
+    for (word, verb) in [
+        ("rnu", "riprap run"),
+        ("solve", "riprap run"),
+        ("fos", "safety"),
+    ] {
+        bench.run(&[word, "a.toml"]).expect(2).warns(&[word, verb]);
+    }
+}
+
+#[test]
+fn resume_says_what_it_wanted() {
+    let bench = Bench::with_scene();
+    bench
+        .run(&["resume", "fall.toml"])
+        .expect(2)
+        .warns(&["is a scene", "riprap run fall.toml"]);
+    bench.run(&["run", "fall.toml", "-q"]).expect(0);
+    bench
+        .run(&["resume", "fall.toml"])
+        .expect(2)
+        .warns(&["riprap resume fall.run"]);
+}
+
+#[test]
+fn doctor_looks_at_all_that_riprap_meets() {
+    let bench = Bench::new();
+    let said = bench.run(&["doctor"]).expect(0);
+    for word in [
+        "riprap",
+        "build",
+        "system",
+        "processor",
+        "cores",
+        "memory",
+        "disk",
+        "browser",
+        "python",
+        "devices",
+    ] {
+        let line = said
+            .out
+            .lines()
+            .find(|l| l.split_whitespace().next() == Some(word));
+        assert!(line.is_some_and(|l| l.len() > 10), "{word}: {}", said.out);
+    }
+    assert!(said.out.contains("MB/s written"), "{}", said.out);
+    let left = std::fs::read_dir(bench.path("."))
+        .expect("a folder")
+        .count();
+    assert_eq!(left, 0, "the sample of the disk is gone");
+}
+
+/// A pipe whose reader has gone, as that of `| head` does.
+fn nobody_reads() -> std::process::Stdio {
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    writer.into()
+}
+
+#[test]
+fn a_reader_that_goes_never_makes_a_panic() {
+    let bench = Bench::with_scene();
+    bench.run(&["run", "fall.toml", "-q"]).expect(0);
+    let lines: &[&[&str]] = &[
+        &["--help"],
+        &["--version"],
+        &["rnu"],
+        &["new", "--list"],
+        &["check", "fall.toml"],
+        &["check", "fall.toml", "--json"],
+        &["check", "missing.toml"],
+        &["run", "fall.toml", "--out", "piped"],
+        &["resume", "fall.run"],
+        &["sweep", "fall.toml"],
+        &["bisect", "fall.toml"],
+        &["compare", "fall.toml"],
+        &["probe-contact", "fall.toml"],
+        &["verify", "fall.toml"],
+        &["plot", "fall.run"],
+        &["report", "fall.run"],
+        &["paraview", "fall.run"],
+        &["fields"],
+        &["explain", "fall.toml"],
+        &["explain", "phases"],
+        &["schema"],
+        &["hash", "fall.run"],
+        &["doctor"],
+        &["completions", "bash"],
+        &["man"],
+    ];
+    for words in lines {
+        for both in [false, true] {
+            let mut command = bench.command(words);
+            command.stdout(nobody_reads());
+            if both {
+                command.stderr(nobody_reads());
+            }
+            let output = command.output().expect("riprap starts");
+            let code = output.status.code();
+            // 101 is a panic, none a signal.
+            assert!(code.is_some_and(|c| c <= 3), "{words:?} {both}: {code:?}");
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert!(!said.contains("panicked"), "{words:?}: {said}");
+        }
+    }
 }
 
 #[test]
@@ -101,4 +218,49 @@ fn every_verb_has_a_manual_page() {
             .replace("\\-", "-");
         assert!(page.contains(&format!("riprap-{verb}")), "{page}");
     }
+}
+
+#[test]
+fn a_time_outside_the_run_is_no_frame() {
+    let bench = Bench::with_scene();
+    bench.run(&["run", "fall.toml", "-q"]).expect(0);
+    let blocks = ["plot", "fall.run", "blocks"];
+    for (time, code) in [("0.2 s", 0), ("0.21 s", 0), ("9 s", 2), ("-1 s", 2)] {
+        let time = format!("--time={time}");
+        let said = bench.run(&[&blocks[..], &[&time]].concat()).expect(code);
+        assert!(code == 0 || said.err.contains("to 0.2 s"), "{}", said.err);
+    }
+}
+
+#[test]
+fn words_are_explained_by_what_speaks_of_them() {
+    let bench = Bench::new();
+    bench.run(&["explain", "friction"]).expect(0).says(&[
+        "interfaces.*.friction_angle",
+        "energy.friction",
+        "docs/src/theory-planar.md",
+        "scenes/verify/planar/a5_stop.toml",
+    ]);
+    bench.run(&["explain", "pore", "pressure"]).expect(0);
+    bench
+        .run(&["explain", "fricton_angel"])
+        .expect(2)
+        .warns(&["friction_angle"]);
+    bench
+        .run(&["explain", "phases.fall.utnil"])
+        .expect(2)
+        .warns(&["until"]);
+}
+
+#[test]
+fn comparing_in_space_says_that_it_is_for_the_plane() {
+    let bench = Bench::new();
+    bench
+        .run(&["new", "bricks", "--template", "bricks"])
+        .expect(0);
+    bench
+        .run(&["compare", "bricks.toml"])
+        .expect(2)
+        .warns(&["compare is for the plane", "riprap sweep"]);
+    assert!(!bench.path("bricks.compare").exists());
 }

@@ -18,7 +18,7 @@ use super::given_step::{self, TooLong};
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
-use crate::plan::Check;
+use crate::plan::{Check, Every};
 use crate::plan::Plan;
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
@@ -132,6 +132,26 @@ pub fn run(
     look: &mut dyn FnMut(&mut Look<'_>) -> Control,
 ) -> Result<Outcome, JobError> {
     Live::begin(job, folder, existing, threads)?.finish(look)
+}
+
+/// Writes the model as it stands before its first step into `folder`, to be looked at. It stays in use as long as what is
+/// returned lives.
+///
+/// # Errors
+/// As [`run`].
+pub fn preview(mut job: Job, folder: &Path) -> Result<Live, JobError> {
+    job.manifest.preview = true;
+    job.checks.clear();
+    if job.plan.frames == Some(Every::Never) {
+        job.plan.frames = None;
+    }
+    let mut live = Live::begin(job, folder, Existing::Force, 1)?;
+    let first = Pause {
+        step: Some(0),
+        time: None,
+    };
+    live.advance(first, &mut |_| Control::Continue)?;
+    Ok(live)
 }
 
 /// Goes on with the run in `folder` from its last good checkpoint.

@@ -12,6 +12,7 @@ use crate::run::job::Job;
 use crate::run::simulation::{RunError, Simulation};
 use crate::scenario::language::Space;
 use crate::scenario::{self, Case, Diagnostic, Diagnostics, Parsed, Source, apply_overrides};
+use crate::setup::Setup;
 
 /// A scene as the user wants it run.
 #[derive(Clone, Debug)]
@@ -144,6 +145,16 @@ impl Scene {
                 .warnings
                 .iter()
                 .map(|warning| warning.message.clone())
+                .collect(),
+            gravity: match &model.setup {
+                Setup::Planar(setup) => [setup.gravity[0], setup.gravity[1], 0.0],
+                Setup::Spatial(setup) => setup.gravity.to_array(),
+            },
+            materials: parsed
+                .scenario
+                .materials
+                .names()
+                .map(str::to_owned)
                 .collect(),
             ..Manifest::default()
         };
