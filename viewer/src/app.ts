@@ -19,7 +19,7 @@ import { View } from "./view";
 /** A running run is asked for news this often, in ms. */
 const NEWS = 1000;
 /** Settings that need other answers, not only another drawing. */
-const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks"];
+const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "supports"];
 
 interface Pane {
   view: View;
@@ -63,7 +63,8 @@ export class App {
       this.timeline.following = true;
       this.news();
     }
-    await this.timeline.go(this.timeline.following ? this.timeline.moments.length - 1 : 0);
+    // What a run has come to is what people look for first; the start is often a uniform box.
+    await this.timeline.go(this.timeline.moments.length - 1);
     for (const pane of this.panes) this.refreshPane(pane);
     const [leader, ...others] = this.panes;
     if (leader) for (const other of others) other.view.stage.follow(leader.view.stage.standpoint());
@@ -168,7 +169,7 @@ export class App {
   private refreshPane(pane: Pane): void {
     const { view } = pane;
     pane.legend.replaceChildren(legendElement(legendOf(view, this.choices.now), view.scale));
-    if (view.run.frames > 0) this.banner(pane, view.trouble ?? view.run.summary.note);
+    if (view.run.frames > 0) this.banner(pane, view.trouble ?? view.run.summary.note ?? unread(view.run));
     pane.host.classList.toggle("stale", view.trouble !== null);
     const { summary } = view.run;
     if (this.runs.length > 1) {
@@ -303,6 +304,7 @@ export class App {
         act: () => actions.fit(side),
       })),
       { keys: ["e"], label: "e", what: "edges", act: () => choices.set({ edges: !choices.now.edges }) },
+      { keys: ["u"], label: "u", what: "supports", act: () => choices.set({ supports: !choices.now.supports }) },
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
@@ -351,6 +353,7 @@ export class App {
       const more = moments.length !== this.timeline.moments.length;
       this.timeline.setMoments(moments);
       this.refreshHead();
+      for (const pane of this.panes) if (pane.view.run.summary.manifest?.preview) this.refreshPane(pane);
       if (more) {
         if (this.timeline.following) await this.timeline.go(moments.length - 1);
         else for (const pane of this.panes) this.refreshPane(pane);
@@ -371,8 +374,8 @@ export class App {
     document.title = `${titles[0]} – riprap`;
     const live = this.runs.some((r) => r.summary.live);
     const died = this.runs.some((r) => r.summary.died);
-    const state = !manifest ? "unreadable" : live ? "running" : died ? "unfinished" : manifest.ended;
-    this.badge.textContent = live && this.timeline.following ? "running, followed" : state;
+    const state = !manifest ? "unreadable" : manifest.preview ? "not run" : live ? "running" : died ? "unfinished" : manifest.ended;
+    this.badge.textContent = live && this.timeline.following && !manifest?.preview ? "running, followed" : state;
     this.badge.className = `badge ${state}`;
     this.badge.title = !manifest
       ? ""
@@ -410,6 +413,12 @@ function problemCard(name: string, problem: { what: string; hint: string }): HTM
       el("p.hint", {}, problem.hint),
     ),
   );
+}
+
+/** What is wrong with a scene that was saved, while its last sound model is shown. */
+function unread(run: Run): { what: string; hint: string } | null {
+  const { preview, message } = run.summary.manifest ?? {};
+  return preview && message ? { what: "The scene as saved cannot be shown.", hint: message } : null;
 }
 
 function noFrames(run: Run): { what: string; hint: string } {

@@ -20,6 +20,9 @@ const FADE = [3, 9] as const;
 /** Corners nearer to a cut than this share of a block lie in it. */
 const NEAR = 1e-5;
 
+/** A flat cut keeps this share of a block away from faces that lie along it. */
+const CLEAR = 0.02;
+
 export interface Look {
   exaggeration: number;
   edges: boolean;
@@ -286,6 +289,26 @@ export class Blocks {
     this.index(look.edges);
     this.send();
     this.close(look.edges);
+  }
+
+  /** The place nearest to `at` where no face of a block lies in a cut of that normal; `at` itself where there is none. */
+  clearOf(normal: Cut["normal"], at: number): number {
+    if (this.dimension === 2) return at;
+    const { positions, corners, faceEnds } = this;
+    const near = CLEAR * this.size;
+    const [x, y, z] = normal;
+    const far = new Float32Array(positions.length / 3);
+    for (let p = 0; p < far.length; p++) far[p] = x * positions[3 * p]! + y * positions[3 * p + 1]! + z * positions[3 * p + 2]! - at;
+    const free = (shift: number) => {
+      for (let f = 0; f + 1 < faceEnds.length; f++) {
+        let k = faceEnds[f]!;
+        while (k < faceEnds[f + 1]! && Math.abs(far[corners[k]!]! - shift) < near) k++;
+        if (k === faceEnds[f + 1]!) return false;
+      }
+      return true;
+    };
+    for (const k of [0, 1, -1, 2, -2, 4, -4]) if (free(2 * k * near)) return at + 2 * k * near;
+    return at;
   }
 
   /** Blocks beyond the cut. */

@@ -24,14 +24,18 @@ export function legendOf(view: View, settings: Settings): LegendText {
       out.title = settings.field;
       const kinds = [...new Set(view.values)].filter(Number.isFinite).sort((a, b) => a - b);
       if (kinds.length <= 10) {
-        out.marks = kinds.map((k, i) => ({ at: i, text: short(k), colour: kindColour(k) }));
+        const names = settings.field === "material" ? (view.run.summary.manifest.materials ?? []) : [];
+        out.marks = kinds.map((k, i) => ({ at: i, text: names[k] ?? short(k), colour: kindColour(k) }));
       }
     } else {
       const unit = scaleFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), view.unit);
       out.title = settings.field + (unit.unit ? ` [${unit.unit}]` : "");
       out.marks = marksOf(scale, unit.factor);
+      const beyond = view.values.filter((v) => v < scale.low || v > scale.high).length;
+      if (beyond > 0) out.notes.push({ text: `${beyond} block${beyond === 1 ? "" : "s"} beyond` });
     }
   }
+  if (view.supports !== null) out.notes.push({ text: `${view.supports} held or moved`, colour: "#2f7bd9" });
   if (view.arrow && settings.vectors) {
     out.notes.push({ text: `longest ${settings.vectors} ${quantity(view.arrow.longest, view.arrow.unit, 3)}` });
   }

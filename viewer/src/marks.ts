@@ -244,12 +244,12 @@ export function contactPlaces(
 export class Picked {
   readonly object: THREE.LineSegments;
 
-  constructor() {
+  constructor(color = "#ff2e88", order = 5) {
     this.object = new THREE.LineSegments(
       new THREE.BufferGeometry(),
-      new THREE.LineBasicMaterial({ color: 0xff2e88, depthTest: false, transparent: true }),
+      new THREE.LineBasicMaterial({ color, depthTest: false, transparent: true }),
     );
-    this.object.renderOrder = 5;
+    this.object.renderOrder = order;
     this.object.frustumCulled = false;
     this.object.visible = false;
   }

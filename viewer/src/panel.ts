@@ -74,7 +74,7 @@ export class Panel {
     const field = choice(
       [["", "one colour"], ...names.map((n): [string, string] => [n, n])],
       now.field,
-      (name) => choices.set({ field: name, map: defaultMap(name), log: false, rangeMode: now.rangeMode === "fixed" ? "run" : now.rangeMode }),
+      (name) => choices.set({ field: name, map: defaultMap(name), log: false, rangeMode: now.rangeMode === "fixed" ? "most" : now.rangeMode }),
       "field",
     );
     const rows = [row("Field", field)];
@@ -88,6 +88,7 @@ export class Panel {
         "Range",
         choice(
           [
+            ["most", "run, 98 % of blocks"],
             ["run", "whole run"],
             ["frame", "this frame"],
             ["fixed", "fixed"],
@@ -122,6 +123,12 @@ export class Panel {
     return rows;
   }
 
+  /** Name of a material by its number, where all runs agree on it. */
+  private materialOf(number: number | undefined): string {
+    const names = this.runs.map((r) => r.summary.manifest?.materials?.[number ?? -1] ?? "");
+    return names.every((n) => n === names[0]) ? (names[0] ?? "") : "";
+  }
+
   private meaning(name: string): string {
     const stem = name.replace(/\.(x|y|z|magnitude)$/, "");
     for (const run of this.runs) {
@@ -152,7 +159,11 @@ export class Panel {
           ? (["x", "y", "z"] as const).map((side) => small(side, `Look along ${side}`, () => actions.fit(side)))
           : []),
       ),
-      el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)")),
+      el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)"),
+        this.runs.some((r) => r.hasField("held"))
+          ? check("supports", now.supports, (supports) => choices.set({ supports }), "Outline the blocks that supports hold or move (u)")
+          : null,
+      ),
       ...this.cutRows(),
     ];
     return rows;
@@ -296,8 +307,9 @@ export class Panel {
           parts.length > 1
             ? `${quantity(Math.hypot(...parts), c.unit)}`
             : c.unit === "-" ? short(parts[0] ?? Number.NaN) : quantity(parts[0] ?? Number.NaN, c.unit);
+        const material = c.name === "material" ? this.materialOf(parts[0]) : "";
         const detail = parts.length > 1 ? `(${parts.map((p) => short(p, 3)).join(", ")})` : "";
-        return el("tr", {}, el("td", {}, c.name), el("td", {}, text, detail ? el("small", {}, detail) : null));
+        return el("tr", {}, el("td", {}, c.name), el("td", {}, material || text, detail ? el("small", {}, detail) : null));
       });
     const groups = numbers.groups.length ? [named(numbers.groups.length > 1 ? "groups" : "group", numbers.groups.join(", "))] : [];
     this.blockBox.replaceChildren(

@@ -34,6 +34,11 @@ export interface Manifest {
   warnings: string[];
   fields: { name: string; unit: string; meaning: string }[];
   sources: { name: string; centre?: number[]; line?: number[][] }[];
+  /** Not in runs of earlier versions. */
+  gravity?: [number, number, number];
+  materials?: string[];
+  /** A model before it is run. */
+  preview?: boolean;
 }
 
 export interface Summary {
@@ -79,6 +84,12 @@ export interface MotionInfo {
 export interface FieldInfo {
   unit: string;
   range: [number, number] | null;
+}
+
+/** Values over all frames: smallest and largest, and those of most blocks. */
+export interface Range {
+  range: [number, number] | null;
+  most: [number, number] | null;
 }
 
 export interface ContactInfo {
@@ -132,7 +143,7 @@ export class Run {
   private readonly memory = new Map<string, { answer: Promise<Packet<unknown>>; bytes: number }>();
   private held = 0;
   /** Values over all frames, by field. */
-  private readonly ranges = new Map<string, [number, number] | null>();
+  private readonly ranges = new Map<string, Range>();
 
   constructor(
     readonly source: Source,
@@ -205,22 +216,23 @@ export class Run {
     }
   }
 
-  /** Smallest and largest value of a field over the whole run. */
-  async range(name: string): Promise<[number, number] | null> {
+  hasField(name: string): boolean {
+    const stem = name.replace(/\.(x|y|z|magnitude)$/, "");
+    return (this.summary.fields ?? []).some((f) => f.name === stem);
+  }
+
+  /** Range of a field over the whole run. */
+  async range(name: string): Promise<Range> {
     const known = this.ranges.get(name);
     if (known !== undefined) return known;
-    if (this.summary.held) {
-      const { range } = await this.source.json<{ range: [number, number] | null }>(`range?name=${name}`);
-      this.ranges.set(name, range);
-      return range;
-    }
-    let all: [number, number] | null = null;
+    const all: Range = { range: null, most: null };
     const at = 24;
-    for (let from = 0; from < this.frames; from += at) {
-      const { range } = await this.source.json<{ range: [number, number] | null }>(
-        `range?name=${encodeURIComponent(name)}&from=${from}&count=${at}`,
-      );
-      if (range) all = all ? [Math.min(all[0], range[0]), Math.max(all[1], range[1])] : range;
+    const held = this.summary.held !== undefined;
+    for (let from = 0; from < (held ? 1 : this.frames); from += at) {
+      const part = held ? "" : `&from=${from}&count=${at}`;
+      const found = await this.source.json<Range>(`range?name=${held ? name : encodeURIComponent(name)}${part}`);
+      all.range = wider(all.range, found.range);
+      all.most = wider(all.most, found.most ?? found.range);
     }
     this.ranges.set(name, all);
     return all;
@@ -304,6 +316,11 @@ export class Run {
     );
     return answer;
   }
+}
+
+/** The range over two ranges. */
+export function wider(a: [number, number] | null, b: [number, number] | null): [number, number] | null {
+  return a && b ? [Math.min(a[0], b[0]), Math.max(a[1], b[1])] : (a ?? b);
 }
 
 /** What to tell about an error. */

@@ -213,15 +213,15 @@ function inside(p: THREE.Vector2, outline: THREE.Vector2[]): boolean {
 /** The caps on the stage. */
 export class Section {
   readonly object = new THREE.Group();
-  private readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshLambertMaterial>;
+  private readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>;
   private readonly lines: THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
   private owners: number[] = [];
   private withEdges = false;
 
   constructor(texture: THREE.Texture) {
-    // Lit as the blocks: where the cut goes along their faces, faces and caps stand side by side.
-    const fill = { map: texture, side: THREE.DoubleSide, flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshLambertMaterial(fill));
+    // Unlit: the colours of a cut are read off, and must be those of the legend.
+    const fill = { map: texture, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(fill));
     this.lines = new THREE.LineSegments(
       new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.55 }),

@@ -4,12 +4,15 @@ export interface Settings {
   /** Field with its part (`velocity.x`); empty: one colour. */
   field: string;
   map: string;
-  rangeMode: "frame" | "run" | "fixed";
+  /** `most` leaves out the hundredth of the blocks at either end: one loose block must not colour a whole model. */
+  rangeMode: "most" | "frame" | "run" | "fixed";
   low: number;
   high: number;
   log: boolean;
   exaggeration: number;
   edges: boolean;
+  /** Outlines of the blocks that supports hold. */
+  supports: boolean;
   /** Normal of the cut: an axis, or free. */
   clipAxis: "" | "x" | "y" | "z" | "free";
   /** Share of the model. */
@@ -34,12 +37,13 @@ export interface Settings {
 export const DEFAULTS: Settings = {
   field: "displacement",
   map: "light",
-  rangeMode: "run",
+  rangeMode: "most",
   low: 0,
   high: 1,
   log: false,
   exaggeration: 1,
   edges: true,
+  supports: false,
   clipAxis: "",
   clipAt: 0.5,
   clipFlip: false,

@@ -28,6 +28,8 @@ export class Stage {
   onDraw: ((metresPerPixel: number) => void) | null = null;
   private readonly light = new THREE.DirectionalLight(0xffffff, 1.6);
   private due = false;
+  /** Which way is up in space. */
+  up: "y" | "z" = "z";
   private following = false;
   private readonly axes = new THREE.Group();
   private box = new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
@@ -65,9 +67,10 @@ export class Stage {
   }
 
   /** Between the plane and space. */
-  setDimension(dimension: 2 | 3): void {
-    if (dimension === this.dimension) return;
+  setDimension(dimension: 2 | 3, up: "y" | "z"): void {
+    if (dimension === this.dimension && up === this.up) return;
     this.dimension = dimension;
+    this.up = up;
     this.controls.dispose();
     this.camera = this.makeCamera();
     this.controls = this.makeControls();
@@ -77,7 +80,7 @@ export class Stage {
   private makeCamera(): Camera {
     if (this.dimension === 2) return new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
     const camera = new THREE.PerspectiveCamera(32, 1, 0.01, 1000);
-    camera.up.set(0, 0, 1);
+    camera.up.set(0, this.up === "y" ? 1 : 0, this.up === "y" ? 0 : 1);
     return camera;
   }
 
@@ -128,7 +131,9 @@ export class Stage {
       this.camera.position.set(centre.x, centre.y, centre.z + 100);
       this.frameOrthographic(size);
     } else {
-      const ways = { default: [-0.55, -1, 0.62], x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] } as const;
+      const standing = { default: [-0.55, 0.62, 1], x: [1, 0, 0], y: [0, 1, 0.001], z: [0, 0, 1] } as const;
+      const lying = { default: [-0.55, -1, 0.62], x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] } as const;
+      const ways = this.up === "y" ? standing : lying;
       const radius = Math.max(1e-9, 0.5 * size.length());
       const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
       const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
@@ -177,7 +182,7 @@ export class Stage {
   draw(): void {
     this.due = false;
     const away = this.camera.position.clone().sub(this.controls.target);
-    this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.3, 0.2, 0.8).multiplyScalar(away.length()));
+    this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.3, this.up === "y" ? 0.8 : 0.2, this.up === "y" ? 0.2 : 0.8).multiplyScalar(away.length()));
     this.light.target.position.copy(this.controls.target);
     this.onDraw?.(this.metresPerPixel());
     this.renderer.render(this.scene, this.camera);

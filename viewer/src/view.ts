@@ -5,7 +5,7 @@ import { Blocks, type Look } from "./blocks";
 import { KINDS, Scale } from "./colour";
 import { quantity } from "./format";
 import { Arrows, Contacts, Picked, contactPlaces } from "./marks";
-import { told, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
+import { told, wider, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
@@ -20,6 +20,7 @@ interface Fetched {
   vectors: Packet<{ unit: string; longest: number | null }> | null;
   contacts: Packet<ContactInfo> | null;
   cracks: Packet<unknown> | null;
+  supports: Packet<FieldInfo> | null;
 }
 
 export class View {
@@ -40,6 +41,9 @@ export class View {
   private readonly arrows: { plane: Arrows; space: Arrows };
   private readonly marks: { plane: Contacts; space: Contacts };
   private readonly pickedMark = new Picked();
+  private readonly supportMark = new Picked("#2f7bd9", 3);
+  /** Blocks that supports hold, where they are shown. */
+  supports: number | null = null;
   private readonly sources = new THREE.Group();
   private last: Fetched | null = null;
   private ticket = 0;
@@ -55,7 +59,7 @@ export class View {
     this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark]) {
       this.stage.scene.add(one.object);
     }
     this.stage.scene.add(this.sources);
@@ -102,37 +106,33 @@ export class View {
     return this.fetch(k, settings).catch(() => undefined);
   }
 
-  private hasField(name: string): boolean {
-    const stem = name.replace(/\.(x|y|z|magnitude)$/, "");
-    return this.run.summary.fields.some((f) => f.name === stem);
-  }
-
   private async fetch(k: number, settings: Settings): Promise<Fetched> {
-    const { field, vectors } = settings;
+    const { field, vectors, rangeMode } = settings;
     const { held } = this.run.summary;
     const needContacts = (settings.contacts || settings.cracks || vectors === "contact force") && (!held || held.contacts);
-    const needVectors = vectors !== "" && vectors !== "contact force" && this.hasField(vectors) && (!held || held.vectors.includes(vectors));
+    const needVectors = vectors !== "" && vectors !== "contact force" && this.run.hasField(vectors) && (!held || held.vectors.includes(vectors));
     const none = Promise.resolve(null);
-    const withField = field !== "" && this.hasField(field);
+    const withField = field !== "" && this.run.hasField(field);
     const needCracks = settings.cracks && this.run.summary.cracks;
-    const [motion, values, range, arrows, contacts, cracks] = await Promise.all([
+    const needSupports = settings.supports && this.run.hasField("held");
+    const [motion, values, range, arrows, contacts, cracks, supports] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
-      withField && settings.rangeMode === "run" && !KINDS.has(field) ? this.sharedRange(field) : none,
+      withField && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
       needVectors ? this.run.vectors(k, vectors) : none,
       needContacts ? this.run.contacts(k) : none,
       // A frame whose cracks are missing shows the faces that its contacts tell of.
       needCracks ? this.run.cracks(k).catch(() => null) : none,
+      // A report may not hold them.
+      needSupports ? this.run.field(k, "held").catch(() => null) : none,
     ]);
-    return { k, motion, field: values, range, vectors: arrows, contacts, cracks };
+    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, supports };
   }
 
   /** Range of a field over all runs that are shown. */
-  private async sharedRange(field: string): Promise<[number, number] | null> {
+  private async sharedRange(field: string, mode: "run" | "most"): Promise<[number, number] | null> {
     const ranges = await Promise.all([this.run, ...this.others].map((run) => run.range(field)));
-    const known = ranges.filter((r) => r !== null);
-    if (known.length === 0) return null;
-    return [Math.min(...known.map((r) => r[0])), Math.max(...known.map((r) => r[1]))];
+    return ranges.map((r) => (mode === "most" ? r.most : r.range)).reduce(wider, null);
   }
 
   private build(blocks: Blocks): void {
@@ -144,7 +144,10 @@ export class View {
     }
     this.blocks = blocks;
     blocks.tint(this.ink);
-    this.stage.setDimension(blocks.dimension);
+    const pull = this.run.summary.manifest.gravity ?? [0, 0, 0];
+    // What gravity pulls along y stands along y.
+    const up = blocks.dimension === 3 && Math.abs(pull[1]) > Math.max(Math.abs(pull[0]), Math.abs(pull[2])) ? "y" : "z";
+    this.stage.setDimension(blocks.dimension, up);
     this.stage.scene.add(blocks.object);
     if (first) {
       this.markSources();
@@ -190,7 +193,25 @@ export class View {
     this.drawArrows(settings);
     this.drawContacts(settings);
     this.drawPicked();
+    this.drawSupports(settings);
     this.stage.redraw();
+  }
+
+  private drawSupports(settings: Settings): void {
+    const held = settings.supports ? this.last!.supports?.f32("values") : undefined;
+    this.supports = null;
+    if (!held) {
+      this.supportMark.draw(null);
+      return;
+    }
+    const lines: number[] = [];
+    this.supports = 0;
+    held.forEach((value, b) => {
+      if (!(value > 0)) return;
+      this.supports!++;
+      if (this.blocks!.isShown(b)) for (const x of this.blocks!.outline(b)) lines.push(x);
+    });
+    this.supportMark.draw(new Float32Array(lines));
   }
 
   private look(settings: Settings): Look {
@@ -216,7 +237,9 @@ export class View {
       reach[0] += Math.min(n * low[k]!, n * high[k]!);
       reach[1] += Math.max(n * low[k]!, n * high[k]!);
     });
-    const at = reach[0]! + clipAt * (reach[1]! - reach[0]!);
+    const wanted = reach[0]! + clipAt * (reach[1]! - reach[0]!);
+    // A flat cut along faces of blocks would show either side of them, or both at once.
+    const at = clipFlat ? this.blocks!.clearOf(normal, wanted) : wanted;
     // The camera begins in front, to the left and above: what is nearer to it goes first.
     const upper = clipAxis === "z" || clipAxis === "free";
     return { normal, at, keep: upper === clipFlip ? 1 : -1, flat: clipFlat };
@@ -245,7 +268,7 @@ export class View {
       scale.plain("#b9a88c");
       return;
     }
-    let [low, high] = (settings.rangeMode === "run" ? last?.range : last?.field?.info.range) ?? [0, 1];
+    let [low, high] = (settings.rangeMode === "frame" ? last?.field?.info.range : last?.range) ?? [0, 1];
     if (settings.rangeMode === "fixed") [low, high] = [settings.low, settings.high];
     else if (settings.map === "blue-red" && low < 0 && high > 0 && !settings.log) {
       // White means zero.

@@ -11,7 +11,7 @@
 //! | `cracks/K` | outlines of the broken parts of deformable blocks |
 //! | `block/K/ID` | JSON: all numbers of one block |
 //! | `history/ID?name=&from=&count=` | JSON: a field of one block over frames |
-//! | `range?name=&from=&count=` | JSON: smallest and largest value over frames |
+//! | `range?name=&from=&count=` | JSON: smallest and largest value over frames, and those of most blocks |
 //! | `table/histories`, `table/energy` | columns of the CSV files |
 //! | `events`, `checks` | JSON: lines of those files |
 //! | `file/NAME` | a file of the run folder as it is |
@@ -160,10 +160,26 @@ pub(crate) fn extremes(values: &[f64]) -> Option<[f64; 2]> {
     })
 }
 
+/// Share of the blocks at either end whose values the colours of most leave out.
+const STRAY: f64 = 0.01;
+
+/// The values between which all but the share [`STRAY`] at either end lie; those of few blocks are all of them.
+pub(crate) fn most(values: &[f64]) -> Option<[f64; 2]> {
+    let mut finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    finite.sort_by(f64::total_cmp);
+    let left_out = (STRAY * finite.len() as f64).floor() as usize;
+    Some([
+        *finite.get(left_out)?,
+        *finite.get(finite.len().checked_sub(1 + left_out)?)?,
+    ])
+}
+
 fn field(run: &Run, k: usize, name: &str) -> Result<Answer, Problem> {
     let numbers = run.field(k, name)?;
     let values: Vec<f32> = numbers.values.iter().map(|v| *v as f32).collect();
-    let info = json!({ "unit": numbers.unit, "range": extremes(&numbers.values) });
+    let info = json!({
+        "unit": numbers.unit, "range": extremes(&numbers.values), "most": most(&numbers.values),
+    });
     Ok(binary(Wire::default().f32("values", &values).finish(&info)))
 }
 
@@ -252,11 +268,16 @@ fn history(run: &Run, id: usize, query: &Query<'_>) -> Result<Answer, Problem> {
 fn range(run: &Run, query: &Query<'_>) -> Result<Answer, Problem> {
     let name = query.text("name")?;
     let (frames, _) = span(run, query)?;
-    let all: Vec<f64> = frames
-        .filter_map(|k| extremes(&run.field(k, &name).ok()?.values))
-        .flatten()
-        .collect();
-    Ok(json_answer(&json!({ "range": extremes(&all) })))
+    let (mut all, mut some) = (Vec::new(), Vec::new());
+    for k in frames {
+        if let Ok(numbers) = run.field(k, &name) {
+            all.extend(extremes(&numbers.values).into_iter().flatten());
+            some.extend(most(&numbers.values).into_iter().flatten());
+        }
+    }
+    Ok(json_answer(
+        &json!({ "range": extremes(&all), "most": extremes(&some) }),
+    ))
 }
 
 fn table(run: &Run, name: &str) -> Result<Answer, Problem> {

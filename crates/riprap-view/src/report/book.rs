@@ -209,7 +209,7 @@ impl Book {
         if !self.add(room, "field", Some(name)) {
             return Ok(false);
         }
-        let (mut range, mut from) = (Value::Null, 0);
+        let (mut range, mut most, mut from) = (Value::Null, Value::Null, 0);
         while from < room.run.frames()?.len() {
             let part = |key: &str| match key {
                 "name" => Some(name.to_owned()),
@@ -219,9 +219,10 @@ impl Book {
             let found = answer(room.run, "range", &Query(&part))?;
             let found: Value = serde_json::from_slice(&found.bytes).unwrap_or_default();
             range = wider(&range, &found["range"]);
+            most = wider(&most, &found["most"]);
             from += FRAMES_AT_ONCE;
         }
-        let range = json!({ "range": range }).to_string();
+        let range = json!({ "range": range, "most": most }).to_string();
         self.put(format!("range?name={name}"), range.as_bytes());
         Ok(true)
     }
