@@ -76,6 +76,8 @@ test("arrows, contacts, exaggeration and cutting in the plane", async ({ view })
 
 test("a deformable beam: cut blocks, cracks, names", async ({ view }) => {
   const page = await view("beam");
+  await page.keyboard.press("Home");
+  await expect.poll(() => frame(page)).toBe(0);
   const before = Number(await stage(page).getAttribute("data-blocks"));
   await page.keyboard.press("End");
   await expect.poll(() => frame(page)).toBeGreaterThan(2);

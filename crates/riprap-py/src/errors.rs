@@ -101,6 +101,7 @@ pub fn plot(py: Python<'_>, error: &PlotError) -> PyErr {
         PlotError::Field(_)
         | PlotError::NoFrames { .. }
         | PlotError::NoSuchFrame { .. }
+        | PlotError::OutsideTheRun { .. }
         | PlotError::NothingToDraw { .. }
         | PlotError::Unsuitable { .. }
         | PlotError::Fit { .. }
