@@ -8,7 +8,7 @@ use riprap::record::folder::Existing;
 use riprap::record::table::Table;
 use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{self, Outcome};
-use riprap::run::simulation::{PhaseEnd, Reason};
+use riprap::run::simulation::PhaseEnd;
 
 use crate::args::{How, Resume, Run};
 use crate::commands::{check_lines, default_folder, threads};
@@ -182,19 +182,13 @@ fn line_of(folder: &Path, formula: &str) -> Option<usize> {
 
 /// Why a static phase has ended.
 fn phase_end(end: &PhaseEnd) -> String {
-    let why = match end.reason {
-        Reason::Time => "its time has passed",
-        Reason::Steps => "its steps are used up",
-        Reason::Balanced => "the forces are balanced",
-        Reason::AtRest => "it is at rest",
-        Reason::Iterations => "its iterations are used up",
-    };
     let asked = end.wanted.map_or(String::new(), |wanted| {
         format!(", {} asked for", ratio(wanted))
     });
     format!(
-        "phase {:?} ended: {why} (unbalanced {}{asked})",
+        "phase {:?} ended: {} (unbalanced {}{asked})",
         end.phase,
+        end.words(),
         ratio(end.unbalanced)
     )
 }

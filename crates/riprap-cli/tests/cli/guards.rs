@@ -84,3 +84,85 @@ fn the_end_of_a_phase_says_why() {
     let events = bench.read("a.run/events.jsonl");
     assert!(events.contains("\"reason\":\"steps\""), "{events}");
 }
+
+#[test]
+fn the_step_is_blamed_only_where_half_of_it_was_tried() {
+    // A step far above the stable one: with half the stable one the stone lands.
+    let long = ("time_step = \"10 us\"", "time_step = \"20 ms\"");
+    let touching = ("\"0.2 m\"]", "\"0 m\"]");
+    let end = ("time = \"0.2 s\"", "time = \"2 s\"");
+    let said = run(&[long, touching, end]).1.expect(1);
+    said.warns(&["with half the stable step", "the step is to blame"]);
+    // A contact too soft for the stone: no step helps.
+    let soft = ("100 MPa/m", "1 MPa/m");
+    let fast = (
+        "velocity = [\"0 m/s\", \"0 m/s\"]",
+        "velocity = [\"0 m/s\", \"-30 m/s\"]",
+    );
+    let auto = ("time_step = \"10 us\"", "");
+    let said = run(&[soft, fast, auto, touching]).1.expect(1);
+    let said = said.warns(&["with half the step it is stopped as well", "not to blame"]);
+    assert!(!said.err.contains("step is to blame"), "{}", said.err);
+}
+
+#[test]
+fn no_block_passes_through_a_floor_in_silence() {
+    for stiffness in ["1 MPa/m", "10 MPa/m", "100 MPa/m", "1 GPa/m", "10 GPa/m"] {
+        for speed in [1.0, 3.0, 10.0, 30.0, 100.0, 300.0] {
+            let soft = ("100 MPa/m", stiffness);
+            let fast = format!("velocity = [\"0 m/s\", \"-{speed} m/s\"]");
+            let check = "at = \"0.1 s\"\nformula = \"-0.5*10*t^2\"\nrelative = 1e-6\n";
+            let above = "at = \"end\"\nbetween = [\"-0.5 m\", \"1000 m\"]\n";
+            let (_, said) = run(&[
+                soft,
+                ("velocity = [\"0 m/s\", \"0 m/s\"]", &fast),
+                ("time_step = \"10 us\"", ""),
+                ("\"0.2 m\"]", "\"0 m\"]"),
+                (check, above),
+            ]);
+            match said.code {
+                Some(0) => {}
+                Some(1) => assert!(said.err.contains("pass through"), "{said:?}"),
+                _ => panic!("{stiffness}, {speed} m/s: {said:?}"),
+            }
+        }
+    }
+}
+
+/// A heavy block at rest, a light one that nothing holds, and a phase that ends when forces are balanced.
+fn pile(gravity: &str, velocity: &str, until: &str) -> (Bench, Said) {
+    let heavy = "\n[materials.lead]\ndensity = \"2e7 kg/m3\"\n\n[[blocks]]\nname = \"pile\"\nmaterial = \"lead\"\n\
+        rectangle = { size = [\"1 m\", \"1 m\"], corner = [\"-1.9 m\", \"0 m\"] }\n\n[[supports]]";
+    run(&[
+        ("[[supports]]", heavy),
+        ("100 MPa/m", "1e13 Pa/m"),
+        ("gravity = [\"0 m/s2\", \"-10 m/s2\"]", gravity),
+        ("velocity = [\"0 m/s\", \"0 m/s\"]", velocity),
+        ("0.2 m\"]", "5 m\"]"),
+        ("name = \"fall\"", "name = \"fall\"\nkind = \"static\""),
+        ("until = { time = \"0.2 s\" }", until),
+        ("time_step = \"10 us\"", ""),
+    ])
+}
+
+#[test]
+fn a_falling_block_does_not_hide_behind_the_balance_of_others() {
+    let own = "gravity = [\"0 m/s2\", \"-10 m/s2\"]";
+    let until = "until = { unbalanced = 1e-2, time = \"0.2 s\" }";
+    let (bench, said) = pile(own, "velocity = [\"0 m/s\", \"0 m/s\"]", until);
+    let said = said.warns(&["not every block is", "`stone`", "falls or slides"]);
+    let events = bench.read("a.run/events.jsonl");
+    assert!(
+        events.contains("but not on every block"),
+        "{events} {said:?}"
+    );
+    assert!(
+        events.contains("\"least_balanced\":{\"block\":\"stone\""),
+        "{events}"
+    );
+    // Nothing pushes the stone, but it goes.
+    let none = "gravity = [\"0 m/s2\", \"0 m/s2\"]";
+    let until = "until = { time = \"0.1 s\" }";
+    let (_, said) = pile(none, "velocity = [\"0 m/s\", \"30 m/s\"]", until);
+    said.warns(&["used up its time", "`stone` moves", "times its own size"]);
+}

@@ -1,6 +1,7 @@
 //! Drives a simulation to its end: records, watches checks, reports progress, can be stopped.
 
 mod look;
+mod repeat;
 
 use std::time::{Duration, Instant};
 
@@ -128,6 +129,7 @@ pub struct Drive {
     saving: Duration,
     /// Set during a pause: the present state has been prepared, looked at and recorded.
     standing: bool,
+    keeper: repeat::Keeper,
 }
 
 impl Drive {
@@ -150,6 +152,7 @@ impl Drive {
             saved: Instant::now(),
             saving: Duration::ZERO,
             standing: false,
+            keeper: repeat::Keeper::default(),
         })
     }
 
@@ -214,10 +217,15 @@ impl Drive {
                 }
                 self.standing = false;
             } else {
+                self.keeper.keep(&self.simulation);
                 let stage = match self.simulation.prepare() {
                     Ok(stage) => stage,
-                    Err(error) => {
+                    Err(mut error) => {
                         self.checkpoint()?;
+                        let keeper = std::mem::take(&mut self.keeper);
+                        if let Some(found) = keeper.judge(&mut self.simulation, &error) {
+                            error.add(&found);
+                        }
                         return Ok(Some(Ending::Unstable(error)));
                     }
                 };

@@ -276,6 +276,16 @@ impl Engine {
         }
     }
 
+    /// What the fastest block has crossed of its neighbourhood's inscribed radius in the step of `dt` (s) that was just done; in space,
+    /// where the depth of contacts is known at every step, 0.
+    #[must_use]
+    pub fn crossed(&self, dt: f64) -> f64 {
+        match self {
+            Self::Planar(e) => dt / e.scratch.transit,
+            Self::Spatial(_) => 0.0,
+        }
+    }
+
     /// Longest step that contacts found in space allow, s; infinite where there are none.
     #[must_use]
     pub fn contact_step_limit(&self) -> f64 {

@@ -226,7 +226,13 @@ impl Recorder {
         });
         if let Some(end) = end {
             event["reason"] = json!(end.reason);
+            event["why"] = json!(end.words());
             event["unbalanced"] = json!(end.unbalanced);
+            for (key, block) in [("least_balanced", &end.worst), ("moving", &end.moving)] {
+                if let Some((name, value)) = block {
+                    event[key] = json!({ "block": name, "ratio": value });
+                }
+            }
             event["warning"] = json!(end.warning());
         }
         self.folder.event(&event)?;

@@ -250,6 +250,7 @@ impl Simulation {
             self.book_start();
         }
         self.engine.advance(self.dt);
+        self.cursor.crossed += self.engine.crossed(self.dt);
     }
 
     /// Books the start of a motion, after the half kick that begins it is known.
@@ -295,11 +296,15 @@ impl Simulation {
         let (name, kind, wanted) = (phase.name.clone(), phase.kind, phase.until.unbalanced);
         let quiet = kind == PhaseKind::Static;
         let view = self.view();
-        let worst = if quiet && !self.relaxes() {
-            view.least_balanced()
-        } else {
-            None
+        let judged = quiet && !self.relaxes();
+        let worst = judged.then(|| view.least_balanced()).flatten();
+        let ways = |elapsed: f64| {
+            let ways = view.movements().into_iter();
+            let ways = ways.map(|m| (m.block, m.speed * elapsed / m.size));
+            ways.max_by(|a, b| a.1.total_cmp(&b.1))
         };
+        let moving = judged.then(|| ways(self.elapsed())).flatten();
+        let moving = moving.map(|(block, way)| (view.name(block), way));
         let end = PhaseEnd {
             phase: name,
             quiet,
@@ -307,6 +312,7 @@ impl Simulation {
             unbalanced: view.unbalanced(),
             wanted,
             worst,
+            moving,
         };
         self.cursor.ends.push(end.clone());
         Some(end)

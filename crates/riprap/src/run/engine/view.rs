@@ -20,6 +20,8 @@ pub struct Movement {
     pub turn: [f64; 3],
     /// Edge of a square or cube of the same area or volume, m.
     pub size: f64,
+    /// Speed of the centroid, and what rotation adds to it at half the size, m/s.
+    pub speed: f64,
 }
 
 /// An engine with its forces evaluated, ready to be read.
@@ -198,22 +200,28 @@ impl<'a> View<'a> {
                 free.map(|b| {
                     let shift = v.displacement(b);
                     let area = v.scratch.shapes.mass[b] / v.world.setup.blocks[b].density;
+                    let size = area.sqrt();
                     Movement {
                         block: b as u32,
                         shift: [shift.x, shift.y, 0.0],
                         turn: [0.0, 0.0, v.rotation(b)],
-                        size: area.sqrt(),
+                        size,
+                        speed: v.velocity(b).length() + 0.5 * size * v.spin(b).abs(),
                     }
                 })
                 .collect()
             }
             Self::Spatial(v) => {
                 let free = v.living().filter(|b| v.world.motion[*b].is_none());
-                free.map(|b| Movement {
-                    block: b as u32,
-                    shift: v.displacement(b).to_array(),
-                    turn: v.rotation(b).to_array(),
-                    size: libm::cbrt(v.world.solid_of(b).volume),
+                free.map(|b| {
+                    let size = libm::cbrt(v.world.solid_of(b).volume);
+                    Movement {
+                        block: b as u32,
+                        shift: v.displacement(b).to_array(),
+                        turn: v.rotation(b).to_array(),
+                        size,
+                        speed: v.velocity(b).length() + 0.5 * size * v.spin(b).length(),
+                    }
                 })
                 .collect()
             }

@@ -153,7 +153,7 @@ fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], &'a TimeFunction)> {
     }
 }
 
-/// What the time step has to do with it: told by the stable one, not guessed.
+/// What is known of the time step before a shorter one has been tried: its share of the stable one.
 pub(super) fn of_step(simulation: &Simulation) -> String {
     if simulation.relaxes() {
         return "in a relaxing phase no time step is involved".to_owned();
@@ -161,20 +161,12 @@ pub(super) fn of_step(simulation: &Simulation) -> String {
     let dt = simulation.dt();
     let damping = simulation.phase().map_or(0.0, |p| p.damping.stiffness);
     let stable = simulation.engine().stable(damping).dt;
-    let rule = match simulation.phase().map(|p| p.time_step) {
-        Some(TimeStep::Given { .. }) => "`time_step`",
-        Some(TimeStep::Auto { .. }) | None => "`safety`",
-    };
     let share = dt / stable;
     if !stable.is_finite() {
         format!("nothing bounds the time step ({dt:.3e} s): no block holds another")
     } else if share > 1.0 {
-        format!(
-            "the time step, {dt:.3e} s, is {share:.2} times the stable one ({stable:.3e} s): make {rule} smaller"
-        )
+        format!("the time step, {dt:.3e} s, is {share:.2} times the stable one ({stable:.3e} s)")
     } else {
-        format!(
-            "the time step, {dt:.3e} s, is {share:.2} of the stable one, so it is not what to blame first"
-        )
+        format!("the time step, {dt:.3e} s, is {share:.2} of the stable one")
     }
 }

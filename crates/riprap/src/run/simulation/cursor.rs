@@ -30,6 +30,10 @@ pub struct Cursor {
     pub ends: Vec<PhaseEnd>,
     /// The deepest found contact so far, where it was worth a warning.
     pub deepest: Option<Deep>,
+    /// What the fastest block has crossed of its neighbourhood's inscribed radius since overlaps were last looked at.
+    pub crossed: f64,
+    /// The largest overlap over the smaller inscribed radius at the start of the run.
+    pub overlap_at_start: f64,
 }
 
 /// Two blocks that lay deep in each other.
@@ -117,12 +121,49 @@ pub struct PhaseEnd {
     pub wanted: Option<f64>,
     /// The block that is farthest from balance, with its own ratio of net force to forces.
     pub worst: Option<(String, f64)>,
+    /// The block that would go farthest in another such phase, with that way over its size.
+    pub moving: Option<(String, f64)>,
 }
 
-/// A block of a balanced model with a larger ratio of net force to forces than this is in motion of its own.
-const MOVES: f64 = 0.5;
+/// A block with a larger ratio of net force to the forces on it than this is not held: it falls or slides.
+const FALLS: f64 = 0.5;
+/// A block that would go this share of its own size in another phase as long as the last one is not at rest.
+const MOVES: f64 = 0.1;
 
 impl PhaseEnd {
+    /// What ended the phase, in words.
+    #[must_use]
+    pub fn words(&self) -> &'static str {
+        match self.reason {
+            Reason::Time => "its time has passed",
+            Reason::Steps => "its steps are used up",
+            Reason::Balanced if self.restless().is_some() => {
+                "the forces are balanced as a whole, but not on every block"
+            }
+            Reason::Balanced => "the forces are balanced",
+            Reason::AtRest if self.restless().is_some() => {
+                "the model is at rest as a whole, but not every block"
+            }
+            Reason::AtRest => "it is at rest",
+            Reason::Iterations => "its iterations are used up",
+        }
+    }
+
+    /// The block that is not at rest, in words.
+    #[must_use]
+    pub fn restless(&self) -> Option<String> {
+        if let Some((name, ratio)) = self.worst.as_ref().filter(|(_, ratio)| *ratio > FALLS) {
+            return Some(format!(
+                "the net force on block `{name}` is {:.0} % of the forces that act on it (it falls or slides)",
+                100.0 * ratio
+            ));
+        }
+        let (name, way) = self.moving.as_ref().filter(|(_, way)| *way > MOVES)?;
+        Some(format!(
+            "block `{name}` moves: in another phase as long it would go {way:.1e} times its own size"
+        ))
+    }
+
     /// What is wrong with the end of a static phase, if something is.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
@@ -130,34 +171,28 @@ impl PhaseEnd {
             return None;
         }
         let phase = &self.phase;
-        match (self.reason, self.wanted) {
-            (Reason::Steps | Reason::Time, Some(wanted)) if self.unbalanced > wanted => {
-                let what = if self.reason == Reason::Steps {
-                    "steps"
-                } else {
-                    "time"
-                };
-                return Some(format!(
-                    "phase `{phase}` used up its {what} without balance: the unbalanced forces are {:.1e} of all forces, {wanted:.1e} was asked for",
-                    self.unbalanced
-                ));
-            }
-            (
-                Reason::Steps
-                | Reason::Time
-                | Reason::Balanced
-                | Reason::AtRest
-                | Reason::Iterations,
-                _,
-            ) => {}
+        let restless = self.restless();
+        let unused = match self.reason {
+            Reason::Time => Some("time"),
+            Reason::Steps => Some("steps"),
+            Reason::Balanced | Reason::AtRest | Reason::Iterations => None,
+        };
+        if let (Some(what), Some(wanted)) = (unused, self.wanted)
+            && self.unbalanced > wanted
+        {
+            let also = restless.map_or(String::new(), |words| format!("; {words}"));
+            return Some(format!(
+                "phase `{phase}` used up its {what} without balance: the unbalanced forces are {:.1e} of all forces, {wanted:.1e} was asked for{also}",
+                self.unbalanced
+            ));
         }
-        let (name, ratio) = self.worst.as_ref()?;
-        (self.reason == Reason::Balanced && *ratio > MOVES).then(|| {
-            format!(
-                "phase `{phase}` ended in balance as a whole, but block `{name}` is not: the net force on it is {:.0} % of the forces that act \
-                 on it (it falls or slides)",
-                100.0 * ratio
-            )
+        restless.map(|words| match unused {
+            Some(what) => format!(
+                "phase `{phase}` used up its {what}, and not every block is at rest: {words}"
+            ),
+            None => format!(
+                "phase `{phase}` ended in balance as a whole, but not every block is: {words}"
+            ),
         })
     }
 }

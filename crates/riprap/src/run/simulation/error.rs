@@ -77,8 +77,8 @@ pub enum RunError {
     /// Two blocks have gone too far into each other.
     #[error(
         "blocks `{first}` and `{second}` overlap by {percent:.0} % of the smaller one's inscribed \
-         radius at step {step} (t = {time:.6e} s); use a stiffer contact, or larger smallest blocks \
-         (`smallest_edge` of the generator)"
+         radius at step {step} (t = {time:.6e} s): they would pass through each other. What can help: a larger `normal_stiffness`, or larger \
+         smallest blocks (`smallest_edge` of the generator); {ruled_out}"
     )]
     Overlap {
         /// One block.
@@ -87,6 +87,8 @@ pub enum RunError {
         second: String,
         /// Depth over inscribed radius, per cent.
         percent: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
         /// Step.
         step: u64,
         /// Model time, s.
@@ -95,8 +97,8 @@ pub enum RunError {
     /// Two blocks in space are about to come out on each other's far side.
     #[error(
         "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), as far as the largest ball \
-         in the thinner one reaches: they would pass through each other; use a larger `normal_stiffness` between their materials, or \
-         look why they meet so fast"
+         in the thinner one reaches: they would pass through each other. What can help: a larger `normal_stiffness` between their \
+         materials, or a look at why they meet so fast; {ruled_out}"
     )]
     PassesThrough {
         /// One block.
@@ -105,6 +107,8 @@ pub enum RunError {
         second: String,
         /// Depth, m.
         depth: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
         /// Step.
         step: u64,
         /// Model time, s.
@@ -142,6 +146,57 @@ pub enum RunError {
 }
 
 impl RunError {
+    /// Adds what was found out after the run had been stopped.
+    pub(in crate::run) fn add(&mut self, found: &str) {
+        match self {
+            Self::NonFinite { why: words, .. }
+            | Self::NoNumber {
+                ruled_out: words, ..
+            }
+            | Self::Residual {
+                ruled_out: words, ..
+            }
+            | Self::Overlap {
+                ruled_out: words, ..
+            }
+            | Self::PassesThrough {
+                ruled_out: words, ..
+            }
+            | Self::BlowUp {
+                ruled_out: words, ..
+            } => {
+                words.push_str("; ");
+                words.push_str(found);
+            }
+            Self::NoStep { .. } | Self::Edit { .. } => {}
+        }
+    }
+
+    /// What has happened, in a few words.
+    pub(in crate::run) fn kind(&self) -> &'static str {
+        match self {
+            Self::NonFinite { .. } | Self::NoNumber { .. } => "something is not finite",
+            Self::NoStep { .. } => "there is no time step",
+            Self::Residual { .. } => "the energy residual",
+            Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
+            Self::Edit { .. } => "a block cannot be split or cut",
+            Self::BlowUp { .. } => "energy from nowhere",
+        }
+    }
+
+    /// Whether a shorter step could have avoided it: nothing else has been found to blame, and there was a step.
+    pub(in crate::run) fn doubts_the_step(&self) -> bool {
+        match self {
+            Self::NonFinite { formula, .. } => formula.is_none(),
+            Self::NoNumber { .. }
+            | Self::Residual { .. }
+            | Self::Overlap { .. }
+            | Self::PassesThrough { .. }
+            | Self::BlowUp { .. } => true,
+            Self::NoStep { .. } | Self::Edit { .. } => false,
+        }
+    }
+
     /// Text of the formula that is to blame, where one is.
     #[must_use]
     pub fn formula(&self) -> Option<&str> {

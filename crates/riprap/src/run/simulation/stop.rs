@@ -10,6 +10,9 @@ use crate::spatial::found::limits::{self, Depth};
 
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
 const WORST_OVERLAP: f64 = 0.5;
+/// Share of its neighbourhood's inscribed radius that a block crosses at most between two looks at overlaps: a fast block would
+/// come out on the far side of another one between looks that only steps bring about.
+const CROSSED: f64 = 0.2;
 /// Steps between two looks at guards and at costly stop criteria.
 const LOOK: u64 = 50;
 /// Steps between two drawings of the ledger: one costs as much as some steps.
@@ -83,10 +86,15 @@ impl Simulation {
     pub(super) fn guard(&mut self, over: bool) -> Result<(), RunError> {
         let step = self.steps();
         self.look_at_depth()?;
-        if over || due(step, LOOK, 2) {
+        let due = over || due(step, LOOK, 2);
+        if due || self.cursor.crossed >= CROSSED {
+            self.cursor.crossed = 0.0;
+            self.look_at_overlap()?;
+        }
+        if due {
             self.look_at_motion()?;
         }
-        if over || due(step, LEDGER, 8) {
+        if over || self::due(step, LEDGER, 8) {
             self.look_at_ledger(over)?;
         }
         Ok(())
@@ -123,6 +131,7 @@ impl Simulation {
             first,
             second,
             depth: found.depth,
+            ruled_out: cause::of_step(self),
             step: self.steps(),
             time: self.time(),
         }
@@ -138,26 +147,39 @@ impl Simulation {
         }
     }
 
+    /// Stops a run in which two blocks lie too deep in each other. A model that is built so has its first steps to push them apart.
+    fn look_at_overlap(&mut self) -> Result<(), RunError> {
+        let (step, time) = (self.steps(), self.time());
+        let view = self.view();
+        let Some((ratio, i, j)) = view.worst_closing() else {
+            return Ok(());
+        };
+        if !ratio.is_finite() {
+            return Err(self.not_finite(i, "its overlap with a neighbour"));
+        }
+        let given = step < LOOK && self.cursor.overlap_at_start > WORST_OVERLAP;
+        if step > 0 && ratio > WORST_OVERLAP && !given {
+            return Err(RunError::Overlap {
+                first: view.name(i),
+                second: view.name(j),
+                percent: 100.0 * ratio,
+                ruled_out: cause::of_step(self),
+                step,
+                time,
+            });
+        }
+        if step == 0 {
+            self.cursor.overlap_at_start = ratio;
+        }
+        Ok(())
+    }
+
     /// That all numbers are numbers is looked at from the first state on; how large they are only when the model had some
-    /// steps to come to itself: blocks that overlap at the start may push each other apart.
+    /// steps to come to itself.
     fn look_at_motion(&self) -> Result<(), RunError> {
         let (step, time) = (self.steps(), self.time());
         let judged = step >= LOOK;
         let view = self.view();
-        if let Some((ratio, i, j)) = view.worst_closing() {
-            if !ratio.is_finite() {
-                return Err(self.not_finite(i, "its overlap with a neighbour"));
-            }
-            if judged && ratio > WORST_OVERLAP {
-                return Err(RunError::Overlap {
-                    first: view.name(i),
-                    second: view.name(j),
-                    percent: 100.0 * ratio,
-                    step,
-                    time,
-                });
-            }
-        }
         let kinetic = view.kinetic();
         if !kinetic.is_finite() {
             return Err(self.no_number("the kinetic energy"));

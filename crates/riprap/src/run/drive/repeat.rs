@@ -1,0 +1,178 @@
+//! Whether the time step is to blame for a stop: the last stretch is done over with half the step.
+//!
+//! A copy of the state is kept every [`EVERY`] steps and at the start of each phase, two of them, so that the older lies well
+//! before whatever went wrong. When the physics stops the run, the stretch from there is repeated with half the step (half the stable
+//! one where the step was above it), and only what comes of that may be said of the step.
+
+use std::time::{Duration, Instant};
+
+use crate::exec::Exec;
+use crate::run::plan::TimeStep;
+use crate::run::simulation::{RunError, Simulation, Snapshot, Stage};
+
+/// Steps between two copies of the state.
+const EVERY: u64 = 500;
+/// Blocks of a model above which no copies are kept: they would take memory and time that a large run needs itself.
+const BLOCKS: usize = 20_000;
+/// Steps that a repetition may take, and seconds.
+const STEPS: u64 = 20 * EVERY;
+const PATIENCE: Duration = Duration::from_secs(20);
+/// A residual that half the step changes by less than this share of itself does not hang on the step.
+const SAME: f64 = 0.25;
+
+/// A state from which a stretch can be repeated.
+#[derive(Debug)]
+struct Kept {
+    snapshot: Snapshot,
+    step: u64,
+    phase: usize,
+}
+
+/// The last states of a run.
+#[derive(Debug, Default)]
+pub(super) struct Keeper {
+    /// The older one first.
+    kept: Vec<Kept>,
+}
+
+impl Keeper {
+    /// Keeps the present state where one is due; to be called before the forces at it are found.
+    pub(super) fn keep(&mut self, simulation: &Simulation) {
+        let (step, phase) = (simulation.steps(), simulation.cursor().phase);
+        let due = match self.kept.last() {
+            None => true,
+            Some(last) => last.phase != phase || step >= last.step + EVERY,
+        };
+        if !due {
+            return;
+        }
+        if self.kept.last().is_some_and(|last| last.phase != phase) {
+            self.kept.clear();
+        }
+        if simulation.view().all_blocks() > BLOCKS || simulation.relaxes() {
+            return;
+        }
+        if self.kept.len() > 1 {
+            self.kept.remove(0);
+        }
+        self.kept.push(Kept {
+            snapshot: simulation.snapshot(),
+            step,
+            phase,
+        });
+    }
+
+    /// What half the step says of the error that stops the run; nothing where the step cannot be what is wrong.
+    pub(super) fn judge(self, stopped: &mut Simulation, error: &RunError) -> Option<String> {
+        if !error.doubts_the_step() || stopped.relaxes() {
+            return None;
+        }
+        let Some(kept) = self.kept.into_iter().next() else {
+            return Some(format!(
+                "whether a shorter step avoids it was not tried, the model is large (over {BLOCKS} blocks); run it with half the step to know"
+            ));
+        };
+        let residual = stopped.balance().residual();
+        Some(repeat(kept, stopped, error, residual))
+    }
+}
+
+/// Goes from a kept state to the instant of the stop with half the step, and says what came of it.
+fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, residual: f64) -> String {
+    let from = kept.step;
+    let stable = stopped
+        .engine()
+        .stable(stopped.phase().map_or(0.0, |phase| phase.damping.stiffness));
+    let dt = 0.5 * stopped.dt().min(stable.dt);
+    let what = if stopped.dt() > stable.dt {
+        "half the stable step"
+    } else {
+        "half the step"
+    };
+    if !(dt > 0.0 && dt.is_finite()) {
+        return "a shorter step was not tried, half of it is no number".to_owned();
+    }
+    let mut snapshot = kept.snapshot;
+    let Some(phase) = snapshot.plan.phases.get_mut(kept.phase) else {
+        return "a shorter step was not tried, the phase is over".to_owned();
+    };
+    phase.time_step = match phase.time_step {
+        TimeStep::Auto { safety } if stopped.dt() <= stable.dt => TimeStep::Auto {
+            safety: 0.5 * safety,
+        },
+        TimeStep::Auto { .. } | TimeStep::Given { .. } => TimeStep::Given { dt },
+    };
+    phase.max_residual = f64::INFINITY;
+    phase.until.steps = None;
+    let mut trial = Simulation::resume(snapshot, Exec::serial());
+    let mut before = None;
+    match to(stopped.time(), &mut trial, &mut before) {
+        Reached::Instant => {
+            let before = before.unwrap_or_default();
+            of_residual(
+                error,
+                what,
+                from,
+                [before, residual, trial.balance().residual()],
+            )
+        }
+        Reached::Error(again) => format!(
+            "repeated from step {from} with {what} it is stopped as well (t = {:.4e} s: {}), so the step alone is not to blame",
+            trial.time(),
+            again.kind()
+        ),
+        Reached::TooFar => format!(
+            "whether a shorter step avoids it is not known: the repetition from step {from} with {what} took too long"
+        ),
+    }
+}
+
+/// The verdict where the instant was reached: for a residual by how it has grown, `[at the kept state, when stopped, repeated]`.
+fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> String {
+    let RunError::Residual { unit, .. } = error else {
+        return format!(
+            "repeated from step {from} with {what} it does not happen, so the step is to blame: make it shorter (`safety`, `time_step`)"
+        );
+    };
+    let [before, full, half] = values;
+    let (full, half) = (full - before, half - before);
+    let verdict = if (half - full).abs() < SAME * full.abs() {
+        "so the step is not to blame"
+    } else if half.abs() < full.abs() {
+        "so the step is to blame: make it shorter (`safety`, `time_step`)"
+    } else {
+        "so a shorter step alone does not cure it"
+    };
+    format!(
+        "from step {from} on the residual grew by {full:.3e} {unit}, and by {half:.3e} {unit} when that was repeated with {what}, {verdict}"
+    )
+}
+
+/// How a repetition ended.
+enum Reached {
+    Instant,
+    Error(RunError),
+    TooFar,
+}
+
+/// Advances within the phase to a model time; `before`: the residual at the beginning.
+fn to(time: f64, trial: &mut Simulation, before: &mut Option<f64>) -> Reached {
+    let begun = Instant::now();
+    let first = trial.steps();
+    loop {
+        match trial.prepare() {
+            Err(error) => return Reached::Error(error),
+            Ok(Stage::PhaseEnd | Stage::Done) => return Reached::Instant,
+            Ok(Stage::Within) if trial.time() >= time => return Reached::Instant,
+            Ok(Stage::Within) => {
+                if before.is_none() {
+                    *before = Some(trial.balance().residual());
+                }
+                trial.step();
+            }
+        }
+        if trial.steps() - first > STEPS || begun.elapsed() > PATIENCE {
+            return Reached::TooFar;
+        }
+    }
+}
