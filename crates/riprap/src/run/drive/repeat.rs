@@ -7,7 +7,7 @@
 use std::time::{Duration, Instant};
 
 use crate::exec::Exec;
-use crate::run::plan::TimeStep;
+use crate::plan::TimeStep;
 use crate::run::simulation::{RunError, Simulation, Snapshot, Stage};
 
 /// Steps between two copies of the state.

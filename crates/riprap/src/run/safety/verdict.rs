@@ -205,6 +205,7 @@ mod tests {
             shift: [shift, 0.0, 0.0],
             turn: [0.0, 0.0, turn],
             size: 2.0,
+            speed: 0.0,
         }
     }
 

@@ -2,7 +2,6 @@
 
 use super::Simulation;
 use crate::dynamics::TimeFunction;
-use crate::plan::TimeStep;
 use crate::run::engine::View;
 use crate::{planar, spatial};
 
