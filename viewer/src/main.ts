@@ -13,7 +13,7 @@ async function sources(): Promise<Source[]> {
   if (held?.textContent) {
     return [new Held(new Map(Object.entries(JSON.parse(held.textContent) as Record<string, string | { as: string }>)))];
   }
-  const response = await fetch("/api/runs");
+  const response = await fetch("api/runs");
   const { runs } = (await response.json()) as { runs: number };
   return Array.from({ length: runs }, (_, i) => new Served(i));
 }

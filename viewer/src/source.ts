@@ -32,13 +32,13 @@ export class Served implements Source {
   }
 
   file(name: string): string {
-    return `/api/${this.run}/file/${name}`;
+    return `api/${this.run}/file/${name}`;
   }
 
   private async ask(question: string): Promise<Response> {
     let response: Response;
     try {
-      response = await fetch(`/api/${this.run}/${question}`);
+      response = await fetch(`api/${this.run}/${question}`);
     } catch {
       throw new Problem("The viewer does not answer any more.", "Start it again: riprap view RUN");
     }

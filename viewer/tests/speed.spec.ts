@@ -8,7 +8,7 @@ test("a large run opens and plays", async ({ view, page }) => {
   test.skip(!large, "RIPRAP_LARGE names no run");
   const bytes = new Map<string, number>();
   page.on("response", async (response) => {
-    const question = new URL(response.url()).pathname.split("/")[3] ?? "page";
+    const question = new URL(response.url()).pathname.split("/")[4] ?? "page";
     const length = (await response.body().catch(() => Buffer.alloc(0))).length;
     bytes.set(question, Math.max(bytes.get(question) ?? 0, length));
   });

@@ -269,7 +269,7 @@ fn write_as<T: Serialize>(
 /// # Errors
 /// See [`CheckpointError`]; never panics, never allocates more than the file can unpack to.
 pub fn read<T: DeserializeOwned>(path: &Path, kind: &str) -> Result<T, CheckpointError> {
-    let bytes = fs::read(path).map_err(|source| CheckpointError::Read {
+    let bytes = crate::read_plain(path).map_err(|source| CheckpointError::Read {
         path: path.to_owned(),
         source,
     })?;

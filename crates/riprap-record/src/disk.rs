@@ -28,6 +28,41 @@ impl<T> AtPath<T> for io::Result<T> {
     }
 }
 
+/// Opens a plain file for reading. A pipe would keep the reader waiting for a writer, a device has no end.
+///
+/// # Errors
+/// What the system says; something that is no file.
+pub fn open_plain(path: &Path) -> io::Result<File> {
+    let plain = |found: &fs::Metadata| match found.is_file() {
+        true => Ok(()),
+        false => Err(io::Error::other("it is not a plain file")),
+    };
+    plain(&fs::metadata(path)?)?;
+    let file = File::open(path)?;
+    plain(&file.metadata()?)?;
+    Ok(file)
+}
+
+/// Bytes of a plain file.
+///
+/// # Errors
+/// As [`open_plain`].
+pub fn read_plain(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open_plain(path)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Text of a plain file.
+///
+/// # Errors
+/// As [`open_plain`]; what is no text.
+pub fn read_plain_text(path: &Path) -> io::Result<String> {
+    let mut text = String::new();
+    open_plain(path)?.read_to_string(&mut text)?;
+    Ok(text)
+}
+
 /// Makes a rename or removal in `folder` durable. Only Unix can sync a folder.
 fn sync_folder(folder: &Path) -> io::Result<()> {
     if cfg!(unix) {

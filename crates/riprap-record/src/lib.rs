@@ -29,7 +29,7 @@ mod disk;
 
 pub use riprap_core::{field, frame};
 
-pub use disk::{OutputError, write_whole};
+pub use disk::{OutputError, open_plain, read_plain, read_plain_text, write_whole};
 pub use field::{FieldError, FieldInfo, Part, Shape, Site};
 pub use folder::{Existing, FolderError, FrameEntry, Marks, RunFolder};
 pub use frame::{Column, Frame};

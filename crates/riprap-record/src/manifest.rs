@@ -295,7 +295,7 @@ impl Manifest {
     /// Missing, foreign or newer manifests.
     pub fn read(folder: &Path) -> Result<Self, ManifestError> {
         let path = folder.join("manifest.json");
-        let text = std::fs::read_to_string(&path).map_err(|source| ManifestError::Read {
+        let text = crate::read_plain_text(&path).map_err(|source| ManifestError::Read {
             path: path.clone(),
             source,
         })?;

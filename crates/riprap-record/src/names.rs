@@ -141,7 +141,7 @@ impl Names {
     /// A file that cannot be read or is damaged: its path and why.
     pub fn read(folder: &Path) -> Result<Self, NamesError> {
         let path = folder.join(FILE);
-        let text = match std::fs::read_to_string(&path) {
+        let text = match crate::read_plain_text(&path) {
             Ok(text) => text,
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Names::default()),
             Err(e) => {

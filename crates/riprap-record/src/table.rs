@@ -71,7 +71,7 @@ impl Table {
     /// # Errors
     /// Unreadable files and cells that are not numbers.
     pub fn read(path: &Path) -> Result<Self, TableError> {
-        let bytes = std::fs::read(path).map_err(|source| TableError::Read {
+        let bytes = crate::read_plain(path).map_err(|source| TableError::Read {
             path: path.to_owned(),
             source,
         })?;

@@ -12,6 +12,7 @@ use riprap_record::{Column, Ended, Frame, Manifest, Part};
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::SystemTime;
 
 pub use crate::problem::Problem;
 use crate::shape::{self, Shape};
@@ -34,6 +35,8 @@ struct Memory {
     origin: Option<Vec3>,
     /// Newest last.
     shapes: Vec<Arc<Shape>>,
+    /// The list of frames, with when it was written and its length.
+    list: Option<(SystemTime, u64, Arc<Vec<PvdEntry>>)>,
     /// When the frames are, by their files: asked for again and again while a run goes on.
     moments: BTreeMap<String, Moment>,
 }
@@ -102,17 +105,27 @@ impl Run {
     ///
     /// # Errors
     /// A list that is missing or damaged.
-    pub fn frames(&self) -> Result<Vec<PvdEntry>, Problem> {
+    pub fn frames(&self) -> Result<Arc<Vec<PvdEntry>>, Problem> {
         let path = self.path.join("run.pvd");
-        if !path.exists() {
-            return Ok(Vec::new());
+        let Ok(state) = path.metadata() else {
+            return Ok(Arc::default());
+        };
+        // Read once as long as it stays the same: every question about a frame looks into it.
+        let state = state.modified().ok().map(|at| (at, state.len()));
+        if let (Some((at, length, list)), Some(now)) = (&self.memory().list, state)
+            && (*at, *length) == now
+        {
+            return Ok(Arc::clone(list));
         }
-        vtu::read_pvd(&path).map_err(|error| {
+        let read = vtu::read_pvd(&path).map_err(|error| {
             Problem::broken(
                 error.to_string(),
                 "The list of frames is damaged. Copy the run folder again, or run the scene again.",
             )
-        })
+        })?;
+        let list = Arc::new(read);
+        self.memory().list = state.map(|(at, length)| (at, length, Arc::clone(&list)));
+        Ok(list)
     }
 
     /// When the frames are, as many as there are in [`Run::frames`]. One that cannot be read has the time of the list, step 0 and
@@ -123,7 +136,7 @@ impl Run {
     pub fn moments(&self) -> Result<Vec<Moment>, Problem> {
         let frames = self.frames()?;
         let mut memory = self.memory();
-        let all = frames.into_iter().map(|entry| {
+        let all = frames.iter().map(|entry| {
             if let Some(known) = memory.moments.get(&entry.file) {
                 // Another run may have taken the folder.
                 if known.time == entry.time {
@@ -138,7 +151,7 @@ impl Run {
                 time: entry.time,
                 ..read.unwrap_or_default()
             };
-            memory.moments.insert(entry.file, moment.clone());
+            memory.moments.insert(entry.file.clone(), moment.clone());
             moment
         });
         Ok(all.collect())
@@ -237,7 +250,7 @@ impl Run {
                 "Open it with another program.",
             ));
         }
-        std::fs::read(&path).map_err(unreadable)
+        riprap_record::read_plain(&path).map_err(unreadable)
     }
 
     /// Corners of frame `k` and the columns that tell its blocks apart, with the shape of its blocks.

@@ -1,7 +1,10 @@
 //! HTTP on the loopback address: the embedded page and the answers about the runs.
 //!
-//! Who may ask: this machine only. A page of another site that has its own name resolve to 127.0.0.1 (DNS rebinding) is
-//! refused by its `Host` header, and no answer may be read or framed by other sites. Nothing can be changed through it.
+//! Who may ask: this machine only, and of its users those who know the random part of the address, which is printed on the
+//! terminal. A browser is started with an address that works once, since the command lines of a machine can be read by all
+//! its users. A page of another site that has its own name resolve to 127.0.0.1 (DNS rebinding) is refused by its `Host` header,
+//! and no answer may be read or framed by other sites. Nothing can be changed through it. Whoever connects and says nothing is let go
+//! after [`PATIENCE`], and at most [`CONNECTIONS`] are answered at a time.
 
 use axum::Router;
 use axum::body::Body;
@@ -11,6 +14,12 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use tokio::sync::Semaphore;
 
 use crate::answer::{Answer, Query, answer};
 use crate::run::{Problem, Run};
@@ -19,6 +28,12 @@ use crate::run::{Problem, Run};
 pub const PORT: u16 = 8470;
 /// Ports tried after the first, before the system is asked for any free one.
 const NEXT_PORTS: u16 = 20;
+/// How long a connection may take to ask.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Connections at a time; further ones wait.
+const CONNECTIONS: usize = 64;
+/// Pause after the system refused a connection, for instance because too many files are open.
+const REFUSED: Duration = Duration::from_millis(50);
 
 const PAGE: &[u8] = include_bytes!("../assets/index.html");
 const SCRIPT: &[u8] = include_bytes!("../assets/app.js");
@@ -40,6 +55,9 @@ pub enum ServerError {
         /// What the system said.
         source: io::Error,
     },
+    /// No random numbers for the address.
+    #[error("the system has no random numbers for the address of the viewer: {0}")]
+    Random(getrandom::Error),
     /// It broke down.
     #[error("the viewer stopped: {0}")]
     Serve(#[from] io::Error),
@@ -51,13 +69,22 @@ pub struct Server {
     listener: TcpListener,
     address: SocketAddr,
     runs: Arc<Vec<Run>>,
+    secret: String,
+    once: String,
+}
+
+/// 128 random bits, as 32 digits.
+fn random() -> Result<String, ServerError> {
+    let mut bytes = [0u8; 16];
+    getrandom::fill(&mut bytes).map_err(ServerError::Random)?;
+    Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
 }
 
 impl Server {
     /// Takes the port, or one of the next if it is in use, or any free one.
     ///
     /// # Errors
-    /// No port can be had.
+    /// No port can be had, or no random numbers.
     pub fn bind(runs: &[PathBuf], port: Option<u16>) -> Result<Self, ServerError> {
         let first = port.unwrap_or(PORT);
         let tried = (0..=NEXT_PORTS).map(|k| first.saturating_add(k)).chain([0]);
@@ -69,6 +96,8 @@ impl Server {
                         address: listener.local_addr()?,
                         listener,
                         runs: Arc::new(runs.iter().map(|r| Run::new(r)).collect()),
+                        secret: random()?,
+                        once: random()?,
                     });
                 }
                 Err(error) => problem = problem.or(Some(error)),
@@ -80,9 +109,14 @@ impl Server {
         })
     }
 
-    /// Address of the page.
+    /// Address of the page; whoever knows it can read the runs.
     pub fn url(&self) -> String {
-        format!("http://{}/", self.address)
+        format!("http://{}/{}/", self.address, self.secret)
+    }
+
+    /// Address that leads to the page once: for the command line of a browser, which other users can see.
+    pub fn url_once(&self) -> String {
+        format!("http://{}/{}", self.address, self.once)
     }
 
     /// Answers until the process ends.
@@ -102,11 +136,38 @@ impl Server {
             let state = Context {
                 runs: self.runs,
                 port: self.address.port(),
+                secret: self.secret.into(),
+                once: self.once.into(),
+                used: Arc::new(AtomicBool::new(false)),
             };
             let app = Router::new().fallback(handle).with_state(state);
-            axum::serve(listener, app).await
+            accept(listener, app).await
         })?;
         Ok(())
+    }
+}
+
+/// Takes connections for ever.
+async fn accept(listener: tokio::net::TcpListener, app: Router) -> io::Result<()> {
+    let room = Arc::new(Semaphore::new(CONNECTIONS));
+    loop {
+        let Ok(place) = Arc::clone(&room).acquire_owned().await else {
+            return Err(io::Error::other("the count of connections was closed"));
+        };
+        let Ok((stream, _)) = listener.accept().await else {
+            tokio::time::sleep(REFUSED).await;
+            continue;
+        };
+        let service = TowerToHyperService::new(app.clone());
+        tokio::spawn(async move {
+            let serving = hyper::server::conn::http1::Builder::new()
+                .timer(TokioTimer::new())
+                .header_read_timeout(PATIENCE)
+                .serve_connection(TokioIo::new(stream), service);
+            // A browser that goes away in the middle is no news.
+            let _ = serving.await;
+            drop(place);
+        });
     }
 }
 
@@ -114,6 +175,43 @@ impl Server {
 struct Context {
     runs: Arc<Vec<Run>>,
     port: u16,
+    secret: Arc<str>,
+    once: Arc<str>,
+    /// Whether the address that works once has been used.
+    used: Arc<AtomicBool>,
+}
+
+impl Context {
+    /// The path behind the random part of the address; what to answer where it is not right.
+    fn path(&self, uri: &Uri) -> Result<String, Box<Response<Body>>> {
+        let path = uri.path().strip_prefix('/').unwrap_or_default();
+        let (key, rest) = match path.split_once('/') {
+            Some((key, rest)) => (key, Some(rest)),
+            None => (path, None),
+        };
+        if same(key, &self.secret)
+            && let Some(rest) = rest
+        {
+            return Ok(format!("/{rest}"));
+        }
+        if same(key, &self.once) && rest.is_none() && !self.used.swap(true, Ordering::SeqCst) {
+            let mut away = plain(StatusCode::SEE_OTHER, "");
+            if let Ok(place) = HeaderValue::try_from(format!("/{}/", self.secret)) {
+                away.headers_mut().insert(header::LOCATION, place);
+            }
+            return Err(Box::new(away));
+        }
+        Err(Box::new(plain(
+            StatusCode::FORBIDDEN,
+            "Open the viewer by the whole address that riprap printed.\n",
+        )))
+    }
+}
+
+/// Whether two texts are the same, found in a time that does not tell where they differ.
+fn same(a: &str, b: &str) -> bool {
+    let pairs = a.bytes().zip(b.bytes());
+    a.len() == b.len() && pairs.fold(0, |sum, (x, y)| sum | (x ^ y)) == 0
 }
 
 async fn handle(State(context): State<Context>, request: Request) -> Response<Body> {
@@ -127,13 +225,18 @@ async fn handle(State(context): State<Context>, request: Request) -> Response<Bo
         return plain(StatusCode::METHOD_NOT_ALLOWED, "Only GET.\n");
     }
     let uri = request.uri().clone();
+    let path = match context.path(&uri) {
+        Ok(path) => path,
+        Err(refused) => return *refused,
+    };
     let page = |kind, bytes: &'static [u8]| reply(StatusCode::OK, kind, Body::from(bytes));
-    match uri.path() {
+    match path.as_str() {
         "/" => page("text/html; charset=utf-8", PAGE),
         "/app.js" => page("text/javascript; charset=utf-8", SCRIPT),
         "/app.css" => page("text/css; charset=utf-8", STYLE),
         _ => {
-            let work = tokio::task::spawn_blocking(move || about_runs(&context.runs, &uri));
+            let work =
+                tokio::task::spawn_blocking(move || about_runs(&context.runs, &path, uri.query()));
             match work.await {
                 Ok(response) => response,
                 Err(_) => plain(
@@ -175,14 +278,14 @@ fn from_here(request: &Request, port: u16) -> bool {
 }
 
 /// `/api/runs` and `/api/NUMBER/QUESTION`.
-fn about_runs(runs: &[Run], uri: &Uri) -> Response<Body> {
+fn about_runs(runs: &[Run], path: &str, asked: Option<&str>) -> Response<Body> {
     let nothing = || {
         problem(&Problem::missing(
-            format!("there is nothing at {}", uri.path()),
+            format!("there is nothing at {path}"),
             "Reload the page.",
         ))
     };
-    let Some(rest) = uri.path().strip_prefix("/api/") else {
+    let Some(rest) = path.strip_prefix("/api/") else {
         return nothing();
     };
     if rest == "runs" {
@@ -203,7 +306,7 @@ fn about_runs(runs: &[Run], uri: &Uri) -> Response<Body> {
         return nothing();
     };
     let query = |key: &str| -> Option<String> {
-        let pairs = uri.query()?.split('&').filter_map(|p| p.split_once('='));
+        let pairs = asked?.split('&').filter_map(|p| p.split_once('='));
         pairs.filter(|p| p.0 == key).map(|p| p.1).find_map(decoded)
     };
     match answer(run, &question, &Query(&query)) {

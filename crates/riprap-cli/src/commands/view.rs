@@ -108,7 +108,7 @@ fn serve(runs: &[PathBuf], args: &View) -> Result<(), Failure> {
     let server = Server::bind(runs, args.port)?;
     let url = server.url();
     screen::line(&format!("{url}  (Ctrl-C ends it)"));
-    if !args.no_open && open::that_detached(&url).is_err() {
+    if !args.no_open && open::that_detached(server.url_once()).is_err() {
         diagnostics::print_line("note", "no browser was found; open the address by hand");
     }
     Ok(server.run()?)
@@ -134,7 +134,7 @@ impl From<ServerError> for Failure {
     fn from(error: ServerError) -> Self {
         match error {
             ServerError::Listen { .. } => Failure::Input(format!("{error} (--port)")),
-            ServerError::Serve(_) => Failure::Output(error.to_string()),
+            ServerError::Random(_) | ServerError::Serve(_) => Failure::Output(error.to_string()),
         }
     }
 }

@@ -1,6 +1,5 @@
 //! When a frame is, read from the first lines of its file.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -26,7 +25,7 @@ pub struct Moment {
 /// As [`super::read()`], as far as the first lines tell.
 pub fn read_moment(path: &Path) -> Result<Moment, ReadError> {
     let mut bytes = Vec::new();
-    File::open(path)
+    crate::open_plain(path)
         .and_then(|file| file.take(HEAD).read_to_end(&mut bytes))
         .map_err(|source| ReadError::Read {
             path: path.to_owned(),

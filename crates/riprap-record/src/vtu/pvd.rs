@@ -42,7 +42,7 @@ pub fn pvd_entry(entry: &PvdEntry) -> String {
 /// # Errors
 /// Missing, foreign or damaged files.
 pub fn read_pvd(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
-    let text = std::fs::read_to_string(path).map_err(|source| ReadError::Read {
+    let text = crate::read_plain_text(path).map_err(|source| ReadError::Read {
         path: path.to_owned(),
         source,
     })?;

@@ -7,6 +7,13 @@ use std::path::{Path, PathBuf};
 
 /// Deflate cannot expand more than 1032:1.
 const MAX_RATIO: u64 = 1100;
+/// Arrays that unpack to more than this many times the bytes of their file, and to more than [`SMALL`], are refused: frames of blocks at
+/// rest, whose numbers are all zero but for the points, stay below a third of it.
+const FILE_RATIO: u64 = 100;
+/// Arrays of a file that unpack to less than this are never refused, bytes.
+const SMALL: u64 = 64 << 20;
+/// Entries of the stream of faces per point and per cell at most: a polyhedron with V corners has at most 6 V corners of faces and 2 V faces.
+const FACES: u64 = 16;
 
 /// Why a VTK file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -92,7 +99,7 @@ pub fn read(path: &Path) -> Result<Vtu, ReadError> {
 /// # Errors
 /// As [`read`].
 pub fn read_some(path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
-    let bytes = std::fs::read(path).map_err(|source| ReadError::Read {
+    let bytes = crate::read_plain(path).map_err(|source| ReadError::Read {
         path: path.to_owned(),
         source,
     })?;
@@ -131,6 +138,7 @@ fn parse_some(bytes: &[u8], path: &Path, wanted: Wanted<'_>) -> Result<Vtu, Read
         .strip_suffix(end)
         .ok_or_else(|| damaged("it is cut off: its end is missing".to_owned()))?;
     let tags = tags(head).ok_or_else(|| damaged("its head is not well-formed XML".to_owned()))?;
+    fits(&tags, bytes.len() as u64, wanted).map_err(damaged)?;
     contents(&tags, data, wanted).map_err(damaged)
 }
 
@@ -197,6 +205,29 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
     Ok(out)
 }
 
+/// Refuses a file whose counts say that what is wanted of it unpacks to far more than it can hold, before anything is unpacked.
+fn fits(tags: &[Tag], length: u64, wanted: Wanted<'_>) -> Result<(), String> {
+    let (mut counts, mut section, mut total) = ((0, 0), "", 0u64);
+    for t in tags {
+        match t.name {
+            "Piece" => counts = (t.count("NumberOfPoints")?, t.count("NumberOfCells")?),
+            "FieldData" | "PointData" | "CellData" | "Points" | "Cells" => section = t.name,
+            "DataArray" | "Array" if t.wanted(section, wanted) => {
+                total = total.saturating_add(t.bytes(section, counts).unwrap_or(0));
+            }
+            _other => {}
+        }
+    }
+    if total > SMALL.max(FILE_RATIO.saturating_mul(length)) {
+        return Err(format!(
+            "its counts say {} MiB of numbers, which a file of {} KiB does not hold",
+            total >> 20,
+            length >> 10
+        ));
+    }
+    Ok(())
+}
+
 pub(super) fn array(
     out: &mut Vtu,
     t: &Tag,
@@ -207,7 +238,11 @@ pub(super) fn array(
 ) -> Result<(), String> {
     let name = t.attribute("Name").ok_or("an array has no name")?;
     let bad = || format!("field data `{name}` cannot be read");
-    let load = || unpack(data, t.count("offset")?).map_err(|e| format!("array `{name}`: {e}"));
+    let most = t.bytes(section, (points, cells));
+    let load = || {
+        let most = most.unwrap_or(u64::MAX);
+        unpack(data, t.count("offset")?, most).map_err(|e| format!("array `{name}`: {e}"))
+    };
     match (section, name.as_str()) {
         ("FieldData", "TimeValue") => out.time = t.text.trim().parse().map_err(|_| bad())?,
         ("FieldData", "step") => out.step = t.text.trim().parse().map_err(|_| bad())?,
@@ -298,8 +333,9 @@ fn triples(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 3]>, St
     Ok(triples.to_vec())
 }
 
-/// One array out of the appended data. Memory: never more than its compressed bytes times [`MAX_RATIO`].
-fn unpack(data: &[u8], offset: usize) -> Result<Vec<u8>, String> {
+/// One array out of the appended data, of at most `most` bytes. Memory: never more than that, nor than its compressed bytes times
+/// [`MAX_RATIO`].
+fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
     let cut = || "its data are cut off".to_owned();
     let mut rest = data.get(offset..).ok_or_else(cut)?;
     let mut word = || -> Result<u64, String> {
@@ -312,6 +348,14 @@ fn unpack(data: &[u8], offset: usize) -> Result<Vec<u8>, String> {
         return Err(cut());
     }
     let sizes: Vec<u64> = (0..blocks).map(|_| word()).collect::<Result<_, _>>()?;
+    let whole = if partial == 0 {
+        blocks
+    } else {
+        blocks.saturating_sub(1)
+    };
+    if whole.saturating_mul(size).saturating_add(partial) > most {
+        return Err("it unpacks to more than the counts of the file allow".to_owned());
+    }
     let mut out = Vec::new();
     for (i, packed) in sizes.iter().enumerate() {
         let last = i + 1 == sizes.len();
@@ -359,6 +403,26 @@ impl Tag<'_> {
             .iter()
             .find(|a| a.0 == key)
             .map(|a| unescape(a.1))
+    }
+
+    /// Bytes that an array unpacks to at most, by the counts of points and cells; `None` where they do not tell.
+    fn bytes(&self, section: &str, (points, cells): (usize, usize)) -> Option<u64> {
+        let (points, cells) = (points as u64, cells as u64);
+        let items = match (section, self.attribute("Name")?.as_str()) {
+            ("Points", _) => points.saturating_mul(3),
+            ("Cells", "types") => return Some(cells),
+            ("Cells", "offsets" | "faceoffsets") => cells,
+            ("Cells", "faces") => FACES.saturating_mul(points.saturating_add(cells)),
+            ("PointData", _) => points.saturating_mul(self.components()),
+            ("CellData", _) => cells.saturating_mul(self.components()),
+            (_, _) => return None,
+        };
+        Some(items.saturating_mul(8))
+    }
+
+    fn components(&self) -> u64 {
+        let said = self.attribute("NumberOfComponents");
+        said.and_then(|n| n.parse().ok()).unwrap_or(1)
     }
 
     fn count(&self, key: &str) -> Result<usize, String> {

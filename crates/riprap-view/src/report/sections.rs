@@ -133,7 +133,7 @@ pub(super) fn pictures(out: &mut String, plots: &[PathBuf]) {
             Some("png") => "image/png",
             Some(_) | None => continue,
         };
-        let Ok(bytes) = std::fs::read(path) else {
+        let Ok(bytes) = riprap_record::read_plain(path) else {
             continue;
         };
         if !headed {

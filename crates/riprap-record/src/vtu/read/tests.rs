@@ -162,3 +162,33 @@ fn only_what_is_wanted_is_unpacked() {
     assert!(frame.block_columns.is_empty());
     assert_eq!((frame.points, frame.solids), (whole.points, whole.solids));
 }
+
+/// The same file with another number of points or cells in its head.
+fn claiming(bytes: &[u8], key: &str, count: u64) -> Vec<u8> {
+    let at = bytes.windows(key.len()).position(|w| w == key.as_bytes());
+    let from = at.unwrap() + key.len() + 2;
+    let to = from + bytes[from..].iter().position(|b| *b == b'"').unwrap();
+    [&bytes[..from], count.to_string().as_bytes(), &bytes[to..]].concat()
+}
+
+#[test]
+fn counts_bound_what_is_unpacked() {
+    // 3 MB of zeros, packed: it unpacked to what it liked, whatever the counts said.
+    let n = 2000u32;
+    let frame = Frame {
+        offsets: (0..=n).map(|i| 3 * i).collect(),
+        points: vec![[0.0; 3]; 3 * n as usize],
+        ..Frame::default()
+    };
+    let bytes = blocks(&frame).unwrap();
+    let said = |bytes: &[u8]| parsed(bytes).unwrap_err().to_string();
+    let huge = said(&claiming(&bytes, "NumberOfPoints", 400_000_000));
+    assert!(huge.contains("which a file of"), "{huge}");
+    let many = said(&claiming(&bytes, "NumberOfCells", u64::MAX));
+    assert!(many.contains("which a file of"), "{many}");
+    let few = said(&claiming(&bytes, "NumberOfPoints", 5999));
+    assert!(
+        few.contains("more than the counts of the file allow"),
+        "{few}"
+    );
+}
