@@ -89,6 +89,16 @@ impl Scene {
         &self.0.parsed.source.text
     }
 
+    /// TOML text of the scene as it stands: without sweep, variants and the checks of these.
+    #[getter]
+    fn plain_text(&self, py: Python<'_>) -> PyResult<String> {
+        let source = &self.0.parsed.source;
+        let plain = self.0.plain().source(source, &[]);
+        plain
+            .map(|source| source.text)
+            .map_err(|wrong| errors::scenario(py, &wrong))
+    }
+
     /// `planar` or `spatial`.
     #[getter]
     fn space(&self) -> &'static str {

@@ -190,6 +190,21 @@ def test_a_sweep_gives_a_table(sliding_block, tmp_path, capsys):
         sweep["nonsense"]
 
 
+def test_a_sweep_runs_what_it_is_given(sliding_block, tmp_path):
+    """Variants of the scenario are not multiplied with the values, and numbers are had by the name of the case."""
+    key = "interfaces.default.friction_angle"
+    text = sliding_block(time="0.1 s").text + f'\n[variants.rough]\n"{key}" = "60 deg"\n'
+    block = riprap.Scenario.from_text(text)
+    assert len(block.cases) == 2 and block.alone().cases == ["default"]
+    sweep = riprap.sweep(block, tmp_path / "s", over={key: ["10 deg", "20 deg"]}, jobs=2)
+    slips = sweep.numbers("slip")
+    assert list(slips) == list(sweep) == ["friction_angle=10deg", "friction_angle=20deg"]
+    assert list(slips.values()) == [float(row["slip [m]"]) for row in sweep.rows]
+    assert slips == sweep.numbers("slip [m]")
+    with pytest.raises(KeyError, match="there is"):
+        sweep.numbers("nonsense")
+
+
 def test_a_sweep_with_a_wrong_case_runs_nothing(sliding_block, tmp_path):
     over = {"interfaces.default.friction_angle": ["10 deg", "1000 MPa"]}
     with pytest.raises(riprap.ScenarioError):

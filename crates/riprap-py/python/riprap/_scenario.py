@@ -146,6 +146,10 @@ class Scenario:
         text = _riprap.with_sweep(self.text, dict(over))
         return Scenario.from_text(text, folder=self._scene.folder, name=self._scene.name)
 
+    def alone(self) -> "Scenario":
+        """The scenario as it stands, without its sweep, its variants and their checks: one case."""
+        return Scenario.from_text(self._scene.plain_text, folder=self._scene.folder, name=self._scene.name)
+
     def save(self, path: str | PathLike[str]) -> Path:
         """Writes the TOML text; ``riprap run`` takes the file as it is."""
         path = Path(path)

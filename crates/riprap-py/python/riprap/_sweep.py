@@ -43,6 +43,14 @@ class Sweep(Mapping[str, RunFolder]):
         done = sum(row["ended"] == "finished" for row in self.rows)
         return f"Sweep({str(self.path)!r}, {done} of {len(self)} cases finished)"
 
+    def numbers(self, name: str) -> dict[str, float]:
+        """One number for each case that has it: the last value of a history, by its name."""
+        heads = list(self.rows[0]) if self.rows else []
+        column = next((head for head in heads if name in (head, head.rsplit(" [", 1)[0])), None)
+        if column is None:
+            raise KeyError(f"there is no column {name!r} (there is: {', '.join(heads)})")
+        return {row["case"]: float(row[column]) for row in self.rows if row[column]}
+
     def to_pandas(self) -> "pd.DataFrame":
         """The table in pandas."""
         import pandas as pd
@@ -71,8 +79,8 @@ def sweep(
     Args:
         source: a scenario, or what makes one.
         out: the folder; by default ``NAME.sweep`` in the working folder.
-        over: values to sweep, ``{"interfaces.default.friction_angle": ["10 deg", "20 deg"]}``; by default those of
-            the scenario.
+        over: values to sweep, ``{"interfaces.default.friction_angle": ["10 deg", "20 deg"]}``, of the scenario as it
+            stands; by default all cases of the scenario, its variants included.
         jobs: runs at a time; by default as many as there are processors.
         existing: what to do with case folders that are not empty: ``refuse``, ``replace`` or ``force``.
         progress: print a line after each case.
@@ -82,7 +90,7 @@ def sweep(
     """
     what = scenario(source)
     if over is not None:
-        what = what.with_sweep(over)
+        what = what.alone().with_sweep(over)
     folder = Path(out) if out is not None else default_folder(what, "sweep")
     total = len(what.cases)
     done = 0
