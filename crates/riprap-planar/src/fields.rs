@@ -98,6 +98,19 @@ fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
     v.living().filter(|&b| v.world.motion[b].is_none())
 }
 
+/// Blocks of a group that have not been removed.
+fn there<'a>(v: &'a View<'_>, of: &'a [u32]) -> impl Iterator<Item = usize> + 'a {
+    of.iter().map(|&b| b as usize).filter(|&b| v.world.alive[b])
+}
+
+fn area(v: &View<'_>, b: usize) -> f64 {
+    v.scratch.shapes.mass[b] / v.world.setup.blocks[b].density
+}
+
+fn momentum(v: &View<'_>, b: usize) -> Vec2 {
+    v.scratch.shapes.mass[b] * v.velocity(b)
+}
+
 fn blocks(v: &View<'_>, of: &[u32]) -> f64 {
     v.contacts()
         .filter(|(i, j, _)| of.contains(i) || of.contains(j))
@@ -116,6 +129,9 @@ fields! {
     "block.force" "N/m" Block Vector false "Sum of all forces on the block, weight included, supports and damping excluded." |v, of| v.scratch.net[first(of)].force.into();
     "block.moment" "N" Block Scalar false "Sum of all moments about the centroid (N m per m)." |v, of| one(v.scratch.net[first(of)].moment);
     "block.kinetic" "J/m" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
+    "block.area" "m2" Block Scalar false "Area: volume per metre of thickness." |v, of| one(area(v, first(of)));
+    "block.mass" "kg/m" Block Scalar false "Mass." |v, of| one(v.scratch.shapes.mass[first(of)]);
+    "block.momentum" "N s/m" Block Vector false "Momentum." |v, of| momentum(v, first(of)).into();
     "block.contacts" "-" Block Scalar true "Number of contacts the block takes part in." |v, of| one(blocks(v, &of[..of.len().min(1)]));
     "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };
@@ -134,6 +150,9 @@ fields! {
     "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
     "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
+    "group.area" "m2" Group Scalar false "Area of the group's blocks that are there: volume per metre of thickness." |v, of| one(there(v, of).map(|b| area(v, b)).sum());
+    "group.mass" "kg/m" Group Scalar false "Mass of the group's blocks that are there." |v, of| one(there(v, of).map(|b| v.scratch.shapes.mass[b]).sum());
+    "group.momentum" "N s/m" Group Vector false "Momentum of the group's blocks that are there." |v, of| there(v, of).map(|b| momentum(v, b)).sum::<Vec2>().into();
     "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; of heaps that stand apart the mean by mass." |v, of| one(heap::repose_angle(v, of));
     "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.displacement(b).length());

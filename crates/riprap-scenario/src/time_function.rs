@@ -16,7 +16,7 @@ pub enum TimeFunction<K: Kind> {
     Constant(Quantity<K>),
     /// `from` before `start`, `to` after `end`, a straight line between.
     Ramp(Ramp<K>),
-    /// A sine wave that starts at time 0.
+    /// A sine wave.
     Sine(Sine<K>),
     /// `value` between `start` and `end`, zero outside.
     Pulse(Pulse<K>),
@@ -46,7 +46,7 @@ pub struct Ramp<K: Kind> {
     pub end: Quantity<Time>,
 }
 
-/// Sine wave: offset + amplitude sin(2 pi frequency t + phase).
+/// Sine wave: offset + amplitude sin(2 pi frequency (t - start) + phase).
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, bound(deserialize = "K: Kind"))]
 pub struct Sine<K: Kind> {
@@ -54,8 +54,10 @@ pub struct Sine<K: Kind> {
     pub amplitude: Quantity<K>,
     /// Full waves per second, Hz.
     pub frequency: Quantity<Frequency>,
-    /// Angle of the wave at time 0. Default 0 deg.
+    /// Angle of the wave at `start`. Default 0 deg.
     pub phase: Option<Quantity<Angle>>,
+    /// Time at which it begins, s; `offset` before. Default 0 s.
+    pub start: Option<Quantity<NotNegativeTime>>,
     /// Value about which it swings. Default 0.
     pub offset: Option<Quantity<K>>,
     /// Number of full waves, then the value stays at `offset`. Default: never ends.

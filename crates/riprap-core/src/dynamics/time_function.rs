@@ -20,7 +20,7 @@ pub enum TimeFunction {
         /// End of the ramp, s.
         end: f64,
     },
-    /// `offset + amplitude sin(2 pi f t + phase)`; after `cycles` periods it is `offset`.
+    /// `offset + amplitude sin(2 pi f (t - start) + phase)`; before `start` and after `cycles` periods it is `offset`.
     Sine {
         /// Amplitude.
         amplitude: f64,
@@ -30,6 +30,8 @@ pub enum TimeFunction {
         phase: f64,
         /// Mean value.
         offset: f64,
+        /// Begin, s.
+        start: f64,
         /// Number of periods after which it stops; `None` goes on.
         cycles: Option<f64>,
     },
@@ -88,12 +90,14 @@ impl TimeFunction {
                 frequency,
                 phase,
                 offset,
+                start,
                 cycles,
             } => {
-                if cycles.is_some_and(|n| t * frequency >= n) {
+                let since = t - start;
+                if since < 0.0 || cycles.is_some_and(|n| since * frequency >= n) {
                     return *offset;
                 }
-                let angle = 2.0 * std::f64::consts::PI * frequency * t + phase;
+                let angle = 2.0 * std::f64::consts::PI * frequency * since + phase;
                 offset + amplitude * libm::sin(angle)
             }
             Self::Pulse { value, start, end } => {
@@ -202,9 +206,28 @@ mod tests {
             frequency: 2.0,
             phase: 0.0,
             offset: 0.5,
+            start: 0.0,
             cycles: Some(5.0),
         };
         assert!((f.at(0.125) - 3.5).abs() < 1e-12);
         assert_eq!(f.at(2.5), 0.5);
+    }
+
+    #[test]
+    fn a_sine_begins_at_its_start() {
+        let f = TimeFunction::Sine {
+            amplitude: 3.0,
+            frequency: 2.0,
+            phase: std::f64::consts::FRAC_PI_2,
+            offset: 0.5,
+            start: 1.0,
+            cycles: Some(5.0),
+        };
+        assert_eq!((f.at(0.0), f.at(0.999)), (0.5, 0.5));
+        assert!((f.at(1.0) - 3.5).abs() < 1e-12);
+        assert!((f.at(1.25) + 2.5).abs() < 1e-12);
+        // Waves are counted from the start.
+        assert!((f.at(3.4) - 0.5).abs() > 0.1);
+        assert_eq!(f.at(3.5), 0.5);
     }
 }

@@ -94,6 +94,10 @@ fn mean(v: &View<'_>, of: &[u32], get: impl Fn(usize) -> Vec3) -> Vec3 {
     sum / f64::max(count, 1.0)
 }
 
+fn momentum(v: &View<'_>, b: usize) -> Vec3 {
+    v.world.solid_of(b).mass * v.velocity(b)
+}
+
 /// Mean by volume over the living blocks of a group of components of their stress, Pa.
 fn mean_stress(v: &View<'_>, of: &[u32], get: impl Fn(&Mat3) -> Vec3) -> Vec3 {
     let (mut sum, mut volume) = (Vec3::ZERO, 0.0);
@@ -220,6 +224,9 @@ fields! {
     "block.force" "N" Block Vector3 false "Sum of all forces on the block, damping and supports excluded." |v, of| v.scratch.net.force(first(of));
     "block.moment" "N m" Block Vector3 false "Sum of all moments about the centroid." |v, of| v.scratch.net.moment(first(of));
     "block.kinetic" "J" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
+    "block.volume" "m3" Block Scalar false "Volume." |v, of| one(v.world.solid_of(first(of)).volume);
+    "block.mass" "kg" Block Scalar false "Mass." |v, of| one(v.world.solid_of(first(of)).mass);
+    "block.momentum" "N s" Block Vector3 false "Momentum." |v, of| momentum(v, first(of));
     "block.energy_head" "m" Block Scalar false "Height to which the energy of the block would lift its centroid: its height and its kinetic energy over its weight." |v, of| one(v.energy_head(first(of)));
     "block.terrain_force" "N" Block Vector3 false "Force of all terrain on the block." |v, of| v.on_terrain(first(of)).0;
     "block.terrain_depth" "m" Block Scalar false "How deep the block lies in terrain; 0 when apart." |v, of| one(v.on_terrain(first(of)).1);
@@ -246,6 +253,9 @@ fields! {
     "group.rotation" "rad" Group Vector3 false "Mean rotation vector of the group's blocks." |v, of| mean(v, of, |b| v.rotation(b));
     "group.velocity" "m/s" Group Vector3 false "Mean velocity of the group's blocks." |v, of| mean(v, of, |b| v.velocity(b));
     "group.kinetic" "J" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(members(v, of).map(|b| v.kinetic(b)).sum());
+    "group.volume" "m3" Group Scalar false "Volume of the group's blocks that are there." |v, of| one(members(v, of).map(|b| v.world.solid_of(b).volume).sum());
+    "group.mass" "kg" Group Scalar false "Mass of the group's blocks that are there." |v, of| one(members(v, of).map(|b| v.world.solid_of(b).mass).sum());
+    "group.momentum" "N s" Group Vector3 false "Momentum of the group's blocks that are there." |v, of| members(v, of).map(|b| momentum(v, b)).sum();
     "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.scratch.net.force(b)).sum();
     "group.stress_normal" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, normal components xx, yy, zz as x, y, z; tension positive." |v, of| mean_stress(v, of, |s| Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z));
     "group.stress_shear" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, shear components yz, zx, xy as x, y, z." |v, of| mean_stress(v, of, |s| Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x));

@@ -77,6 +77,7 @@ impl Builder<'_> {
                 frequency: sine.frequency.si(),
                 phase: sine.phase.si_or(0.0),
                 offset: sine.offset.si_or(0.0),
+                start: sine.start.si_or(0.0),
                 cycles: sine.cycles.as_ref().map(Quantity::si),
             },
             Said::Pulse(pulse) => TimeFunction::Pulse {
