@@ -29,6 +29,7 @@ Tasks:
   verify-all [SCENE]...
                    run every scene, the long ones too, and write docs/src/verification.md;
                    with names: run these and replace their rows
+                   --from FILE: take the lines that `riprap verify --json` printed; --table: run nothing, show what is stale
   arrows CRATE     print each module of a crate with the modules it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   wheel            build the Python package: a release wheel in target/wheels

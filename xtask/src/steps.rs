@@ -77,6 +77,11 @@ pub const STEPS: &[Step] = &[
         "file lengths, trailing blanks, paths outside",
         tidy_step,
     ),
+    step(
+        "table",
+        "the verification table shows which of its rows are stale",
+        verify::table_step,
+    ),
     step("fmt", "rustfmt --check", fmt_step),
     step("licences", "licences of all dependencies", licences_step),
     step(

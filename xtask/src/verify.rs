@@ -8,9 +8,11 @@ use std::process::{Command, ExitCode, Stdio};
 
 use serde_json::Value;
 
-use crate::shell::{self, cargo};
-use crate::source_tree::{files, shown};
+mod table;
+
+use crate::shell::{self, Counts, cargo};
 use crate::steps::Outcome;
+use table::Now;
 
 /// Builds the release binary; `Err` when it does not build.
 fn release_binary(root: &Path) -> Result<PathBuf, String> {
@@ -39,28 +41,9 @@ fn binary(root: &Path, build: &mut Command, profile: &str) -> Result<PathBuf, St
         .join(format!("riprap{}", std::env::consts::EXE_SUFFIX)))
 }
 
-/// Scenes with checks, relative to the root: the fast ones, then the long ones.
-fn scenes(root: &Path) -> (Vec<String>, Vec<String>) {
-    let all = files(&root.join("scenes"), &["toml"])
-        .into_iter()
-        .filter(|path| {
-            let text = std::fs::read_to_string(path).unwrap_or_default();
-            let mut keys = text
-                .lines()
-                .map(str::trim)
-                .filter(|l| !l.is_empty() && !l.starts_with('#'));
-            keys.next().is_some_and(|l| l.starts_with("riprap"))
-                && text.lines().any(|l| l.trim() == "[[checks]]")
-        });
-    let is_long = |p: &PathBuf| p.iter().any(|part| part == "long");
-    let (long, fast): (Vec<PathBuf>, Vec<PathBuf>) = all.partition(is_long);
-    let names = |paths: Vec<PathBuf>| paths.iter().map(|p| shown(root, p)).collect();
-    (names(fast), names(long))
-}
-
 /// The `scenes` step of `cargo xtask test`.
 pub fn fast(root: &Path) -> Result<Outcome, String> {
-    let (fast, long) = scenes(root);
+    let (fast, long) = table::scenes(root);
     if fast.is_empty() {
         return Ok(Outcome::Skipped(
             "there are no scenes with checks yet".to_owned(),
@@ -71,19 +54,98 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
         fast.len(),
         long.len()
     );
-    let mut command = Command::new(ci_binary(root)?);
-    command.arg("verify").args(&fast);
-    let done = shell::run(root, &mut command)?;
-    let mut counts = done.counts;
-    if !done.success && counts.failed == 0 {
+    let fast: Vec<&str> = fast.iter().map(String::as_str).collect();
+    let (checks, success) = run(root, &ci_binary(root)?, &fast)?;
+    write(&root.join(LAST), &lines(&checks))?;
+    let count = |what: &str| checks.iter().filter(|c| c["status"] == what).count() as u64;
+    let mut counts = Counts {
+        passed: count("passed"),
+        failed: count("failed"),
+        skipped: count("skipped"),
+    };
+    if !success && counts.failed == 0 {
         counts.failed = 1;
     }
+    let rows = table::read(root);
+    let now = Now::of(root);
+    for difference in table::differences(&rows, &checks, &now) {
+        println!("{}: {difference}", table::PAGE);
+        counts.failed += 1;
+    }
+    if counts.failed > count("failed") {
+        println!(
+            "{} is older than the program. Where the change is meant: an entry under *Numerics* in CHANGELOG.md if results moved, and \
+             `cargo xtask verify-all --from {LAST}`",
+            table::PAGE
+        );
+    }
+    println!(
+        "{}: {}; stale rows of fast scenes are made fresh by `cargo xtask verify-all --from {LAST}`",
+        table::PAGE,
+        table::totals(&rows, &now)
+    );
     Ok(Outcome::Counted(counts))
 }
 
-/// `cargo xtask verify-all [SCENE]...`: runs every scene, or those named, and writes the table.
-pub fn all(root: &Path, chosen: &[&str]) -> ExitCode {
-    match run_all(root, chosen) {
+/// What the step `scenes` found last, one check a line, as `riprap verify --json` prints it.
+const LAST: &str = "target/scenes.jsonl";
+
+/// Runs scenes; prints what did not pass, a line a scene, and returns all checks, and whether the command thinks that all is well.
+fn run(root: &Path, binary: &Path, scenes: &[&str]) -> Result<(Vec<Value>, bool), String> {
+    let output = Command::new(binary)
+        .args(["verify", "--json"])
+        .args(scenes)
+        .current_dir(root)
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| format!("riprap verify: {e}"))?;
+    let checks = parse(&String::from_utf8_lossy(&output.stdout))?;
+    if checks.is_empty() {
+        return Err("riprap verify --json printed no checks".to_owned());
+    }
+    for check in checks.iter().filter(|c| c["status"] == "failed") {
+        println!("FAILED  {check}");
+    }
+    Ok((checks, output.status.success()))
+}
+
+fn parse(text: &str) -> Result<Vec<Value>, String> {
+    let checks = text.lines().filter(|l| !l.trim().is_empty());
+    checks
+        .map(|line| serde_json::from_str(line).map_err(|e| format!("{line}: {e}")))
+        .collect()
+}
+
+fn lines(checks: &[Value]) -> String {
+    checks.iter().map(|c| format!("{c}\n")).collect()
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    }
+    std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+/// The step `table`: the page shows which of its rows are stale.
+pub fn table_step(root: &Path) -> Result<Outcome, String> {
+    println!("{}", table::judge(root)?);
+    Ok(Outcome::Counted(Counts {
+        passed: 1,
+        ..Counts::default()
+    }))
+}
+
+/// `cargo xtask verify-all [SCENE]...`: runs every scene, or those named, and writes the table; `--from FILE`: takes what has been
+/// run already; `--table`: runs nothing, and shows what is stale.
+pub fn all(root: &Path, words: &[&str]) -> ExitCode {
+    let done = match words {
+        ["--table"] => rewrite(root, &[]).map(|()| 0),
+        ["--from", file] => taken(root, file),
+        chosen => run_all(root, chosen),
+    };
+    match done {
         Ok(0) => ExitCode::SUCCESS,
         Ok(_) => ExitCode::FAILURE,
         Err(why) => {
@@ -93,8 +155,34 @@ pub fn all(root: &Path, chosen: &[&str]) -> ExitCode {
     }
 }
 
+/// Writes the page with the checks that were run in place of the rows of their scenes.
+fn rewrite(root: &Path, checks: &[Value]) -> Result<(), String> {
+    let now = Now::of(root);
+    let stranger = checks
+        .iter()
+        .filter_map(|c| c["scene"].as_str())
+        .find(|scene| !now.known(scene));
+    if let Some(scene) = stranger {
+        return Err(format!(
+            "`{scene}` is no scene with checks of this repository"
+        ));
+    }
+    let rows = table::merge(&table::read(root), checks, &now, &table::this_run(root));
+    write(&root.join(table::PAGE), &table::page(&rows, &now))?;
+    println!("wrote {}", table::PAGE);
+    println!("{}", table::totals(&rows, &now));
+    Ok(())
+}
+
+fn taken(root: &Path, file: &str) -> Result<u64, String> {
+    let text = std::fs::read_to_string(root.join(file)).map_err(|e| format!("{file}: {e}"))?;
+    let checks = parse(&text)?;
+    rewrite(root, &checks)?;
+    Ok(checks.iter().filter(|c| c["status"] == "failed").count() as u64)
+}
+
 fn run_all(root: &Path, chosen: &[&str]) -> Result<u64, String> {
-    let (fast, long) = scenes(root);
+    let (fast, long) = table::scenes(root);
     let known: Vec<String> = fast.into_iter().chain(long).collect();
     if known.is_empty() {
         return Err("there are no scenes with checks under scenes/".to_owned());
@@ -105,128 +193,13 @@ fn run_all(root: &Path, chosen: &[&str]) -> Result<u64, String> {
             known[0]
         ));
     }
-    let run: Vec<&str> = if chosen.is_empty() {
+    let chosen: Vec<&str> = if chosen.is_empty() {
         known.iter().map(String::as_str).collect()
     } else {
         chosen.to_vec()
     };
-    let output = Command::new(release_binary(root)?)
-        .args(["verify", "--json"])
-        .args(&run)
-        .current_dir(root)
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|e| format!("riprap verify: {e}"))?;
-    let rows: Vec<Value> = String::from_utf8_lossy(&output.stdout)
-        .lines()
-        .filter_map(|line| serde_json::from_str(line).ok())
-        .collect();
-    if rows.is_empty() {
-        return Err("riprap verify --json printed no checks".to_owned());
-    }
-    let page = root.join("docs/src/verification.md");
-    // Rows of scenes that were not run now stay; those of scenes that are gone do not.
-    let earlier = std::fs::read_to_string(&page).unwrap_or_default();
-    let stays = |line: &&str| {
-        let scene = scene_of(line);
-        known.iter().any(|k| k == scene) && !run.contains(&scene)
-    };
-    let mut lines: Vec<String> = earlier.lines().filter(stays).map(str::to_owned).collect();
-    lines.extend(rows.iter().map(line));
-    // Stable: the checks of a scene stay in their order.
-    let place = |l: &String| known.iter().position(|k| k == scene_of(l));
-    lines.sort_by_key(place);
-    if let Some(folder) = page.parent() {
-        std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    }
-    std::fs::write(&page, table(&lines)).map_err(|e| format!("{}: {e}", page.display()))?;
-    println!("wrote {}", shown(root, &page));
-    let failed = rows.iter().filter(|r| r["status"] == "failed").count() as u64;
-    println!("{}", totals(&lines));
-    Ok(failed + u64::from(!output.status.success() && failed == 0))
-}
-
-/// First cell of a row.
-fn scene_of(line: &str) -> &str {
-    line.split('|').nth(1).map_or("", str::trim)
-}
-
-/// How many rows have which result.
-fn totals(lines: &[String]) -> String {
-    let count = |what: &str| {
-        let result =
-            |l: &&String| l.replace("\\|", "").split('|').nth(4).map(str::trim) == Some(what);
-        lines.iter().filter(result).count()
-    };
-    format!(
-        "{} passed, {} failed, {} skipped",
-        count("passed"),
-        count("failed"),
-        count("skipped")
-    )
-}
-
-/// The page: one row a check.
-fn table(lines: &[String]) -> String {
-    format!(
-        "# Verification\n\nWritten by `cargo xtask verify-all`; every row is a check inside a scene and can be run again\n\
-         with `riprap verify SCENE`, the row itself written anew with `cargo xtask verify-all SCENE`.\n\
-         Skipped = known failures, run and shown with their reason.\n\n\
-         {}\n\n\
-         | scene | case | check | result | measured | expected | tolerance | note |\n\
-         |---|---|---|---|---|---|---|---|\n\
-         {}\n",
-        totals(lines),
-        lines.join("\n")
-    )
-}
-
-/// A row of the table.
-fn line(row: &Value) -> String {
-    let cell = |key: &str| match &row[key] {
-        Value::String(text) => text.replace('|', "\\|").replace('\n', " "),
-        Value::Number(number) => {
-            let unit = row["unit"]
-                .as_str()
-                .filter(|unit| *unit != "-")
-                .unwrap_or("");
-            let value = number.as_f64().unwrap_or(f64::NAN);
-            format!("{value:.6e} {unit}").trim_end().to_owned()
-        }
-        Value::Null => String::new(),
-        other => other.to_string(),
-    };
-    let cells: Vec<String> = [
-        "scene",
-        "case",
-        "check",
-        "status",
-        "measured",
-        "expected",
-        "tolerance",
-        "note",
-    ]
-    .iter()
-    .map(|key| cell(key))
-    .collect();
-    format!("| {} |", cells.join(" | "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_row_a_check_and_bars_are_escaped() {
-        let row: Value = serde_json::from_str(
-            r#"{"scene":"a.toml","case":"","check":"|v|","status":"passed","measured":1.5,"unit":"m"}"#,
-        )
-        .unwrap();
-        let page = table(&[line(&row)]);
-        assert!(
-            page.contains("| a.toml |  | \\|v\\| | passed | 1.500000e0 m |  |  |  |"),
-            "{page}"
-        );
-        assert!(page.contains("1 passed, 0 failed, 0 skipped"));
-    }
+    let (checks, success) = run(root, &release_binary(root)?, &chosen)?;
+    rewrite(root, &checks)?;
+    let failed = checks.iter().filter(|r| r["status"] == "failed").count() as u64;
+    Ok(failed + u64::from(!success && failed == 0))
 }
