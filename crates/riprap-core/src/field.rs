@@ -23,6 +23,8 @@ pub enum Site {
     Cavity,
     /// One value for a condition on free faces.
     Boundary,
+    /// One value for a bolt, or for several.
+    Bolt,
     /// One term of the energy ledger.
     Energy,
 }
@@ -38,6 +40,7 @@ impl Site {
             Site::Model => "model",
             Site::Cavity => "cavity",
             Site::Boundary => "boundary",
+            Site::Bolt => "bolt",
             Site::Energy => "energy",
         }
     }

@@ -31,6 +31,8 @@ pub struct Works {
     pub fracture: f64,
     /// Absorbed by viscous boundaries.
     pub absorbed: f64,
+    /// Dissipated in bolts: yield of bars, slip of grout and dowels, rupture.
+    pub bolts: f64,
     /// Done by the gas of cavities and other pressures in them.
     pub gas: f64,
     /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends.
@@ -68,6 +70,7 @@ impl Works {
             self.damping,
             self.fracture,
             self.absorbed,
+            self.bolts,
             self.gas,
         ]
         .into_iter()
@@ -96,6 +99,7 @@ impl Works {
         self.damping += other.damping;
         self.fracture += other.fracture;
         self.absorbed += other.absorbed;
+        self.bolts += other.bolts;
         self.gas += other.gas;
         self.law_defect += other.law_defect;
         self.edit_defect += other.edit_defect;
@@ -115,6 +119,8 @@ pub struct Balance {
     pub contact_shear: f64,
     /// Elastic energy of bonds; of the springs of boundaries in 3D.
     pub bond: f64,
+    /// Elastic energy of bolts: bars, grout, plates, dowels.
+    pub bolts: f64,
     /// The running sums.
     pub works: Works,
     /// Kinetic + stored energy at the start.
@@ -125,7 +131,12 @@ impl Balance {
     /// Kinetic and all stored energy.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.kinetic + self.gravity + self.contact_normal + self.contact_shear + self.bond
+        self.kinetic
+            + self.gravity
+            + self.contact_normal
+            + self.contact_shear
+            + self.bond
+            + self.bolts
     }
 
     /// What the ledger does not explain: positive means energy came from nowhere.
@@ -136,7 +147,8 @@ impl Balance {
             - w.friction
             - w.damping
             - w.fracture
-            - w.absorbed;
+            - w.absorbed
+            - w.bolts;
         self.total() - expected
     }
 
@@ -144,7 +156,7 @@ impl Balance {
     /// nothing has moved.
     #[must_use]
     pub fn residual_relative(&self) -> f64 {
-        let stored = self.contact_normal + self.contact_shear + self.bond;
+        let stored = self.contact_normal + self.contact_shear + self.bond + self.bolts;
         let scale = [self.kinetic, stored, self.start, self.works.peak]
             .into_iter()
             .fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -160,12 +172,13 @@ impl Balance {
 pub type Term = fn(&Balance) -> f64;
 
 /// Columns of `energy.csv`: name (behind `energy.` in the field table) and how it is read.
-pub const COLUMNS: [(&str, Term); 15] = [
+pub const COLUMNS: [(&str, Term); 17] = [
     ("kinetic", |b| b.kinetic),
     ("gravity", |b| b.gravity),
     ("contact_normal", |b| b.contact_normal),
     ("contact_shear", |b| b.contact_shear),
     ("joints", |b| b.bond),
+    ("bolts", |b| b.bolts),
     ("loads", |b| b.works.loads),
     ("supports", |b| b.works.supports),
     ("gas", |b| b.works.gas),
@@ -173,6 +186,7 @@ pub const COLUMNS: [(&str, Term); 15] = [
     ("damping", |b| b.works.damping),
     ("fracture", |b| b.works.fracture),
     ("absorbed", |b| b.works.absorbed),
+    ("bolt_loss", |b| b.works.bolts),
     ("law_defect", |b| b.works.law_defect),
     ("edit_defect", |b| b.works.edit_defect),
     ("residual", Balance::residual),

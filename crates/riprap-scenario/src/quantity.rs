@@ -280,6 +280,16 @@ kinds! {
     Frequency: Some(Dim::RATE), POSITIVE, "a frequency", "2 Hz";
     /// A rate > 0, 1/s.
     PositiveRate: Some(Dim::RATE), POSITIVE, "a rate", "1500 1/s";
+    /// A force > 0, N, in the plane too.
+    PositiveForce: Some(Dim::FORCE), POSITIVE, "a force", "200 kN";
+    /// Cross-section, m2.
+    PositiveArea: Some(Dim::AREA), POSITIVE, "an area", "490 mm2";
+    /// Shear stiffness of grout, N/m for each metre.
+    BondStiffness: Some(Dim::PRESSURE), POSITIVE, "a force per length and slip", "1 GN/m2";
+    /// Shear strength of grout, N/m.
+    BondStrength: Some(Dim::FORCE_PER_LENGTH), POSITIVE, "a force per length", "200 kN/m";
+    /// Stiffness of a single spring, N/m.
+    SpringStiffness: Some(Dim::FORCE_PER_LENGTH), POSITIVE, "a force per displacement", "100 MN/m";
     /// A fracture energy > 0, J/m2.
     FractureEnergy: Some(Dim::FORCE_PER_LENGTH), POSITIVE, "a fracture energy (energy per area)", "50 J/m2";
     /// A mass > 0, kg.

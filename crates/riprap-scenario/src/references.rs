@@ -83,6 +83,7 @@ impl<'a> References<'a> {
         let scenario = self.scenario;
         self.twice("blocks", scenario.blocks.iter().map(|block| &block.name));
         self.twice("phases", scenario.phases.iter().map(|phase| &phase.name));
+        self.twice("bolts", scenario.bolts.iter().map(|bolt| &bolt.name));
         self.twice("checks", scenario.checks.iter().map(|check| &check.name));
         let histories = scenario.outputs.iter().filter_map(|output| match output {
             Output::History(history) => Some(&history.name),
@@ -179,12 +180,21 @@ impl<'a> References<'a> {
         }
     }
 
-    /// Blocks, groups, sources or boundaries: which of them a field wants, the model knows.
+    /// Names of bolts; of several alike those with a number too.
+    fn is_bolt(&self, name: &str) -> bool {
+        let known = |name: &str| self.scenario.bolts.iter().any(|b| b.name.as_str() == name);
+        known(name) || name.rsplit_once('.').is_some_and(|(many, _)| known(many))
+    }
+
+    /// Blocks, groups, sources, bolts or boundaries: which of them a field wants, the model knows.
     fn of(&mut self, names: Option<&Names>) {
         for name in names.iter().flat_map(|names| &names.0) {
             let boundaries = self.scenario.boundaries.iter();
             let mut named = boundaries.filter_map(|b| b.name.as_ref());
-            if !self.is_source(name.as_str()) && !named.any(|b| b.as_str() == name.as_str()) {
+            if !self.is_source(name.as_str())
+                && !self.is_bolt(name.as_str())
+                && !named.any(|b| b.as_str() == name.as_str())
+            {
                 self.block_or_group(name);
             }
         }
@@ -280,6 +290,12 @@ impl<'a> References<'a> {
                 if !interfaces.contains(&name.as_str()) {
                     self.unknown("interface", name, interfaces.iter().copied());
                 }
+            }
+        }
+        let phases: Vec<&str> = scenario.phases.iter().map(|p| p.name.as_str()).collect();
+        for phase in scenario.bolts.iter().filter_map(|bolt| bolt.phase.as_ref()) {
+            if !phases.contains(&phase.as_str()) {
+                self.unknown("phase", phase, phases.iter().copied());
             }
         }
         for output in &scenario.outputs {

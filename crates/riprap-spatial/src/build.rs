@@ -70,6 +70,7 @@ impl World {
             classes: Vec::new(),
             faces: Vec::new(),
             cavities: Vec::new(),
+            bolts: Vec::new(),
             deform: None,
             found: FoundContacts::default(),
             looked: 0,

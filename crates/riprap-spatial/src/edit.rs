@@ -42,6 +42,7 @@ mod split;
 
 pub use error::EditError;
 
+use super::bolts;
 use super::build;
 use super::overlap::bare;
 use super::refine::{self, Forest, RefineError};
@@ -177,6 +178,7 @@ pub fn split(
     let before = View { world, scratch }.balance().residual();
     let plan = split::Plan::new(&View { world, scratch }, splits);
     split::apply(world, &plan)?;
+    bolts::follow::follow(world);
     split::audit(world, &plan)?;
     settle(world, scratch, damping, dt, before)
 }

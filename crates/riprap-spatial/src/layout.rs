@@ -32,6 +32,7 @@ impl Scratch {
             deform: None,
             desk: Desk::default(),
             deformable: CellDesk::default(),
+            bolts: Vec::new(),
             slots: [Sums::default(), Sums::default()],
             wide: Vec::new(),
             strong: false,
@@ -108,6 +109,7 @@ impl Scratch {
         self.lost = vec![Lost::default(); groups];
         self.partial = vec![Partial::default(); groups];
         self.turning = true;
+        self.bolts = Vec::new();
         let deform = world.deform.as_deref();
         self.deform =
             deform.map(|d| Box::new(Workspace::grown(&world.setup, d, kinds, &self.exec)));

@@ -4,6 +4,7 @@
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
 mod anchor;
+pub mod bolts;
 mod boundary;
 pub mod build;
 pub mod cavity;

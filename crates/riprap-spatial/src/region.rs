@@ -8,6 +8,23 @@ use super::setup::{Region, Shape};
 /// differ by round-off.
 pub const TOUCH: f64 = 1e-6;
 
+/// Whether a shape at its start holds a point, its surface included.
+#[must_use]
+pub fn holds(shape: &Shape, point: Vec3) -> bool {
+    match shape {
+        Shape::Brick { centre, half } => {
+            ((point - *centre).abs() - *half).max_element() <= 1e-9 * half.max_element()
+        }
+        Shape::Polyhedron(solid) => solid.faces.iter().all(|face| {
+            let corner = |k: usize| solid.vertices[face[k] as usize];
+            let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+            normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
+        }),
+        // Points of terrain do not move, and nothing holds in it.
+        Shape::Terrain(_) => false,
+    }
+}
+
 /// A box with faces normal to the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {

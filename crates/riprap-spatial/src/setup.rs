@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
+use crate::laws::bolt::Design;
 pub use crate::laws::explosive::Explosive;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{
@@ -47,6 +48,8 @@ pub struct Setup {
     pub loads: Vec<Load>,
     /// Charges and other cavities that push on the faces around them.
     pub sources: Vec<Source>,
+    /// Bolts, those of later phases too.
+    pub bolts: Vec<Bolt>,
     /// Splitting of blocks 1 to 8, in order: before the first step and while running.
     pub refinements: Vec<Refinement>,
     /// Named sets of blocks.
@@ -413,6 +416,19 @@ pub enum LoadKind {
         /// Acceleration, m/s².
         acceleration: Vec3,
     },
+}
+
+/// A bolt, from its head into the rock.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bolt {
+    /// Name used in the scenario, with a number for those of a pattern.
+    pub name: String,
+    /// Head, m.
+    pub head: Vec3,
+    /// Toe, m.
+    pub toe: Vec3,
+    /// What it is made of.
+    pub design: Design,
 }
 
 /// Something inside the rock that pushes on the faces around it.

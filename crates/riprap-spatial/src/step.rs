@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use riprap_geom::Quat;
 
+use super::bolts;
 use super::contacts;
 use super::deform;
 use super::forces::{self, First, Memory, Shared};
@@ -54,6 +55,9 @@ pub fn evaluate(
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
     });
+    if !world.bolts.is_empty() {
+        stage(scratch, "bolts", |scratch| bolts::act(world, scratch));
+    }
     if world.deform.is_some() {
         stage(scratch, "bonds", |scratch| {
             deform::bonds::update(world, scratch);

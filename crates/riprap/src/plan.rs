@@ -55,6 +55,8 @@ pub struct Phase {
     pub fix: Vec<u32>,
     /// Blocks whose supports are taken away at the start of the phase.
     pub release: Vec<u32>,
+    /// Bolts installed at the start of the phase, after blocks are taken out.
+    pub install: Vec<u32>,
     /// New gravity, m/s².
     /// In the plane the third component is 0.
     pub gravity: Option<[f64; 3]>,
@@ -118,6 +120,7 @@ impl Phase {
             remove: Vec::new(),
             fix: Vec::new(),
             release: Vec::new(),
+            install: Vec::new(),
             gravity: None,
             gravity_ramp: None,
             contacts: Vec::new(),
@@ -150,6 +153,7 @@ impl Phase {
         !self.remove.is_empty()
             || !self.fix.is_empty()
             || !self.release.is_empty()
+            || !self.install.is_empty()
             || !self.contacts.is_empty()
             || !self.joints.is_empty()
             || self.reduction.is_some()

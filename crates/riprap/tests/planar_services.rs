@@ -51,6 +51,7 @@ fn plan(time_step: TimeStep) -> Plan {
             remove: vec![],
             fix: vec![],
             release: vec![],
+            install: vec![],
             gravity: None,
             gravity_ramp: None,
             contacts: vec![],

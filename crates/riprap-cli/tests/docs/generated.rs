@@ -85,6 +85,10 @@ fn fields_of(fields: &[serde_json::Value], text: &mut String) {
             "boundary",
             "A condition on free faces: `of = \"its name\"`.",
         ),
+        (
+            "bolt",
+            "Bolts: `of = \"name\"` of one, or of several alike.",
+        ),
         ("model", "The whole model; without `of`."),
         ("energy", "The energy ledger; without `of`."),
     ];

@@ -9,6 +9,7 @@
 //! untagged: only so an error can point at the right place.
 
 mod blocks;
+mod bolts;
 mod checks;
 mod files;
 mod ground;
@@ -29,6 +30,7 @@ pub use blocks::{
     Arch, Block, Copies, Cut, Geometry, Polygon, Pour, Rectangle, Regular, Rotate, Voronoi, Wall,
     WallBond,
 };
+pub use bolts::{Bolt, Dowel, Grout, Plate, Repeat, Steel};
 pub use checks::{Bisect, Check, Criterion, Reduce};
 pub use files::{Polygons, Traces};
 pub use ground::{
@@ -92,6 +94,10 @@ pub struct Scenario {
     /// Blocks that are held or moved.
     #[serde(default)]
     pub supports: Vec<Support>,
+    /// Bolts, anchors, cables and dowels.
+    #[key(space = "spatial")]
+    #[serde(default)]
+    pub bolts: Vec<Bolt>,
     /// Named sets of blocks by place or by name.
     #[serde(default)]
     pub groups: Table<Group>,

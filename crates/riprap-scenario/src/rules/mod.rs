@@ -2,6 +2,7 @@
 //! other, numbers that must be in order. References between tables are in [`super::references`].
 
 mod blocks;
+mod bolts;
 mod bonds;
 mod checks;
 mod ground;
@@ -154,6 +155,7 @@ impl Rules {
         }
         self.ground(scenario);
         self.sources(scenario);
+        self.bolts(scenario);
         for notch in &scenario.notches {
             self.region(&notch.region);
         }

@@ -1,9 +1,9 @@
-//! What pushes blocks from outside: loads, tractions, cavities, springs of faces.
+//! What pushes blocks from outside: loads, tractions, cavities, bolts, springs of faces.
 //!
 //! All of it goes into one buffer, [`Pushes`](crate::state::push::Pushes), through anchors or as force and moment on a rigid block:
 //!
 //! 1. `begin` clears the buffer at the head of an evaluation.
-//! 2. Writers add to it, one after the other in the order of `step::evaluate`: loads, tractions on deformable blocks, cavities,
+//! 2. Writers add to it, one after the other in the order of `step::evaluate`: loads, tractions on deformable blocks, cavities, bolts,
 //!    bonds on rigid blocks; last, block by block in the gathering, faces of rigid blocks. A writer that comes later goes behind
 //!    those that are there, so that their sums stay the same bits. What a writer adds must not depend on the number of threads.
 //! 3. The account says who books the work. `loads`: given forces; the kick books `f . v` of both half steps as work of
@@ -18,6 +18,7 @@ pub mod loads;
 pub mod surface;
 pub mod traction;
 
+use super::state::bolts::Bolt;
 use super::state::scratch::Scratch;
 use super::state::world::World;
 
@@ -36,7 +37,8 @@ impl World {
         let loads = self.setup.loads.iter().flat_map(|l| &l.blocks);
         let walls = self.cavities.iter().flat_map(|c| &c.walls);
         let facets = self.deform.iter().flat_map(|d| &d.facets);
-        let all = loads.copied().chain(walls.map(|w| w.block));
+        let bolts = self.bolts.iter().flat_map(Bolt::blocks);
+        let all = loads.copied().chain(walls.map(|w| w.block)).chain(bolts);
         for b in all.chain(facets.flat_map(|f| f.blocks)) {
             pushed[b as usize] = true;
         }

@@ -11,11 +11,12 @@ use crate::deform::fracture;
 use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
 use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
+use crate::read::bolts;
 use crate::read::crater::UPLIFT;
 use crate::read::deformable::Motion;
 pub use crate::read::view::View;
 use crate::refine::Origin;
-use crate::setup::Shape;
+use crate::region::holds;
 use crate::setup::deform::BondFailure;
 use crate::world::flag;
 
@@ -310,6 +311,15 @@ fields! {
     "block.sigma2_compressive" "Pa" Block Scalar true "Middle principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[1]);
     "boundary.displacement" "m" Boundary Vector3 true "Mean displacement, by area, of the faces a condition acts on." |v, of| v.on_boundary(first(of)).0;
     "boundary.force" "N" Boundary Vector3 true "Force by which a condition acts on the nodes of deformable blocks: tractions and reactions." |v, of| v.on_boundary(first(of)).1;
+    "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
+    "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
+    "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));
+    "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, bolts::slip));
+    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, bolts::yielded));
+    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, bolts::utilisation));
+    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
+    "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
+    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
     "model.strain_energy" "J" Model Scalar true "Elastic energy of deformable blocks." |v, _| one(v.strain_energy());
     "model.bond_energy" "J" Model Scalar true "Elastic energy of the bonds of deformable blocks." |v, _| one(v.bond_energy().iter().sum());
     "model.facets" "-" Model Scalar false "Number of facets: shared parts of faces along which a deformable block is joined." |v, _| one(v.deformables().map_or(0, |s| s.0.facets.len()) as f64);
@@ -342,6 +352,8 @@ fields! {
     "energy.friction" "J" Energy Scalar true "Dissipated by friction." |v, _| one(v.world.works.friction);
     "energy.damping" "J" Energy Scalar true "Dissipated by patch, mass and local damping." |v, _| one(v.world.works.damping);
     "energy.fracture" "J" Energy Scalar true "Released when points fail and open." |v, _| one(v.world.works.fracture);
+    "energy.bolts" "J" Energy Scalar true "Elastic energy of bolts: bars, grout, plates and dowels." |v, _| one(v.world.bolt_energy());
+    "energy.bolt_loss" "J" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws." |v, _| one(v.world.works.edit_defect);
     "energy.residual" "J" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
     "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
@@ -442,29 +454,13 @@ impl Reading {
 
     fn holder(&self, view: &View<'_>, point: Vec3) -> Option<u32> {
         let last = self.held_by.get();
-        let there = |b: usize| view.world.alive[b] && holds(view, b, point);
+        let there =
+            |b: usize| view.world.alive[b] && holds(&view.world.setup.blocks[b].shape, point);
         if (last as usize) < view.world.alive.len() && there(last as usize) {
             return Some(last);
         }
         let block = (0..view.world.alive.len()).find(|&b| there(b))? as u32;
         self.held_by.set(block);
         Some(block)
-    }
-}
-
-/// Whether the volume of block `b` at the start holds a point, its surface included.
-fn holds(view: &View<'_>, b: usize, point: Vec3) -> bool {
-    match &view.world.setup.blocks[b].shape {
-        Shape::Brick { centre, half } => {
-            let out = (point - *centre).abs() - *half;
-            out.max_element() <= 1e-9 * half.max_element()
-        }
-        Shape::Polyhedron(solid) => solid.faces.iter().all(|face| {
-            let corner = |k: usize| solid.vertices[face[k] as usize];
-            let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-            normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
-        }),
-        // Points of terrain do not move.
-        Shape::Terrain(_) => false,
     }
 }

@@ -215,6 +215,11 @@ impl View<'_> {
             let count = contact.ends.iter().filter(|b| free(**b as usize)).count() as f64;
             all += contact.force.length() * count;
         }
+        for (b, _, force) in world.bolt_forces() {
+            if free(b as usize) && self.deformable(b as usize).is_none() {
+                all += force.length();
+            }
+        }
         let rigid = if all > 0.0 { net / all } else { 0.0 };
         deformable.map_or(rigid, |deformable| deformable.max(rigid))
     }
@@ -240,6 +245,9 @@ impl View<'_> {
             for b in contact.ends {
                 all[b as usize] += contact.force.length();
             }
+        }
+        for (b, _, force) in world.bolt_forces() {
+            all[b as usize] += force.length();
         }
         self.living()
             .filter(|&b| world.is_free(b) && self.deformable(b).is_none() && all[b] > 0.0)
@@ -342,6 +350,9 @@ impl View<'_> {
         for face in &world.faces {
             sum[face.block as usize] += context.dyad(face);
         }
+        for (b, arm, force) in world.bolt_forces() {
+            sum[b as usize] += outer(arm, force);
+        }
         for (b, arm, force) in self.cavity_forces().chain(self.bond_forces()) {
             sum[b] += outer(arm, force);
         }
@@ -398,6 +409,7 @@ impl View<'_> {
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
         out.contact_shear += shear;
+        out.bolts = self.world.bolt_energy();
         out.start = self.world.start_energy.unwrap_or_else(|| out.total());
         out
     }

@@ -6,6 +6,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::bolts::stiffness::BoltSprings;
 use crate::exec::{Divide, Exec};
 use crate::lanes::{LANES, Lanes, Vectors, Width, cross, dot, minus, plus, same};
 use crate::laws::face_joint::SIGNS;
@@ -174,6 +175,9 @@ pub(super) struct Motion<'a> {
     springs: &'a Springs,
     exec: &'a Exec,
     width: Width,
+    bolts: BoltSprings<'a>,
+    /// What bolts do to each block; empty without any.
+    bolted: Vec<Shift>,
     shape: Vec<Shift>,
     /// `shape` over the roots of the masses: true displacements and rotations.
     at: Vec<Shift>,
@@ -207,6 +211,8 @@ impl<'a> Motion<'a> {
             springs,
             exec,
             width,
+            bolts: BoltSprings::new(world),
+            bolted: Vec::new(),
             shape,
             at,
             product: vec![0.0; n],
@@ -245,11 +251,17 @@ impl<'a> Motion<'a> {
     /// Finds `y = A x`. With `replace` the motion becomes `y` (not yet of length one) and the result is `y . y`, without it
     /// `x . y`.
     fn times(&mut self, weights: Weights, replace: bool) -> f64 {
+        if !self.world.bolts.is_empty() {
+            self.bolted.clear();
+            self.bolted.resize(self.at.len(), [Vec3::ZERO; 2]);
+            self.bolts.pull(&self.at, &mut self.bolted);
+        }
         let step = Step {
             world: self.world,
             springs: self.springs,
             weights,
             at: &self.at,
+            bolted: &self.bolted,
             replace,
             width: self.width,
         };
@@ -286,6 +298,7 @@ struct Step<'a> {
     springs: &'a Springs,
     weights: Weights,
     at: &'a [Shift],
+    bolted: &'a [Shift],
     replace: bool,
     width: Width,
 }
@@ -311,6 +324,13 @@ impl Step<'_> {
             let y = &mut sum[s.block as usize - base];
             y[0] += f;
             y[1] += s.arm.cross(f) + m;
+        }
+        if let Some(bolted) = self.bolted.get(base..) {
+            for (y, f) in sum.iter_mut().zip(bolted) {
+                for part in 0..2 {
+                    y[part] += self.weights.spring * f[part];
+                }
+            }
         }
         let roots = &self.springs.root[base..];
         let blocks = work.shape.iter_mut().zip(work.product);

@@ -75,6 +75,23 @@ impl World {
                 hash.numbers(&[m.torsion, m.area, m.polar]);
             }
         }
+        for bolt in &self.bolts {
+            hash.count(u64::from(bolt.number));
+            let chain = &bolt.chain;
+            for list in [
+                &chain.motion,
+                &chain.slip,
+                &chain.plastic,
+                &chain.path,
+                &chain.force,
+            ] {
+                hash.numbers(list);
+            }
+            for dowel in &bolt.dowels {
+                hash.numbers(&dowel.slip.to_array());
+                hash.numbers(&dowel.force.to_array());
+            }
+        }
         if let Some(deform) = &self.deform {
             bodies(&mut hash, deform);
             bonds(&mut hash, deform);

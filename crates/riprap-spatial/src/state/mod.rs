@@ -4,6 +4,7 @@
 //! insides; this one uses the setup, the laws, geometry and the ledger only.
 
 pub mod bodies;
+pub mod bolts;
 pub mod cavity;
 pub mod cutting;
 pub mod deform;

@@ -1,5 +1,6 @@
 //! Everything of a spatial model that can be dropped and laid out anew without changing a result.
 
+use super::bolts::Desk as BoltDesk;
 use super::push::Pushes;
 use super::sums::Sums;
 use super::workspace::Workspace;
@@ -40,6 +41,8 @@ pub struct Scratch {
     pub desk: Desk,
     /// Of found contacts of deformable blocks.
     pub deformable: CellDesk,
+    /// Of bolts.
+    pub(crate) bolts: Vec<BoltDesk>,
     pub(crate) slots: [Sums; 2],
     pub(crate) wide: Vec<Wide>,
     pub(crate) strong: bool,

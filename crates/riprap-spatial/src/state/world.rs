@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 pub use super::bodies::{Bodies, SolidClass, Turned, vec3};
+use super::bolts::Bolt;
 use super::cavity::Cavity;
 use super::deform::Deform;
 use super::event::{EditEvent, EditKind};
@@ -67,6 +68,8 @@ pub struct World {
     pub faces: Vec<Face>,
     /// Charges and other pressures inside the rock.
     pub cavities: Vec<Cavity>,
+    /// Bolts that have been installed.
+    pub bolts: Vec<Bolt>,
     /// Nodes, bonds and conditions of deformable blocks; `None` if all blocks are rigid.
     pub deform: Option<Box<Deform>>,
     /// Contacts that are found anew in each step.

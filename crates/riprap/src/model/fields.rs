@@ -152,6 +152,9 @@ impl Builder<'_> {
         if site == Site::Cavity {
             return self.field_source(name, names);
         }
+        if site == Site::Bolt {
+            return self.field_bolts(name, names);
+        }
         if site == Site::Boundary {
             return self.field_boundary(name, names);
         }
@@ -159,7 +162,7 @@ impl Builder<'_> {
             Site::Block => (1, "of = \"block\""),
             Site::Pair => (2, "of = [\"a\", \"b\"]"),
             Site::Group => (1, "of = \"group\""),
-            Site::Cavity | Site::Boundary => (1, ""),
+            Site::Cavity | Site::Boundary | Site::Bolt => (1, ""),
             Site::Model | Site::Energy => (0, ""),
             Site::Contact => {
                 let help = "use a `pair` field for the sum over the contacts of two blocks";
@@ -245,6 +248,31 @@ impl Builder<'_> {
         error.help = suggest(one.as_str(), sources.iter().map(String::as_str));
         self.found.push(error);
         None
+    }
+
+    /// The bolts a field is read at.
+    fn field_bolts(&mut self, name: &Name, names: &[Name]) -> Option<Vec<u32>> {
+        if names.is_empty() {
+            let message = format!("`{name}` needs a bolt");
+            self.error_at("field.of", name, message, "write of = \"bolt\"");
+            return None;
+        }
+        let mut all = Vec::new();
+        for one in names {
+            let found = self.directory.bolts_of(one.as_str());
+            if found.is_empty() {
+                let message = format!("there is no bolt `{one}`");
+                let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
+                error.help = suggest(
+                    one.as_str(),
+                    self.directory.bolts.iter().map(String::as_str),
+                );
+                self.found.push(error);
+                return None;
+            }
+            all.extend(found);
+        }
+        Some(all)
     }
 
     /// The condition on free faces a field is read at.

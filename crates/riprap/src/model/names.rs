@@ -25,6 +25,8 @@ pub(super) struct Directory {
     groups: BTreeMap<String, Vec<u32>>,
     /// Charges and cavities, in the order of the setup.
     pub(super) sources: Vec<String>,
+    /// Bolts, in the order of the setup.
+    pub(super) bolts: Vec<String>,
     /// Centroid of every block, local coordinates, m; z is 0 in the plane.
     pub(super) centroids: Vec<[f64; 3]>,
 }
@@ -50,6 +52,15 @@ impl Directory {
             .entry(group.to_owned())
             .or_default()
             .extend(blocks);
+    }
+
+    /// Numbers of the bolts of a name: one, or all of a pattern.
+    pub(super) fn bolts_of(&self, name: &str) -> Vec<u32> {
+        let of = |bolt: &String| {
+            bolt == name || bolt.rsplit_once('.').is_some_and(|(many, _)| many == name)
+        };
+        let all = (0u32..).zip(&self.bolts);
+        all.filter(|(_, bolt)| of(bolt)).map(|(k, _)| k).collect()
     }
 
     /// Name of a block.

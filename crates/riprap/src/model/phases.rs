@@ -27,8 +27,9 @@ impl Builder<'_> {
             contacts: self.setup.interfaces.iter().map(|i| i.contact).collect(),
             joints: self.spatial.interfaces.iter().map(|i| i.joint).collect(),
         };
-        for phase in &self.parsed.scenario.phases {
-            let phase = self.phase(phase, &mut laws);
+        for (number, said) in self.parsed.scenario.phases.iter().enumerate() {
+            let mut phase = self.phase(said, &mut laws);
+            phase.install = self.installs(&said.name, number == 0);
             self.plan.phases.push(phase);
         }
         let total: Option<f64> = self.plan.phases.iter().map(|p| p.until.time).sum();
@@ -101,6 +102,7 @@ impl Builder<'_> {
             remove,
             fix,
             release,
+            install: Vec::new(),
             gravity: said.gravity.as_ref().map(|g| self.gravity(g)),
             gravity_ramp: said
                 .gravity_ramp

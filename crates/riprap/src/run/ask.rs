@@ -74,6 +74,7 @@ fn subjects<S: AsRef<str>>(
         Site::Group => (None, "blocks"),
         Site::Cavity => (Some(1), "one source"),
         Site::Model | Site::Energy => (Some(0), "the whole model"),
+        Site::Bolt => (None, "bolts"),
         Site::Boundary => return Err(AskError::Boundary { field }),
         Site::Contact => return Err(AskError::Contact { field }),
     };
@@ -86,6 +87,7 @@ fn subjects<S: AsRef<str>>(
     }
     let known: Vec<String> = match info.site {
         Site::Cavity => view.sources().into_iter().map(|s| s.name).collect(),
+        Site::Bolt => view.bolts(),
         Site::Block | Site::Pair | Site::Group => (0..view.all_blocks() as u32)
             .map(|b| view.name(b))
             .collect(),

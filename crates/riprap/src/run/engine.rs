@@ -409,18 +409,22 @@ impl Engine {
         }
     }
 
-    /// Applies what a phase changes in blocks, supports and laws; forces must be evaluated anew afterwards.
-    pub fn edit(&mut self, phase: &Phase) {
+    /// Applies what a phase changes in blocks, supports, bolts and laws; forces must be evaluated anew afterwards.
+    ///
+    /// # Errors
+    /// A bolt that cannot be installed, in words.
+    pub fn edit(&mut self, phase: &Phase) -> Result<(), String> {
         match self {
             Self::Planar(e) => {
                 edit::planar(&mut e.world, phase);
                 e.scratch.invalidate(&mut e.world);
             }
             Self::Spatial(e) => {
-                edit::spatial(&mut e.world, phase);
+                edit::spatial(&mut e.world, phase).map_err(|error| error.to_string())?;
                 e.scratch.invalidate(&mut e.world);
             }
         }
+        Ok(())
     }
 
     /// Takes what has happened since the last look, one JSON object each: joints broken, blocks split or

@@ -412,7 +412,13 @@ impl Simulation {
         let damping = damping_of(&phase);
         self.evaluate(&damping, 0.0)?;
         let before = self.view().balance().residual();
-        self.engine.edit(&phase);
+        let edited = self.engine.edit(&phase);
+        edited.map_err(|reason| RunError::Phase {
+            phase: phase.name.clone(),
+            reason,
+            step: self.steps(),
+            time: self.time(),
+        })?;
         self.evaluate(&damping, 0.0)?;
         let after = self.view().balance().residual();
         self.engine.works().edit_defect += after - before;

@@ -63,6 +63,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         remove: Vec::new(),
         fix: Vec::new(),
         release: Vec::new(),
+        install: Vec::new(),
         gravity: None,
         gravity_ramp: None,
         contacts: Vec::new(),

@@ -1,13 +1,14 @@
 //! Models in space: from `[space.spatial]` to `spatial::setup::Setup`.
 //!
 //! ```text
-//! fit grids to charges --> origin --> blocks --> groups --> joints --> supports, boundaries, loads
+//! fit grids to charges --> origin --> blocks --> groups --> joints --> supports, boundaries, loads, bolts
 //!                                            --> in-situ stress --> sources --> refinements
 //! ```
 //!
 //! Splitting, patches and free faces are the engine's: what is looked at here is the model as it is
 //! given, and the finest cells around charges.
 
+mod bolts;
 mod boundaries;
 mod cut;
 mod deform;
@@ -72,6 +73,7 @@ impl Builder<'_> {
         self.boundaries();
         self.in_situ();
         self.solid_loads();
+        self.bolts();
         self.sources();
         self.refinements();
         self.source_volumes();

@@ -2,6 +2,7 @@
 
 use crate::Vec2;
 use crate::plan::Phase;
+use crate::spatial::bolts::install::InstallError;
 use crate::{planar, spatial};
 
 /// In the plane.
@@ -46,7 +47,10 @@ pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
 }
 
 /// In space.
-pub(super) fn spatial(world: &mut spatial::world::World, phase: &Phase) {
+pub(super) fn spatial(
+    world: &mut spatial::world::World,
+    phase: &Phase,
+) -> Result<(), InstallError> {
     use spatial::setup::Motion;
     spatial::edit::take_out(world, &phase.remove);
     for &b in &phase.fix {
@@ -82,4 +86,6 @@ pub(super) fn spatial(world: &mut spatial::world::World, phase: &Phase) {
     }
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::deform::cut::allow(world, cut.as_ref());
+    spatial::bolts::follow::follow(world);
+    spatial::bolts::install::install(world, &phase.install)
 }

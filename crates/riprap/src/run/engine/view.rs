@@ -318,6 +318,18 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Names of the bolts of the model, installed or not.
+    #[must_use]
+    pub fn bolts(&self) -> Vec<String> {
+        match self {
+            Self::Planar(_) => Vec::new(),
+            Self::Spatial(v) => {
+                let bolts = v.world.setup.bolts.iter();
+                bolts.map(|bolt| bolt.name.clone()).collect()
+            }
+        }
+    }
+
     /// Fragments now; `None` where no joints hold blocks together.
     #[must_use]
     pub fn fragments(&self) -> Option<Fragments> {

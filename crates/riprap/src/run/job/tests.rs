@@ -63,6 +63,7 @@ fn falling() -> Job {
         remove: Vec::new(),
         fix: Vec::new(),
         release: Vec::new(),
+        install: Vec::new(),
         gravity: None,
         gravity_ramp: None,
         contacts: Vec::new(),

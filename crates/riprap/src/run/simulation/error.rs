@@ -114,6 +114,18 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// What a phase begins with failed.
+    #[error("phase `{phase}` cannot begin at step {step} (t = {time:.6e} s): {reason}")]
+    Phase {
+        /// Name of the phase.
+        phase: String,
+        /// What is wrong.
+        reason: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// Splitting blocks failed.
     #[error("blocks could not be split at step {step} (t = {time:.6e} s): {reason}")]
     Edit {
@@ -168,7 +180,7 @@ impl RunError {
                 words.push_str("; ");
                 words.push_str(found);
             }
-            Self::NoStep { .. } | Self::Edit { .. } => {}
+            Self::NoStep { .. } | Self::Edit { .. } | Self::Phase { .. } => {}
         }
     }
 
@@ -180,6 +192,7 @@ impl RunError {
             Self::Residual { .. } => "the energy residual",
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
             Self::Edit { .. } => "a block cannot be split or cut",
+            Self::Phase { .. } => "a phase cannot begin",
             Self::BlowUp { .. } => "energy from nowhere",
         }
     }
@@ -193,7 +206,7 @@ impl RunError {
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
             | Self::BlowUp { .. } => true,
-            Self::NoStep { .. } | Self::Edit { .. } => false,
+            Self::NoStep { .. } | Self::Edit { .. } | Self::Phase { .. } => false,
         }
     }
 
@@ -208,6 +221,7 @@ impl RunError {
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
             | Self::Edit { .. }
+            | Self::Phase { .. }
             | Self::BlowUp { .. } => None,
         }
     }

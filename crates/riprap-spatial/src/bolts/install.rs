@@ -1,0 +1,122 @@
+//! Bolts come into the rock as it is now.
+
+use riprap_geom::{Quat, Vec3};
+
+use super::place::{self, Misplaced};
+use crate::anchor::Anchor;
+use crate::laws::bolt::lay;
+use crate::setup::Bolt as Spec;
+use crate::state::bolts::{Bolt, Dowel, Pin};
+use crate::state::world::World;
+
+/// Why a bolt could not be installed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("the bolt `{name}` cannot be installed: {reason}")]
+pub struct InstallError {
+    /// Its name.
+    pub name: String,
+    /// What is wrong.
+    pub reason: Misplaced,
+}
+
+/// Installs bolts of the setup: where blocks are now, without force but for what they are stretched to. Forces must be evaluated anew
+/// afterwards.
+///
+/// # Errors
+/// A bolt that is not in rock.
+pub fn install(world: &mut World, numbers: &[u32]) -> Result<(), InstallError> {
+    for &number in numbers {
+        let spec = world.setup.bolts[number as usize].clone();
+        let bolt = one(world, number, &spec).map_err(|reason| InstallError {
+            name: spec.name.clone(),
+            reason,
+        })?;
+        world.bolts.push(bolt);
+    }
+    Ok(())
+}
+
+fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
+    let length = spec.head.distance(spec.toe);
+    let axis = (spec.toe - spec.head) / length;
+    let range = place::range(length);
+    let middle = 0.5 * (spec.head + spec.toe);
+    let mut spans = Vec::new();
+    for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
+        let (shift, back) = pose(world, b);
+        let centre = world.reference[b] + shift;
+        let reach = world.solid_of(b).radius + 0.51 * length;
+        // Small displacements of deformable blocks are within the slack.
+        if !world.is_terrain(b) && (middle - centre).length_squared() <= reach * reach {
+            let from = world.reference[b] + back * (spec.head - centre);
+            let shape = &world.setup.blocks[b].shape;
+            let span = place::span(shape, from, back * axis, range);
+            spans.extend(span.map(|span| (span, b as u32)));
+        }
+    }
+    let spans = place::order(
+        spans,
+        length,
+        spec.design.grouted,
+        spec.design.plate.is_some(),
+    )?;
+    if spans.iter().any(|(_, b)| world.deforms(*b as usize)) {
+        return Err(Misplaced::Deformable);
+    }
+    let lengths: Vec<[f64; 2]> = spans.iter().map(|s| s.0).collect();
+    let laid = lay(&spec.design, length, &lengths);
+    let pin = |along: f64, span: usize| {
+        let block = spans[span].1;
+        pin(world, block, spec.head + along * axis, along)
+    };
+    let nodes = laid.along.iter().zip(&laid.span);
+    let pins: Vec<Pin> = nodes.map(|(along, span)| pin(*along, *span)).collect();
+    let dowels = laid.joints.iter().map(|&(bar, along)| Dowel {
+        bar: bar as u32,
+        sides: [bar, bar + 1].map(|node| pin(along, laid.span[node])),
+        slip: Vec3::ZERO,
+        force: Vec3::ZERO,
+    });
+    let dowels = dowels.collect();
+    let mut chain = laid.chain;
+    let mut lost = 0.0;
+    if spec.design.pretension > 0.0 {
+        let mut factors = chain.factors();
+        lost = chain.stretch(spec.design.pretension, &mut factors).all();
+    }
+    Ok(Bolt {
+        number,
+        chain,
+        pins,
+        dowels,
+        axis,
+        lost,
+        breaks: 0,
+        left: 0.0,
+    })
+}
+
+/// Displacement of a block's centroid, and the turn back to its start.
+fn pose(world: &World, b: usize) -> (Vec3, Quat) {
+    let shift = world.all_freedoms().displacement(&world.centroid(b as u32));
+    let back = world.turned[b].as_ref();
+    (
+        shift,
+        back.map_or(Quat::IDENTITY, |t| t.attitude.conjugate()),
+    )
+}
+
+/// The point of a block that lies at a place now.
+fn pin(world: &World, block: u32, place: Vec3, along: f64) -> Pin {
+    let b = block as usize;
+    let (shift, back) = pose(world, b);
+    let arm = back * (place - world.reference[b] - shift);
+    let anchor = Anchor::Block { block, arm };
+    Pin {
+        block,
+        anchor,
+        along,
+        place,
+        base: world.all_freedoms().displacement(&anchor),
+    }
+}

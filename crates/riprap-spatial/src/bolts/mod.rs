@@ -1,0 +1,171 @@
+//! Bolts, cables and dowels: writers of pushes that tie blocks together.
+//!
+//! A bolt is a chain without masses ([`crate::laws::bolt`]) between points of the rock. In each evaluation the points part or close along
+//! the bars, the chain finds its equilibrium, and every bar pulls the points at its ends together along the line between them. So
+//! momentum and angular momentum are kept whatever the chain does, and a block that turns with its bolt strains nothing. Bars within one rigid
+//! block push nothing. Stored energy is read from the chain; what yields, slips and breaks is booked here.
+
+pub mod follow;
+pub mod install;
+pub mod place;
+pub mod stiffness;
+
+use crate::anchor::Freedoms;
+use crate::exec::Divide;
+use crate::laws::bolt::dowel;
+use crate::setup::Bolt as Spec;
+use crate::state::bolts::{Bolt, Desk, Pin, chord};
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
+use riprap_geom::Vec3;
+
+/// Bolts that are solved by one thread in one go.
+const CHUNK: usize = 16;
+
+/// Some bolts and what they work with.
+struct Piece<'a> {
+    bolts: &'a mut [Bolt],
+    desks: &'a mut [Desk],
+}
+
+impl Divide for Piece<'_> {
+    fn divide(self, middle: usize) -> (Self, Self) {
+        let at = (middle * CHUNK).min(self.bolts.len());
+        let (b0, b1) = self.bolts.split_at_mut(at);
+        let (d0, d1) = self.desks.split_at_mut(at);
+        let piece = |bolts, desks| Piece { bolts, desks };
+        (piece(b0, d0), piece(b1, d1))
+    }
+}
+
+/// Finds the forces of all bolts at the present positions and pushes the blocks with them.
+///
+/// Calling it again without moving changes nothing.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
+    if world.bolts.is_empty() {
+        return;
+    }
+    let mut bolts = std::mem::take(&mut world.bolts);
+    let freedoms = world.all_freedoms();
+    if world.pending > 0.0 || world.fresh {
+        if scratch.bolts.len() != bolts.len() {
+            scratch.bolts = bolts.iter().map(Desk::new).collect();
+        }
+        let work = Piece {
+            bolts: &mut bolts,
+            desks: &mut scratch.bolts,
+        };
+        let specs = &world.setup.bolts;
+        let chunks = work.bolts.len().div_ceil(CHUNK);
+        scratch.exec.divided(work, chunks, |_, piece| {
+            for (bolt, desk) in piece.bolts.iter_mut().zip(piece.desks) {
+                solve(bolt, desk, &specs[bolt.number as usize], &freedoms);
+            }
+        });
+    }
+    let pushes = &mut scratch.pushes.own;
+    pushes.need_blocks(world.alive.len());
+    for bolt in &bolts {
+        for k in (0..bolt.chain.bars.len()).filter(|k| bolt.stretches(*k)) {
+            let (from, to) = (&bolt.pins[k], &bolt.pins[k + 1]);
+            let (now, _) = chord(from, to, &freedoms);
+            let pull = bolt.chain.force[k] / now.length() * now;
+            freedoms.push(pushes, &from.anchor, pull);
+            freedoms.push(pushes, &to.anchor, -pull);
+        }
+        for dowel in &bolt.dowels {
+            let [behind, ahead] = &dowel.sides;
+            freedoms.push(pushes, &behind.anchor, dowel.force);
+            freedoms.push(pushes, &ahead.anchor, -dowel.force);
+        }
+    }
+    if world.pending > 0.0 || world.fresh {
+        for (bolt, desk) in bolts.iter_mut().zip(&scratch.bolts) {
+            let lost = desk.losses.all() + desk.sheared;
+            bolt.lost += lost;
+            bolt.breaks += desk.losses.breaks as u32;
+            bolt.left = bolt.left.max(desk.losses.left);
+            world.works.bolts += lost;
+        }
+    }
+    world.bolts = bolts;
+}
+
+/// Equilibrium of one bolt and forces of its dowels.
+fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
+    for &k in &desk.stretching {
+        let k = k as usize;
+        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], freedoms).1;
+    }
+    desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
+    desk.sheared = 0.0;
+    let Some([stiffness, limit]) = spec.design.dowel else {
+        return;
+    };
+    for one in &mut bolt.dowels {
+        let [behind, ahead] = &one.sides;
+        let jump = ahead.moved(freedoms) - behind.moved(freedoms);
+        let across = jump - jump.dot(bolt.axis) * bolt.axis;
+        // A dowel ends with its bar.
+        let limit = if bolt.chain.bars[one.bar as usize].stiffness > 0.0 {
+            limit
+        } else {
+            0.0
+        };
+        let before = 0.5 * one.force.length_squared() / stiffness;
+        let (force, slip) = dowel(stiffness, limit, across.to_array(), one.slip.to_array());
+        let (force, slip) = (Vec3::from_array(force), Vec3::from_array(slip));
+        desk.sheared += if limit > 0.0 {
+            force.dot(slip - one.slip)
+        } else {
+            before
+        };
+        (one.force, one.slip) = (force, slip);
+    }
+}
+
+impl World {
+    /// Energy in bolts, J.
+    #[must_use]
+    pub fn bolt_energy(&self) -> f64 {
+        let stored = |bolt: &Bolt| {
+            let dowel = self.setup.bolts[bolt.number as usize].design.dowel;
+            bolt.stored(dowel.map_or(0.0, |d| d[0]))
+        };
+        self.bolts.iter().map(stored).sum()
+    }
+
+    /// Forces of bolts on the rock: block, arm from its centroid at present (m), force (N); one for each node and each side of a joint.
+    #[must_use]
+    pub fn bolt_forces(&self) -> Vec<(u32, Vec3, Vec3)> {
+        let freedoms = self.all_freedoms();
+        let mut all = Vec::new();
+        for bolt in &self.bolts {
+            let first = all.len();
+            let arm = |block: u32, place: Vec3, moved: Vec3| {
+                let centre =
+                    self.reference[block as usize] + freedoms.displacement(&self.centroid(block));
+                place + moved - centre
+            };
+            let pin = |pin: &Pin, force: Vec3| {
+                let moved = pin.moved(&freedoms);
+                (pin.block, arm(pin.block, pin.place, moved), force)
+            };
+            all.extend(bolt.pins.iter().map(|p| pin(p, Vec3::ZERO)));
+            for k in 0..bolt.chain.bars.len() {
+                let (now, _) = chord(&bolt.pins[k], &bolt.pins[k + 1], &freedoms);
+                let pull = bolt.chain.force[k] / now.length() * now;
+                all[first + k].2 += pull;
+                all[first + k + 1].2 -= pull;
+            }
+            for dowel in &bolt.dowels {
+                all.push(pin(&dowel.sides[0], dowel.force));
+                all.push(pin(&dowel.sides[1], -dowel.force));
+            }
+        }
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,135 @@
+//! State of bolts that are in the rock.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::anchor::{Anchor, Freedoms};
+use crate::laws::bolt::{Chain, Factors, Losses};
+
+/// A bolt in the rock.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bolt {
+    /// Index into `Setup::bolts`.
+    pub number: u32,
+    /// Bar, grout and plate with all that they remember.
+    pub chain: Chain,
+    /// Where each node of the chain sits in the rock.
+    pub pins: Vec<Pin>,
+    /// Shear springs where it crosses joints.
+    pub dowels: Vec<Dowel>,
+    /// Unit direction from the head to the toe when it was installed.
+    pub axis: Vec3,
+    /// Yield, slip and rupture so far, J.
+    pub lost: f64,
+    /// Bars that have broken.
+    pub breaks: u32,
+    /// The worst that was left of its equilibrium, over its largest force.
+    pub left: f64,
+}
+
+/// A point of the rock that a bolt holds on to.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pin {
+    /// The block.
+    pub block: u32,
+    /// Where on it.
+    pub anchor: Anchor,
+    /// Distance from the head, m.
+    pub along: f64,
+    /// Place when the bolt was installed, m.
+    pub place: Vec3,
+    /// Displacement then, m.
+    pub base: Vec3,
+}
+
+/// A bolt as a dowel between the two sides of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Dowel {
+    /// The bar that crosses the joint.
+    pub bar: u32,
+    /// The same point on both sides.
+    pub sides: [Pin; 2],
+    /// What has slipped, m, across the axis.
+    pub slip: Vec3,
+    /// Force on the side ahead, N.
+    pub force: Vec3,
+}
+
+/// What the solution of one bolt works with.
+#[derive(Clone, Debug, Default)]
+pub struct Desk {
+    /// Room and factors for the chain.
+    pub factors: Factors,
+    /// Bars whose ends can part.
+    pub stretching: Vec<u32>,
+    /// Parting of the rock along each bar, m.
+    pub apart: Vec<f64>,
+    /// What the last step has cost.
+    pub losses: Losses,
+    /// The same of its dowels, J.
+    pub sheared: f64,
+}
+
+impl Desk {
+    /// Room for a bolt as it is now.
+    #[must_use]
+    pub fn new(bolt: &Bolt) -> Self {
+        let bars = bolt.chain.bars.len();
+        Self {
+            factors: bolt.chain.factors(),
+            stretching: (0..bars as u32)
+                .filter(|k| bolt.stretches(*k as usize))
+                .collect(),
+            apart: vec![0.0; bars],
+            losses: Losses::default(),
+            sheared: 0.0,
+        }
+    }
+}
+
+impl Pin {
+    /// Displacement since the bolt was installed, m.
+    #[inline]
+    #[must_use]
+    pub fn moved(&self, freedoms: &Freedoms) -> Vec3 {
+        freedoms.displacement(&self.anchor) - self.base
+    }
+}
+
+/// Present chord (m) from one pin to another, and by how much it is longer than when the bolt was installed, m.
+#[inline]
+#[must_use]
+pub fn chord(from: &Pin, to: &Pin, freedoms: &Freedoms) -> (Vec3, f64) {
+    let start = to.place - from.place;
+    let moved = to.moved(freedoms) - from.moved(freedoms);
+    let now = start + moved;
+    // Without the difference of two lengths.
+    let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
+    (now, apart)
+}
+
+impl Bolt {
+    /// Energy in bar, grout, plate and dowels, J; `dowel` is the stiffness of the dowels, N/m.
+    #[must_use]
+    pub fn stored(&self, dowel: f64) -> f64 {
+        let sheared: f64 = self.dowels.iter().map(|d| d.force.length_squared()).sum();
+        let sheared = if dowel > 0.0 {
+            0.5 * sheared / dowel
+        } else {
+            0.0
+        };
+        self.chain.stored() + sheared
+    }
+
+    /// Whether the rock at the ends of bar `k` can move apart: it lies in two blocks.
+    #[must_use]
+    pub fn stretches(&self, k: usize) -> bool {
+        self.pins[k].block != self.pins[k + 1].block
+    }
+
+    /// Blocks that it holds on to, with repeats.
+    pub fn blocks(&self) -> impl Iterator<Item = u32> + '_ {
+        let dowels = self.dowels.iter().flat_map(|d| &d.sides);
+        self.pins.iter().chain(dowels).map(|pin| pin.block)
+    }
+}

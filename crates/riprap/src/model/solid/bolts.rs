@@ -1,0 +1,231 @@
+//! Bolts in space: patterns, files, and whether they are in rock.
+
+use std::f64::consts::PI;
+
+use riprap_geom::Vec3;
+
+use crate::laws::bolt::Design;
+use crate::model::builder::Builder;
+use crate::scenario::csv_columns::csv_quantities;
+use crate::scenario::language::{self, Dowel, Plate};
+use crate::scenario::read::{Provenance, with_unit};
+use crate::scenario::units::Dim;
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
+use crate::spatial::bolts::place::{self, Misplaced};
+use crate::spatial::setup::Bolt;
+
+/// Most bolts of one table.
+const MOST: usize = 100_000;
+
+/// Columns of a file of bolts.
+const COLUMNS: [(&str, Dim); 6] = [
+    ("head_x", Dim::LENGTH),
+    ("head_y", Dim::LENGTH),
+    ("head_z", Dim::LENGTH),
+    ("toe_x", Dim::LENGTH),
+    ("toe_y", Dim::LENGTH),
+    ("toe_z", Dim::LENGTH),
+];
+
+/// A bolt with the place in the text that says where it is.
+struct Line {
+    head: Vec3,
+    toe: Vec3,
+    span: Span,
+}
+
+impl Builder<'_> {
+    /// Reads all bolts; phases install them.
+    pub(super) fn bolts(&mut self) {
+        for (k, said) in self.parsed.scenario.bolts.iter().enumerate() {
+            let Some(lines) = self.bolt_lines(said) else {
+                continue;
+            };
+            let design = self.design(k, said);
+            let many = lines.len() > 1 || said.csv.is_some();
+            for (number, line) in (1..).zip(lines) {
+                let name = if many {
+                    format!("{}.{number}", said.name)
+                } else {
+                    said.name.text.clone()
+                };
+                self.bolt_in_rock(said, &name, &line, &design);
+                self.directory.bolts.push(name.clone());
+                self.spatial.bolts.push(Bolt {
+                    name,
+                    head: line.head - self.spatial.origin,
+                    toe: line.toe - self.spatial.origin,
+                    design,
+                });
+            }
+        }
+    }
+
+    /// Numbers of the bolts that a phase installs.
+    pub(in crate::model) fn installs(&self, phase: &Name, first: bool) -> Vec<u32> {
+        let mut all = Vec::new();
+        for said in &self.parsed.scenario.bolts {
+            let here = match &said.phase {
+                Some(name) => name.as_str() == phase.as_str(),
+                None => first,
+            };
+            if here {
+                all.extend(self.directory.bolts_of(said.name.as_str()));
+            }
+        }
+        all.sort_unstable();
+        all
+    }
+
+    fn design(&mut self, k: usize, said: &language::Bolt) -> Design {
+        let steel = &said.steel;
+        let mut read = self.reading(format!("bolts.{k}"), said);
+        let piece = read.piece();
+        let pretension = read.pretension().unwrap_or(0.0);
+        let mut read = read.within("steel", steel);
+        let (young, share) = (read.young(), read.hardening());
+        let area = match (&steel.diameter, &steel.area) {
+            (Some(d), _) => 0.25 * PI * d.si() * d.si(),
+            (None, area) => area.as_ref().map_or(0.0, Quantity::si),
+        };
+        let axial = young * area;
+        let or_none = |limit: Option<f64>| limit.unwrap_or(f64::INFINITY);
+        self.explain(
+            format!("bolts.{k}.steel.axial_stiffness"),
+            with_unit(axial, "N"),
+            Provenance::Derived,
+            "Young's modulus times area",
+        );
+        let si = |limit: &Option<Quantity<_>>| or_none(limit.as_ref().map(Quantity::si));
+        let capacity = |plate: &Plate| si(&plate.capacity);
+        let dowel = |dowel: &Dowel| [dowel.stiffness.si(), si(&dowel.strength)];
+        Design {
+            axial,
+            yields: si(&steel.yield_force),
+            hardening: share * axial,
+            breaks: or_none(steel.rupture.as_ref().map(Quantity::si)),
+            grout: said.grout.stiffness.si(),
+            bond: or_none(said.grout.strength.as_ref().map(Quantity::si)),
+            grouted: or_none(said.grout.length.as_ref().map(Quantity::si)),
+            plate: said.plate.as_ref().map(capacity),
+            pretension,
+            dowel: said.dowel.as_ref().map(dowel),
+            piece,
+        }
+    }
+
+    /// Ends of all bolts of a table, in the coordinates of the file; `None` after an error.
+    fn bolt_lines(&mut self, said: &language::Bolt) -> Option<Vec<Line>> {
+        if let Some(csv) = &said.csv {
+            return self.bolts_of_file(csv);
+        }
+        let (head, toe) = (said.head.as_ref()?, said.toe.as_ref()?);
+        let count = said.repeat.iter().map(|row| row.count as usize);
+        if count.fold(1, usize::saturating_mul) > MOST {
+            let message = format!("the bolts `{}` would be more than {MOST}", said.name);
+            self.error_at("bolt.many", &said.name, message, "make fewer of them");
+            return None;
+        }
+        let mut lines = vec![Line {
+            head: Vec3::from(head.xyz()),
+            toe: Vec3::from(toe.xyz()),
+            span: head.span.clone(),
+        }];
+        for row in &said.repeat {
+            let step = Vec3::from(row.step.xyz());
+            let copies = (0..row.count).flat_map(|k| {
+                let shift = k as f64 * step;
+                lines.iter().map(move |line| Line {
+                    head: line.head + shift,
+                    toe: line.toe + shift,
+                    span: line.span.clone(),
+                })
+            });
+            lines = copies.collect();
+        }
+        Some(lines)
+    }
+
+    fn bolts_of_file(&mut self, csv: &Name) -> Option<Vec<Line>> {
+        let path = self.parsed.folder.join(csv.as_str());
+        let columns = match csv_quantities(&path, &COLUMNS, &[]) {
+            Ok(columns) => columns,
+            Err(error) => {
+                let mut found = Diagnostic::error("file.csv", error.message);
+                found.help = error.help;
+                self.found.push(found.at(csv.span.clone()));
+                return None;
+            }
+        };
+        let columns: Vec<Vec<f64>> = columns.into_iter().flatten().collect();
+        let [hx, hy, hz, tx, ty, tz] = &columns[..] else {
+            return None; // the reader answers for all needed columns
+        };
+        let mut lines = Vec::new();
+        for k in 0..hx.len() {
+            let (head, toe) = (
+                Vec3::new(hx[k], hy[k], hz[k]),
+                Vec3::new(tx[k], ty[k], tz[k]),
+            );
+            if head == toe {
+                let message = format!("`{csv}`, bolt {}: it has no length", k + 1);
+                self.error_at("file.csv", csv, message, "head and toe must differ");
+                return None;
+            }
+            lines.push(Line {
+                head,
+                toe,
+                span: csv.span.clone(),
+            });
+        }
+        Some(lines)
+    }
+
+    /// Whether a bolt is in the rock of the blocks as they are given, without those that are removed by then.
+    fn bolt_in_rock(&mut self, said: &language::Bolt, name: &str, line: &Line, design: &Design) {
+        let [head, toe] = [line.head, line.toe].map(|p| p - self.spatial.origin);
+        let length = head.distance(toe);
+        let axis = (toe - head) / length;
+        let mut gone = vec![false; self.spatial.blocks.len()];
+        for (k, phase) in self.parsed.scenario.phases.iter().enumerate() {
+            let names = self.directory.all(&phase.remove);
+            for b in names.unwrap_or_default() {
+                gone[b as usize] = true;
+            }
+            let here = said
+                .phase
+                .as_ref()
+                .map_or(k == 0, |p| p.as_str() == phase.name.as_str());
+            if here {
+                break;
+            }
+        }
+        let blocks = (0u32..).zip(&self.spatial.blocks);
+        let spans = blocks
+            .filter(|(b, _)| !gone[*b as usize])
+            .filter_map(|(b, block)| {
+                let span = place::span(&block.shape, head, axis, place::range(length))?;
+                Some((span, b))
+            })
+            .collect();
+        let plate = design.plate.is_some();
+        let sets = &self.spatial.deform.sets;
+        let deforms = |b: u32| sets.iter().any(|s| s.blocks.binary_search(&b).is_ok());
+        let reason = match place::order(spans, length, design.grouted, plate) {
+            Ok(spans) if spans.iter().any(|(_, b)| deforms(*b)) => Misplaced::Deformable,
+            Ok(_) => return,
+            Err(reason) => reason,
+        };
+        let help = match reason {
+            Misplaced::Outside => "check its ends and their units",
+            Misplaced::Head { .. } => "begin it on the face of the rock",
+            Misplaced::Buried => "begin it on the face of the rock, or leave out `plate`",
+            Misplaced::Toe { .. } => "end it in the rock",
+            Misplaced::Deformable => "make the blocks around it rigid",
+            Misplaced::NoGrout => "make the grouted length larger, or the bolt longer",
+        };
+        let message = format!("the bolt `{name}`: {reason}");
+        let error = Diagnostic::error("bolt.place", message).at(line.span.clone());
+        self.found.push(error.help(help));
+    }
+}
