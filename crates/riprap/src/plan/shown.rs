@@ -79,7 +79,7 @@ impl Shown {
 #[must_use]
 pub fn digits_for(tolerance: f64) -> usize {
     let (mut digits, mut share) = (1, 1.0);
-    while share > tolerance && digits < MOST {
+    while share > 1.5 * tolerance && digits < MOST {
         share *= 0.1;
         digits += 1;
     }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{CheckResult, Status};
-use crate::plan::shown::{Shown, digits_for};
+use crate::plan::shown::{Shown, digits_for, number};
 use crate::plan::{Check, Expected, Reduce, Window};
 
 /// Digits of numbers that the author of the scene gave: enough to give them back.
@@ -324,7 +324,10 @@ impl Watch {
             let comma = if words.is_empty() { "" } else { ", " };
             words.push_str(&format!("{comma}expected {expected}"));
         }
-        let relative = self.check.relative.map(|r| format!("{r} relative"));
+        let relative = self
+            .check
+            .relative
+            .map(|r| format!("{} relative", number(r, MOST_GIVEN)));
         let absolute = self.check.absolute.map(|a| shown.text(a, MOST_GIVEN));
         let allowed: Vec<String> = relative.into_iter().chain(absolute).collect();
         if !allowed.is_empty() {
@@ -467,7 +470,7 @@ mod tests {
             Some(1e-6),
             2.0 * deg,
         );
-        assert_eq!(said, "2 deg, expected 2 deg (0.000001 relative)");
+        assert_eq!(said, "2 deg, expected 2 deg (1e-6 relative)");
         let said = words(
             "Pa",
             None,
