@@ -93,6 +93,18 @@ fn joint(v: &View<'_>, of: &[u32], get: impl Fn(&super::bond::BondPoint) -> f64)
     points.map(get).reduce(f64::max).unwrap_or(0.0)
 }
 
+/// Largest pressure of the water between two blocks.
+fn pore_pressure(v: &View<'_>, of: &[u32]) -> f64 {
+    let (a, b) = pair(of);
+    let key = (a.min(b), a.max(b));
+    let found = v.contacts().filter(|(i, j, _)| (*i, *j) == key);
+    let found = found.map(|(i, _, c)| v.world.bodies[i as usize].position + c.centre);
+    let bonds = v.world.bonds.iter().filter(|k| (k.i, k.j) == key);
+    let points = bonds.flat_map(|k| k.points.iter().map(|p| v.world.on_body(k.i, p.on_i)));
+    let pressures = found.chain(points).map(|at| v.world.pore_pressure(at));
+    pressures.fold(0.0, f64::max)
+}
+
 /// Living blocks without prescribed motion.
 fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
     v.living().filter(|&b| v.world.motion[b].is_none())
@@ -128,6 +140,7 @@ fields! {
     "block.angular_acceleration" "rad/s2" Block Scalar false "Angular acceleration, anticlockwise." |v, of| one(v.acceleration(first(of)).1);
     "block.force" "N/m" Block Vector false "Sum of all forces on the block, weight included, supports and damping excluded." |v, of| v.scratch.net[first(of)].force.into();
     "block.moment" "N" Block Scalar false "Sum of all moments about the centroid (N m per m)." |v, of| one(v.scratch.net[first(of)].moment);
+    "block.water_force" "N/m" Block Vector false "Push of the standing water on all faces of the block." |v, of| v.water_force(first(of)).into();
     "block.kinetic" "J/m" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
     "block.area" "m2" Block Scalar false "Area: volume per metre of thickness." |v, of| one(area(v, first(of)));
     "block.mass" "kg/m" Block Scalar false "Mass." |v, of| one(v.scratch.shapes.mass[first(of)]);
@@ -147,6 +160,7 @@ fields! {
     "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
     "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
     "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
+    "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of contacts and at the joint points between the two." |v, of| one(pore_pressure(v, of));
     "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
     "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
@@ -155,6 +169,7 @@ fields! {
     "group.momentum" "N s/m" Group Vector false "Momentum of the group's blocks that are there." |v, of| there(v, of).map(|b| momentum(v, b)).sum::<Vec2>().into();
     "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; of heaps that stand apart the mean by mass." |v, of| one(heap::repose_angle(v, of));
     "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
+    "group.water_force" "N/m" Group Vector false "Sum of the pushes of the standing water on the group's blocks." |v, of| of.iter().map(|&b| v.water_force(b as usize)).sum::<Vec2>().into();
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.displacement(b).length());
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.rotation(b).abs());
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.velocity(b).length());

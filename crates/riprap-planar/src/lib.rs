@@ -25,6 +25,7 @@ mod shapes;
 pub mod stable;
 pub mod step;
 pub mod view;
+mod water;
 pub mod world;
 
 use riprap_core::{dynamics, exec, field, frame, laws, ledger, sums};

@@ -62,8 +62,13 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         .map(|(i, j, contact)| found(view, [i, j], contact))
         .collect();
     rows.extend(joints(view));
-    frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
     frame.contact_columns = contact_columns(&rows);
+    if world.water.is_some() {
+        let pressures = rows.iter().map(|r| world.pore_pressure(r.place)).collect();
+        let column = Column::scalar("pore_pressure", "Pa", pressures);
+        frame.contact_columns.push(column);
+    }
+    frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
     frame
 }
 
@@ -125,11 +130,8 @@ fn joints(view: &View<'_>) -> Vec<Row> {
 }
 
 fn joint(view: &View<'_>, bond: &Bond) -> Row {
-    let body = &view.world.bodies[bond.i as usize];
     let count = bond.points.len().max(1) as f64;
     let arm = bond.points.iter().map(|p| p.on_i).sum::<Vec2>() / count;
-    let (s, c) = libm::sincos(body.angle);
-    let arm = Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y);
     let (mut broken, mut length, mut opening, mut slip) = (0.0, 0.0, 0.0, 0.0);
     for p in bond.points.iter().filter(|p| p.failed) {
         broken += 1.0;
@@ -140,7 +142,7 @@ fn joint(view: &View<'_>, bond: &Bond) -> Row {
     let mean = |sum: f64| if length > 0.0 { sum / length } else { 0.0 };
     let bears = if bond.active { 1.0 } else { 0.0 };
     Row {
-        place: body.position + arm,
+        place: view.world.on_body(bond.i, arm),
         blocks: [bond.i, bond.j],
         force: bond.stress.force + bond.damping.force,
         normal: bears * bond.compression(),

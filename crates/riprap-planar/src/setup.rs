@@ -11,6 +11,7 @@ use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondLaw, ContactLaw, FrictionLaw, NormalLaw, Reflex};
+pub use crate::laws::water::WaterTable;
 
 /// A complete 2D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -35,6 +36,8 @@ pub struct Setup {
     pub loads: Vec<Load>,
     /// Named sets of blocks, each sorted.
     pub groups: Vec<Group>,
+    /// Water tables, of which one at a time stands ([`World::water`](super::world::World::water)).
+    pub water: Vec<WaterTable>,
 }
 
 /// A named set of blocks.

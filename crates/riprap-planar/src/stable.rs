@@ -59,6 +59,8 @@ pub fn stable_step(
     let laws = world.setup.interfaces.iter().map(|i| &i.contact);
     let stiffest = laws.clone().map(stiffness).fold(0.0, f64::max);
     let ratio = laws.map(|l| l.damping_ratio).fold(0.0, f64::max);
+    let table = world.table();
+    let water = table.map_or(0.0, |table| table.stiffness(-world.setup.gravity[1]));
     let mut worst = Stable {
         dt: f64::INFINITY,
         block: None,
@@ -72,6 +74,12 @@ pub fn stable_step(
         let dash = damping::dashpot(ratio, k, shapes.mass[b]) + stiffness_damping * k;
         let mut alone = Sums::default();
         alone.add(shapes, b, longest * longest / 12.0, k, dash);
+        // What floats has the stiffness of the water over the length that the table cuts.
+        let mut sum = *sum;
+        let radius = shapes.radius[b];
+        for sum in [&mut sum, &mut alone] {
+            sum.add(shapes, b, radius * radius / 3.0, 2.0 * radius * water, 0.0);
+        }
         let dt = sum.stable().min(alone.stable());
         if dt < worst.dt {
             worst = Stable {

@@ -16,6 +16,7 @@ use super::loads::{self, Applied};
 use super::search::{self, Candidates};
 use super::setup::{ContactLaw, Setup};
 use super::shapes::Shapes;
+use super::water;
 use super::world::{Body, World, Wrench};
 use crate::exec::{Exec, piece};
 use crate::ledger::Works;
@@ -122,6 +123,7 @@ impl World {
         }
         let mut world = Self {
             gravity: Vec2::from(setup.gravity),
+            water: None,
             time: 0.0,
             step: 0,
             last_dt: 0.0,
@@ -314,9 +316,11 @@ pub fn evaluate(
 ) -> Result<(), NonFinite> {
     let mut profile = std::mem::take(&mut scratch.profile);
     profile.stage("loads", || {
-        if !world.setup.loads.is_empty() {
+        // A table that no longer stands leaves nothing behind.
+        if !world.setup.loads.is_empty() || !world.setup.water.is_empty() {
             loads::apply(world, &scratch.shapes, &mut scratch.applied);
         }
+        water::apply(world, scratch);
     });
     profile.stage("search", || refresh(world, scratch));
     profile.stage("contacts", || found_contacts(world, scratch, damping));

@@ -7,6 +7,7 @@ use super::energy;
 use super::search::Candidate;
 use super::setup::NormalLaw;
 use super::step::Scratch;
+use super::water;
 use super::world::{Contact, World, Wrench};
 use crate::ledger::Balance;
 
@@ -108,6 +109,16 @@ impl View<'_> {
     /// Living blocks.
     pub fn living(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.world.alive.len()).filter(|&b| self.world.alive[b])
+    }
+
+    /// Push of the standing water on all faces of a block, N/m; nothing on one that was removed.
+    #[must_use]
+    pub fn water_force(&self, b: usize) -> Vec2 {
+        if !self.world.alive[b] {
+            return Vec2::ZERO;
+        }
+        let scratch = self.scratch;
+        water::on_block(self.world, &scratch.shapes, &scratch.turned, b).force
     }
 
     /// Unbalanced-force ratio: sum of |net force| of the free blocks over the sum of the forces that

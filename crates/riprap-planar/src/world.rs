@@ -34,6 +34,8 @@ pub struct World {
     pub motion: Vec<Option<Box<Motion>>>,
     /// Gravity now, m/s².
     pub gravity: Vec2,
+    /// The water table that stands now, an index into `setup.water`.
+    pub water: Option<u16>,
     /// Poses at the last rebuild of the candidate list: the list is a function of these alone.
     pub search_pose: Vec<(Vec2, f64)>,
     /// State of found contacts between convex blocks, in candidate order.
@@ -55,6 +57,14 @@ impl World {
             self.reference[b] = body.position;
             self.reference_angle[b] = body.angle;
         }
+    }
+
+    /// Present place (local, m) of a point of a block, given from its centroid in the body frame.
+    #[must_use]
+    pub fn on_body(&self, block: u32, arm: Vec2) -> Vec2 {
+        let body = &self.bodies[block as usize];
+        let (s, c) = libm::sincos(body.angle);
+        body.position + Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y)
     }
 }
 

@@ -11,6 +11,9 @@ use super::quantity::{Name, Names, Raw};
 use super::values::short;
 use super::words::WordOr;
 
+/// The word of a phase in which no water stands.
+pub const NO_WATER: &str = "none";
+
 /// What stands for nothing, or twice.
 pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Diagnostic>) {
     let blocks: BTreeMap<&str, bool> = scenario
@@ -285,6 +288,14 @@ impl<'a> References<'a> {
         for phase in &scenario.phases {
             for name in phase.remove.iter().chain(&phase.fix).chain(&phase.release) {
                 self.block_or_group(name);
+            }
+            if let Some(name) = &phase.water
+                && name.as_str() != NO_WATER
+                && scenario.water.get(name.as_str()).is_none()
+            {
+                let mut known: Vec<&str> = scenario.water.names().collect();
+                known.push(NO_WATER);
+                self.unknown("water table", name, known);
             }
             for (name, _) in phase.interfaces.iter() {
                 if !interfaces.contains(&name.as_str()) {

@@ -18,6 +18,7 @@ pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{
     Dashpots, Failure, JointLaw, Kinematics, Points, Stiffness, StiffnessRule,
 };
+pub use crate::laws::water::WaterTable;
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -63,6 +64,8 @@ pub struct Setup {
     pub deform: deform::Deformables,
     /// Whether blocks that no patch joins are watched for contact.
     pub found_contacts: bool,
+    /// Water tables, of which one at a time stands ([`World::water`](crate::state::world::World::water)).
+    pub water: Vec<WaterTable>,
 }
 
 /// Angle at which a block changes over to finite rotations where none is given, rad.

@@ -36,7 +36,7 @@ pub struct Stable {
 /// phase, s.
 #[must_use]
 pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> Stable {
-    let rigid = rigid_step(world, scratch, stiffness_damping);
+    let rigid = in_water(world, rigid_step(world, scratch, stiffness_damping));
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
         return rigid;
     };
@@ -55,6 +55,41 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
         dt,
         block,
         why: "nodes against their bonds and tetrahedra",
+    }
+}
+
+/// Shortens the step of the rigid blocks by the stiffness of the water: what floats has it over the area that the table cuts, at
+/// most that of a circle about the block. (Elements of deformable blocks are stiffer by far than water over their faces.)
+fn in_water(world: &World, rigid: Stable) -> Stable {
+    let Some(table) = world.table() else {
+        return rigid;
+    };
+    let stiffness = table.stiffness(world.setup.gravity.length());
+    let (mut square, mut block) = (0.0, None);
+    for b in (0..world.alive.len()).filter(|&b| world.alive[b] && world.is_free(b)) {
+        if world.deforms(b) || world.is_terrain(b) {
+            continue;
+        }
+        let solid = world.solid_of(b);
+        let area = std::f64::consts::PI * solid.radius * solid.radius;
+        // The turning compliance of any axis is at most the sum of those about the three.
+        let inverse = &solid.inverse;
+        let ease = inverse.col(0).x + inverse.col(1).y + inverse.col(2).z;
+        let own = stiffness * area * (1.0 / solid.mass + 0.25 * solid.radius * solid.radius * ease);
+        if own > square {
+            (square, block) = (own, Some(b as u32));
+        }
+    }
+    // The largest eigenvalue of a sum is at most the sum of the largest ones; 2/dt is 0 where nothing holds the blocks.
+    let own = 2.0 / rigid.dt;
+    let dt = 2.0 / (square + own * own).sqrt();
+    match rigid.block {
+        Some(_) => Stable { dt, ..rigid },
+        None => Stable {
+            dt,
+            block,
+            why: "floating",
+        },
     }
 }
 

@@ -45,6 +45,7 @@ pub fn evaluate(
         if let Some(deform) = &world.deform {
             push::surface::apply(world, deform, &mut scratch.pushes.loads);
         }
+        push::water::apply(world, scratch);
     });
     stage(scratch, "kinematics", |scratch| change_over(world, scratch));
     contacts::give_way(world, scratch);

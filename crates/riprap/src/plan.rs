@@ -62,6 +62,8 @@ pub struct Phase {
     pub gravity: Option<[f64; 3]>,
     /// Time over which gravity grows from its value before (zero in the first phase), s.
     pub gravity_ramp: Option<f64>,
+    /// Water table that stands from the start of the phase on, an index into those of the setup, or none.
+    pub water: Option<Option<u16>>,
     /// Rows of the interface table of the planar engine replaced at the start of the phase.
     pub contacts: Vec<(u16, ContactLaw)>,
     /// Rows of the interface table of the spatial engine replaced at the start of the phase.
@@ -123,6 +125,7 @@ impl Phase {
             install: Vec::new(),
             gravity: None,
             gravity_ramp: None,
+            water: None,
             contacts: Vec::new(),
             joints: Vec::new(),
             reduction: None,
@@ -154,6 +157,7 @@ impl Phase {
             || !self.fix.is_empty()
             || !self.release.is_empty()
             || !self.install.is_empty()
+            || self.water.is_some()
             || !self.contacts.is_empty()
             || !self.joints.is_empty()
             || self.reduction.is_some()

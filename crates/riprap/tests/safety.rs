@@ -159,3 +159,20 @@ fn plane_failure() {
         agrees(&answer, wanted, rules.width);
     }
 }
+
+/// The same with a water table, in the plane and in space.
+#[test]
+fn plane_failure_under_a_water_table() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/verify/engineering");
+    let rules = Rules {
+        width: 0.002,
+        ..Rules::default()
+    };
+    for file in ["water_plane_failure", "water_plane_failure_space"] {
+        let scene = Scene::load(&folder.join(file).with_extension("toml"), &[]).unwrap();
+        for (case, wanted) in [("default", 1.100_313), ("dry", 1.205_961)] {
+            let answer = safety(&scene, case, &rules).unwrap();
+            agrees(&answer, wanted, rules.width);
+        }
+    }
+}

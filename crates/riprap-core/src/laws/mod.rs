@@ -14,6 +14,7 @@ pub mod parameters;
 pub mod potential;
 pub mod tetrahedron;
 pub mod transfer;
+pub mod water;
 
 /// `sqrt(a^2 + b^2)`: the same bits on every machine, which `f64::hypot` is not. Stresses and displacements are far from where
 /// their squares leave the range of numbers.

@@ -21,6 +21,7 @@ mod phases;
 mod solids;
 mod sources;
 mod space;
+mod water;
 
 use riprap_keys::{Keys, Words};
 use serde::Deserialize;
@@ -53,6 +54,7 @@ pub use sources::{
     PressureCavity, Refine, Source, Venting, VentingTime,
 };
 pub use space::{Group, Material, Planar, Space, Spatial};
+pub use water::Water;
 
 use super::quantity::{Length, PositivePlain, Quantity, Table};
 
@@ -133,6 +135,9 @@ pub struct Scenario {
     /// Forces, pressures and moments on blocks.
     #[serde(default)]
     pub loads: Vec<Load>,
+    /// Water tables by name, of which one at a time stands.
+    #[serde(default)]
+    pub water: Table<Water>,
     /// The parts of the run, one after the other.
     #[serde(default)]
     pub phases: Vec<Phase>,

@@ -49,6 +49,8 @@ pub struct Phase {
     /// Time over which gravity grows from its old value (zero in the first phase), s.
     /// Default 0 s: at once.
     pub gravity_ramp: Option<Quantity<NotNegativeTime>>,
+    /// Water table from this phase on, or `none`. Default unchanged, in the first phase the only table.
+    pub water: Option<Name>,
     /// What is set to zero when the phase begins.
     #[serde(default)]
     pub reset: Vec<Reset>,

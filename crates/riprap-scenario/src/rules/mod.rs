@@ -10,6 +10,7 @@ mod interfaces;
 mod joints;
 mod motion;
 mod sources;
+mod water;
 
 use toml::de::DeTable;
 
@@ -165,6 +166,7 @@ impl Rules {
         for load in &scenario.loads {
             self.load(load);
         }
+        self.water(scenario);
         for phase in &scenario.phases {
             self.phase(phase);
         }

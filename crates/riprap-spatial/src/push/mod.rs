@@ -1,9 +1,9 @@
-//! What pushes blocks from outside: loads, tractions, cavities, bolts, springs of faces.
+//! What pushes blocks from outside: loads, tractions, water, cavities, bolts, springs of faces.
 //!
 //! All of it goes into one buffer, [`Pushes`](crate::state::push::Pushes), through anchors or as force and moment on a rigid block:
 //!
 //! 1. `begin` clears the buffer at the head of an evaluation.
-//! 2. Writers add to it, one after the other in the order of `step::evaluate`: loads, tractions on deformable blocks, cavities, bolts,
+//! 2. Writers add to it, one after the other in the order of `step::evaluate`: loads, tractions on deformable blocks, water, cavities, bolts,
 //!    bonds on rigid blocks; last, block by block in the gathering, faces of rigid blocks. A writer that comes later goes behind
 //!    those that are there, so that their sums stay the same bits. What a writer adds must not depend on the number of threads.
 //! 3. The account says who books the work. `loads`: given forces; the kick books `f . v` of both half steps as work of
@@ -17,6 +17,7 @@ pub mod cavity;
 pub mod loads;
 pub mod surface;
 pub mod traction;
+pub mod water;
 
 use super::state::bolts::Bolt;
 use super::state::scratch::Scratch;
@@ -41,6 +42,10 @@ impl World {
         let all = loads.copied().chain(walls.map(|w| w.block)).chain(bolts);
         for b in all.chain(facets.flat_map(|f| f.blocks)) {
             pushed[b as usize] = true;
+        }
+        // A block that is dry now can fall into the water.
+        if self.table().is_some() {
+            pushed.fill(true);
         }
         pushed
     }

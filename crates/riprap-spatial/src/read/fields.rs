@@ -228,6 +228,7 @@ fields! {
     "block.volume" "m3" Block Scalar false "Volume." |v, of| one(v.world.solid_of(first(of)).volume);
     "block.mass" "kg" Block Scalar false "Mass." |v, of| one(v.world.solid_of(first(of)).mass);
     "block.momentum" "N s" Block Vector3 false "Momentum." |v, of| momentum(v, first(of));
+    "block.water_force" "N" Block Vector3 false "Push of the standing water on all faces of the block." |v, of| v.water_force(first(of));
     "block.energy_head" "m" Block Scalar false "Height to which the energy of the block would lift its centroid: its height and its kinetic energy over its weight." |v, of| one(v.energy_head(first(of)));
     "block.terrain_force" "N" Block Vector3 false "Force of all terrain on the block." |v, of| v.on_terrain(first(of)).0;
     "block.terrain_depth" "m" Block Scalar false "How deep the block lies in terrain; 0 when apart." |v, of| one(v.on_terrain(first(of)).1);
@@ -243,12 +244,14 @@ fields! {
     "block.contacts" "-" Block Scalar true "Number of found contacts of the block that touch." |v, of| one(v.contacts_of(first(of)).count() as f64);
     "pair.force" "N" Pair Vector3 true "Sum of the forces of patches, bonds and the found contact of the second block on the first, without dashpots." |v, of| { let (a, b) = pair(of); between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum::<Vec3>() + v.facet_force((a, b)) + v.contact_between(a, b).map_or(Vec3::ZERO, |(_, force)| force) };
     "pair.overlap" "m" Pair Scalar true "How far two blocks lie in each other by their found contact; 0 when apart or joined." |v, of| { let (a, b) = pair(of); one(v.contact_between(a, b).map_or(0.0, |(c, _)| c.depth)) };
+    "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of patches, facets and contacts between the two." |v, of| { let (a, b) = pair(of); one(v.pore_pressure_between(a, b)) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
     "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
     "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
+    "group.water_force" "N" Group Vector3 false "Sum of the pushes of the standing water on the group's blocks." |v, of| members(v, of).map(|b| v.water_force(b)).sum();
     "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
     "group.shift" "m" Group Vector3 false "Means of the magnitudes of x, y and z of the displacements of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b).abs());
     "group.rotation" "rad" Group Vector3 false "Mean rotation vector of the group's blocks." |v, of| mean(v, of, |b| v.rotation(b));

@@ -13,3 +13,4 @@ pub mod picture;
 pub mod survey;
 pub mod tetrahedra;
 pub mod view;
+mod water;

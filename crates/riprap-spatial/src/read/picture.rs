@@ -41,6 +41,13 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     put_patches(view, &mut frame);
     put_contacts(view, &mut frame);
     put_facets(view, &mut frame);
+    if world.water.is_some() {
+        let places = frame.contact_points.iter();
+        let at = |p: &[f64; 3]| world.pore_pressure(Vec3::from_array(*p) - world.setup.origin);
+        let pressures = places.map(at).collect();
+        let column = Column::scalar("pore_pressure", "Pa", pressures);
+        frame.contact_columns.push(column);
+    }
     frame.cracks = crate::read::cracks::surfaces(view);
     frame
 }
@@ -187,9 +194,7 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
         if many && deform.memory[facet.points()].iter().all(whole) {
             continue;
         }
-        let moved = view.position(facet.blocks[0] as usize)
-            - view.world.reference[facet.blocks[0] as usize];
-        let place = facet.centre + moved + view.world.setup.origin;
+        let place = view.facet_place(facet) + view.world.setup.origin;
         frame.contact_points.push(place.to_array());
         let points = facet.points();
         let force: Vec3 = points.clone().map(|p| Vec3::from(work.slots[p])).sum();
@@ -248,8 +253,7 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
 /// Found contacts, in the columns of patches; nothing of them can fail.
 fn put_contacts(view: &View<'_>, frame: &mut Frame) {
     for contact in view.contacts() {
-        let [i, j] = contact.ends.map(|b| view.position(b as usize));
-        let place = 0.5 * (i + contact.arms[0] + j + contact.arms[1]) + view.world.setup.origin;
+        let place = view.contact_place(&contact) + view.world.setup.origin;
         frame.contact_points.push(place.to_array());
         let (force, normal) = (-contact.force, contact.normal);
         // Force on the first block: compression is against the normal, which points to the second.
@@ -289,15 +293,12 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
     for &p in &chosen {
         let class = view.patch_class(p);
         let i = list.ends[p][0] as usize;
-        let (arm, normal) = match &view.world.turned[i] {
-            Some(turned) => (
-                turned.attitude * class.arms[0],
-                turned.attitude * class.frame[0],
-            ),
-            None => (class.arms[0], class.frame[0]),
+        let normal = match &view.world.turned[i] {
+            Some(turned) => turned.attitude * class.frame[0],
+            None => class.frame[0],
         };
         normals.push(normal.to_array());
-        let place = view.position(i) + arm + view.world.setup.origin;
+        let place = view.patch_place(p) + view.world.setup.origin;
         frame.contact_points.push(place.to_array());
         forces.push(view.patch_resultant(p).force.to_array());
         let t = view.patch_tractions(p);

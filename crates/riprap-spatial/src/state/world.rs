@@ -39,6 +39,8 @@ pub struct World {
     pub fresh: bool,
     /// Gravity now, m/s².
     pub gravity: Vec3,
+    /// The water table that stands now, an index into `setup.water`.
+    pub water: Option<u16>,
     /// Motion of the blocks.
     pub bodies: Bodies,
     /// Centroids that displacements are measured from, m.

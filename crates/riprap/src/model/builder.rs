@@ -80,6 +80,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         Space::Spatial(space) => b.solid(space),
     };
     if sound {
+        b.water();
         b.phases();
         b.reduce_strength();
         b.outputs();
@@ -91,6 +92,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         bisect = b.bisect(of_limit);
         if b.errors() == 0 {
             b.unused();
+            b.dry_tables();
             match b.space {
                 InSpace::Planar => inspect::inspect(&mut b),
                 InSpace::Spatial => {

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Parsed --origin--> generate blocks --> names, groups --> interfaces --> supports, loads
-//!                                                              --> phases, outputs, checks
+//!                                                              --> water --> phases, outputs, checks
 //!        --> inspect (overlaps, slivers, nothing to move) --> Model
 //! ```
 //!
@@ -26,6 +26,7 @@ mod phases;
 mod solid;
 mod summary;
 mod unused;
+mod water;
 
 pub use crate::scenario::read::{Explained, Provenance};
 pub use assertions::{Bisection, LIMIT};

@@ -109,6 +109,7 @@ impl Builder<'_> {
                 .as_ref()
                 .map(Quantity::si)
                 .filter(|&t| t > 0.0),
+            water: self.table_of(said),
             contacts,
             joints,
             reduction: None,

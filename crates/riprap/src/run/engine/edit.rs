@@ -26,6 +26,9 @@ pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
     for &b in &phase.release {
         world.motion[b as usize] = None;
     }
+    if let Some(table) = phase.water {
+        world.water = table;
+    }
     for (row, law) in &phase.contacts {
         world.setup.interfaces[*row as usize].contact = *law;
     }
@@ -61,6 +64,9 @@ pub(super) fn spatial(
     }
     for &b in &phase.release {
         world.motion[b as usize] = None;
+    }
+    if let Some(table) = phase.water {
+        world.water = table;
     }
     for (row, law) in &phase.joints {
         world.setup.interfaces[*row as usize].joint = *law;

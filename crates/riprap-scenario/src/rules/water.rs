@@ -1,0 +1,54 @@
+//! Rules of water tables.
+
+use super::Rules;
+use crate::language::Scenario;
+use crate::references::NO_WATER;
+
+impl Rules {
+    pub(super) fn water(&mut self, scenario: &Scenario) {
+        for (name, water) in scenario.water.iter() {
+            let of = format!("water.{name}");
+            self.name(name, "a water table");
+            if name.as_str() == NO_WATER {
+                let message = format!("a water table cannot be called `{NO_WATER}`");
+                let help = "it is the word of phases without water: give another name";
+                self.error("name.form", &name.span, message, help);
+            }
+            let keys = [
+                ("level", water.level.is_some()),
+                ("points", water.points.is_some()),
+            ];
+            self.one_of(&name.span, &of, &keys);
+            let Some(points) = &water.points else {
+                if let Some(azimuth) = &water.azimuth {
+                    let message = format!("`azimuth` of {of} has no effect");
+                    let note = crate::Diagnostic::warning("key.unused", message);
+                    let help = "it is the direction of `points`; a level has none";
+                    self.found.push(note.at(azimuth.span.clone()).help(help));
+                }
+                continue;
+            };
+            if points.len() < 2 {
+                let message = format!("`points` of {of} has fewer than two corners");
+                let help = "give at least two, for example [[\"0 m\", \"4 m\"], [\"10 m\", \"1 m\"]]; a level table is `level`";
+                self.error("value.range", &name.span, message, help);
+            }
+            for pair in points.windows(2) {
+                let help = "write the corners in the order of their distances, each once";
+                self.in_order(&pair[0][0], &pair[1][0], false, help);
+            }
+        }
+        // With several tables the first phase must choose.
+        if let Some(first) = scenario.phases.first()
+            && first.water.is_none()
+            && scenario.water.len() > 1
+        {
+            let message = format!(
+                "phase `{}` does not say which water table stands",
+                first.name
+            );
+            let help = "there are several: give it `water` with the name of one, or \"none\"";
+            self.error("key.missing", &first.name.span, message, help);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Standing water: its push on blocks, and its pressure at interfaces ([`crate::laws::water`]).
+//!
+//! The push is given by the present place of a block alone and is a given force: the kick books its work as that of loads.
+
+use riprap_geom::Vec3;
+
+use crate::patch;
+use crate::setup::{Shape, WaterTable};
+use crate::state::deform::{Body, Deform};
+use crate::state::scratch::Scratch;
+use crate::state::workspace::{BlockClass, Workspace};
+use crate::state::world::World;
+
+/// Corners of the faces of a brick by the bits of their signs, anticlockwise seen from outside.
+const FACES: [[u8; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];
+
+impl World {
+    /// The water table that stands now.
+    #[must_use]
+    pub fn table(&self) -> Option<&WaterTable> {
+        self.setup.water.get(usize::from(self.water?))
+    }
+
+    /// Pressure of the water at a place (local, m), Pa; 0 above the table and without one.
+    #[must_use]
+    pub fn pore_pressure(&self, at: Vec3) -> f64 {
+        let table = self.table();
+        table.map_or(0.0, |table| {
+            table.pressure(-self.gravity.z, table.distance(at.x, at.y), at.z)
+        })
+    }
+}
+
+/// Pushes all blocks with the water.
+pub(crate) fn apply(world: &World, scratch: &mut Scratch) {
+    let Some(table) = world.table() else {
+        return;
+    };
+    let loads = &mut scratch.pushes.loads;
+    loads.need_blocks(world.alive.len());
+    scratch.exec.chunks(&mut loads.blocks, |first, list| {
+        for (k, wrench) in list.iter_mut().enumerate() {
+            let b = first + k;
+            if world.alive[b] && !world.is_terrain(b) && !world.deforms(b) {
+                let (force, moment) = on_rigid(world, table, b);
+                wrench.force += force;
+                wrench.moment += moment;
+            }
+        }
+    });
+    if let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) {
+        loads.need_nodes(deform.nodes.len());
+        for body in deform.living() {
+            let push = |node, force| loads.on_node(node, force);
+            on_nodes(table, -world.gravity.z, deform, body, work.kind(body), push);
+        }
+    }
+}
+
+/// Force (N) on a block; nothing without a table.
+#[must_use]
+pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec3 {
+    let Some(table) = world.table().filter(|_| !world.is_terrain(b)) else {
+        return Vec3::ZERO;
+    };
+    let soft = world.deform.as_deref().zip(work);
+    let soft = soft.and_then(|(deform, work)| Some((deform, deform.body(b)?, work)));
+    match soft {
+        None => on_rigid(world, table, b).0,
+        Some((deform, body, work)) => {
+            let mut force = Vec3::ZERO;
+            on_nodes(
+                table,
+                -world.gravity.z,
+                deform,
+                body,
+                work.kind(body),
+                |_, push| force += push,
+            );
+            force
+        }
+    }
+}
+
+/// Force (N) and moment about the centroid (N m) on a rigid block.
+fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
+    let solid = world.solid_of(b);
+    let start = world.reference[b];
+    let turn = || match &world.turned[b] {
+        Some(turned) => turned.attitude,
+        None => patch::rotation(world.bodies.rotation(b)),
+    };
+    let centre = start + world.bodies.displacement(b);
+    table.on_polyhedron(
+        -world.gravity.z,
+        centre,
+        solid.radius,
+        solid.volume,
+        |each| {
+            let attitude = turn();
+            match &world.setup.blocks[b].shape {
+                Shape::Brick { half, .. } => {
+                    let sign = |k: u8, bit: u8| if k & bit == 0 { -1.0 } else { 1.0 };
+                    for face in FACES {
+                        let corner = |k: u8| Vec3::new(sign(k, 1), sign(k, 2), sign(k, 4)) * *half;
+                        each(&face.map(|k| attitude * corner(k)));
+                    }
+                }
+                Shape::Polyhedron(body) => {
+                    for face in &body.faces {
+                        let corner = |k: &u32| attitude * (body.vertices[*k as usize] - start);
+                        let corners: Vec<Vec3> = face.iter().map(corner).collect();
+                        each(&corners);
+                    }
+                }
+                Shape::Terrain(_) => {}
+            }
+        },
+    )
+}
+
+/// Calls `push(node, force)` with the push on the nodes of a deformable block, by the triangles of its faces where they are now.
+fn on_nodes(
+    table: &WaterTable,
+    gravity: f64,
+    deform: &Deform,
+    body: &Body,
+    kind: &BlockClass,
+    mut push: impl FnMut(u32, Vec3),
+) {
+    let nodes = &deform.nodes;
+    let place = |node: usize| nodes.place[node] + Vec3::from_array(nodes.displacement[node]);
+    for face in 0..kind.faces.len() {
+        for triangle in kind.mesh.fan(face) {
+            let corners = triangle.map(|k| body.first + k);
+            let pushes = table.on_triangle(gravity, corners.map(|n| place(n as usize)));
+            for (node, force) in corners.into_iter().zip(pushes) {
+                push(node, force);
+            }
+        }
+    }
+}

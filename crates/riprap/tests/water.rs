@@ -1,0 +1,241 @@
+//! Standing water: same bits for any number of threads and after a restart, and what `check` says of wrong words.
+
+use riprap::exec::Exec;
+use riprap::record::checkpoint;
+use riprap::run::scene::Scene;
+use riprap::run::simulation::{Simulation, Snapshot, Stage};
+use riprap::scenario::Source;
+
+fn scene(text: &str) -> Scene {
+    let source = Source {
+        name: "scene.toml".to_owned(),
+        text: text.to_owned(),
+    };
+    Scene::parse(source, ".".into(), &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
+}
+
+fn simulation(text: &str, threads: usize) -> Simulation {
+    let scene = scene(text);
+    let job = scene
+        .prepare(&scene.case("default").unwrap())
+        .unwrap_or_else(|wrong| panic!("{wrong}"))
+        .job();
+    Simulation::new(job.setup, job.plan, Exec::new(threads).unwrap()).unwrap()
+}
+
+/// What is wrong with a scene, errors and warnings.
+fn told(text: &str) -> String {
+    let source = Source {
+        name: "scene.toml".to_owned(),
+        text: text.to_owned(),
+    };
+    let scene = match Scene::parse(source, ".".into(), &[]) {
+        Ok(scene) => scene,
+        Err(wrong) => return wrong.to_string(),
+    };
+    match scene.prepare(&scene.case("default").unwrap()) {
+        Ok(prepared) => {
+            let all = prepared.model.warnings.iter();
+            all.map(|w| w.message.clone())
+                .collect::<Vec<_>>()
+                .join("\n")
+        }
+        Err(wrong) => wrong.to_string(),
+    }
+}
+
+/// Steps, past the ends of phases.
+fn run(simulation: &mut Simulation, steps: u64) {
+    let mut done = 0;
+    while done < steps {
+        match simulation.prepare().unwrap() {
+            Stage::Within => {
+                simulation.step();
+                done += 1;
+            }
+            Stage::PhaseEnd => simulation.next_phase(),
+            Stage::Done => panic!("the run is over"),
+        }
+    }
+}
+
+/// A heap of blocks in water that is drawn down in a second phase.
+const PLANE: &str = r#"
+riprap = 1
+title = "blocks in water"
+[space.planar]
+gravity = ["0 m/s2", "-9.81 m/s2"]
+[materials.rock]
+density = "2500 kg/m3"
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+friction_angle = "20 deg"
+[[blocks]]
+name = "floor"
+material = "rock"
+rectangle = { size = ["40 m", "1 m"], corner = ["-20 m", "-1 m"] }
+[[blocks]]
+name = "rock"
+material = "rock"
+[blocks.cut]
+region = [["0 m", "0 m"], ["12 m", "0 m"], ["10 m", "8 m"], ["6 m", "8 m"]]
+smallest_edge = "0.05 m"
+seed = 5
+joint_sets = [
+  { dip = "20 deg", spacing = "0.5 m", spacing_scatter = "0.1 m" },
+  { dip = "100 deg", spacing = "0.5 m", spacing_scatter = "0.1 m" },
+]
+[[supports]]
+on = { block = "floor" }
+fixed = {}
+[water.high]
+points = [["0 m", "1 m"], ["3.3 m", "5 m"], ["8 m", "6.1 m"], ["15 m", "0 m"]]
+[water.low]
+level = "1.2 m"
+[[phases]]
+name = "wet"
+until = { steps = 150 }
+water = "high"
+[[phases]]
+name = "drained"
+until = { steps = 1000 }
+water = "low"
+"#;
+
+/// Bricks, a block that floats and deformable ones, the table through all of them.
+const SPACE: &str = r#"
+riprap = 1
+title = "blocks in water"
+[space.spatial]
+gravity = "9.81 m/s2"
+[materials.rock]
+density = "2500 kg/m3"
+young = "10 GPa"
+poisson = 0.2
+[materials.wood]
+density = "500 kg/m3"
+young = "10 GPa"
+poisson = 0.2
+[interfaces.default]
+friction_angle = "20 deg"
+[interfaces.default.brittle_bond]
+thickness = "10 mm"
+elastic = true
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["7 m", "7 m", "7 m"], cell = "1 m" }
+[[blocks]]
+name = "soft"
+material = "rock"
+grid.box = { size = ["2 m", "2 m", "4 m"], cell = "2 m", corner = ["10 m", "0 m", "0 m"] }
+mechanics.deformable = {}
+[[blocks]]
+name = "log"
+material = "wood"
+polyhedron.vertices = [["0 m", "20 m", "5 m"], ["3 m", "20 m", "5 m"], ["0 m", "22 m", "5 m"], ["0 m", "20 m", "7 m"]]
+[[boundaries]]
+on.plane = "z-min"
+held = {}
+[water.high]
+points = [["-5 m", "2 m"], ["3.3 m", "5 m"], ["8 m", "6.1 m"], ["15 m", "2.2 m"]]
+azimuth = "70 deg"
+[water.low]
+level = "1.2 m"
+[[phases]]
+name = "wet"
+until = { steps = 60 }
+water = "high"
+[[phases]]
+name = "drained"
+until = { steps = 1000 }
+water = "low"
+"#;
+
+#[test]
+fn same_bits_for_any_number_of_threads() {
+    for text in [PLANE, SPACE] {
+        let hash = |threads| {
+            let mut simulation = simulation(text, threads);
+            run(&mut simulation, 300);
+            simulation.engine().hash()
+        };
+        let one = hash(1);
+        for threads in [2, 5] {
+            assert_eq!(hash(threads), one, "{threads} threads");
+        }
+    }
+}
+
+#[test]
+fn a_checkpoint_changes_nothing() {
+    for (text, engine) in [(PLANE, "planar"), (SPACE, "spatial")] {
+        let mut straight = simulation(text, 1);
+        run(&mut straight, 300);
+        let folder = tempfile::tempdir().unwrap();
+        let mut stopped = simulation(text, 1);
+        for leg in 0..6 {
+            run(&mut stopped, 50);
+            let path = folder.path().join(format!("{leg}.ckpt"));
+            checkpoint::write(&path, engine, &stopped.snapshot()).unwrap();
+            let snapshot: Snapshot = checkpoint::read(&path, engine).unwrap();
+            stopped = Simulation::resume(snapshot, Exec::serial());
+        }
+        assert_eq!(straight.engine().hash(), stopped.engine().hash());
+    }
+}
+
+#[test]
+fn what_is_wrong_with_water_is_told() {
+    let tables = "[water.high]\npoints = [[\"0 m\", \"1 m\"], [\"3.3 m\", \"5 m\"], [\"8 m\", \"6.1 m\"], [\"15 m\", \"0 m\"]]\n[water.low]\nlevel = \"1.2 m\"\n";
+    assert!(PLANE.contains(tables));
+    let with = |other: &str| told(&PLANE.replace(tables, other));
+    let high = "[water.high]\nlevel = \"2 m\"\n";
+    let low = "[water.low]\nlevel = \"1 m\"\n";
+    let sound = with(&format!("{high}{low}"));
+    assert!(!sound.contains("water"), "{sound}");
+    for (tables, words) in [
+        (format!("{high}[water.low]\n"), "needs one of"),
+        (
+            format!("{high}points = [[\"0 m\", \"1 m\"], [\"1 m\", \"1 m\"]]\n{low}"),
+            "only one is possible",
+        ),
+        (
+            format!("{low}[water.high]\npoints = [[\"0 m\", \"1 m\"]]\n"),
+            "fewer than two corners",
+        ),
+        (
+            format!("{low}[water.high]\npoints = [[\"2 m\", \"1 m\"], [\"1 m\", \"1 m\"]]\n"),
+            "is not less than",
+        ),
+        (low.to_owned(), "there is no water table `high`"),
+        (
+            format!("{high}{low}[water.none]\nlevel = \"1 m\"\n"),
+            "cannot be called `none`",
+        ),
+        (
+            format!("{high}[water.low]\nlevel = \"-2 m\"\n"),
+            "water.low has no effect: it lies below all blocks",
+        ),
+        (format!("{high}density = \"0 kg/m3\"\n{low}"), "density"),
+        (
+            format!("{high}azimuth = \"0 deg\"\n{low}"),
+            "distances run along x",
+        ),
+    ] {
+        let told = with(&tables);
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    let silent = PLANE.replace("water = \"high\"\n", "");
+    assert!(told(&silent).contains("does not say which water table stands"));
+    let tilted = PLANE.replace(
+        "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]",
+        "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]\ntilt = \"5 deg\"",
+    );
+    assert!(told(&tilted).contains("gravity that points down"));
+    let later = PLANE.replace(
+        "water = \"low\"",
+        "water = \"low\"\ngravity = [\"1 m/s2\", \"-9.81 m/s2\"]",
+    );
+    assert!(told(&later).contains("gravity that points down"));
+}
