@@ -15,6 +15,7 @@ mod colour;
 mod compare;
 pub mod fits;
 mod frames;
+mod lettering;
 mod lines;
 mod net;
 pub mod paraview;
@@ -236,14 +237,13 @@ fn write(page: &Page, csv: &str, out: &Path) -> Result<Vec<PathBuf>, PlotError> 
             });
         }
     };
-    let text = page.svg();
     let mut files = Vec::new();
     if let Some(path) = svg {
-        write_whole(&path, text.as_bytes())?;
+        write_whole(&path, page.svg().as_bytes())?;
         files.push(path);
     }
     if let Some(path) = png {
-        write_whole(&path, &svg::png(&text)?)?;
+        write_whole(&path, &page.png()?)?;
         files.push(path);
     }
     // Not `a.csv`: a plot called `energy` inside a run folder would overwrite the run's own table.

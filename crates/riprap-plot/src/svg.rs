@@ -4,12 +4,11 @@
 //! crates looked at (kuva 0.6, plotters 0.3) do not draw, and once axes are there a line chart is a page more. One hand gives
 //! all plots one look, and bytes that change only when we change them.
 
-use super::PlotError;
 use std::fmt::Write as _;
-use std::sync::Arc;
 
-/// The one font of PNG files, so that they look the same on a machine without fonts. Licence beside it.
-const FONT: &[u8] = include_bytes!("../assets/DejaVuSans-subset.ttf");
+use super::PlotError;
+use super::lettering::Lettering;
+
 /// Pixels of the PNG per unit of the SVG.
 const SHARPNESS: f32 = 2.0;
 
@@ -57,17 +56,70 @@ pub(super) enum Anchor {
     End,
 }
 
+impl Anchor {
+    /// Share of its width by which a text begins before its point.
+    pub(super) fn share(self) -> f64 {
+        match self {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5,
+            Anchor::End => 1.0,
+        }
+    }
+}
+
 /// A page; y runs down.
 #[derive(Debug)]
 pub(super) struct Page {
     pub(super) width: f64,
     pub(super) height: f64,
-    body: String,
+    /// Texts, each with the markup before it.
+    lines: Vec<(String, Text)>,
+    /// Markup after the last text.
+    tail: String,
+}
+
+/// A line of text: an SVG has it as text, a picture as outlines.
+#[derive(Debug)]
+struct Text {
+    at: [f64; 2],
+    /// Whether it reads upwards.
+    upright: bool,
+    size: f64,
+    anchor: Anchor,
+    text: String,
+}
+
+impl Text {
+    fn markup(&self) -> String {
+        let [x, y] = self.at;
+        let anchor = match self.anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let place = if self.upright {
+            format!("transform=\"translate({x:.2},{y:.2}) rotate(-90)\"")
+        } else {
+            format!("x=\"{x:.2}\" y=\"{y:.2}\"")
+        };
+        format!(
+            "<text {place} font-size=\"{}\" text-anchor=\"{anchor}\">{}</text>\n",
+            self.size,
+            riprap_record::vtu::escape(&self.text)
+        )
+    }
+
+    fn outlines(&self, lettering: &Lettering) -> String {
+        let [x, y] = self.at;
+        let path = lettering.outlines([0.0; 2], self.size, self.anchor, &self.text);
+        let turn = if self.upright { " rotate(-90)" } else { "" };
+        format!("<path transform=\"translate({x:.2},{y:.2}){turn}\" d=\"{path}\"/>\n")
+    }
 }
 
 /// Writing into a `String` cannot fail, so the result is dropped in this one place.
 macro_rules! put {
-    ($page:expr, $($arg:tt)*) => { let _ = writeln!($page.body, $($arg)*); };
+    ($page:expr, $($arg:tt)*) => { let _ = writeln!($page.tail, $($arg)*); };
 }
 
 impl Page {
@@ -75,7 +127,8 @@ impl Page {
         Page {
             width,
             height,
-            body: String::new(),
+            lines: Vec::new(),
+            tail: String::new(),
         }
     }
 
@@ -123,29 +176,24 @@ impl Page {
     }
 
     pub(super) fn text(&mut self, at: [f64; 2], size: f64, anchor: Anchor, text: &str) {
-        let anchor = match anchor {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
-        };
-        put!(
-            self,
-            "<text x=\"{:.2}\" y=\"{:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{}</text>",
-            at[0],
-            at[1],
-            riprap_record::vtu::escape(text)
-        );
+        self.write(at, false, size, anchor, text);
     }
 
     /// Text that reads upwards, centred on its point.
     pub(super) fn upright(&mut self, at: [f64; 2], size: f64, text: &str) {
-        put!(
-            self,
-            "<text transform=\"translate({:.2},{:.2}) rotate(-90)\" font-size=\"{size}\" text-anchor=\"middle\">{}</text>",
-            at[0],
-            at[1],
-            riprap_record::vtu::escape(text)
-        );
+        self.write(at, true, size, Anchor::Middle, text);
+    }
+
+    fn write(&mut self, at: [f64; 2], upright: bool, size: f64, anchor: Anchor, text: &str) {
+        let before = std::mem::take(&mut self.tail);
+        let text = Text {
+            at,
+            upright,
+            size,
+            anchor,
+            text: text.to_owned(),
+        };
+        self.lines.push((before, text));
     }
 
     /// Everything until [`Page::end_clip`] is cut at this rectangle.
@@ -163,39 +211,44 @@ impl Page {
 
     /// The file.
     pub(super) fn svg(&self) -> String {
+        self.written(Text::markup)
+    }
+
+    fn written(&self, text: impl Fn(&Text) -> String) -> String {
+        let mut body = String::new();
+        for (before, line) in &self.lines {
+            body.push_str(before);
+            body.push_str(&text(line));
+        }
+        body.push_str(&self.tail);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" \
              font-family=\"'DejaVu Sans', Verdana, Arial, sans-serif\" fill=\"#1a1a1a\">\n\
-             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
-            self.body,
+             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
             w = self.width.round(),
             h = self.height.round()
         )
     }
-}
 
-/// Draws an SVG into a PNG, with the font that comes with riprap.
-///
-/// # Errors
-/// An SVG that resvg refuses, or one too large for memory: our mistake, told as text.
-pub(super) fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
-    use resvg::{tiny_skia, usvg};
-    let failed = |reason: String| PlotError::Render { reason };
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_data(FONT.to_vec());
-    let options = usvg::Options {
-        fontdb: Arc::new(fonts),
-        font_family: "DejaVu Sans".to_owned(),
-        ..usvg::Options::default()
-    };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
-    let size = tree.size();
-    let (w, h) = (size.width() * SHARPNESS, size.height() * SHARPNESS);
-    let mut pixels = tiny_skia::Pixmap::new(w.ceil() as u32, h.ceil() as u32)
-        .ok_or_else(|| failed(format!("a picture of {w} x {h} pixels is too large")))?;
-    let zoom = tiny_skia::Transform::from_scale(SHARPNESS, SHARPNESS);
-    resvg::render(&tree, zoom, &mut pixels.as_mut());
-    pixels.encode_png().map_err(|e| failed(e.to_string()))
+    /// The page as PNG, with the font that comes with riprap.
+    ///
+    /// # Errors
+    /// A page that resvg refuses, or one too large for memory: our mistake, told as text.
+    pub(super) fn png(&self) -> Result<Vec<u8>, PlotError> {
+        use resvg::{tiny_skia, usvg};
+        let failed = |reason: String| PlotError::Render { reason };
+        let lettering = Lettering::new().map_err(failed)?;
+        let svg = self.written(|text| text.outlines(&lettering));
+        let tree = usvg::Tree::from_str(&svg, &usvg::Options::default())
+            .map_err(|e| failed(e.to_string()))?;
+        let size = tree.size();
+        let (w, h) = (size.width() * SHARPNESS, size.height() * SHARPNESS);
+        let mut pixels = tiny_skia::Pixmap::new(w.ceil() as u32, h.ceil() as u32)
+            .ok_or_else(|| failed(format!("a picture of {w} x {h} pixels is too large")))?;
+        let zoom = tiny_skia::Transform::from_scale(SHARPNESS, SHARPNESS);
+        resvg::render(&tree, zoom, &mut pixels.as_mut());
+        pixels.encode_png().map_err(|e| failed(e.to_string()))
+    }
 }
 
 #[cfg(test)]
@@ -207,7 +260,7 @@ mod tests {
         let dark = |text: &str| {
             let mut page = Page::new(200.0, 40.0);
             page.text([10.0, 25.0], 14.0, Anchor::Start, text);
-            let bytes = png(&page.svg()).unwrap();
+            let bytes = page.png().unwrap();
             let map = resvg::tiny_skia::Pixmap::decode_png(&bytes).unwrap();
             map.pixels().iter().filter(|p| p.red() < 128).count()
         };
