@@ -6,6 +6,23 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::diagnostics;
 use crate::failure::Failure;
 
+/// A file that would outgrow the limit of the process (`ulimit -f`) is an error of writing, as a full disk is, and not the end
+/// by a signal. Called once, before threads are made: they inherit it.
+pub fn let_full_files_be_errors() {
+    #[cfg(unix)]
+    {
+        use nix::sys::signal::{SigSet, Signal};
+        let mut signals = SigSet::empty();
+        signals.add(Signal::SIGXFSZ);
+        if let Err(error) = signals.thread_block() {
+            diagnostics::print_line(
+                "note",
+                &format!("files that are too large will end riprap by a signal: {error}"),
+            );
+        }
+    }
+}
+
 /// Whether the user has asked to stop.
 #[derive(Clone)]
 pub struct Interrupt(Arc<AtomicBool>);

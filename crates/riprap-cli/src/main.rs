@@ -28,6 +28,7 @@ use diagnostics::Style;
 use failure::Failure;
 
 fn main() -> ExitCode {
+    interrupt::let_full_files_be_errors();
     let cli = Cli::try_parse().unwrap_or_else(|error| slip::exit(&error));
     let style = Style::for_stderr(cli.color);
     match dispatch(cli.verb, style) {

@@ -1,6 +1,8 @@
 //! Drives the real binary, as a person or a script would.
 
 mod bench;
+#[cfg(unix)]
+mod faults;
 mod guards;
 mod runs;
 mod templates;
