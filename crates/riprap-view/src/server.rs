@@ -4,7 +4,7 @@
 //! terminal. A browser is started with an address that works once, since the command lines of a machine can be read by all
 //! its users. A page of another site that has its own name resolve to 127.0.0.1 (DNS rebinding) is refused by its `Host` header,
 //! and no answer may be read or framed by other sites. Nothing can be changed through it. Whoever connects and says nothing is let go
-//! after [`PATIENCE`], and at most [`CONNECTIONS`] are answered at a time.
+//! after `PATIENCE`, and at most `CONNECTIONS` are answered at a time.
 
 use axum::Router;
 use axum::body::Body;
