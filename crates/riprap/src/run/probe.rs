@@ -83,10 +83,10 @@ pub const THRESHOLD: f64 = 1e-3;
 /// # until = { unbalanced = 1e-6, steps = 50000 }
 /// # [[checks]]
 /// # name = "the stone stays"
-/// # field = "block.displacement"
+/// # field = "block.speed"
 /// # of = "stone"
 /// # at = "end"
-/// # between = ["0 m", "1 mm"]
+/// # between = ["0 m/s", "1 mm/s"]
 /// # "#;
 /// let scene = Scene::parse(Source::new("slope.toml", text), ".".into(), &[])?;
 /// let job = scene.prepare(&scene.plain())?.job();
