@@ -193,8 +193,7 @@ def test_a_sweep_gives_a_table(sliding_block, tmp_path, capsys):
 def test_a_sweep_runs_what_it_is_given(sliding_block, tmp_path):
     """Variants of the scenario are not multiplied with the values, and numbers are had by the name of the case."""
     key = "interfaces.default.friction_angle"
-    text = sliding_block(time="0.1 s").text + f'\n[variants.rough]\n"{key}" = "60 deg"\n'
-    block = riprap.Scenario.from_text(text)
+    block = riprap.Scenario(sliding_block(time="0.1 s") | {"variants": {"rough": {key: "60 deg"}}})
     assert len(block.cases) == 2 and block.alone().cases == ["default"]
     sweep = riprap.sweep(block, tmp_path / "s", over={key: ["10 deg", "20 deg"]}, jobs=2)
     slips = sweep.numbers("slip")
