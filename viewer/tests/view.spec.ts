@@ -7,6 +7,9 @@ test("a planar run plays, scrubs, colours, picks and plots", async ({ view }) =>
   await expect(page.locator("h1")).toContainText(/topple|column/i);
   await expect(page.locator(".badge")).toHaveText("finished");
   await expect(page.locator(".legend .title")).toHaveText(/^displacement/);
+  // A finished run opens at its last frame.
+  await page.keyboard.press("Home");
+  await expect.poll(() => frame(page)).toBe(0);
   const first = await pixels(page);
 
   await page.keyboard.press(" ");
