@@ -12,11 +12,13 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
 mod give_way;
+mod held;
 mod limit;
 pub(crate) mod terrain;
 
 use super::build::{BuildError, stiffness};
 use super::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
+use super::found::offset::{Carried, Offset};
 use super::found::{
     Blocks, Body, ContactLaw, Found, Motion, Pair, Pose, Question, Role, Shape, respond, turn,
 };
@@ -27,6 +29,7 @@ use super::state::scratch::Scratch;
 use super::world::{World, flag};
 use crate::exec::CHUNK;
 pub(crate) use give_way::give_way;
+use held::Joints;
 
 /// Steps between two looks at joints that have failed since.
 const LOOK: u64 = 16;
@@ -147,6 +150,7 @@ fn leave(world: &mut World, scratch: &mut Scratch) {
         world.works.edit_defect -= left(&pair);
     }
     world.found.search = Default::default();
+    world.found.held.clear();
     scratch.desk = Desk::default();
     scratch.tiles.make_rows(world);
 }
@@ -319,32 +323,28 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         shape: &world.solid,
         roles: &world.found.roles,
     };
-    // No pair without a seeker.
-    let seeks = |b: &u32| world.found.roles[*b as usize] == Role::Seeker;
-    let mut joined: Vec<[u32; 2]> = world
-        .patches
-        .ends
-        .iter()
-        .filter(|ends| ends.iter().any(seeks))
-        .map(|[i, j]| [*i.min(j), *i.max(j)])
-        .collect();
-    joined.sort_unstable();
+    let joints = Joints::new(world);
     desk.candidates.rebuild(
         &blocks,
         &world.found.search,
-        |i, j| {
-            joined.binary_search(&[i, j]).is_ok()
-                || !(world.is_free(i as usize) || world.is_free(j as usize))
-        },
+        |i, j| joints.joins(i, j) || !(world.is_free(i as usize) || world.is_free(j as usize)),
+        |i, j| joints.hold(world, &desk.shapes, [i, j]),
         &scratch.exec,
     );
+    let before = std::mem::replace(&mut world.found.held, desk.candidates.held.clone());
     let old = std::mem::take(&mut world.found.pairs);
     let (mut lost, mut joints) = (0.0, 0.0);
     world.found.pairs = desk.candidates.carry(
         old.into_iter().map(|pair| (pair.ends, pair)),
-        |candidate| FoundPair {
-            ends: [candidate.i, candidate.j],
-            ..FoundPair::default()
+        |candidate| {
+            let ends = [candidate.i, candidate.j];
+            // Nobody looked as long as joints held the pair: what it overlaps by presses from now on only with what comes on top.
+            let was_held = before.binary_search(&ends).is_ok();
+            FoundPair {
+                ends,
+                offset: was_held.then(|| Box::new(Offset::new(Carried::default()))),
+                ..FoundPair::default()
+            }
         },
         |_, pair| {
             lost += pair.stored;
@@ -405,6 +405,9 @@ fn incidence(world: &World, desk: &mut Desk) {
 
 /// What is the same in all steps for a pair.
 fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]) -> Constants {
+    let search = &world.found.search;
+    let poses = ends.map(|b| search.pose[b as usize]);
+    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
     let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
     let law = law(&world.setup, ends, shape.map(|s| s.inradius));
     Constants {
@@ -419,7 +422,7 @@ fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]
         }),
         radius: shape[0].radius.min(shape[1].radius),
         inradius: shape[0].inradius.min(shape[1].inradius),
-        facing: limit::facing_area(world, shape, ends, faces),
+        facing: limit::facing_area(shape, poses, margin, faces.map(|f| f.iter().copied())),
         largest: limit::largest_area(shape, faces),
     }
 }

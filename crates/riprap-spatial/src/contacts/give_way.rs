@@ -46,7 +46,7 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
 }
 
 /// Gives what all patches of these pairs (sorted) carry to the found contacts of their blocks.
-fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
+pub(super) fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
     let mut parted = vec![false; world.alive.len()];
     for b in pairs.iter().flatten() {
         parted[*b as usize] = true;

@@ -12,7 +12,7 @@
 use riprap_geom::Vec3;
 
 use crate::found::desk::Desk;
-use crate::found::{Role, Shape};
+use crate::found::{Pose, Role, Shape};
 use crate::world::World;
 
 /// Share of the stable step: the stiffness grows with the area.
@@ -182,23 +182,20 @@ pub(super) fn largest_area(shapes: [&Shape; 2], faces: [&[u16]; 2]) -> f64 {
     a.min(b)
 }
 
-/// Largest area of two listed faces that can come flat onto each other before the next look of the search, m².
-pub(super) fn facing_area(
-    world: &World,
+/// Largest area of two of these faces that can come flat onto each other, m²: they face each other, and have moved by `margin` (m) at
+/// most along themselves from these poses.
+pub(super) fn facing_area<F: IntoIterator<Item = u16> + Clone>(
     shapes: [&Shape; 2],
-    ends: [u32; 2],
-    faces: [&[u16]; 2],
+    poses: [Pose; 2],
+    margin: f64,
+    faces: [F; 2],
 ) -> f64 {
-    let poses = ends.map(|b| world.found.search.pose[b as usize]);
-    let margin: f64 = ends
-        .iter()
-        .map(|b| world.found.search.margin[*b as usize])
-        .sum();
     let mut most: f64 = 0.0;
-    for &f in faces[0] {
+    let [of_first, of_second] = faces;
+    for f in of_first {
         let n = poses[0].rotation * shapes[0].normals[f as usize];
         let [_, e, h] = riprap_geom::polyhedron::frame(n);
-        for &g in faces[1] {
+        for g in of_second.clone() {
             let m = poses[1].rotation * shapes[1].normals[g as usize];
             if n.dot(m) > FACING {
                 continue;

@@ -227,7 +227,13 @@ mod tests {
         let mut search = Search::default();
         search.renew(&blocks, |b| Pose::at(places[b]), |_| 0.0, 0.0);
         let mut candidates = Candidates::default();
-        candidates.rebuild(&blocks, &search, |_, _| false, &Exec::serial());
+        candidates.rebuild(
+            &blocks,
+            &search,
+            |_, _| false,
+            |_, _| false,
+            &Exec::serial(),
+        );
         let mut ease = vec![
             Ease {
                 inverse_mass: 1.0 / 2500.0,

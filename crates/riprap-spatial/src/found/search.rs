@@ -148,6 +148,8 @@ pub struct Candidates {
     pub pairs: Vec<Candidate>,
     /// Faces of all pairs.
     pub lists: Vec<u16>,
+    /// Pairs that would be candidates by their boxes, but are held; sorted.
+    pub held: Vec<[u32; 2]>,
     /// The smallest inradius of each block and of those that it can touch, m.
     pub reach: Vec<f64>,
     /// Way that the points of each block have gone at most since the list was made, m.
@@ -161,12 +163,14 @@ pub struct Candidates {
 }
 
 impl Candidates {
-    /// Makes the list from `search`. `excluded(i, j)` rules pairs out, e.g. those that a living patch joins.
+    /// Makes the list from `search`. `excluded(i, j)` rules pairs out, e.g. those that a living patch joins; `held(i, j)` too, and they
+    /// are remembered.
     pub fn rebuild(
         &mut self,
         blocks: &Blocks,
         search: &Search,
         excluded: impl Fn(u32, u32) -> bool + Sync,
+        held: impl Fn(u32, u32) -> bool + Sync,
         exec: &Exec,
     ) {
         self.find_boxes(blocks, search, exec);
@@ -179,13 +183,20 @@ impl Candidates {
         exec.ranges(close.len(), &mut self.room, |range, room| {
             room.pairs.clear();
             room.lists.clear();
+            room.held.clear();
             for &pair in &close[range] {
+                if held(pair[0], pair[1]) {
+                    room.held.push(pair);
+                    continue;
+                }
                 room.add(blocks, search, pair.map(|b| &boxes[b as usize]), pair);
             }
         });
         self.pairs.clear();
         self.lists.clear();
+        self.held.clear();
         for room in &self.room[..runs] {
+            self.held.extend_from_slice(&room.held);
             let start = self.lists.len();
             self.pairs.extend(room.pairs.iter().map(|pair| Candidate {
                 start: start + pair.start,
@@ -336,6 +347,7 @@ struct Workspace {
     beyond: Vec<f64>,
     pairs: Vec<Candidate>,
     lists: Vec<u16>,
+    held: Vec<[u32; 2]>,
 }
 
 impl Workspace {

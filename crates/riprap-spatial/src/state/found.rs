@@ -14,6 +14,8 @@ pub struct FoundContacts {
     pub search: Search,
     /// The candidates, sorted by their blocks.
     pub pairs: Vec<FoundPair>,
+    /// Pairs near each other that joints held at the last look, so that they are no candidates; sorted.
+    pub held: Vec<[u32; 2]>,
     /// Longest step that the contacts allowed at the last evaluation, s; `None` before the first. State, so that a run that goes
     /// on from a checkpoint takes the steps of one that never stopped.
     pub longest_step: Option<f64>,

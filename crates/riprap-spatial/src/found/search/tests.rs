@@ -99,7 +99,7 @@ impl Heap {
     fn candidates(&self, search: &Search, threads: usize) -> Candidates {
         let mut candidates = Candidates::default();
         let exec = Exec::new(threads).unwrap();
-        candidates.rebuild(&self.blocks(), search, |_, _| false, &exec);
+        candidates.rebuild(&self.blocks(), search, |_, _| false, |_, _| false, &exec);
         candidates
     }
 
@@ -299,7 +299,13 @@ fn the_list_is_the_same_for_any_number_of_threads_and_after_a_restart() {
     assert!(first.pairs.len() > 1400);
     // Made again in the same room after another list.
     let mut again = heap.candidates(&Heap::new(&mut chance, 1400, 5.0).search(), 1);
-    again.rebuild(&heap.blocks(), &search, |_, _| false, &Exec::serial());
+    again.rebuild(
+        &heap.blocks(),
+        &search,
+        |_, _| false,
+        |_, _| false,
+        &Exec::serial(),
+    );
     assert_eq!((first.pairs, first.lists), (again.pairs, again.lists));
 }
 
@@ -431,7 +437,7 @@ fn cost_is_linear_in_the_number_of_blocks() {
             let exec = Exec::serial();
             let mut candidates = heap.candidates(&search, 1);
             let begin = std::time::Instant::now();
-            candidates.rebuild(&heap.blocks(), &search, |_, _| false, &exec);
+            candidates.rebuild(&heap.blocks(), &search, |_, _| false, |_, _| false, &exec);
             let whole = begin.elapsed().as_secs_f64();
             let (boxes, roles) = (&candidates.boxes, &heap.roles);
             let begin = std::time::Instant::now();
