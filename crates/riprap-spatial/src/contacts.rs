@@ -11,6 +11,7 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
+mod felt;
 mod give_way;
 mod held;
 mod limit;
@@ -35,6 +36,8 @@ use held::Joints;
 const LOOK: u64 = 16;
 /// What rounding may take from a gap, over the gap.
 const ROUNDING: f64 = 1e-9;
+/// Gap over the smaller inscribed radius beyond which blocks no longer lie in place: that at which a joint of a cube lets go.
+const IN_PLACE: f64 = 0.02;
 /// Way in steps of the present length that margins are made for.
 const LOOKAHEAD: f64 = 50.0;
 
@@ -343,6 +346,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
             FoundPair {
                 ends,
                 offset: was_held.then(|| Box::new(Offset::new(Carried::default()))),
+                in_place: was_held,
                 ..FoundPair::default()
             }
         },
@@ -422,7 +426,12 @@ fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]
         }),
         radius: shape[0].radius.min(shape[1].radius),
         inradius: shape[0].inradius.min(shape[1].inradius),
-        facing: limit::facing_area(shape, poses, margin, faces.map(|f| f.iter().copied())),
+        facing: limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied())).map(
+            |found| {
+                let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
+                found.with_square(eases, poses, &law)
+            },
+        ),
         largest: limit::largest_area(shape, faces),
     }
 }
@@ -497,7 +506,6 @@ fn place(world: &World, desk: &mut Desk) {
     desk.normals.clear();
     desk.turns.clear();
     desk.poses.clear();
-    desk.ways.clear();
     for &b in &desk.blocks {
         let b = b as usize;
         let pose = world.pose(b);
@@ -505,9 +513,6 @@ fn place(world: &World, desk: &mut Desk) {
         desk.turns
             .push(turn(shape, pose.rotation, &mut desk.normals));
         desk.poses.push(pose);
-        let speed =
-            world.bodies.velocity(b).length() + world.bodies.spin(b).length() * shape.radius;
-        desk.ways.push(speed * world.pending);
     }
 }
 
@@ -541,8 +546,7 @@ impl Evaluation<'_> {
     fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, room: &mut Workspace) {
         let candidate = &self.desk.candidates.pairs[k];
         if pair.gap > 0.0 {
-            let [i, j] = pair.ends.map(|b| self.desk.place[b as usize] as usize);
-            pair.gap -= self.desk.ways[i] + self.desk.ways[j];
+            pair.gap -= limit::nearing(self.world, pair.ends) * self.dt;
             if pair.gap > 0.0 {
                 return;
             }
@@ -575,6 +579,7 @@ impl Evaluation<'_> {
                 *pair = FoundPair {
                     ends: pair.ends,
                     gap: gap - ROUNDING * gap,
+                    in_place: pair.in_place && gap <= IN_PLACE * self.desk.constants[k].inradius,
                     ..FoundPair::default()
                 };
                 *slot = Slot::default();

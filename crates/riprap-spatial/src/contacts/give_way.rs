@@ -165,6 +165,7 @@ fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
         );
     }
     let pair = &mut pairs[at];
+    pair.in_place = true;
     // The first patch of a pair says about which point all of them are added.
     let first = pair.offset.as_ref().and_then(|offset| offset.joint);
     let about = first.map_or(centre, |carried| carried.at);

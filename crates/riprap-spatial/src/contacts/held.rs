@@ -6,7 +6,7 @@
 //! broken or not: what slides, turns or opens beyond its bounds gives way ([`super::give_way`]), and a pair is looked at from the instant
 //! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
 
-use super::limit::facing_area;
+use super::limit::facing;
 use crate::found::{Pose, Shape};
 use crate::world::World;
 
@@ -65,7 +65,7 @@ impl Joints {
         let largest = |s: &Shape| s.areas.iter().copied().fold(0.0, f64::max);
         let rim = RIM * largest(pair[0]).min(largest(pair[1]));
         let faces = pair.map(|shape| 0..shape.faces() as u16);
-        facing_area(pair, start, 0.0, faces) <= rim
+        facing(pair, start, 0.0, faces).is_none_or(|facing| facing.area <= rim)
     }
 }
 

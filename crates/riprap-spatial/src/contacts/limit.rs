@@ -1,22 +1,36 @@
 //! How long a step may be for the contacts that are there, and for those that can form in it.
 //!
-//! A contact of the area A counts in the squared frequency of each of its blocks with `2 k A (1/m + (r² + J/A)/I)`, with k the larger
-//! stiffness, r its distance from the centroid and J its polar second moment; where these are not known yet, with the distance of the farthest face
-//! and 2 A/3 in their place. No point is farther away than the radius of the block. Pairs that do not touch yet count
-//! only with what can happen in the coming step: two faces that can come flat onto each other from the moment they meet,
-//! edges and corners with the area that the way of the blocks makes.
+//! A spring between two blocks holds no more energy than twice what it holds as a spring of each of them against a fixed wall. So no motion is faster than that of the stiffest block on twice its own springs: the largest eigenvalue of a matrix
+//! of six rows, bounded by its rows. A contact of the area A gives it the stiffness `kn A` across and `ks A` along at its place, and the
+//! couples of its polar second moment J. No part of a face is stiffer than the face: where two faces can come flat onto each other, the
+//! whole of the smaller one stands for them until most of it is in touch. Where nothing of that is known, the larger stiffness times
+//! `A (1/m + (h² + 2 A/3)/I)` comes on top, with the distance h of the farthest face. No point is farther away than the radius of the block.
+//!
+//! An impact in the middle of a step, and parting in it, does wrong to the energy by a share that grows with the square of the step. So
+//! faces that are about to meet flat allow, until they have parted, the smaller share of a stable step that counts with any place of the contact; where blocks lie in
+//! place since a joint of theirs has let go (`in_place`), that of joints, which open and close in such steps too.
+//!
+//! Contacts of edges and corners grow: A is what makes the present area as safe as a share of the stable step for growing springs asks, and no
+//! more than what the pair can have before the next look of the search.
+//! Pairs that do not touch yet count only with what can happen in the coming step: two faces that can come flat onto each other from
+//! the moment they meet, edges and corners with the area that the way of the blocks makes.
 //!
 //! No step may let two blocks pass through each other: those of a pair come nearer by no more than their gap and a tenth of
 //! the smaller inscribed radius, and no block outruns the search that finds its pairs.
 
 use riprap_geom::Vec3;
 
-use crate::found::desk::Desk;
+use super::felt::{Felt, Spread};
+use crate::found::desk::{Desk, Facing};
 use crate::found::{Pose, Role, Shape};
 use crate::world::World;
 
 /// Share of the stable step: the stiffness grows with the area.
 const SAFETY: f64 = 0.2;
+/// Share of the stable step for the largest area that a contact can have: that of joints, whose springs do not grow either.
+const BOUNDED: f64 = 0.5;
+/// Faces of which less than this is in touch may come to touch anywhere.
+const MOSTLY: f64 = 0.5;
 /// Share of the time until two blocks can meet that a step may take. The kick of a step spans half of the step before it too, and
 /// the limit is that of the last evaluation: steps shrink with the gap, so that the first kick of a contact is a short one.
 const APPROACH: f64 = 0.25;
@@ -33,52 +47,84 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
     let mut longest = transit(world, desk);
     for (at, &b) in desk.blocks.iter().enumerate() {
         let b = b as usize;
-        let ease = Ease::of(world, desk, b);
-        let (mut sum, mut damping) = (0.0, 0.0_f64);
+        let ease = Ease::of(world, &desk.shapes, b);
+        let (mut felt, mut damping) = (Felt::default(), 0.0_f64);
         let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
         for &(k, second) in &desk.incidence[pairs] {
             let k = k as usize;
             let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
-            let law = &constants.law;
-            let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+            let (pair, law) = (&world.found.pairs[k], &constants.law);
             let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
+            let nearing = nearing(world, pair.ends);
+            let flat = constants.facing.as_ref();
+            let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+            let alone = flat.map_or(f64::INFINITY, |flat| {
+                if pair.in_place {
+                    BOUNDED * 2.0 * loss / flat.square.sqrt()
+                } else {
+                    SAFETY * 2.0 * loss / (stiffness * flat.area * ease.of_area(flat.area)).sqrt()
+                }
+            });
+            // Time until they meet or part.
+            let way = if slot.touching {
+                pair.depth
+            } else {
+                pair.gap.max(0.0)
+            };
+            let change = APPROACH * time_for(way, nearing, gravity);
+            longest = longest.min(if slot.touching && !pair.in_place {
+                alone
+            } else {
+                change.max(alone)
+            });
             if slot.touching {
-                let area = slot.area.max(constants.facing);
-                let memory = &world.found.pairs[k].memory;
-                let known = memory.area > 0.0 && constants.facing <= memory.area;
-                sum += stiffness
-                    * area
-                    * if known {
-                        let arm = memory.arms[usize::from(second)];
-                        ease.of_extent(arm.length_squared() + memory.polar / memory.area)
-                    } else {
-                        ease.of_area(area)
-                    };
+                let memory = &pair.memory;
+                let known = memory.area > 0.0;
+                match flat {
+                    Some(flat) if !(known && memory.area >= MOSTLY * flat.area) => {
+                        let of = desk.place[pair.ends[flat.side] as usize] as usize;
+                        let from = desk.poses[at].position;
+                        let arm = desk.poses[of].position - from;
+                        felt.add(&ease, law, &flat.spread(desk.turns[of], arm));
+                    }
+                    _ if known => {
+                        let grown = (BOUNDED / SAFETY) * (BOUNDED / SAFETY) * slot.area;
+                        let most = desk.candidates.pairs[k].area;
+                        let spread = Spread {
+                            normal: memory.normal,
+                            arm: memory.arms[usize::from(second)],
+                            area: grown.min(most).max(flat.map_or(slot.area, |f| f.area)),
+                            polar: memory.polar / memory.area,
+                        };
+                        felt.add(&ease, law, &spread);
+                    }
+                    _ => felt.anywhere += stiffness * slot.area * ease.of_area(slot.area),
+                }
                 damping = damping.max(law.damping_ratio);
                 continue;
             }
-            let pair = &world.found.pairs[k];
-            let gap = pair.gap.max(0.0);
-            let speed: f64 = pair.ends.map(|e| speed(world, e as usize)).iter().sum();
-            let meet = APPROACH * time_for(gap, speed, gravity);
-            if constants.facing > 0.0 {
-                let rate = stiffness * constants.facing * ease.of_area(constants.facing);
-                longest = longest.min(meet.max(SAFETY * 2.0 * loss / rate.sqrt()));
-            }
             // An edge: its area is its length times the way; dt² K v dt = (2 f)².
             let rate =
-                stiffness * constants.largest.sqrt() * speed * ease.of_area(constants.largest);
+                stiffness * constants.largest.sqrt() * nearing * ease.of_area(constants.largest);
             if rate > 0.0 {
                 let allowed = 2.0 * SAFETY * loss;
-                longest = longest.min(meet + libm::cbrt(allowed * allowed / rate));
+                longest = longest.min(change + libm::cbrt(allowed * allowed / rate));
             }
         }
-        if sum > 0.0 {
+        let square = felt.bound();
+        if square > 0.0 {
             let loss = (1.0 + damping * damping).sqrt() - damping;
-            longest = longest.min(SAFETY * 2.0 * loss / sum.sqrt());
+            longest = longest.min(BOUNDED * 2.0 * loss / square.sqrt());
         }
     }
     longest
+}
+
+/// Bound of the speed at which points of two blocks come nearer to each other, m/s.
+pub(super) fn nearing(world: &World, [i, j]: [u32; 2]) -> f64 {
+    let [i, j] = [i as usize, j as usize];
+    let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
+    apart.length() + turning(world, i) + turning(world, j)
 }
 
 /// Time that a way (m) takes from the speed `v` (m/s) on under the acceleration `g` (m/s²): `v t + g t²/2 = way` in the form without
@@ -96,10 +142,8 @@ fn transit(world: &World, desk: &Desk) -> f64 {
     let g = world.gravity.length();
     let mut longest = f64::INFINITY;
     for (pair, constants) in world.found.pairs.iter().zip(&desk.constants) {
-        let [i, j] = pair.ends.map(|b| b as usize);
         let gap = pair.gap.max(0.0);
-        let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
-        let speed = apart.length() + turning(world, i) + turning(world, j);
+        let speed = nearing(world, pair.ends);
         longest = longest.min(time_for(gap + TRANSIT * constants.inradius, speed, g));
     }
     longest
@@ -124,17 +168,17 @@ pub(super) fn reach(world: &World) -> f64 {
 /// How easily forces move and turn a block.
 pub(super) struct Ease {
     /// 1/kg.
-    mass: f64,
+    pub(super) mass: f64,
     /// 1/(kg m²).
-    inertia: f64,
+    pub(super) inertia: f64,
     /// Square of the distance of its farthest face, m².
-    height: f64,
+    pub(super) height: f64,
     /// Square of its radius, m².
-    reach: f64,
+    pub(super) reach: f64,
 }
 
 impl Ease {
-    pub(super) fn of(world: &World, desk: &Desk, b: usize) -> Self {
+    pub(super) fn of(world: &World, shapes: &[Shape], b: usize) -> Self {
         let [free, turns] = world.freedoms(b);
         let solid = world.solid_of(b);
         let diagonal = Vec3::new(
@@ -142,7 +186,7 @@ impl Ease {
             solid.inverse.y_axis.y,
             solid.inverse.z_axis.z,
         );
-        let offsets = &desk.shapes[world.solid[b] as usize].offsets;
+        let offsets = &shapes[world.solid[b] as usize].offsets;
         let height = offsets.iter().copied().fold(0.0, f64::max);
         Self {
             mass: free.max_element() / solid.mass,
@@ -154,12 +198,7 @@ impl Ease {
 
     /// `1/m + (h² + 2 A/3)/I`.
     pub(super) fn of_area(&self, area: f64) -> f64 {
-        self.of_extent(self.height + 2.0 * area / 3.0)
-    }
-
-    /// `1/m + extent/I`, with the mean square of the distances of a contact's points from the centroid, m².
-    fn of_extent(&self, extent: f64) -> f64 {
-        self.mass + extent.min(self.reach) * self.inertia
+        self.mass + (self.height + 2.0 * area / 3.0).min(self.reach) * self.inertia
     }
 }
 
@@ -182,15 +221,16 @@ pub(super) fn largest_area(shapes: [&Shape; 2], faces: [&[u16]; 2]) -> f64 {
     a.min(b)
 }
 
-/// Largest area of two of these faces that can come flat onto each other, m²: they face each other, and have moved by `margin` (m) at
-/// most along themselves from these poses.
-pub(super) fn facing_area<F: IntoIterator<Item = u16> + Clone>(
+/// The two of these faces with the largest area that can come flat onto each other, if any: they face each other, and have moved by
+/// `margin` (m) at most along themselves from these poses.
+pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
     shapes: [&Shape; 2],
     poses: [Pose; 2],
     margin: f64,
     faces: [F; 2],
-) -> f64 {
-    let mut most: f64 = 0.0;
+) -> Option<Facing> {
+    let mut most = 0.0;
+    let mut found = None;
     let [of_first, of_second] = faces;
     for f in of_first {
         let n = poses[0].rotation * shapes[0].normals[f as usize];
@@ -211,9 +251,13 @@ pub(super) fn facing_area<F: IntoIterator<Item = u16> + Clone>(
                 let low = (-reach(0, f, -axis)).max(-reach(1, g, -axis));
                 (high - low + margin).max(0.0)
             });
-            let areas = shapes[0].areas[f as usize].min(shapes[1].areas[g as usize]);
-            most = most.max(areas.min(sides[0] * sides[1]));
+            let areas = [shapes[0].areas[f as usize], shapes[1].areas[g as usize]];
+            let area = areas[0].min(areas[1]).min(sides[0] * sides[1]);
+            if area > most {
+                most = area;
+                found = Some((area, usize::from(areas[1] < areas[0]), [f, g]));
+            }
         }
     }
-    most
+    found.map(|(area, side, faces)| Facing::new(area, side, shapes[side], faces[side] as usize))
 }

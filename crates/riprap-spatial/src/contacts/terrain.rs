@@ -309,7 +309,7 @@ fn longest_step(world: &World, desk: &Desk) -> f64 {
         let shape = &desk.shapes[world.solid[b] as usize];
         let touching: f64 = state.facets.iter().map(|f| f.area).sum();
         let area = shape.areas.iter().copied().fold(touching, f64::max);
-        let ease = super::limit::Ease::of(world, desk, b).of_area(area);
+        let ease = super::limit::Ease::of(world, &desk.shapes, b).of_area(area);
         let mut stable = f64::INFINITY;
         for law in laws {
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);

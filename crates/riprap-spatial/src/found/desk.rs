@@ -32,8 +32,6 @@ pub struct Desk {
     pub turns: Vec<Mat3>,
     /// Pose of each of `blocks`.
     pub poses: Vec<Pose>,
-    /// How far the points of each of `blocks` have gone at most since the last evaluation, m.
-    pub ways: Vec<f64>,
     /// What each pair exerts.
     pub slots: Vec<Slot>,
     /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
@@ -117,10 +115,29 @@ pub struct Constants {
     pub radius: f64,
     /// Smaller inradius, m.
     pub inradius: f64,
-    /// Largest area of two faces that can come flat onto each other, m²; 0 where none can.
-    pub facing: f64,
+    /// Faces that can come flat onto each other.
+    pub facing: Option<Facing>,
     /// Smaller one of the largest listed faces of both, m².
     pub largest: f64,
+}
+
+/// Two faces that can come flat onto each other, and the smaller one of them in the frame of its block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facing {
+    /// Largest area that they can share, m².
+    pub area: f64,
+    /// Whether the smaller one is of the first or of the second block.
+    pub side: usize,
+    /// Unit outward normal.
+    pub normal: Vec3,
+    /// Its centroid, m.
+    pub centre: Vec3,
+    /// Its area, m².
+    pub face: f64,
+    /// Its polar second moment about the centroid over its area, m².
+    pub polar: f64,
+    /// Bound of the squared frequency of the slower of both blocks on this face, 1/s²; 0 where nothing holds them.
+    pub square: f64,
 }
 
 /// What a pair exerts.

@@ -74,4 +74,6 @@ pub struct FoundPair {
     pub depth: f64,
     /// They are at least so far apart, m; 0 where that is not known. State, since the length of steps hangs on it.
     pub gap: f64,
+    /// Whether joints held the two in place, and they have not been far apart since.
+    pub in_place: bool,
 }
