@@ -48,19 +48,18 @@ fn survives_kills(scene: &str, seed: u64) {
         let files = bench.path("died.run/checkpoints").read_dir();
         files.is_ok_and(|files| files.count() > 0)
     });
-    for _ in 0..6 {
-        std::thread::sleep(Duration::from_millis(20 + chance.below(200)));
-        going.signal("KILL");
-        if going.end().code.is_some() {
-            break;
+    let said = loop {
+        if kills < 6 {
+            std::thread::sleep(Duration::from_millis(20 + chance.below(200)));
+            going.signal("KILL");
+        }
+        let said = going.end();
+        if said.code.is_some() {
+            break said;
         }
         kills += 1;
         going = bench.start(&["resume", "died.run", "--threads", "1"]);
-        if kills == 6 {
-            break;
-        }
-    }
-    let said = going.end();
+    };
     assert!(matches!(said.code, Some(0 | 2)), "{said:?}");
     assert!(kills > 1, "the run was over too soon to be killed: {kills}");
     let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
