@@ -3,7 +3,7 @@
 //! In a lattice most pairs of blocks that are near each other share an edge or a corner only. While blocks that both of them
 //! are joined to hold them, small kinematics hold between them too: they overlap by a small share of their size, in a rim, and what they
 //! would exert there is nothing beside what their faces do. Such pairs are not looked at. Joints hold as long as they are there,
-//! broken or not: what slides, turns or opens beyond its bounds gives way ([`super::give_way`]), and a pair is looked at from the instant
+//! broken or not: what slides, turns or opens beyond its bounds gives way ([`mod@super::give_way`]), and a pair is looked at from the instant
 //! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
 
 use super::limit::facing;
