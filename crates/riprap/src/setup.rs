@@ -9,14 +9,14 @@ use crate::spatial::setup as spatial;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Setup {
     /// Polygons in the plane.
-    Planar(planar::Setup),
+    Planar(Box<planar::Setup>),
     /// Blocks in space.
     Spatial(Box<spatial::Setup>),
 }
 
 impl From<planar::Setup> for Setup {
     fn from(setup: planar::Setup) -> Self {
-        Self::Planar(setup)
+        Self::Planar(Box::new(setup))
     }
 }
 

@@ -162,7 +162,7 @@ impl Engine {
     pub fn new(setup: Setup, exec: Exec) -> Result<Self, BuildError> {
         match setup {
             Setup::Planar(setup) => {
-                let (world, scratch) = planar::world::World::new(setup, exec);
+                let (world, scratch) = planar::world::World::new(*setup, exec);
                 Ok(Self::Planar(Box::new(Planar { world, scratch })))
             }
             Setup::Spatial(setup) => {

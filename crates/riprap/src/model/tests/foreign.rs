@@ -32,7 +32,7 @@ fn spatial(middle: &str) -> (Spatial, Vec<Explained>) {
 fn planar(middle: &str) -> Planar {
     let model = built(text(&format!("{GRAIN}{middle}")), INFOS);
     match model.unwrap_or_else(|error| panic!("{error}")).setup {
-        Setup::Planar(setup) => setup,
+        Setup::Planar(setup) => *setup,
         Setup::Spatial(_) => panic!("a model in the plane is expected"),
     }
 }
