@@ -152,19 +152,18 @@ fn ring(points: &[Vec2], tolerance: f64) -> Vec<usize> {
         let (p, q) = (points[a], points[b]);
         p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
     });
+    // Whether the way from a over b to c turns left at b by more than the tolerance.
+    let turns = |a: usize, b: usize, c: usize| {
+        let along = points[c] - points[a];
+        along.perp_dot(points[b] - points[a]) < -tolerance * along.length()
+    };
     let mut chain: Vec<usize> = Vec::new();
     for pass in 0..2 {
         let base = chain.len();
         for &k in &order {
-            while chain.len() >= base + 2 {
-                let (a, b) = (
-                    points[chain[chain.len() - 2]],
-                    points[chain[chain.len() - 1]],
-                );
-                let along = points[k] - a;
-                if along.perp_dot(b - a) < -tolerance * along.length() {
-                    break;
-                }
+            while chain.len() >= base + 2
+                && !turns(chain[chain.len() - 2], chain[chain.len() - 1], k)
+            {
                 chain.pop();
             }
             chain.push(k);
@@ -172,6 +171,16 @@ fn ring(points: &[Vec2], tolerance: f64) -> Vec<usize> {
         chain.pop();
         if pass == 0 {
             order.reverse();
+        }
+    }
+    // The ends of the chains are the first and the last in x. Where a side is upright but for rounding, that can be a
+    // point in its middle, which the chains do not look at.
+    for end in [order[order.len() - 1], order[0]] {
+        let count = chain.len();
+        if let Some(k) = chain.iter().position(|&c| c == end) {
+            if count > 2 && !turns(chain[(k + count - 1) % count], end, chain[(k + 1) % count]) {
+                chain.remove(k);
+            }
         }
     }
     chain

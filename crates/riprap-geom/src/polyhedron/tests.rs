@@ -196,6 +196,24 @@ fn a_tetrahedron_has_its_textbook_inertia() {
     assert!((axes.determinant() - 1.0).abs() < 1e-12);
 }
 
+/// A corner in the middle of an edge (the third point) is dropped by both faces, though one of them, laid flat, has
+/// that edge upright, so that rounding alone says which of its three points is the first.
+#[test]
+fn a_point_in_an_upright_edge_is_no_corner() {
+    let points = [
+        [1, 0, -4],
+        [1, -3, 1],
+        [0, -1, 4],
+        [-4, 0, 0],
+        [-4, -2, 4],
+        [0, 0, 0],
+        [4, 0, 4],
+    ];
+    let points = points.map(|p| Vec3::from_array(p.map(f64::from)));
+    let solid = hull(&points).unwrap();
+    assert_eq!((solid.vertices.len(), solid.faces.len()), (5, 6));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
