@@ -42,9 +42,29 @@ fn expectations(text: &str) -> Vec<(usize, String)> {
     wanted
 }
 
+/// All scenes of the repository, those of the benchmarks too, which no step of CI runs.
+fn scenes() -> Vec<PathBuf> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")];
+    let mut scenes = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "toml") {
+                scenes.push(path);
+            }
+        }
+    }
+    scenes.sort();
+    scenes
+}
+
 #[test]
-fn good_files_are_accepted() {
-    for path in toml_files("good") {
+fn good_files_and_all_scenes_are_accepted() {
+    let scenes = scenes();
+    assert!(scenes.len() > 100, "only {} scenes", scenes.len());
+    for path in toml_files("good").into_iter().chain(scenes) {
         let parsed = load(&path, &[]).unwrap_or_else(|error| panic!("{}\n{error}", path.display()));
         let source = Source::new("case", parsed.source.text.clone());
         for case in cases(&source, &parsed.scenario).unwrap() {
