@@ -26,6 +26,16 @@ use crate::{Vec2, Vec3};
 /// A vertex farther than this, times the size, from the plane of its face makes the face crooked, and one farther
 /// than this beyond a face makes the solid not convex. Coordinates given with six digits pass.
 pub const FLAT: f64 = 1e-6;
+/// Corners of the faces of a brick, anticlockwise seen from outside: two for each axis, the one at the smaller coordinate first.
+/// Bit k of the number of a corner says whether it has the larger coordinate along axis k.
+pub const BRICK_FACES: [[u8; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];
 /// A solid whose volume is below this, times its size cubed, has none.
 pub const ZERO_VOLUME: f64 = 1e-12;
 /// No solid may have more vertices.
@@ -196,17 +206,12 @@ impl Polyhedron {
                 centre + half * Vec3::new(sign(1), sign(2), sign(4))
             })
             .collect();
-        let faces = [
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-        ];
         Self {
             vertices,
-            faces: faces.iter().map(|f| f.to_vec()).collect(),
+            faces: BRICK_FACES
+                .iter()
+                .map(|f| f.map(u32::from).to_vec())
+                .collect(),
         }
     }
 

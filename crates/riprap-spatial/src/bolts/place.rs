@@ -124,26 +124,16 @@ pub fn range(length: f64) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::setup::Solid;
+    use riprap_geom::polyhedron::Polyhedron;
 
     #[test]
     fn a_line_is_clipped_by_bricks_and_polyhedra_alike() {
         let (centre, half) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 1.0, 1.5));
         let brick = Shape::Brick { centre, half };
-        let corner = |k: usize| {
-            let sign = |bit: usize| if k >> bit & 1 == 1 { 1.0 } else { -1.0 };
-            centre + half * Vec3::new(sign(0), sign(1), sign(2))
-        };
-        let faces = [
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-        ];
+        let same = Polyhedron::brick(centre, half);
         let solid = Shape::Polyhedron(Box::new(Solid {
-            vertices: (0..8).map(corner).collect(),
-            faces: faces.iter().map(|f| f.to_vec()).collect(),
+            vertices: same.vertices,
+            faces: same.faces,
         }));
         let from = Vec3::new(0.2, 1.5, 2.0);
         let along = Vec3::new(1.0, 0.3, 0.5).normalize();

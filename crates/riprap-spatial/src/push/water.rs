@@ -3,6 +3,7 @@
 //! The push is given by the present place of a block alone and is a given force: the kick books its work as that of loads.
 
 use riprap_geom::Vec3;
+use riprap_geom::polyhedron::BRICK_FACES;
 
 use crate::patch;
 use crate::setup::{Shape, WaterTable};
@@ -10,16 +11,6 @@ use crate::state::deform::{Body, Deform};
 use crate::state::scratch::Scratch;
 use crate::state::workspace::{BlockClass, Workspace};
 use crate::state::world::World;
-
-/// Corners of the faces of a brick by the bits of their signs, anticlockwise seen from outside.
-const FACES: [[u8; 4]; 6] = [
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-];
 
 impl World {
     /// The water table that stands now.
@@ -108,7 +99,7 @@ fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
             match &world.setup.blocks[b].shape {
                 Shape::Brick { half, .. } => {
                     let sign = |k: u8, bit: u8| if k & bit == 0 { -1.0 } else { 1.0 };
-                    for face in FACES {
+                    for face in BRICK_FACES {
                         let corner = |k: u8| Vec3::new(sign(k, 1), sign(k, 2), sign(k, 4)) * *half;
                         each(&face.map(|k| attitude * corner(k)));
                     }
