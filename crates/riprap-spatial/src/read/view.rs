@@ -459,6 +459,16 @@ impl View<'_> {
         all.filter(|(_, on)| on.left).map(|(b, _)| b).collect()
     }
 
+    /// The bolt whose equilibrium was missed by most so far: its name, and the force that was left over its largest one; `None` as long as
+    /// every search came to its end.
+    #[must_use]
+    pub fn unbalanced_bolt(&self) -> Option<(&str, f64)> {
+        let missed = self.world.bolts.iter().filter(|bolt| bolt.left > 0.0);
+        let worst = missed.max_by(|a, b| a.left.total_cmp(&b.left))?;
+        let spec = &self.world.setup.bolts[worst.number as usize];
+        Some((&spec.name, worst.left))
+    }
+
     /// Force of all terrain on a block, N, and how deep it lies in it, m.
     #[must_use]
     pub fn on_terrain(&self, b: usize) -> (Vec3, f64) {

@@ -319,7 +319,7 @@ impl Simulation {
     }
 
     /// What should be known of the run besides its results, in words: what cannot meet, phases that did not come to rest, an energy
-    /// residual that is not small, blocks pressed deep into each other.
+    /// residual that is not small, blocks pressed deep into each other, bolts whose forces did not come into equilibrium.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let cursor = &self.cursor;
@@ -331,7 +331,22 @@ impl Simulation {
         let others = residual.into_iter().chain(deepest);
         let off = meeting::off(&self.view()).into_iter();
         let all = off.chain(unconverged).chain(ends).chain(others);
-        all.chain(self.left_terrain()).collect()
+        let supports = self
+            .left_terrain()
+            .into_iter()
+            .chain(self.unbalanced_bolt());
+        all.chain(supports).collect()
+    }
+
+    /// The bolt whose equilibrium was missed by most, in words.
+    fn unbalanced_bolt(&self) -> Option<String> {
+        let view = self.view();
+        let view = view.spatial()?;
+        let (name, left) = view.unbalanced_bolt()?;
+        Some(format!(
+            "the forces along bolt `{name}` did not come into equilibrium in some step: {left:.1e} of its largest force was left; a smaller \
+             `safety` moves the rock by less in a step"
+        ))
     }
 
     /// Blocks that have gone over the rim of the terrain, in words.
