@@ -9,6 +9,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use super::state::bodies::{Bodies, Turned};
+use super::state::deform::Deform;
 use super::state::push::Account;
 
 /// A point of a block.
@@ -78,7 +79,23 @@ pub struct Freedoms<'a> {
     pub velocity: &'a [[f64; 3]],
 }
 
-impl Freedoms<'_> {
+impl<'a> Freedoms<'a> {
+    /// Of the rigid blocks, and of the nodes of `deform` if there are deformable ones.
+    #[must_use]
+    pub fn new(
+        bodies: &'a Bodies,
+        turned: &'a [Option<Box<Turned>>],
+        deform: Option<&'a Deform>,
+    ) -> Self {
+        let nodes = deform.map(|d| &d.nodes);
+        Self {
+            bodies,
+            turned,
+            displacement: nodes.map_or(&[], |n| &n.displacement),
+            velocity: nodes.map_or(&[], |n| &n.velocity),
+        }
+    }
+
     /// Present arm of a point of a rigid block from its arm at the start, m.
     #[inline]
     #[must_use]

@@ -1,16 +1,14 @@
-//! Found contacts in a step: who can meet whom, what they exert, and the sums on each block.
+//! Found contacts of a model: who can meet whom; what they exert is in `acting`.
 //!
 //! `found` knows two blocks at two poses; here are all blocks of the model. Blocks of the largest lattice whose joints are whole
 //! cannot come together: they are targets, and two targets never make a pair. All others are seekers: separate bodies, and
 //! blocks with a joint that has failed at any of its points. Pairs that a patch joins are its business, and two blocks whose
 //! motion is prescribed never act on each other.
-//!
-//! Every pair writes what it exerts to its own slot, and each block adds its slots in the order of the pairs: the same bits for any
-//! number of threads.
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
+mod acting;
 mod felt;
 mod give_way;
 mod held;
@@ -18,26 +16,21 @@ mod limit;
 pub(crate) mod terrain;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
+use super::found::desk::{Acting, Constants, Desk, Slot, Workspace};
 use super::found::offset::{Carried, Offset};
-use super::found::{
-    Blocks, Body, ContactLaw, Found, Motion, Pair, Pose, Question, Role, Shape, respond, turn,
-};
+use super::found::{Blocks, ContactLaw, Pose, Role, Shape};
 use super::patch;
 use super::setup::{self, Setup};
 use super::state::found::FoundPair;
 use super::state::scratch::Scratch;
 use super::world::{World, flag};
 use crate::exec::CHUNK;
+pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
 
 /// Steps between two looks at joints that have failed since.
 const LOOK: u64 = 16;
-/// What rounding may take from a gap, over the gap.
-const ROUNDING: f64 = 1e-9;
-/// Gap over the smaller inscribed radius beyond which blocks no longer lie in place: that at which a joint of a cube lets go.
-const IN_PLACE: f64 = 0.02;
 /// Way in steps of the present length that margins are made for.
 const LOOKAHEAD: f64 = 50.0;
 
@@ -456,212 +449,6 @@ fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
         friction,
         cohesion,
         damping_ratio: joint.damping,
-    }
-}
-
-/// Finds what all pairs exert, and the sums on each block.
-pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
-    let desk = &mut scratch.desk;
-    place(world, desk);
-    let mut pairs = std::mem::take(&mut world.found.pairs);
-    let mut slots = std::mem::take(&mut desk.slots);
-    let mut workspaces = std::mem::take(&mut desk.workspaces);
-    {
-        let evaluation = Evaluation {
-            world,
-            desk,
-            dt: world.pending,
-        };
-        scratch.exec.chunks2(
-            &mut pairs,
-            &mut slots,
-            &mut workspaces,
-            |first, pairs, slots, room| {
-                (room.friction, room.offset) = (0.0, 0.0);
-                (room.taken_over, room.left) = (0.0, 0.0);
-                room.deepest = None;
-                for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
-                    evaluation.pair(first + k, pair, slot, room);
-                }
-            },
-        );
-    }
-    desk.deepest = None;
-    for room in &workspaces {
-        world.works.friction += room.friction;
-        world.works.contact_path += room.taken_over + room.offset;
-        world.works.edit_defect += room.taken_over + room.offset - room.left;
-        desk.deepest = Deepest::deeper(desk.deepest, room.deepest);
-    }
-    world.found.pairs = pairs;
-    desk.slots = slots;
-    desk.workspaces = workspaces;
-    sum(desk);
-    let stable = limit::longest_step(world, desk);
-    world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
-}
-
-/// Turns the blocks that are in a pair to where they are now.
-fn place(world: &World, desk: &mut Desk) {
-    desk.normals.clear();
-    desk.turns.clear();
-    desk.poses.clear();
-    for &b in &desk.blocks {
-        let b = b as usize;
-        let pose = world.pose(b);
-        let shape = &desk.shapes[world.solid[b] as usize];
-        desk.turns
-            .push(turn(shape, pose.rotation, &mut desk.normals));
-        desk.poses.push(pose);
-    }
-}
-
-struct Evaluation<'a> {
-    world: &'a World,
-    desk: &'a Desk,
-    dt: f64,
-}
-
-impl Evaluation<'_> {
-    fn body(&self, b: u32) -> Body<'_> {
-        let at = self.desk.place[b as usize] as usize;
-        let normals = self.desk.first_normal[at] as usize..self.desk.first_normal[at + 1] as usize;
-        Body {
-            shape: &self.desk.shapes[self.world.solid[b as usize] as usize],
-            normals: &self.desk.normals[normals],
-            turn: self.desk.turns[at],
-            position: self.desk.poses[at].position,
-        }
-    }
-
-    /// Motion of both blocks of pair `k`, half a step ago.
-    fn motion(&self, k: usize, pair: &FoundPair) -> [Motion; 2] {
-        [0, 1].map(|s| Motion {
-            velocity: self.world.bodies.velocity(pair.ends[s] as usize),
-            spin: self.world.bodies.spin(pair.ends[s] as usize),
-            inverse_mass: self.desk.constants[k].inverse_masses[s],
-        })
-    }
-
-    fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, room: &mut Workspace) {
-        let candidate = &self.desk.candidates.pairs[k];
-        if pair.gap > 0.0 {
-            pair.gap -= limit::nearing(self.world, pair.ends) * self.dt;
-            if pair.gap > 0.0 {
-                return;
-            }
-        }
-        let faces = candidate.faces(&self.desk.candidates.lists);
-        if self.dt > 0.0 {
-            pair.start = pair.next;
-        }
-        let place =
-            |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
-        let hint = pair
-            .start
-            .and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
-        let bodies = pair.ends.map(|b| self.body(b));
-        let found = room.walker.find(&Pair {
-            bodies: [&bodies[0], &bodies[1]],
-            faces,
-            ties: candidate.ties,
-            hint,
-        });
-        let sums = match found {
-            Found::Touching(sums) => sums,
-            Found::Apart(gap) => {
-                let motion = self.motion(k, pair);
-                room.friction += pair.memory.work(&motion, self.dt) + pair.stored;
-                if let Some(offset) = &pair.offset {
-                    room.offset += offset.work(&motion, pair.memory.arms, self.dt);
-                    room.left += left(pair);
-                }
-                *pair = FoundPair {
-                    ends: pair.ends,
-                    gap: gap - ROUNDING * gap,
-                    in_place: pair.in_place && gap <= IN_PLACE * self.desk.constants[k].inradius,
-                    ..FoundPair::default()
-                };
-                *slot = Slot::default();
-                return;
-            }
-            Found::Swallowed(radius) => {
-                // No force can be given: not a number stops the run, and the deepest contact is to blame.
-                *slot = Slot::default();
-                slot.elastic.force = Vec3::NAN;
-                pair.depth = 2.0 * radius;
-                room.deepest = Some(Deepest {
-                    ends: pair.ends,
-                    depth: pair.depth,
-                    ratio: f64::INFINITY,
-                });
-                return;
-            }
-        };
-        room.unlabelled += u64::from(sums.unlabelled);
-        pair.next = sums
-            .hint
-            .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
-        let constants = &self.desk.constants[k];
-        if pair.offset.as_ref().is_some_and(|o| o.joint.is_some()) {
-            // The springs along the contact have the stiffness of its law from now on.
-            room.left += left(pair) + pair.stored - pair.memory.stored(&constants.law);
-        }
-        let reply = respond(
-            &constants.law,
-            &Question {
-                sums: &sums,
-                mean_radius: &|point| room.walker.mean_radius(point),
-                origin: super::found::planes::origin(&bodies[0], &bodies[1]),
-                centres: bodies.map(|b| b.position),
-                motion: self.motion(k, pair),
-                radius: constants.radius,
-                dt: self.dt,
-            },
-            &mut pair.memory,
-            pair.offset.as_deref_mut(),
-        );
-        room.friction += reply.friction;
-        room.offset += reply.offset_work;
-        room.taken_over += reply.taken_over;
-        if pair.offset.as_ref().is_some_and(|o| o.is_gone(reply.area)) {
-            pair.offset = None;
-        }
-        pair.stored = pair.memory.stored(&constants.law);
-        pair.force = reply.wrench.force;
-        pair.depth = sums.depth;
-        pair.gap = 0.0;
-        let ratio = sums.depth / constants.inradius;
-        let deep = Deepest {
-            ends: pair.ends,
-            depth: sums.depth,
-            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
-        };
-        room.deepest = Deepest::deeper(room.deepest, Some(deep));
-        *slot = Slot {
-            elastic: reply.elastic.plus(&reply.offset),
-            spring: reply.spring,
-            drag: reply.drag,
-            touching: true,
-            area: reply.area,
-        };
-    }
-}
-
-/// Adds what the pairs exert, block by block in the order of the pairs.
-fn sum(desk: &mut Desk) {
-    for (at, &b) in desk.blocks.iter().enumerate() {
-        let mut acting = Acting::default();
-        let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
-        for &(k, second) in &desk.incidence[pairs] {
-            let slot = &desk.slots[k as usize];
-            if slot.touching || slot.elastic.force.is_nan() {
-                acting.elastic.add(&slot.elastic, second);
-                acting.spring.add(&slot.spring, second);
-                acting.drag.add(&slot.drag, second);
-            }
-        }
-        desk.acting[b as usize] = acting;
     }
 }
 

@@ -14,7 +14,7 @@ pub fn follow(world: &mut World) {
     if !world.bolts.iter().any(gone) {
         return;
     }
-    let mut bolts = std::mem::take(&mut world.bolts);
+    let mut bolts = world.bolts.clone();
     for bolt in &mut bolts {
         hand_on(world, bolt);
     }

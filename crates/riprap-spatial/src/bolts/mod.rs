@@ -45,17 +45,25 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     if world.bolts.is_empty() {
         return;
     }
-    let mut bolts = std::mem::take(&mut world.bolts);
-    let freedoms = world.all_freedoms();
-    if world.pending > 0.0 || world.fresh {
+    let changes = world.pending > 0.0 || world.fresh;
+    let World {
+        bolts,
+        bodies,
+        turned,
+        deform,
+        setup,
+        ..
+    } = world;
+    let freedoms = Freedoms::new(bodies, turned, deform.as_deref());
+    if changes {
         if scratch.bolts.len() != bolts.len() {
             scratch.bolts = bolts.iter().map(Desk::new).collect();
         }
         let work = Piece {
-            bolts: &mut bolts,
+            bolts: &mut *bolts,
             desks: &mut scratch.bolts,
         };
-        let specs = &world.setup.bolts;
+        let specs = &setup.bolts;
         let chunks = work.bolts.len().div_ceil(CHUNK);
         scratch.exec.divided(work, chunks, |_, piece| {
             for (bolt, desk) in piece.bolts.iter_mut().zip(piece.desks) {
@@ -65,7 +73,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     let pushes = &mut scratch.pushes.own;
     pushes.need_blocks(world.alive.len());
-    for bolt in &bolts {
+    for bolt in &*bolts {
         for k in (0..bolt.chain.bars.len()).filter(|k| bolt.stretches(*k)) {
             let (from, to) = (&bolt.pins[k], &bolt.pins[k + 1]);
             let (now, _) = chord(from, to, &freedoms);
@@ -79,7 +87,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             freedoms.push(pushes, &ahead.anchor, -dowel.force);
         }
     }
-    if world.pending > 0.0 || world.fresh {
+    if changes {
         for (bolt, desk) in bolts.iter_mut().zip(&scratch.bolts) {
             let lost = desk.losses.all() + desk.sheared;
             bolt.lost += lost;
@@ -88,7 +96,6 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             world.works.bolts += lost;
         }
     }
-    world.bolts = bolts;
 }
 
 /// Equilibrium of one bolt and forces of its dowels.

@@ -23,7 +23,7 @@ use riprap_geom::Vec3;
 use super::felt::{Felt, Spread};
 use crate::found::desk::{Desk, Facing};
 use crate::found::{Pose, Role, Shape};
-use crate::world::World;
+use crate::world::{Bodies, SolidClass, World};
 
 /// Share of the stable step: the stiffness grows with the area.
 const SAFETY: f64 = 0.2;
@@ -44,6 +44,7 @@ const FACING: f64 = -0.98;
 /// Longest step, s.
 pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
     let gravity = world.gravity.length();
+    let speeds = Speeds::of(world);
     let mut longest = transit(world, desk);
     for (at, &b) in desk.blocks.iter().enumerate() {
         let b = b as usize;
@@ -55,7 +56,7 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
             let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
             let (pair, law) = (&world.found.pairs[k], &constants.law);
             let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
-            let nearing = nearing(world, pair.ends);
+            let nearing = speeds.nearing(pair.ends);
             let flat = constants.facing.as_ref();
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
             let alone = flat.map_or(f64::INFINITY, |flat| {
@@ -120,11 +121,34 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
     longest
 }
 
-/// Bound of the speed at which points of two blocks come nearer to each other, m/s.
-pub(super) fn nearing(world: &World, [i, j]: [u32; 2]) -> f64 {
-    let [i, j] = [i as usize, j as usize];
-    let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
-    apart.length() + turning(world, i) + turning(world, j)
+/// How fast rigid blocks move.
+pub(super) struct Speeds<'a> {
+    pub(super) bodies: &'a Bodies,
+    /// Index into `solids`, per block.
+    pub(super) solid: &'a [u32],
+    pub(super) solids: &'a [SolidClass],
+}
+
+impl<'a> Speeds<'a> {
+    fn of(world: &'a World) -> Self {
+        Self {
+            bodies: &world.bodies,
+            solid: &world.solid,
+            solids: &world.solids,
+        }
+    }
+
+    /// Bound of the speed at which points of two blocks come nearer to each other, m/s.
+    pub(super) fn nearing(&self, [i, j]: [u32; 2]) -> f64 {
+        let [i, j] = [i as usize, j as usize];
+        let apart = self.bodies.velocity(i) - self.bodies.velocity(j);
+        apart.length() + self.turning(i) + self.turning(j)
+    }
+
+    /// Bound of the speed of the points of a block against its centroid, m/s.
+    fn turning(&self, b: usize) -> f64 {
+        self.bodies.spin(b).length() * self.solids[self.solid[b] as usize].radius
+    }
 }
 
 /// Time that a way (m) takes from the speed `v` (m/s) on under the acceleration `g` (m/s²): `v t + g t²/2 = way` in the form without
@@ -140,10 +164,11 @@ fn time_for(way: f64, v: f64, g: f64) -> f64 {
 /// Longest step in which no pair can pass through each other, s.
 fn transit(world: &World, desk: &Desk) -> f64 {
     let g = world.gravity.length();
+    let speeds = Speeds::of(world);
     let mut longest = f64::INFINITY;
     for (pair, constants) in world.found.pairs.iter().zip(&desk.constants) {
         let gap = pair.gap.max(0.0);
-        let speed = nearing(world, pair.ends);
+        let speed = speeds.nearing(pair.ends);
         longest = longest.min(time_for(gap + TRANSIT * constants.inradius, speed, g));
     }
     longest
@@ -204,12 +229,7 @@ impl Ease {
 
 /// Bound of the speed of the points of a block, m/s.
 fn speed(world: &World, b: usize) -> f64 {
-    world.bodies.velocity(b).length() + turning(world, b)
-}
-
-/// Bound of the speed of the points of a block against its centroid, m/s.
-fn turning(world: &World, b: usize) -> f64 {
-    world.bodies.spin(b).length() * world.solid_of(b).radius
+    world.bodies.velocity(b).length() + Speeds::of(world).turning(b)
 }
 
 /// Smaller one of the largest listed faces of both blocks, m².

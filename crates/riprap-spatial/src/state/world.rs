@@ -122,24 +122,13 @@ impl World {
     /// The freedoms of all blocks, with the nodes of `deform`, the deformable part that has been taken out.
     #[must_use]
     pub fn freedoms_with<'a>(&'a self, deform: &'a Deform) -> Freedoms<'a> {
-        Freedoms {
-            bodies: &self.bodies,
-            turned: &self.turned,
-            displacement: &deform.nodes.displacement,
-            velocity: &deform.nodes.velocity,
-        }
+        Freedoms::new(&self.bodies, &self.turned, Some(deform))
     }
 
     /// The freedoms of all blocks.
     #[must_use]
     pub fn all_freedoms(&self) -> Freedoms<'_> {
-        let nodes = self.deform.as_deref().map(|d| &d.nodes);
-        Freedoms {
-            bodies: &self.bodies,
-            turned: &self.turned,
-            displacement: nodes.map_or(&[], |n| &n.displacement),
-            velocity: nodes.map_or(&[], |n| &n.velocity),
-        }
+        Freedoms::new(&self.bodies, &self.turned, self.deform.as_deref())
     }
 
     /// The centroid of a block.

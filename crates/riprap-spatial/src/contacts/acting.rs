@@ -1,0 +1,253 @@
+//! What all pairs exert in a step, and the sums on each block.
+//!
+//! Every pair writes what it exerts to its own slot, and each block adds its slots in the order of the pairs: the same bits for
+//! any number of threads.
+
+use riprap_geom::{Mat3, Vec3};
+
+use super::left;
+use super::limit::{self, Speeds};
+use crate::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
+use crate::found::{
+    Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, planes, respond, turn,
+};
+use crate::state::found::FoundPair;
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
+
+/// What rounding may take from a gap, over the gap.
+const ROUNDING: f64 = 1e-9;
+/// Gap over the smaller inscribed radius beyond which blocks no longer lie in place: that at which a joint of a cube lets go.
+const IN_PLACE: f64 = 0.02;
+
+/// Finds what all pairs exert, and the sums on each block.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
+    let desk = &mut scratch.desk;
+    place(world, desk);
+    let Desk {
+        slots, workspaces, ..
+    } = desk;
+    let evaluation = Evaluation {
+        bodies: BodiesInPairs {
+            shapes: &desk.shapes,
+            solid: &world.solid,
+            place: &desk.place,
+            first_normal: &desk.first_normal,
+            normals: &desk.normals,
+            turns: &desk.turns,
+            poses: &desk.poses,
+        },
+        speeds: Speeds {
+            bodies: &world.bodies,
+            solid: &world.solid,
+            solids: &world.solids,
+        },
+        candidates: &desk.candidates,
+        constants: &desk.constants,
+        dt: world.pending,
+    };
+    scratch.exec.chunks2(
+        &mut world.found.pairs,
+        slots,
+        workspaces,
+        |first, pairs, slots, workspace| {
+            (workspace.friction, workspace.offset) = (0.0, 0.0);
+            (workspace.taken_over, workspace.left) = (0.0, 0.0);
+            workspace.deepest = None;
+            for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
+                evaluation.pair(first + k, pair, slot, workspace);
+            }
+        },
+    );
+    desk.deepest = None;
+    for workspace in &desk.workspaces {
+        let handed_over = workspace.taken_over + workspace.offset;
+        world.works.friction += workspace.friction;
+        world.works.contact_path += handed_over;
+        world.works.edit_defect += handed_over - workspace.left;
+        desk.deepest = Deepest::deeper(desk.deepest, workspace.deepest);
+    }
+    sum(desk);
+    let stable = limit::longest_step(world, desk);
+    world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
+}
+
+/// Turns the blocks that are in a pair to where they are now.
+fn place(world: &World, desk: &mut Desk) {
+    desk.normals.clear();
+    desk.turns.clear();
+    desk.poses.clear();
+    for &b in &desk.blocks {
+        let b = b as usize;
+        let pose = world.pose(b);
+        let shape = &desk.shapes[world.solid[b] as usize];
+        desk.turns
+            .push(turn(shape, pose.rotation, &mut desk.normals));
+        desk.poses.push(pose);
+    }
+}
+
+/// The blocks that are in a pair, turned to where they are now.
+struct BodiesInPairs<'a> {
+    shapes: &'a [Shape],
+    solid: &'a [u32],
+    place: &'a [u32],
+    first_normal: &'a [u32],
+    normals: &'a [Vec3],
+    turns: &'a [Mat3],
+    poses: &'a [Pose],
+}
+
+impl BodiesInPairs<'_> {
+    fn body(&self, b: u32) -> Body<'_> {
+        let at = self.place[b as usize] as usize;
+        let normals = self.first_normal[at] as usize..self.first_normal[at + 1] as usize;
+        Body {
+            shape: &self.shapes[self.solid[b as usize] as usize],
+            normals: &self.normals[normals],
+            turn: self.turns[at],
+            position: self.poses[at].position,
+        }
+    }
+}
+
+struct Evaluation<'a> {
+    bodies: BodiesInPairs<'a>,
+    speeds: Speeds<'a>,
+    candidates: &'a Candidates,
+    constants: &'a [Constants],
+    /// Time moved since the last evaluation, s.
+    dt: f64,
+}
+
+impl Evaluation<'_> {
+    /// Motion of both blocks of pair `k`, half a step ago.
+    fn motion(&self, k: usize, pair: &FoundPair) -> [Motion; 2] {
+        [0, 1].map(|s| Motion {
+            velocity: self.speeds.bodies.velocity(pair.ends[s] as usize),
+            spin: self.speeds.bodies.spin(pair.ends[s] as usize),
+            inverse_mass: self.constants[k].inverse_masses[s],
+        })
+    }
+
+    fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, workspace: &mut Workspace) {
+        let candidate = &self.candidates.pairs[k];
+        if pair.gap > 0.0 {
+            pair.gap -= self.speeds.nearing(pair.ends) * self.dt;
+            if pair.gap > 0.0 {
+                return;
+            }
+        }
+        let faces = candidate.faces(&self.candidates.lists);
+        if self.dt > 0.0 {
+            pair.start = pair.next;
+        }
+        let place =
+            |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
+        let hint = pair
+            .start
+            .and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
+        let bodies = pair.ends.map(|b| self.bodies.body(b));
+        let found = workspace.walker.find(&Pair {
+            bodies: [&bodies[0], &bodies[1]],
+            faces,
+            ties: candidate.ties,
+            hint,
+        });
+        let sums = match found {
+            Found::Touching(sums) => sums,
+            Found::Apart(gap) => {
+                let motion = self.motion(k, pair);
+                workspace.friction += pair.memory.work(&motion, self.dt) + pair.stored;
+                if let Some(offset) = &pair.offset {
+                    workspace.offset += offset.work(&motion, pair.memory.arms, self.dt);
+                    workspace.left += left(pair);
+                }
+                *pair = FoundPair {
+                    ends: pair.ends,
+                    gap: gap - ROUNDING * gap,
+                    in_place: pair.in_place && gap <= IN_PLACE * self.constants[k].inradius,
+                    ..FoundPair::default()
+                };
+                *slot = Slot::default();
+                return;
+            }
+            Found::Swallowed(radius) => {
+                // No force can be given: not a number stops the run, and the deepest contact is to blame.
+                *slot = Slot::default();
+                slot.elastic.force = Vec3::NAN;
+                pair.depth = 2.0 * radius;
+                workspace.deepest = Some(Deepest {
+                    ends: pair.ends,
+                    depth: pair.depth,
+                    ratio: f64::INFINITY,
+                });
+                return;
+            }
+        };
+        workspace.unlabelled += u64::from(sums.unlabelled);
+        pair.next = sums
+            .hint
+            .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
+        let constants = &self.constants[k];
+        if pair.offset.as_ref().is_some_and(|o| o.joint.is_some()) {
+            // The springs along the contact have the stiffness of its law from now on.
+            workspace.left += left(pair) + pair.stored - pair.memory.stored(&constants.law);
+        }
+        let reply = respond(
+            &constants.law,
+            &Question {
+                sums: &sums,
+                mean_radius: &|point| workspace.walker.mean_radius(point),
+                origin: planes::origin(&bodies[0], &bodies[1]),
+                centres: bodies.map(|b| b.position),
+                motion: self.motion(k, pair),
+                radius: constants.radius,
+                dt: self.dt,
+            },
+            &mut pair.memory,
+            pair.offset.as_deref_mut(),
+        );
+        workspace.friction += reply.friction;
+        workspace.offset += reply.offset_work;
+        workspace.taken_over += reply.taken_over;
+        if pair.offset.as_ref().is_some_and(|o| o.is_gone(reply.area)) {
+            pair.offset = None;
+        }
+        pair.stored = pair.memory.stored(&constants.law);
+        pair.force = reply.wrench.force;
+        pair.depth = sums.depth;
+        pair.gap = 0.0;
+        let ratio = sums.depth / constants.inradius;
+        let deep = Deepest {
+            ends: pair.ends,
+            depth: sums.depth,
+            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
+        };
+        workspace.deepest = Deepest::deeper(workspace.deepest, Some(deep));
+        *slot = Slot {
+            elastic: reply.elastic.plus(&reply.offset),
+            spring: reply.spring,
+            drag: reply.drag,
+            touching: true,
+            area: reply.area,
+        };
+    }
+}
+
+/// Adds what the pairs exert, block by block in the order of the pairs.
+fn sum(desk: &mut Desk) {
+    for (at, &b) in desk.blocks.iter().enumerate() {
+        let mut acting = Acting::default();
+        let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
+        for &(k, second) in &desk.incidence[pairs] {
+            let slot = &desk.slots[k as usize];
+            if slot.touching || slot.elastic.force.is_nan() {
+                acting.elastic.add(&slot.elastic, second);
+                acting.spring.add(&slot.spring, second);
+                acting.drag.add(&slot.drag, second);
+            }
+        }
+        desk.acting[b as usize] = acting;
+    }
+}
