@@ -44,6 +44,6 @@ pub use load::{Parsed, load, parse};
 pub use overrides::{Case, apply_overrides, cases};
 pub use quantity::{Name, Names, Quantity, Span, Table};
 pub use references::NO_WATER;
-pub use rules::target_span;
+pub use rules::{read_formula, target_span};
 pub use schema::{KeyDoc, explain_key, keys, markdown, schema_text};
 pub use time_function::TimeFunction;

@@ -23,6 +23,17 @@ impl Name {
     pub fn as_str(&self) -> &str {
         &self.text
     }
+
+    /// Place of the character behind `bytes` of the word; all of it where quotes and escapes hide the place.
+    pub fn place(&self, bytes: usize) -> Span {
+        let plain = self.span.len() == self.text.len() + 2;
+        if !plain || bytes > self.text.len() {
+            return self.span.clone();
+        }
+        let rest = self.text.get(bytes..).unwrap_or_default();
+        let begin = self.span.start + 1 + bytes;
+        begin..begin + rest.chars().next().map_or(1, char::len_utf8)
+    }
 }
 
 impl PartialEq for Name {

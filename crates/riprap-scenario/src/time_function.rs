@@ -27,8 +27,7 @@ pub enum TimeFunction<K: Kind> {
     /// A column of a CSV file over a time column: straight lines between the rows, the first and
     /// last value outside. Values are SI times `scale`.
     Csv(CsvFunction),
-    /// A formula in `t` (seconds of model time), result in SI units, for example
-    /// `"3*sin(2*pi*2*t)"`.
+    /// A formula in `t` (seconds of model time), result in SI units, for example `"if(t < 2, 3*sin(2*pi*t), 0)"`.
     Formula(Name),
 }
 

@@ -1,6 +1,6 @@
 //! Help texts and wrong words.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, FALL};
 
 const VERBS: [&str; 21] = [
     "new",
@@ -263,4 +263,27 @@ fn comparing_in_space_says_that_it_is_for_the_plane() {
         .expect(2)
         .warns(&["compare is for the plane", "riprap sweep"]);
     assert!(!bench.path("bricks.compare").exists());
+}
+
+#[test]
+fn a_wrong_formula_is_shown_at_its_character() {
+    let bench = Bench::new();
+    let text = FALL.replace("-0.5*10*t^2", "if(t < 1, -5*t^2, 0");
+    bench.file("a.toml", &text);
+    let said = bench.run(&["check", "a.toml"]).expect(2);
+    let line = text.lines().position(|l| l.starts_with("formula")).unwrap() + 1;
+    let column = text.lines().nth(line - 1).unwrap().len();
+    assert!(
+        said.err.contains("a parenthesis is not closed"),
+        "{}",
+        said.err
+    );
+    assert!(
+        said.err.contains(&format!("a.toml:{line}:{column}")),
+        "{}",
+        said.err
+    );
+    let chosen = FALL.replace("-0.5*10*t^2", "if(t < 1, -5*min(t, 7)^2, sqrt(-1))");
+    bench.file("a.toml", chosen);
+    bench.run(&["run", "a.toml", "--out", "a.run"]).expect(0);
 }

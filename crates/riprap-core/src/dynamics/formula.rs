@@ -1,14 +1,31 @@
-//! Formulas in scenarios: a thin wrapper over the `exmex` expression parser.
+//! Formulas in scenarios: arithmetic, functions, comparisons and a choice, of named numbers.
 
-use exmex::prelude::*;
-use exmex::{FloatOpsFactory, MakeOperators, Operator};
+mod parse;
+#[cfg(test)]
+mod tests;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Longest formula text accepted, bytes; parsing is recursive, so the length bounds the depth.
+/// Longest formula text accepted, bytes.
 pub const MAX_LENGTH: usize = 2000;
-/// Deepest nesting of parentheses accepted.
+/// Deepest nesting accepted: parentheses, functions, signs and powers.
 pub const MAX_DEPTH: usize = 64;
+/// Functions that formulas know.
+pub const FUNCTIONS: &str = "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, acosh, atanh, exp, ln (= log), \
+     log2, log10, sqrt, cbrt, abs, sign, floor, ceil, round, trunc, fract, min, max, if";
+
+/// Numbers that are always known, unless a name of the same spelling is given.
+const CONSTANTS: [(&str, f64); 8] = [
+    ("pi", std::f64::consts::PI),
+    ("deg", std::f64::consts::PI / 180.0),
+    ("π", std::f64::consts::PI),
+    ("PI", std::f64::consts::PI),
+    ("e", std::f64::consts::E),
+    ("E", std::f64::consts::E),
+    ("τ", std::f64::consts::TAU),
+    ("TAU", std::f64::consts::TAU),
+];
 
 /// Why a formula could not be used.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -19,11 +36,18 @@ pub enum FormulaError {
     )]
     TooLarge,
     /// The text is not a formula.
-    #[error("this is not a formula: {0}")]
-    Syntax(String),
+    #[error("this is not a formula: {message}")]
+    Syntax {
+        /// Bytes of the text before the place.
+        at: usize,
+        /// What is wrong there.
+        message: String,
+    },
     /// A name stands for nothing.
     #[error("`{name}` is not known in this formula; known names are {known}")]
     UnknownName {
+        /// Bytes of the text before the name.
+        at: usize,
         /// The name.
         name: String,
         /// What could stand there.
@@ -31,65 +55,51 @@ pub enum FormulaError {
     },
 }
 
-/// A compiled formula of named numbers, e.g. `0.5*g*t^2`.
-///
-/// `pi` and `deg` (= pi/180) are always known. Functions: sin, cos, tan, asin, acos, atan, atan2,
-/// exp, log/ln, sqrt, abs, floor, ceil, sign and the operators + - * / ^.
-#[derive(Clone, Debug)]
-pub struct Formula {
-    text: String,
-    // Boxed: the parsed expression is large beside the other time functions.
-    expression: Box<FlatEx<f64, Portable>>,
-    names: Vec<String>,
-}
-
-/// The operators of `exmex` with the functions of `libm`: those of the platform differ in bits from machine to machine.
-#[derive(Clone, Debug)]
-struct Portable;
-
-impl MakeOperators<f64> for Portable {
-    fn make<'a>() -> Vec<Operator<'a, f64>> {
-        let given = FloatOpsFactory::<f64>::make().into_iter();
-        given
-            .map(|given| portable(&given).unwrap_or(given))
-            .collect()
+impl FormulaError {
+    /// Bytes of the text before the place that is wrong, where there is one.
+    #[must_use]
+    pub fn at(&self) -> Option<usize> {
+        match self {
+            Self::TooLarge => None,
+            Self::Syntax { at, .. } | Self::UnknownName { at, .. } => Some(*at),
+        }
     }
 }
 
-/// What stands for an operator of `exmex` that would call the platform.
-fn portable<'a>(given: &Operator<'a, f64>) -> Option<Operator<'a, f64>> {
-    let binary: fn(f64, f64) -> f64 = match given.repr() {
-        "^" => libm::pow,
-        "atan2" => libm::atan2,
-        _ => return Some(Operator::make_unary(given.repr(), unary(given.repr())?)),
-    };
-    let mut operator = given.bin().ok()?;
-    operator.apply = binary;
-    Some(Operator::make_bin(given.repr(), operator))
+/// One instruction of a compiled formula, which works on a stack.
+#[derive(Clone, Copy, Debug)]
+enum Op {
+    Number(f64),
+    /// The value of that name.
+    Name(usize),
+    One(fn(f64) -> f64),
+    Two(fn(f64, f64) -> f64),
+    /// Takes a condition: goes on if it holds, at `otherwise` if it is zero; NaN for all of it, at `end`, if it is NaN.
+    Branch {
+        otherwise: usize,
+        end: usize,
+    },
+    Jump(usize),
 }
 
-fn unary(name: &str) -> Option<fn(f64) -> f64> {
-    let function: fn(f64) -> f64 = match name {
-        "sin" => libm::sin,
-        "cos" => libm::cos,
-        "tan" => libm::tan,
-        "asin" => libm::asin,
-        "acos" => libm::acos,
-        "atan" => libm::atan,
-        "sinh" => libm::sinh,
-        "cosh" => libm::cosh,
-        "tanh" => libm::tanh,
-        "asinh" => libm::asinh,
-        "acosh" => libm::acosh,
-        "atanh" => libm::atanh,
-        "exp" => libm::exp,
-        "cbrt" => libm::cbrt,
-        "ln" | "log" => libm::log,
-        "log2" => libm::log2,
-        "log10" => libm::log10,
-        _ => return None,
-    };
-    Some(function)
+/// A compiled text.
+#[derive(Clone, Debug, Default)]
+struct Program {
+    ops: Vec<Op>,
+    /// Names in it, each with its first place.
+    names: Vec<(String, usize)>,
+}
+
+/// A compiled formula of named numbers, e.g. `0.5*g*t^2`.
+///
+/// `pi` and `deg` (= pi/180) are always known. Operators + - * / ^ and `< <= > >= == !=` (1 if it holds, 0 if not), functions
+/// [`FUNCTIONS`]; `if(condition, then, otherwise)` finds only the value it takes. A sign binds looser than a power:
+/// `-t^2` is `-(t^2)`. A value that does not exist (`sqrt(-1)`) is NaN, and so is what is made from it, minima and choices included.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    text: String,
+    // Boxed: it is large beside the other time functions.
+    program: Box<Program>,
 }
 
 impl Formula {
@@ -102,17 +112,18 @@ impl Formula {
     /// ```
     /// use riprap_core::dynamics::Formula;
     ///
-    /// let fall = Formula::new("0.5*g*t^2", &["t", "g"])?;
+    /// let fall = Formula::new("0.5*g*min(t, 3)^2", &["t", "g"])?;
     /// assert_eq!(fall.value(&[("t", 2.0), ("g", 10.0)]), 20.0);
     /// # Ok::<(), riprap_core::dynamics::formula::FormulaError>(())
     /// ```
     pub fn new(text: &str, known: &[&str]) -> Result<Self, FormulaError> {
         let formula = Self::compiled(text)?;
-        for name in &formula.names {
-            if !known.contains(&name.as_str()) && !["pi", "deg"].contains(&name.as_str()) {
+        for (name, at) in &formula.program.names {
+            if !known.contains(&name.as_str()) && constant(name).is_none() {
                 let mut list: Vec<&str> = known.to_vec();
                 list.extend(["pi", "deg"]);
                 return Err(FormulaError::UnknownName {
+                    at: *at,
                     name: name.clone(),
                     known: list.join(", "),
                 });
@@ -122,26 +133,9 @@ impl Formula {
     }
 
     fn compiled(text: &str) -> Result<Self, FormulaError> {
-        let (mut depth, mut deepest) = (0usize, 0usize);
-        for c in text.chars() {
-            match c {
-                '(' | '{' => depth += 1,
-                ')' | '}' => depth = depth.saturating_sub(1),
-                _ => {}
-            }
-            deepest = deepest.max(depth);
-        }
-        if text.len() > MAX_LENGTH || deepest > MAX_DEPTH {
-            return Err(FormulaError::TooLarge);
-        }
-        let expression = FlatEx::<f64, Portable>::parse(&without_exponents(text))
-            .map_err(|e| FormulaError::Syntax(e.to_string()))?;
-        let expression = Box::new(expression);
-        let names: Vec<String> = expression.var_names().to_vec();
         Ok(Self {
             text: text.to_owned(),
-            expression,
-            names,
+            program: Box::new(parse::parse(text)?),
         })
     }
 
@@ -151,29 +145,61 @@ impl Formula {
         &self.text
     }
 
-    /// Names it uses besides `pi` and `deg`.
-    #[must_use]
-    pub fn names(&self) -> &[String] {
-        &self.names
-    }
-
     /// Value with the given names; NaN if one of its names is missing.
     #[must_use]
     pub fn value(&self, values: &[(&str, f64)]) -> f64 {
-        let arguments: Vec<f64> = self
-            .names
-            .iter()
-            .map(|name| match name.as_str() {
-                "pi" => std::f64::consts::PI,
-                "deg" => std::f64::consts::PI / 180.0,
-                other => values
-                    .iter()
-                    .find(|(n, _)| *n == other)
-                    .map_or(f64::NAN, |(_, value)| *value),
-            })
-            .collect();
-        self.expression.eval(&arguments).unwrap_or(f64::NAN)
+        let Program { ops, names } = &*self.program;
+        let named = |index: usize| {
+            let name = names.get(index).map_or("", |(name, _)| name.as_str());
+            let given = values.iter().find(|(n, _)| *n == name);
+            given
+                .map(|(_, value)| *value)
+                .or_else(|| constant(name))
+                .unwrap_or(f64::NAN)
+        };
+        let mut stack: Vec<f64> = Vec::with_capacity(8);
+        let mut at = 0;
+        while let Some(op) = ops.get(at) {
+            at += 1;
+            let value = match op {
+                Op::Number(value) => *value,
+                Op::Name(index) => named(*index),
+                Op::One(apply) => apply(taken(&mut stack)),
+                Op::Two(apply) => {
+                    let second = taken(&mut stack);
+                    apply(taken(&mut stack), second)
+                }
+                Op::Branch { otherwise, end } => {
+                    let condition = taken(&mut stack);
+                    if condition.is_nan() {
+                        at = *end;
+                        condition
+                    } else {
+                        if condition == 0.0 {
+                            at = *otherwise;
+                        }
+                        continue;
+                    }
+                }
+                Op::Jump(to) => {
+                    at = *to;
+                    continue;
+                }
+            };
+            stack.push(value);
+        }
+        taken(&mut stack)
     }
+}
+
+/// The number on top; the compiler leaves one wherever one is taken.
+fn taken(stack: &mut Vec<f64>) -> f64 {
+    stack.pop().unwrap_or(f64::NAN)
+}
+
+fn constant(name: &str) -> Option<f64> {
+    let found = CONSTANTS.iter().find(|(known, _)| *known == name);
+    found.map(|(_, value)| *value)
 }
 
 impl PartialEq for Formula {
@@ -193,122 +219,5 @@ impl<'de> Deserialize<'de> for Formula {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         Self::compiled(&text).map_err(serde::de::Error::custom)
-    }
-}
-
-/// Writes numbers such as `4e-3` without their exponent, which the parser does not know.
-fn without_exponents(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    let mut in_word = false;
-    while let Some(c) = rest.chars().next() {
-        if in_word || !(c.is_ascii_digit() || c == '.') {
-            in_word = c.is_alphanumeric() || c == '_';
-            out.push(c);
-            rest = &rest[c.len_utf8()..];
-            continue;
-        }
-        let digits =
-            |from: &str| from.len() - from.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-        let mut length = rest.len()
-            - rest
-                .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.')
-                .len();
-        if let Some(power) = rest[length..].strip_prefix(['e', 'E']) {
-            let sign = usize::from(power.starts_with(['+', '-']));
-            let count = digits(&power[sign..]);
-            if count > 0 {
-                length += 1 + sign + count;
-            }
-        }
-        let (number, after) = rest.split_at(length);
-        match number.parse::<f64>() {
-            Ok(value) if number.contains(['e', 'E']) && value.is_finite() => {
-                out.push_str(&value.to_string());
-            }
-            _ => out.push_str(number),
-        }
-        rest = after;
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn evaluates_the_sliding_distance() {
-        let formula = Formula::new(
-            "0.5*g*(sin(35*deg)-cos(35*deg)*tan(phi))*t^2",
-            &["g", "phi", "t"],
-        )
-        .unwrap();
-        let phi = 15.0_f64.to_radians();
-        let d = formula.value(&[("g", 10.0), ("phi", phi), ("t", 1.5)]);
-        assert!((d - 3.983_460).abs() < 1e-6, "{d}");
-    }
-
-    #[test]
-    fn numbers_may_have_exponents() {
-        for (text, value) in [
-            ("4e-3", 0.004),
-            ("2*1.5E2+1", 301.0),
-            ("x1e*2", 10.0),
-            ("1e300*1e-300", 1.0),
-        ] {
-            let formula = Formula::new(text, &["x1e"]).unwrap();
-            assert!(
-                (formula.value(&[("x1e", 5.0)]) - value).abs() < 1e-12,
-                "{text}"
-            );
-        }
-    }
-
-    /// Runs with a check against a formula of other names than `t` could not be resumed.
-    #[test]
-    fn a_formula_is_read_back_with_all_its_names() {
-        let formula = Formula::new("g*t^2/2 + sin(a*deg)", &["t", "g", "a"]).unwrap();
-        let bytes = postcard::to_stdvec(&formula).unwrap();
-        let again: Formula = postcard::from_bytes(&bytes).unwrap();
-        let values = [("t", 2.0), ("g", 10.0), ("a", 30.0)];
-        assert_eq!(again.value(&values), formula.value(&values));
-        assert!((again.value(&values) - 20.5).abs() < 1e-12);
-        assert!(postcard::from_bytes::<Formula>(&[3, b'2', b'*', b'(']).is_err());
-    }
-
-    #[test]
-    fn functions_are_those_of_libm() {
-        // What is left to `exmex` is exact on every machine.
-        let exact = [
-            "*", "/", "+", "-", "min", "max", "abs", "signum", "floor", "round", "ceil", "trunc",
-            "fract", "sqrt", "PI", "π", "E", "e", "TAU", "τ",
-        ];
-        let names: Vec<&str> = FloatOpsFactory::<f64>::make()
-            .iter()
-            .filter(|o| portable(o).is_none())
-            .map(Operator::repr)
-            .collect();
-        assert_eq!(names, exact);
-        let value = |text: &str| Formula::new(text, &["x"]).unwrap().value(&[("x", 0.37)]);
-        for (text, expected) in [
-            ("sin(x)", libm::sin(0.37)),
-            ("log(x)", libm::log(0.37)),
-            ("2*x^1.5", 2.0 * libm::pow(0.37, 1.5)),
-            ("x atan2 2", libm::atan2(0.37, 2.0)),
-        ] {
-            assert_eq!(value(text).to_bits(), expected.to_bits(), "{text}");
-        }
-    }
-
-    #[test]
-    fn names_what_is_not_known() {
-        let error = Formula::new("2*q", &["t"]).unwrap_err();
-        assert!(error.to_string().contains("`q` is not known"), "{error}");
-        assert!(Formula::new("2*(", &["t"]).is_err());
-        assert_eq!(
-            Formula::new(&"(".repeat(5000), &[]),
-            Err(FormulaError::TooLarge)
-        );
     }
 }

@@ -76,8 +76,8 @@ pub struct Check {
     pub threshold: Option<Quantity<Any>>,
     /// Expected number, in the unit of the field.
     pub value: Option<Quantity<Any>>,
-    /// Expected number as a formula, result in SI units. Names: `t` (s), `pi`, `deg`, and those
-    /// of `let`. Example: `"0.5*g*t^2"`.
+    /// Expected number as a [formula](conventions.md#formulas), result in SI units. Names: `t` (s), those of `let`. Example:
+    /// `"0.5*g*min(t, 3)^2"`.
     pub formula: Option<Name>,
     /// Expected numbers from a column of a CSV file.
     pub csv: Option<CsvFunction>,

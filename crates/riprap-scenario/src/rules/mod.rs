@@ -21,6 +21,7 @@ use super::references;
 use super::units::Dim;
 use super::vectors::InSpace;
 use riprap_core::dynamics::Formula;
+use riprap_core::dynamics::formula::FUNCTIONS;
 
 /// What is wrong beyond keys and values. `values_sound`: no quantity was refused, so that numbers
 /// may be compared.
@@ -225,10 +226,8 @@ impl Rules {
     }
 
     fn formula(&mut self, formula: &Name, known: &[&str]) {
-        if let Err(error) = Formula::new(formula.as_str(), known) {
-            let help = "for example \"0.5*g*t^2\"; functions: sin, cos, tan, sqrt, exp, ln, abs, \
-                        ...; `pi` and `deg` are known, angles are in radians";
-            self.error("formula", &formula.span, error.to_string(), help);
+        if let Err(error) = read_formula(formula, known) {
+            self.found.push(error);
         }
     }
 
@@ -251,6 +250,22 @@ impl Rules {
             first = Some(dim);
         }
     }
+}
+
+/// A formula of the scene; `known` lists the names that it may use.
+///
+/// # Errors
+/// What is wrong with it, at its place.
+pub fn read_formula(text: &Name, known: &[&str]) -> Result<Formula, Diagnostic> {
+    Formula::new(text.as_str(), known).map_err(|error| {
+        let place = error.at().map_or(text.span.clone(), |at| text.place(at));
+        Diagnostic::error("formula", error.to_string())
+            .at(place)
+            .help(format!(
+                "for example \"0.5*g*t^2\" or \"if(t < 2, 1, 0)\"; functions: {FUNCTIONS}; `pi` and `deg` are known, angles \
+                 are in radians"
+            ))
+    })
 }
 
 /// The place of a target.

@@ -96,14 +96,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn formula(&mut self, text: &Name, known: &[&str]) -> Option<Formula> {
-        match Formula::new(text.as_str(), known) {
-            Ok(formula) => Some(formula),
-            Err(error) => {
-                let help = "for example \"0.5*g*t^2\"; `pi` and `deg` are known";
-                self.error_at("formula", text, error.to_string(), help);
-                None
-            }
-        }
+        self.take(scenario::read_formula(text, known).map_err(|error| vec![error]))
     }
 
     /// Times, strictly ascending, and values of a CSV file.
