@@ -123,6 +123,19 @@ pub enum CheckpointError {
         /// What was asked for.
         wanted: String,
     },
+    /// A run of another scene wrote it.
+    #[error(
+        "checkpoint {} is of another scene: {found}, this run is of {wanted}; put it back into the folder of its own run",
+        path.display()
+    )]
+    OtherScene {
+        /// The file.
+        path: PathBuf,
+        /// Its scene.
+        found: String,
+        /// The scene of the run.
+        wanted: String,
+    },
     /// Sound container, but the value inside is of another shape.
     #[error(
         "checkpoint {} does not hold the state this riprap ({}) expects ({reason}); resume with the riprap that wrote it (its manifest.json says which)",
@@ -419,13 +432,26 @@ pub fn latest<T: DeserializeOwned>(
     folder: &Path,
     kind: &str,
 ) -> Result<Latest<T>, CheckpointError> {
+    latest_of(folder, kind, |_, _| Ok(()))
+}
+
+/// As [`latest`], of those that `admit` lets pass.
+///
+/// # Errors
+/// As [`latest`].
+pub fn latest_of<T: DeserializeOwned>(
+    folder: &Path,
+    kind: &str,
+    admit: impl Fn(&Path, &T) -> Result<(), CheckpointError>,
+) -> Result<Latest<T>, CheckpointError> {
     let files = all(folder).map_err(|source| CheckpointError::Read {
         path: folder.to_owned(),
         source,
     })?;
     let mut broken = Vec::new();
     for (_, path) in files.into_iter().rev() {
-        match read(&path, kind) {
+        let found = read(&path, kind).and_then(|value| admit(&path, &value).map(|()| value));
+        match found {
             Ok(value) => {
                 return Ok(Latest {
                     path,

@@ -48,6 +48,27 @@ pub struct Override {
     pub value: String,
 }
 
+/// A file that the scene reads.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct InputFile {
+    /// Its name as the scene gives it.
+    pub name: String,
+    /// blake3 of its bytes, hexadecimal.
+    pub blake3: String,
+}
+
+impl InputFile {
+    /// The file as it is now; `None` where it can not be read. `folder` is where the scene lies.
+    #[must_use]
+    pub fn read(folder: &Path, name: &str) -> Option<Self> {
+        let bytes = crate::read_plain(&folder.join(name)).ok()?;
+        Some(Self {
+            name: name.to_owned(),
+            blake3: blake3::hash(&bytes).to_hex().to_string(),
+        })
+    }
+}
+
 /// The machine.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Machine {
@@ -180,6 +201,8 @@ pub struct Manifest {
     pub scenario: String,
     /// blake3 of the resolved scene and all files it reads, hexadecimal.
     pub input_hash: String,
+    /// Files that the scene reads.
+    pub files: Vec<InputFile>,
     /// Named variant of the scene.
     pub variant: String,
     /// Sweep case, for example `friction_angle=5 deg`; empty outside a sweep.
@@ -232,6 +255,7 @@ impl Default for Manifest {
             title: String::new(),
             scenario: String::new(),
             input_hash: String::new(),
+            files: Vec::new(),
             variant: String::new(),
             case: String::new(),
             overrides: Vec::new(),

@@ -7,7 +7,7 @@ use riprap::record::RunFolder;
 use riprap::record::folder::Existing;
 use riprap::record::table::Table;
 use riprap::run::drive::{Control, Ending, Look};
-use riprap::run::job::{self, Outcome};
+use riprap::run::job::{self, Live, Outcome};
 use riprap::run::simulation::PhaseEnd;
 
 use crate::args::{How, Resume, Run};
@@ -54,7 +54,12 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
         args.run.display()
     );
     with_display(&args.how, &head, &args.run, |look| {
-        job::resume(&args.run, threads(&args.how), look).map_err(Failure::from)
+        let live = Live::reopen(&args.run, threads(&args.how))?;
+        // Before the run, which may take days.
+        for note in live.notes() {
+            print_line("warning", note);
+        }
+        Ok(live.finish(look)?)
     })
 }
 

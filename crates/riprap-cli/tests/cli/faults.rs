@@ -186,3 +186,135 @@ fn damaged_checkpoints_are_passed_over_or_named() {
     let said = bench.run(&["resume", "a.run"]).expect(2);
     assert!(said.err.contains("a.run"), "{said:?}");
 }
+
+/// A run that was killed at a checkpoint of its own.
+fn killed(bench: &Bench, scene: &str, out: &str, words: &[&str]) {
+    let mut all = vec!["run", scene, "--out", out];
+    all.extend_from_slice(words);
+    let run = bench.start(&all);
+    bench.wait_for("two checkpoints", || {
+        let files = bench.path(&format!("{out}/checkpoints")).read_dir();
+        files.is_ok_and(|files| files.count() > 1)
+    });
+    run.signal("KILL");
+    run.end();
+}
+
+/// Puts the newest checkpoint of one run into the folder of another, in the place of all that are there.
+fn put(bench: &Bench, from: &str, to: &str) {
+    let list = |run: &str| {
+        let files = bench
+            .path(&format!("{run}/checkpoints"))
+            .read_dir()
+            .unwrap();
+        let mut files: Vec<_> = files.map(|f| f.unwrap().path()).collect();
+        files.sort();
+        files
+    };
+    let newest = list(from).pop().unwrap();
+    for file in list(to) {
+        std::fs::remove_file(file).unwrap();
+    }
+    let name = newest.file_name().unwrap();
+    std::fs::copy(&newest, bench.path(&format!("{to}/checkpoints")).join(name)).unwrap();
+}
+
+#[test]
+fn a_checkpoint_of_another_scene_is_refused_by_name() {
+    let bench = Bench::new();
+    let slow = FALL.replace("time = \"0.2 s\"", "time = \"4 s\"");
+    bench.file("fall.toml", &slow);
+    let other = slow.replace("a block falls", "a stone drops");
+    bench.file("drop.toml", other);
+    killed(&bench, "fall.toml", "a.run", &[]);
+    killed(&bench, "drop.toml", "b.run", &[]);
+    put(&bench, "b.run", "a.run");
+    let said = bench.run(&["resume", "a.run"]).expect(2);
+    for part in [
+        "another scene",
+        "a stone drops",
+        "drop.toml",
+        "a block falls",
+        "fall.toml",
+    ] {
+        assert!(said.err.contains(part), "no {part:?} in\n{}", said.err);
+    }
+    // Beside a good one of its own it is passed over, with a word.
+    killed(&bench, "fall.toml", "a.run", &["--force"]);
+    let foreign = bench.path("b.run/checkpoints").read_dir().unwrap();
+    let foreign = foreign.map(|f| f.unwrap().path()).max().unwrap();
+    let place = bench.path("a.run/checkpoints/checkpoint_000000999999.rck");
+    std::fs::copy(foreign, place).unwrap();
+    bench
+        .run(&["resume", "a.run"])
+        .expect(0)
+        .warns(&["skipped a checkpoint", "a stone drops"]);
+}
+
+#[test]
+fn a_scene_edited_since_is_told_with_its_keys() {
+    let bench = Bench::new();
+    let slow = FALL.replace("time = \"0.2 s\"", "time = \"2 s\"");
+    bench.file("fall.toml", &slow);
+    bench
+        .run(&["run", "fall.toml", "--out", "whole.run"])
+        .expect(0);
+    killed(&bench, "fall.toml", "a.run", &[]);
+    // A comment changes nothing.
+    bench.file("fall.toml", format!("# seen again\n{slow}"));
+    let edited = slow
+        .replace("2000 kg/m3", "2500 kg/m3")
+        .replace("friction_angle = \"30 deg\"\n", "");
+    bench.file("fall.toml", edited);
+    let said = bench.run(&["resume", "a.run"]).expect(0);
+    let said = said.warns(&[
+        "fall.toml was edited after the run had begun: interfaces.default.friction_angle, materials.rock.density;",
+        "values of its checkpoint",
+    ]);
+    assert!(!said.err.contains("scenario.resolved.toml"), "{}", said.err);
+    assert!(
+        bench
+            .read("a.run/manifest.json")
+            .contains("materials.rock.density")
+    );
+    let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
+    assert_eq!(hash("a.run"), hash("whole.run"));
+}
+
+#[test]
+fn what_is_not_edited_is_not_told() {
+    let bench = Bench::new();
+    let slow = FALL.replace("time = \"0.2 s\"", "time = \"2 s\"");
+    bench.file("fall.toml", &slow);
+    killed(
+        &bench,
+        "fall.toml",
+        "a.run",
+        &["--set", "materials.rock.density=2100 kg/m3"],
+    );
+    bench.file("fall.toml", format!("# seen again\n{slow}"));
+    let said = bench.run(&["resume", "a.run"]).expect(0);
+    assert!(!said.err.contains("edited"), "{}", said.err);
+}
+
+#[test]
+fn a_checkpoint_of_an_older_format_is_refused_by_number() {
+    let bench = Bench::new();
+    bench.file(
+        "fall.toml",
+        FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
+    );
+    killed(&bench, "fall.toml", "a.run", &[]);
+    for file in bench.path("a.run/checkpoints").read_dir().unwrap() {
+        let path = file.unwrap().path();
+        let mut bytes = std::fs::read(&path).unwrap();
+        bytes[8..12].copy_from_slice(&2u32.to_le_bytes());
+        std::fs::write(path, bytes).unwrap();
+    }
+    let said = bench.run(&["resume", "a.run"]).expect(2);
+    assert!(
+        said.err.contains("format version 2, this riprap reads 3"),
+        "{}",
+        said.err
+    );
+}

@@ -15,6 +15,7 @@ use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
+use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
@@ -183,6 +184,7 @@ pub struct Live {
     drive: Drive,
     manifest: Manifest,
     ending: Option<Ending>,
+    notes: Vec<String>,
 }
 
 impl Live {
@@ -211,7 +213,8 @@ impl Live {
         manifest.sources = simulation.view().sources();
         let folder = RunFolder::create(folder, existing, &manifest)?;
         folder.write_scenario(&job.resolved)?;
-        let recorder = Recorder::new(folder, kind, simulation.plan(), None)?;
+        let origin = Origin::new(&manifest, &job.resolved);
+        let recorder = Recorder::new(folder, origin, kind, simulation.plan(), None)?;
         let watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
         let mut live = Self::new(simulation, Some(recorder), watches, manifest)?;
         // Whatever happens from now on, there is something to resume from.
@@ -236,26 +239,42 @@ impl Live {
                 ended,
             });
         }
-        let latest = checkpoint::latest::<Checkpoint>(folder, KIND)?;
-        let broken = latest
-            .broken
-            .iter()
-            .map(|why| format!("skipped a checkpoint: {why}"));
-        manifest.warnings.extend(broken);
+        let admit = |path: &Path, found: &Checkpoint| found.origin.admit(path, &manifest);
+        let latest = checkpoint::latest_of(folder, KIND, admit)?;
+        let broken = latest.broken.iter();
+        let mut notes: Vec<String> = broken
+            .map(|why| format!("skipped a checkpoint: {why}"))
+            .collect();
         let exec = Exec::new(threads)?;
         manifest.threads = exec.threads();
         let Checkpoint {
+            origin,
             snapshot,
             marks,
             counts,
             watches,
         } = latest.value;
+        notes.extend(origin.edits(folder, &manifest));
+        for note in &notes {
+            if !manifest.warnings.contains(note) {
+                manifest.warnings.push(note.clone());
+            }
+        }
         let folder = RunFolder::reopen(folder, &marks)?;
         manifest.ended = Ended::Running;
         folder.write_manifest(&manifest)?;
         let simulation = Simulation::resume(snapshot, exec);
-        let recorder = Recorder::new(folder, simulation.kind(), simulation.plan(), Some(counts))?;
-        Self::new(simulation, Some(recorder), watches, manifest)
+        let (kind, plan) = (simulation.kind(), simulation.plan());
+        let recorder = Recorder::new(folder, origin, kind, plan, Some(counts))?;
+        let mut live = Self::new(simulation, Some(recorder), watches, manifest)?;
+        live.notes = notes;
+        Ok(live)
+    }
+
+    /// What was found when the run was reopened: checkpoints that were skipped, what was edited since. The manifest has it too.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Begins a job that leaves no files.
@@ -332,6 +351,7 @@ impl Live {
             drive,
             manifest,
             ending: None,
+            notes: Vec::new(),
         })
     }
 

@@ -10,6 +10,7 @@ pub mod forecast;
 pub mod given_step;
 pub mod job;
 mod meeting;
+pub mod origin;
 pub mod probe;
 pub mod recorder;
 pub mod safety;

@@ -5,6 +5,7 @@ use serde_json::json;
 
 use super::checks::Watch;
 use super::engine::{Kind, Reading};
+use super::origin::Origin;
 use super::simulation::{PhaseEnd, Simulation, Snapshot, SnapshotRef, Unconverged};
 use crate::ledger::COLUMNS;
 use crate::plan::{Every, Plan};
@@ -26,6 +27,8 @@ pub struct Counts {
 /// Checkpoint of a recorded run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Checkpoint {
+    /// Which scene it is of.
+    pub origin: Origin,
     /// The simulation.
     pub snapshot: Snapshot,
     /// How far the files had come.
@@ -39,6 +42,7 @@ pub struct Checkpoint {
 /// A [`Checkpoint`] to be written, of which nothing is copied: the same fields in the same order.
 #[derive(Serialize)]
 struct CheckpointRef<'a> {
+    origin: &'a Origin,
     snapshot: SnapshotRef<'a>,
     marks: &'a Marks,
     counts: &'a Counts,
@@ -53,6 +57,7 @@ pub const KIND: &str = "run";
 pub struct Recorder {
     /// The folder.
     pub folder: RunFolder,
+    origin: Origin,
     readings: Vec<(Reading, Every)>,
     frames: Option<Every>,
     tetrahedra: bool,
@@ -71,6 +76,7 @@ impl Recorder {
     /// Histories of unknown fields; the disk.
     pub fn new(
         mut folder: RunFolder,
+        origin: Origin,
         kind: Kind,
         plan: &Plan,
         counts: Option<Counts>,
@@ -95,6 +101,7 @@ impl Recorder {
         let last_frame = folder.frames().last().map(|f| f.step);
         Ok(Self {
             folder,
+            origin,
             readings,
             frames: plan.frames,
             tetrahedra: plan.tetrahedra,
@@ -288,6 +295,7 @@ impl Recorder {
     ) -> Result<(), OutputError> {
         let step = simulation.steps();
         let value = CheckpointRef {
+            origin: &self.origin,
             snapshot: simulation.snapshot_ref(),
             marks: &self.folder.marks(step),
             counts: &self.counts,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::exec::Exec;
 use crate::model::{self, Model};
-use crate::record::manifest::Override;
+use crate::record::manifest::{InputFile, Override};
 use crate::record::{FieldInfo, Manifest};
 use crate::run::engine::{BuildError, Kind};
 use crate::run::given_step::{self, TooLong};
@@ -129,6 +129,10 @@ impl Scene {
             title: parsed.scenario.title.clone(),
             scenario: self.path.display().to_string(),
             input_hash: input_hash(&resolved, &parsed.folder),
+            files: named_files(&resolved)
+                .iter()
+                .filter_map(|name| InputFile::read(&parsed.folder, name))
+                .collect(),
             variant: case.variant.clone(),
             case: if self.cases.len() > 1 {
                 case.name.clone()
@@ -283,20 +287,24 @@ pub fn input_hash(text: &str, folder: &Path) -> String {
         hasher.update(bytes);
     };
     add(text.as_bytes());
-    let root: toml::Value = toml::from_str(text).unwrap_or(toml::Value::Boolean(false));
-    let mut names = Vec::new();
-    strings(&root, &mut names);
-    let read = |name: &&String| {
-        [".csv", ".obj", ".msh", ".tess", ".stl", ".dxf"]
-            .iter()
-            .any(|end| name.ends_with(end))
-    };
-    for name in names.iter().filter(read) {
+    for name in &named_files(text) {
         add(name.as_bytes());
         // A file that cannot be read stops the model before this.
         add(&std::fs::read(folder.join(name)).unwrap_or_default());
     }
     hasher.finalize().to_hex().to_string()
+}
+
+/// Texts of a scene that end as the files do which scenes read.
+fn named_files(text: &str) -> Vec<String> {
+    let root: toml::Value = toml::from_str(text).unwrap_or(toml::Value::Boolean(false));
+    let mut names = Vec::new();
+    strings(&root, &mut names);
+    names.retain(|name| {
+        let ends = [".csv", ".obj", ".msh", ".tess", ".stl", ".dxf", ".asc"];
+        ends.iter().any(|end| name.ends_with(end))
+    });
+    names
 }
 
 /// All texts of a document, tables in the order of their keys.
