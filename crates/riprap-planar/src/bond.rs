@@ -12,12 +12,18 @@ use super::search::{is_driven, row_of};
 use super::setup::{BondLaw, Setup};
 use super::shapes::Shapes;
 use super::world::{Body, World, Wrench};
-pub use super::world::{Bond, BondPoint};
-use crate::laws::{damping, joint_point};
+pub use super::world::{Bond, BondPoint, Wear};
+use crate::laws::behaviour::Law;
+use crate::laws::damping;
+use crate::laws::face_joint::Memory;
+use crate::laws::joint_point::{self, Response};
 use crate::ledger::Works;
 
 /// Share of the length that a failed joint slides or opens before found contact takes over.
 const SLIP_SHARE: f64 = 0.01;
+/// Share of the length that a joint may open beyond its dilation, where it closes along a curve or dilates: what it gives way by then
+/// is no measure.
+const SLACK: f64 = 1e-4;
 /// Opening of a failed point at which a joint is torn, over its elastic displacement at its
 /// strength or under its present load.
 const OPENING: f64 = 3.0;
@@ -152,7 +158,8 @@ pub fn force(
     let normal = turn(0.5 * (i.angle + j.angle))(bond.normal);
     let tangent = normal.perp();
     let (mut stress, mut damp, mut energy) = (Wrench::default(), Wrench::default(), 0.0);
-    let mut failing = false;
+    let general = law.law();
+    let (mut failing, mut separation) = (false, 0.0);
     // A joint that is open or has slid at one point cannot be a hinge at another: the tip of the crack
     // runs through.
     let torn = bond.torn;
@@ -160,22 +167,43 @@ pub fn force(
         let (arm_i, arm_j) = (turn_i(point.on_i), turn_j(point.on_j));
         let u = arm_j - arm_i - relative.shift;
         let (opening, shear) = (u.dot(normal), u.dot(tangent));
-        let r = joint_point::joint_point(law, opening, shear, point.slip, point.failed || torn);
+        let failed = point.failed || torn;
+        let rate = |x: Vec2| {
+            relative.velocity + relative.spin_i * x.perp()
+                - relative.spin_j * (x + relative.shift).perp()
+        };
+        let x = arm_i + 0.5 * u;
+        let (r, stored, parted) = match &general {
+            None => {
+                let r = joint_point::joint_point(law, opening, shear, point.slip, failed);
+                (r, None, 0.0)
+            }
+            Some(general) => {
+                let moved = elapsed * rate(x);
+                let moved = [moved.dot(normal), moved.dot(tangent), 0.0];
+                let (r, loss) = general_point(general, [opening, shear], &moved, point, failed);
+                (r, Some(loss[0]), loss[1])
+            }
+        };
         failing |= r.failed && !point.failed;
+        separation += point.weight * parted;
         point.failed = r.failed;
         point.slip = r.slip;
         point.opening = opening;
         (point.sigma, point.tau) = (r.sigma, r.tau);
         // Tension pulls i towards j; the force acts at the middle of the two places.
-        let x = arm_i + 0.5 * u;
         let pull = point.weight * (r.sigma * normal + r.tau * tangent);
         stress = stress.plus(&Wrench::at(pull, x, x + relative.shift));
         if r.sigma != 0.0 || r.tau != 0.0 {
-            energy += 0.5
-                * point.weight
-                * (r.sigma * r.sigma / law.normal_stiffness + r.tau * r.tau / law.shear_stiffness);
-            let rate = relative.velocity + relative.spin_i * x.perp()
-                - relative.spin_j * (x + relative.shift).perp();
+            energy += match stored {
+                Some(stored) => point.weight * stored,
+                None => {
+                    0.5 * point.weight
+                        * (r.sigma * r.sigma / law.normal_stiffness
+                            + r.tau * r.tau / law.shear_stiffness)
+                }
+            };
+            let rate = rate(x);
             let dash = |stiffness: f64| {
                 let k = stiffness * point.weight;
                 damping::dashpot(law.damping_ratio, k, bond.mass * point.weight / bond.length)
@@ -200,7 +228,10 @@ pub fn force(
     }
     let half = 0.5 * elapsed;
     let lost = -half * relative.power_of(&bond.stress.plus(&stress)) + bond.energy - energy;
-    if failing {
+    if general.is_some() {
+        let fracture = separation.min(lost).max(0.0);
+        works.dissipate(lost - fracture, fracture);
+    } else if failing {
         works.dissipate(0.0, lost);
     } else {
         works.dissipate(lost, 0.0);
@@ -209,6 +240,43 @@ pub fn force(
     (bond.stress, bond.damping, bond.energy) = (stress, damp, energy);
     bond.torn |= is_torn(bond, law);
     stress.plus(&damp)
+}
+
+/// A point of a law that is not plain, at its opening and shear displacement (m): the response, and per area what it stores and what
+/// was lost above the residual strength, J/m².
+fn general_point(
+    law: &Law,
+    [opening, shear]: [f64; 2],
+    moved: &[f64; 3],
+    point: &mut BondPoint,
+    failed: bool,
+) -> (Response, [f64; 2]) {
+    let mut memory = Memory {
+        slip: [point.slip, 0.0],
+        accumulated_slip: point.wear.path,
+        parted: point.wear.parted,
+        lift: point.wear.lift,
+        broken: failed,
+        open: point.wear.open,
+        ..Memory::default()
+    };
+    let at = [opening, shear, 0.0];
+    let (t, loss) = law.point(&[0.0; 3], &at, moved, &mut memory);
+    let stored = law.energy(&[0.0; 3], &at, &memory);
+    point.wear = Wear {
+        path: memory.accumulated_slip,
+        parted: memory.parted,
+        lift: memory.lift,
+        gap: law.opening_of(&[0.0; 3], &at, &memory),
+        open: memory.open,
+    };
+    let response = Response {
+        sigma: t[0],
+        tau: t[1],
+        slip: memory.slip[0],
+        failed: memory.broken,
+    };
+    (response, [stored[0] + stored[1], loss.fracture])
 }
 
 /// Whether a point has failed and slid by more than a small share of the length, or opened by more
@@ -224,6 +292,10 @@ fn is_torn(bond: &Bond, law: &BondLaw) -> bool {
     let closure = bond.points.iter().map(|p| -p.opening).fold(0.0, f64::max);
     let open = far.min(OPENING * strength.max(closure));
     let mut failed = bond.points.iter().filter(|p| p.failed);
+    if law.law().is_some() {
+        let open = open.max(SLACK * bond.length);
+        return failed.any(|p| p.slip.abs() > far || p.wear.gap > open);
+    }
     failed.any(|p| p.slip.abs() > far || p.opening > open)
 }
 

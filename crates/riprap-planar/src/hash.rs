@@ -3,7 +3,7 @@
 use riprap_core::state_hash::StateHash;
 use riprap_geom::Vec2;
 
-use super::world::{Contact, World};
+use super::world::{Contact, Wear, World};
 
 impl World {
     /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.
@@ -42,6 +42,11 @@ impl World {
             for point in &bond.points {
                 hash.number(point.slip);
                 hash.count(u64::from(point.failed));
+                if point.wear != Wear::default() {
+                    let wear = &point.wear;
+                    hash.numbers(&[wear.path, wear.parted, wear.lift]);
+                    hash.count(u64::from(wear.open));
+                }
             }
         }
         hash.finish()

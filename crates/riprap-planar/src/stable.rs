@@ -47,7 +47,8 @@ pub fn stable_step(
             continue;
         };
         for point in &bond.points {
-            let k = law.normal_stiffness.max(law.shear_stiffness) * point.weight;
+            let [kn, ks] = law.stiffest();
+            let k = kn.max(ks) * point.weight;
             let mass = bond.mass * point.weight / bond.length;
             let dash = damping::dashpot(law.damping_ratio, k, mass) + stiffness_damping * k;
             for (block, place) in [(bond.i, point.on_i), (bond.j, point.on_j)] {

@@ -231,6 +231,21 @@ pub struct Bond {
     pub broken_at: Option<u64>,
 }
 
+/// What a point remembers that softens, is rough or dilates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Wear {
+    /// Accumulated slip, m.
+    pub path: f64,
+    /// Largest opening beyond the elastic one while it softened, m.
+    pub parted: f64,
+    /// How far the roughness of its sides has parted them, m.
+    pub lift: f64,
+    /// How far it is open beyond that at the last evaluation, m; negative where it is closed.
+    pub gap: f64,
+    /// Whether it is open.
+    pub open: bool,
+}
+
 /// A point of a joint.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BondPoint {
@@ -242,6 +257,8 @@ pub struct BondPoint {
     pub weight: f64,
     /// Plastic shear displacement, m.
     pub slip: f64,
+    /// What it remembers beyond that; nothing where its law is plain.
+    pub wear: Wear,
     /// Opening at the last evaluation, m.
     pub opening: f64,
     /// Normal stress, Pa, tension positive.

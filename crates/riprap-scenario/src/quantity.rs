@@ -230,6 +230,12 @@ kinds! {
     ShareBelowOne: Some(Dim::NONE), Bounds { low: 0.0, high: 1.0, low_closed: true, high_closed: false, text: "at least 0 and less than 1" }, "a number without unit", "0.7";
     /// Poisson's ratio, -1 < x < 0.5.
     Poisson: Some(Dim::NONE), Bounds { low: -1.0, high: 0.5, low_closed: false, high_closed: false, text: "greater than -1 and less than 0.5" }, "a number without unit", "0.25";
+    /// A joint roughness coefficient, 0 to 20.
+    JointRoughness: Some(Dim::NONE), Bounds { low: 0.0, high: 20.0, low_closed: true, high_closed: true, text: "at least 0 and at most 20" }, "a number without unit", "10";
+    /// A factor of 1 or more.
+    AtLeastOne: Some(Dim::NONE), Bounds { low: 1.0, low_closed: true, text: "1 or more", ..ALL }, "a number without unit", "25";
+    /// A strength > 0, Pa.
+    PositiveStrength: Some(Dim::PRESSURE), POSITIVE, "a strength (force per area)", "100 MPa";
     /// A length or coordinate, m.
     Length: Some(Dim::LENGTH), ALL, "a length", "1.5 m";
     /// A length > 0, m.

@@ -258,7 +258,9 @@ impl World {
             let stress = in_situ.at(centre.z);
             self.patches.prestress.push(stress * k.frame[0]);
         }
-        let strength = self.setup.interfaces[k.row as usize].joint.strength;
+        let joint = &self.setup.interfaces[k.row as usize].joint;
+        let remembers = !joint.behaviour.is_plain();
+        let strength = joint.strength;
         self.patches.ends.push(overlap.blocks);
         self.patches.class.push(class);
         self.patches.flags.push(0);
@@ -268,12 +270,11 @@ impl World {
         if strength.is_some() || !self.patches.slip.is_empty() {
             self.patches.need_slip();
         }
-        let dilates = strength.is_some_and(|s| s.dilation > 0.0);
-        if dilates || !self.patches.normal_offset.is_empty() {
+        if !self.patches.normal_offset.is_empty() {
             self.patches.need_lift();
         }
-        if dilates || !self.patches.accumulated_slip.is_empty() {
-            self.patches.need_path();
+        if remembers || !self.patches.wear.is_empty() {
+            self.patches.need_wear();
         }
         Ok(())
     }

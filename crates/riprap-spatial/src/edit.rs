@@ -78,7 +78,7 @@ pub fn renew_laws(world: &mut World) {
 pub fn reduce_strengths(world: &mut World, rows: &[u16], factor: f64) {
     for &row in rows {
         let law = &mut world.setup.interfaces[row as usize];
-        law.joint.strength = law.joint.strength.map(|s| s.reduced(factor));
+        law.joint = law.joint.reduced(factor);
         law.bond = law.bond.map(|bond| bond.reduced(factor));
     }
 }

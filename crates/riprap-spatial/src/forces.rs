@@ -73,6 +73,8 @@ pub struct Memory<'a> {
     pub normal_offset: &'a mut [[f64; 4]],
     /// See [`super::world::Patches`].
     pub accumulated_slip: &'a mut [[f64; 4]],
+    /// See [`super::world::Patches`].
+    pub wear: &'a mut [[[f64; 4]; 2]],
 }
 
 fn cut<T>(list: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
@@ -85,15 +87,17 @@ impl<'a> Memory<'a> {
         let (flags, slip) = (cut(self.flags, at), cut(self.slip, at));
         let (normal_offset, accumulated_slip) =
             (cut(self.normal_offset, at), cut(self.accumulated_slip, at));
-        let part = |flags, slip, normal_offset, accumulated_slip| Self {
+        let wear = cut(self.wear, at);
+        let part = |flags, slip, normal_offset, accumulated_slip, wear| Self {
             flags,
             slip,
             normal_offset,
             accumulated_slip,
+            wear,
         };
         (
-            part(flags.0, slip.0, normal_offset.0, accumulated_slip.0),
-            part(flags.1, slip.1, normal_offset.1, accumulated_slip.1),
+            part(flags.0, slip.0, normal_offset.0, accumulated_slip.0, wear.0),
+            part(flags.1, slip.1, normal_offset.1, accumulated_slip.1, wear.1),
         )
     }
 
@@ -104,6 +108,7 @@ impl<'a> Memory<'a> {
             slip: self.slip.get_mut(at),
             normal_offset: self.normal_offset.get_mut(at),
             accumulated_slip: self.accumulated_slip.get_mut(at),
+            wear: self.wear.get_mut(at),
         }
     }
 }

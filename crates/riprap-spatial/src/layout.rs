@@ -1,5 +1,6 @@
 //! Lays out what a step works with: pieces of the model, constants of classes, room for sums.
 
+use super::setup::JointLaw;
 use super::state::push::Pushes;
 use super::state::scratch::{Lost, Partial, Scratch};
 use super::state::sums::Sums;
@@ -69,7 +70,7 @@ impl Scratch {
         for class in new {
             let joint = &interfaces[class.row as usize].joint;
             self.wide.push(Wide::new(class, joint));
-            self.strong |= joint.strength.is_some();
+            self.strong |= joint.strength.is_some() || !joint.is_plain();
         }
         self.desk.ready = false;
     }
@@ -105,7 +106,8 @@ impl Scratch {
         let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;
         let classes = world.classes.iter();
         self.wide = classes.map(|c| Wide::new(c, joint(c))).collect();
-        self.strong = world.classes.iter().any(|c| joint(c).strength.is_some());
+        let strong = |joint: &JointLaw| joint.strength.is_some() || !joint.is_plain();
+        self.strong = world.classes.iter().any(|c| strong(joint(c)));
         self.lost = vec![Lost::default(); groups];
         self.partial = vec![Partial::default(); groups];
         self.turning = true;

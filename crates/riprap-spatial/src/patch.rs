@@ -238,6 +238,8 @@ pub struct State<'a> {
     pub normal_offset: Option<&'a mut [f64; 4]>,
     /// Accumulated slip of the points, where the model has any.
     pub accumulated_slip: Option<&'a mut [f64; 4]>,
+    /// What softening and roughness remember, where the model has any.
+    pub wear: Option<&'a mut [[f64; 4]; 2]>,
 }
 
 /// Memories of the four points from the lists of a patch.
@@ -247,11 +249,14 @@ pub fn memories(
     slip: Option<&[[f64; 4]; 2]>,
     normal_offset: Option<&[f64; 4]>,
     accumulated_slip: Option<&[f64; 4]>,
+    wear: Option<&[[f64; 4]; 2]>,
 ) -> [Memory; 4] {
     std::array::from_fn(|p| Memory {
         slip: slip.map_or([0.0; 2], |s| [s[0][p], s[1][p]]),
         normal_offset: normal_offset.map_or(0.0, |l| l[p]),
         accumulated_slip: accumulated_slip.map_or(0.0, |l| l[p]),
+        parted: wear.map_or(0.0, |w| w[0][p]),
+        lift: wear.map_or(0.0, |w| w[1][p]),
         broken: flags & flag::of(flag::BROKEN, p) != 0,
         open: flags & flag::of(flag::OPEN, p) != 0,
         sliding: flags & flag::of(flag::SLIDING, p) != 0,
@@ -267,6 +272,7 @@ impl State<'_> {
             self.slip.as_deref(),
             self.normal_offset.as_deref(),
             self.accumulated_slip.as_deref(),
+            self.wear.as_deref(),
         )
     }
 
@@ -293,6 +299,10 @@ impl State<'_> {
             if let Some(accumulated_slip) = self.accumulated_slip.as_deref_mut() {
                 accumulated_slip[p] = m.accumulated_slip;
             }
+            if let Some(wear) = self.wear.as_deref_mut() {
+                wear[0][p] = m.parted;
+                wear[1][p] = m.lift;
+            }
         }
         *self.flags = flags;
     }
@@ -311,6 +321,7 @@ pub fn respond(
 ) -> ([Traction; 4], Loss) {
     let springs = class.stiffness;
     let mut memory = state.read();
+    let general = joint.law(springs);
     let (Some(strength), Some(elapsed)) = (&joint.strength, elapsed) else {
         return (
             carried(joint, class, points, start, &memory),
@@ -319,20 +330,28 @@ pub fn respond(
     };
     let slid = *state.flags;
     let moved = points.velocity.map(|r| r.map(|v| v * elapsed));
-    let result = match joint.failure {
-        Failure::Point => {
-            let (mut t, mut loss) = ([[0.0; 3]; 4], Loss::default());
-            for p in 0..4 {
-                let (at, moved) = (&points.at[p], &moved[p]);
-                let (traction, lost) =
-                    face_joint::point(strength, springs, &start[p], at, moved, &mut memory[p]);
-                t[p] = traction;
-                loss.friction += 0.25 * lost.friction;
-                loss.fracture += 0.25 * lost.fracture;
-            }
-            (t, loss)
+    let mut each = |law: &dyn Fn(usize, &mut Memory) -> (Traction, Loss)| {
+        let (mut t, mut loss) = ([[0.0; 3]; 4], Loss::default());
+        for (p, memory) in memory.iter_mut().enumerate() {
+            let (traction, lost) = law(p, memory);
+            t[p] = traction;
+            loss.friction += 0.25 * lost.friction;
+            loss.fracture += 0.25 * lost.fracture;
         }
-        Failure::Face => face_joint::face(
+        (t, loss)
+    };
+    let result = match (joint.failure, &general) {
+        (Failure::Point, None) => each(&|p, memory| {
+            let (at, moved) = (&points.at[p], &moved[p]);
+            face_joint::point(strength, springs, &start[p], at, moved, memory)
+        }),
+        (Failure::Point, Some(law)) => {
+            each(&|p, memory| law.point(&start[p], &points.at[p], &moved[p], memory))
+        }
+        (Failure::Face, Some(law)) => {
+            law.face(start, &points.at, &moved, class.half_spacing, &mut memory)
+        }
+        (Failure::Face, None) => face_joint::face(
             strength,
             springs,
             start,
@@ -359,8 +378,54 @@ pub fn carried(
     memory: &[Memory; 4],
 ) -> [Traction; 4] {
     let alone = joint.failure == Failure::Point;
+    if let Some(law) = joint.law(class.stiffness) {
+        return if alone {
+            std::array::from_fn(|p| law.carried(&start[p], &points.at[p], &memory[p]))
+        } else {
+            law.carried_face(start, &points.at, memory)
+        };
+    }
     std::array::from_fn(|p| {
         face_joint::carried(class.stiffness, &start[p], &points.at[p], &memory[p], alone)
+    })
+}
+
+/// Openings of the points (m), where the law is not plain.
+#[must_use]
+pub fn openings(
+    joint: &JointLaw,
+    class: &PatchClass,
+    points: &Points,
+    start: &[Traction; 4],
+    memory: &[Memory; 4],
+) -> Option<[f64; 4]> {
+    let law = joint.law(class.stiffness)?;
+    Some(if joint.failure == Failure::Point {
+        std::array::from_fn(|p| law.opening_of(&start[p], &points.at[p], &memory[p]))
+    } else {
+        law.openings_of_face(start, &points.at, memory)
+    })
+}
+
+/// Energy per area in the normal and in the shear spring of the points with the memory they have, J/m².
+#[must_use]
+pub fn stored(
+    joint: &JointLaw,
+    class: &PatchClass,
+    points: &Points,
+    start: &[Traction; 4],
+    memory: &[Memory; 4],
+) -> [[f64; 2]; 4] {
+    if let Some(law) = joint.law(class.stiffness) {
+        return if joint.failure == Failure::Point {
+            std::array::from_fn(|p| law.energy(&start[p], &points.at[p], &memory[p]))
+        } else {
+            law.energy_of_face(start, &points.at, memory)
+        };
+    }
+    carried(joint, class, points, start, memory).map(|t| {
+        let normal = 0.5 * t[0] * t[0] / class.stiffness[0];
+        [normal, face_joint::stored(class.stiffness, &t) - normal]
     })
 }
 
@@ -374,6 +439,10 @@ pub fn dashpots(
     beta: f64,
     flags: u16,
 ) -> [Traction; 4] {
+    let springs = match joint.law(class.stiffness) {
+        Some(law) => law.initial(),
+        None => class.stiffness,
+    };
     std::array::from_fn(|p| {
         if flags & flag::of(flag::OPEN, p) != 0 {
             return [0.0; 3];
@@ -385,7 +454,7 @@ pub fn dashpots(
         };
         std::array::from_fn(|k| {
             if k == 0 || along {
-                beta * class.stiffness[k.min(1)] * points.velocity[p][k]
+                beta * springs[k.min(1)] * points.velocity[p][k]
             } else {
                 0.0
             }
@@ -419,7 +488,10 @@ pub fn starts_moving(
             }
     };
     let slides = |p: &usize| {
-        let limit = strength.peak(start[*p][0]);
+        let limit = match joint.law(class.stiffness) {
+            Some(law) => law.first_limit(start[*p][0]),
+            None => strength.peak(start[*p][0]),
+        };
         let [b, c] = [1, 2].map(|k| start[*p][k] + dashpots[*p][k]);
         joint.dashpots == Dashpots::Sticking && b * b + c * c > limit * limit
     };

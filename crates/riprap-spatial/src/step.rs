@@ -153,6 +153,7 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
             slip: &mut list.slip,
             normal_offset: &mut list.normal_offset,
             accumulated_slip: &mut list.accumulated_slip,
+            wear: &mut list.wear,
         },
         net: [scratch.net.whole(), scratch.drag.whole()],
         slots: [slots.whole(), drag_slots.whole()],

@@ -63,7 +63,7 @@ pub struct Wide {
     slope: [[f64; 3]; 2],
     /// 1 where sliding points have no dashpots along the patch, else 0.
     sticking: f64,
-    /// Whether [`points`] knows the law: points fail by themselves, without dilation.
+    /// Whether [`points`] knows the law: points fail by themselves, and the law is plain.
     pub plain: bool,
 }
 
@@ -91,16 +91,21 @@ impl Wide {
             springs: class.stiffness,
             half_spacing: class.half_spacing,
             spread: [0, 1, 2].map(|k| rb * sb[k].abs() + rc * sc[k].abs()),
-            strength: strength.map_or([f64::INFINITY, f64::INFINITY, 0.0], |s| {
-                [s.cohesion, s.tension, s.friction]
-            }),
+            strength: if joint.is_plain() {
+                strength.map_or([f64::INFINITY, f64::INFINITY, 0.0], |s| {
+                    [s.cohesion, s.tension, s.friction]
+                })
+            } else {
+                // Never certainly elastic: the general law is asked for every patch.
+                [0.0, f64::NEG_INFINITY, 0.0]
+            },
             residual: strength.map_or([0.0; 2], |s| [s.residual_cohesion, s.residual_friction]),
             slope: class.slope,
             sticking: match joint.dashpots {
                 Dashpots::Sticking => 1.0,
                 Dashpots::Closed => 0.0,
             },
-            plain: joint.failure == Failure::Point && strength.is_some_and(|s| s.dilation == 0.0),
+            plain: joint.failure == Failure::Point && strength.is_some() && joint.is_plain(),
         }
     }
 }

@@ -52,6 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: None,
+                behaviour: Default::default(),
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,

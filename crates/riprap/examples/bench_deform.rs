@@ -226,6 +226,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
             joint: JointLaw {
                 stiffness: Springs::Rule(StiffnessRule::Material),
                 strength: None,
+                behaviour: Default::default(),
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,

@@ -74,6 +74,7 @@ fn lattice(edge: usize) -> Setup {
             joint: JointLaw {
                 stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: Some(strength),
+                behaviour: Default::default(),
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,

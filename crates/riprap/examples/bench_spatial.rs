@@ -103,6 +103,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
                     Joints::Elastic => None,
                     Joints::Intact | Joints::Broken => Some(strength),
                 },
+                behaviour: Default::default(),
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,

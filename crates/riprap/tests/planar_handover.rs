@@ -25,6 +25,7 @@ fn joined(lower: &[Vec2], tension: f64, cohesion: f64) -> Setup {
             residual_friction: 0.5,
             ..Strength::default()
         },
+        behaviour: Default::default(),
         damping_ratio: 0.0,
         points: 2,
     });

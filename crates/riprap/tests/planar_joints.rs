@@ -37,6 +37,7 @@ fn joined(tension: f64, cohesion: f64) -> Setup {
             residual_friction: 0.5,
             ..Strength::default()
         },
+        behaviour: Default::default(),
         damping_ratio: 0.2,
         points: 2,
     });

@@ -99,6 +99,7 @@ fn collapse(rows: usize, columns: usize) -> Setup {
             residual_friction: 0.4,
             ..Strength::default()
         },
+        behaviour: Default::default(),
         damping_ratio: 0.2,
         points: 2,
     });

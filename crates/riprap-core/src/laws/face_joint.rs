@@ -5,8 +5,8 @@
 //! irrecoverable, so that elastic forces are gradients and forget no step.
 //!
 //! Source: Tian & Li, equations (17) and (18): peak `|tau| <= c - sigma tan(phi)`, after failure
-//! `|tau| <= -sigma tan(phi)` and no tension. Deviation: residual cohesion and dilation are added (non-associated
-//! flow, closed-form return), and torsion counts when the whole face fails as one.
+//! `|tau| <= -sigma tan(phi)` and no tension. Deviation: residual cohesion is added, and torsion counts when
+//! the whole face fails as one. Dilation, softening and curved closure: [`super::behaviour`].
 
 mod whole;
 
@@ -14,7 +14,7 @@ use super::mohr_coulomb::shear_strength;
 use super::norm;
 
 pub use super::mohr_coulomb::Strength;
-pub use whole::face;
+pub use whole::{Sums, face};
 
 /// Signs of the four points along b and along c.
 pub const SIGNS: [[f64; 4]; 2] = [[-1.0, 1.0, 1.0, -1.0], [-1.0, -1.0, 1.0, 1.0]];
@@ -31,6 +31,10 @@ pub struct Memory {
     pub normal_offset: f64,
     /// Accumulated slip, m.
     pub accumulated_slip: f64,
+    /// Largest opening beyond the elastic one while it softened, m.
+    pub parted: f64,
+    /// How far the roughness of its sides has parted them, m.
+    pub lift: f64,
     /// Whether it has failed.
     pub broken: bool,
     /// Whether it is open: it carries nothing.
@@ -122,23 +126,14 @@ pub fn point(
         return (trial, loss);
     }
     memory.sliding = true;
-    let plastic = flow(law, springs, tau - limit, memory);
-    let lifted = memory.normal_offset;
-    let more = (plastic).min((law.dilation_end - memory.accumulated_slip).max(0.0)) * law.dilation;
-    memory.normal_offset += more;
-    memory.accumulated_slip += plastic;
+    let plastic = (tau - limit) / springs[1];
     let keep = (tau - springs[1] * plastic).max(0.0) / tau;
-    let t = [
-        sigma - springs[0] * (memory.normal_offset - lifted),
-        keep * trial[1],
-        keep * trial[2],
-    ];
+    let t = [sigma, keep * trial[1], keep * trial[2]];
     for k in 0..2 {
         let slip = (trial[k + 1] - t[k + 1]) / springs[1];
         memory.slip[k] += slip;
         loss.friction += 0.5 * (before[k + 1] + t[k + 1]) * slip;
     }
-    loss.friction += 0.5 * (before[0] + t[0]) * (memory.normal_offset - lifted);
     (t, loss)
 }
 
@@ -166,7 +161,7 @@ pub struct Plain {
     pub sliding: f64,
 }
 
-/// [`point`] without dilation and normal_offset, and without branches, so that many points can go side by side.
+/// [`point`] without normal_offset, and without branches, so that many points can go side by side.
 #[inline(always)]
 #[must_use]
 pub fn plain_point(
@@ -226,22 +221,6 @@ pub fn plain_point(
         sliding: if slides { 1.0 } else { 0.0 },
     };
     (t, after, loss)
-}
-
-/// Plastic shear (m) that brings a point, `excess` (Pa) above its limit, back to it: dilation presses it
-/// together, which raises the limit, until dilation ends.
-#[inline]
-fn flow(law: &Strength, springs: Springs, excess: f64, memory: &Memory) -> f64 {
-    let left = (law.dilation_end - memory.accumulated_slip).max(0.0);
-    if law.dilation <= 0.0 || left <= 0.0 {
-        return excess / springs[1];
-    }
-    let rate = springs[1] + springs[0] * law.residual_friction * law.dilation;
-    if excess <= rate * left {
-        excess / rate
-    } else {
-        left + (excess - rate * left) / springs[1]
-    }
 }
 
 /// Stored energy that a point loses when it opens, with the work of its last step; `from` = 0 counts all
@@ -366,38 +345,5 @@ mod tests {
             (work - held - lost).abs() < 1e-9 * work,
             "{work} {held} {lost}"
         );
-    }
-
-    #[test]
-    fn dilation_lifts_until_it_ends() {
-        let law = Strength {
-            dilation: 0.2,
-            dilation_end: 1e-3,
-            cohesion: 0.0,
-            ..strength()
-        };
-        let (springs, mut memory) = ([2e10, 1e10], Memory::default());
-        let mut sigma = 0.0;
-        for k in 0..=3000 {
-            let us = 1e-6 * f64::from(k);
-            let moved = [0.0, 1e-6, 0.0];
-            let (t, _) = point(
-                &law,
-                springs,
-                &[0.0; 3],
-                &[-1e-5, us, 0.0],
-                &moved,
-                &mut memory,
-            );
-            let limit = law.residual(t[0]);
-            assert!(t[1] <= limit * (1.0 + 1e-12));
-            sigma = t[0];
-        }
-        assert!(
-            (memory.normal_offset - 0.2e-3).abs() < 1e-12,
-            "{}",
-            memory.normal_offset
-        );
-        assert!((sigma + 2e10 * (1e-5 + 0.2e-3)).abs() < 1.0);
     }
 }

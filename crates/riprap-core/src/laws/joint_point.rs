@@ -75,6 +75,7 @@ mod tests {
                 residual_friction: mu,
                 ..Strength::default()
             },
+            behaviour: Default::default(),
             damping_ratio: 0.0,
             points: 2,
         }

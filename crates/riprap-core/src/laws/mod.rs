@@ -1,5 +1,6 @@
 //! Pure functions on numbers, each citing its source. They know no world.
 
+pub mod behaviour;
 pub mod bolt;
 pub mod bond;
 pub mod bounds;

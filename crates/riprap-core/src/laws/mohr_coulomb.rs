@@ -45,9 +45,9 @@ pub struct Strength {
     pub residual_friction: f64,
     /// Cohesion after failure, Pa.
     pub residual_cohesion: f64,
-    /// tan of the dilation angle of a sliding point; only faces of rigid blocks dilate.
+    /// tan of the dilation angle of a joint that slides; bonds of deformable blocks do not dilate.
     pub dilation: f64,
-    /// Plastic shear displacement at which dilation ends, m.
+    /// Slip from where the joint was built at which dilation ends, m.
     pub dilation_end: f64,
 }
 

@@ -3,6 +3,7 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
+use super::behaviour::{Behaviour, Law};
 use super::mohr_coulomb::Strength;
 
 /// Normal law of a found contact.
@@ -96,8 +97,10 @@ pub struct BondLaw {
     pub normal_stiffness: f64,
     /// Shear stiffness, Pa/m.
     pub shear_stiffness: f64,
-    /// Strength; it does not dilate.
+    /// Strength.
     pub strength: Strength,
+    /// What it does beyond brittle failure and a linear spring.
+    pub behaviour: Behaviour,
     /// Share of critical damping.
     pub damping_ratio: f64,
     /// Number of points along the edge (Gauss points), 1 to 5.
@@ -109,7 +112,24 @@ impl BondLaw {
     #[must_use]
     pub fn reduced(mut self, factor: f64) -> Self {
         self.strength = self.strength.reduced(factor);
+        self.behaviour = self.behaviour.reduced(factor);
         self
+    }
+
+    /// Largest stiffness that the normal and the shear spring can reach, Pa/m.
+    #[must_use]
+    pub fn stiffest(&self) -> [f64; 2] {
+        [
+            self.normal_stiffness * self.behaviour.closure.stiffest(),
+            self.shear_stiffness,
+        ]
+    }
+
+    /// The general law, where brittle failure and a linear spring are not all of it.
+    #[must_use]
+    pub fn law(&self) -> Option<Law<'_>> {
+        let plain = self.behaviour.is_plain() && self.strength.dilation == 0.0;
+        (!plain).then(|| Law::new(Some(&self.strength), &self.behaviour, self.stiffest()))
     }
 }
 
@@ -120,6 +140,8 @@ pub struct JointLaw {
     pub stiffness: Stiffness,
     /// Strength; `None` is elastic: it neither opens nor slides.
     pub strength: Option<Strength>,
+    /// What it does beyond brittle failure and a linear spring.
+    pub behaviour: Behaviour,
     /// What fails as one.
     pub failure: Failure,
     /// Where the four points lie.
@@ -129,6 +151,28 @@ pub struct JointLaw {
     pub damping: f64,
     /// Where those along the patch act.
     pub dashpots: Dashpots,
+}
+
+impl JointLaw {
+    /// Whether brittle failure and a linear spring are all of it.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.behaviour.is_plain() && self.strength.is_none_or(|s| s.dilation == 0.0)
+    }
+
+    /// The general law of a patch with the largest stiffness `stiffest` (normal and shear, Pa/m), where the law is not plain.
+    #[must_use]
+    pub fn law(&self, stiffest: [f64; 2]) -> Option<Law<'_>> {
+        (!self.is_plain()).then(|| Law::new(self.strength.as_ref(), &self.behaviour, stiffest))
+    }
+
+    /// The law with all its strengths divided by `factor`, residual ones too.
+    #[must_use]
+    pub fn reduced(mut self, factor: f64) -> Self {
+        self.strength = self.strength.map(|strength| strength.reduced(factor));
+        self.behaviour = self.behaviour.reduced(factor);
+        self
+    }
 }
 
 /// Stiffness of a patch per area.

@@ -4,8 +4,8 @@ use riprap_keys::Keys;
 use serde::Deserialize;
 
 use crate::quantity::{
-    FractureEnergy, FrictionAngle, Modulus, Name, NotNegativePlain, Poisson, PositiveLength,
-    Quantity, Speed, StiffnessPerArea, Strength,
+    AtLeastOne, FractureEnergy, FrictionAngle, JointRoughness, Modulus, Name, NotNegativePlain,
+    Poisson, PositiveLength, PositiveStrength, Quantity, Speed, StiffnessPerArea, Strength,
 };
 use riprap_core::laws::bond::Softening;
 use riprap_core::laws::parameters::{
@@ -72,13 +72,17 @@ pub struct Interface {
     #[key(space = "spatial", instead = "it belongs into `bond`")]
     #[key(default = "0 Pa", changes)]
     pub residual_cohesion: Option<Quantity<Strength>>,
-    /// Angle of dilation of joints that slide.
-    #[key(space = "spatial")]
+    /// Angle of dilation of joints that slide; in the plane of `bond`.
     #[key(default = "0 deg")]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
-    /// Slip at which dilation ends, m. Needed with `dilation_angle`.
-    #[key(space = "spatial")]
+    /// Slip at which dilation ends, m; joints that slide back close again. Needed with `dilation_angle`.
     pub dilation_end: Option<Quantity<PositiveLength>>,
+    /// Lets joints (in the plane `bond`) weaken gradually.
+    pub softening: Option<JointSoftening>,
+    /// Friction of rough joints (in the plane `bond`): tan(phi_r + JRC log10(JCS/s)), phi_r the residual friction angle.
+    pub barton_bandis: Option<BartonBandis>,
+    /// Lets joints (in the plane `bond`) stiffen under pressure; `normal_stiffness` is the initial one.
+    pub closure: Option<Closure>,
     /// What fails as one.
     #[key(space = "spatial")]
     #[key(default)]
@@ -115,6 +119,42 @@ pub struct Interface {
     /// does not give are also those of its joints between rigid blocks.
     #[key(space = "spatial", instead = "use `bond`")]
     pub brittle_bond: Option<BrittleBond>,
+}
+
+/// Linear change from peak to residual strength, by slip over `slip` plus opening over `opening`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct JointSoftening {
+    /// Plastic slip at which the residual strength is left, m; above (peak - residual)/shear stiffness.
+    pub slip: Quantity<PositiveLength>,
+    /// Opening at which no tensile strength is left, m; above tension/normal stiffness. Default `slip`.
+    pub opening: Option<Quantity<PositiveLength>>,
+}
+
+/// Roughness of laboratory samples of 0.1 m, or of the joint itself.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct BartonBandis {
+    /// Joint roughness coefficient.
+    pub jrc: Quantity<JointRoughness>,
+    /// Compressive strength of the walls, Pa.
+    pub jcs: Quantity<PositiveStrength>,
+    /// Length of the joint, m: JRC and JCS are scaled to it, and `peak_slip` follows.
+    pub length: Option<Quantity<PositiveLength>>,
+    /// Slip at the peak, m: strength is mobilised towards it and falls beyond. Without it and `length` the peak strength acts
+    /// throughout.
+    pub peak_slip: Option<Quantity<PositiveLength>>,
+}
+
+/// Pressure k V/(1 - V/limit) at the closure V.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Closure {
+    /// Largest closure, m.
+    pub limit: Quantity<PositiveLength>,
+    /// Largest stiffness over the initial one: it sets the time step, and the curve is straight from there on.
+    #[key(default = "25")]
+    pub stiffest: Option<Quantity<AtLeastOne>>,
 }
 
 /// Springs over the shared part of two faces that break by Mohr-Coulomb with a tension cut-off; what is broken is a contact with

@@ -38,7 +38,9 @@ pub use ground::{
     Boundary, Compressive, FacePlane, FacePressure, FaceTraction, Faces, GravityK0, InSitu, Moved,
     Side, TensionPositive, Viscous,
 };
-pub use interfaces::{Bond, BrittleBond, Cohesive, Interface, InterfaceChange};
+pub use interfaces::{
+    BartonBandis, Bond, BrittleBond, Closure, Cohesive, Interface, InterfaceChange, JointSoftening,
+};
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,

@@ -44,6 +44,7 @@ impl Rules {
             interface.friction_law,
             interface.clip_speed.is_some(),
         );
+        self.behaviour(of, interface);
         if interface.reflex.is_some() && interface.law != Some(NormalLaw::PenetrationPotential) {
             let message = format!("`reflex` in {of} has no effect");
             let help = "it belongs to law = \"penetration_potential\"";

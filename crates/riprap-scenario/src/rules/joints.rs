@@ -43,6 +43,13 @@ impl Rules {
             let help = "give both, or neither: then they come from the materials";
             self.error("key.missing", &shear.span, message, help);
         }
+        self.behaviour(of, interface);
+        self.tension(of, interface);
+        self.elastic_constants(span, of, interface, scenario);
+    }
+
+    /// Dilation has an end.
+    pub(super) fn dilation(&mut self, of: &str, interface: &Interface) {
         match (&interface.dilation_angle, &interface.dilation_end) {
             (Some(angle), None) if angle.si() > 0.0 => {
                 let message = format!("the key `dilation_end` is missing in {of}");
@@ -60,8 +67,6 @@ impl Rules {
             }
             (Some(_), _) | (None, None) => {}
         }
-        self.tension(of, interface);
-        self.elastic_constants(span, of, interface, scenario);
     }
 
     /// An elastic joint has no strength; a scene may have one all the same, for its variants.
@@ -80,6 +85,8 @@ impl Rules {
             ),
             ("residual_cohesion", interface.residual_cohesion.is_some()),
             ("dilation_angle", interface.dilation_angle.is_some()),
+            ("softening", interface.softening.is_some()),
+            ("barton_bandis", interface.barton_bandis.is_some()),
             ("failure", interface.failure.is_some()),
             ("dashpots", interface.dashpots.is_some()),
         ]

@@ -1,6 +1,7 @@
 //! What the schema cannot say about one table: exactly one of several keys, keys that need each
 //! other, numbers that must be in order. References between tables are in [`super::references`].
 
+mod behaviour;
 mod blocks;
 mod bolts;
 mod bonds;

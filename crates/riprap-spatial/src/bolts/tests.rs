@@ -64,6 +64,7 @@ fn stack(count: usize, bolts: &[(f64, Design)], kinematics: Kinematics) -> Setup
                     shear: 1e9,
                 },
                 strength: None,
+                behaviour: Default::default(),
                 failure: Failure::default(),
                 points: Points::default(),
                 damping: 0.0,

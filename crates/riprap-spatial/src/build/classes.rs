@@ -151,6 +151,8 @@ pub(crate) fn stiffness(
             [series(&|k| sides[k].0.young)?, series(&shear)?]
         }
     };
+    let closure = &setup.interfaces[row as usize].joint.behaviour.closure;
+    let stiffness = [stiffness[0] * closure.stiffest(), stiffness[1]];
     let mut travel = 0.0;
     for (material, depth) in sides {
         let distance: f64 = depths.iter().sum();

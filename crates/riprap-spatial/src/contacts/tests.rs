@@ -61,6 +61,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
                 dilation: 0.0,
                 dilation_end: 1.0,
             }),
+            behaviour: Default::default(),
             failure: Failure::Point,
             points: Points::Gauss,
             damping,

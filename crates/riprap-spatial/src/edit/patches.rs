@@ -24,6 +24,9 @@ pub(super) struct Old {
     flags: u16,
     normal_offset: [f64; 4],
     accumulated_slip: [f64; 4],
+    wear: [[f64; 4]; 2],
+    /// Openings of the points, m, where the law is not plain.
+    openings: Option<[f64; 4]>,
     origin: Origin,
 }
 
@@ -39,6 +42,14 @@ impl Old {
             flags: list.flags[p],
             normal_offset: list.normal_offset.get(p).copied().unwrap_or_default(),
             accumulated_slip: list.accumulated_slip.get(p).copied().unwrap_or_default(),
+            wear: list.wear.get(p).copied().unwrap_or_default(),
+            openings: patch::openings(
+                patch::joint(&world.setup.interfaces, &class),
+                &class,
+                &view.patch_points(p),
+                &patch::start(&class, list.prestress.get(p)),
+                &view.patch_memory(p),
+            ),
             origin: list.origin_of(p),
             ends,
             class,
@@ -65,11 +76,7 @@ impl Old {
             < 1e-9 * self.class.half_spacing[0].max(self.class.half_spacing[1])
             && (class.area - self.class.area).abs() < 1e-9 * class.area;
         let mut flags = self.flags & flag::FINITE;
-        let mut new = New {
-            tractions: [[0.0; 3]; 4],
-            normal_offset: [None; 4],
-            accumulated_slip: [0.0; 4],
-        };
+        let mut new = New::default();
         for q in 0..4 {
             let at = shift + patch::place(&class, q);
             let at = [
@@ -77,12 +84,21 @@ impl Old {
                 at.dot(c) / self.class.half_spacing[1],
             ];
             let nearest = if same { q } else { nearest(at) };
-            new.tractions[q] = if whole && !same {
+            // A law that is not plain is not linear: points go on from where the nearest one was.
+            new.tractions[q] = if whole && !same && self.openings.is_none() {
                 bilinear(&self.tractions, at)
             } else {
                 self.tractions[nearest]
             };
             new.accumulated_slip[q] = self.accumulated_slip[nearest];
+            new.wear = [0, 1].map(|k| {
+                let mut wear = new.wear[k];
+                wear[q] = self.wear[k][nearest];
+                wear
+            });
+            if let Some(openings) = &self.openings {
+                new.openings.get_or_insert([0.0; 4])[q] = openings[nearest];
+            }
             for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
                 if self.flags & flag::of(group, nearest) != 0 {
                     flags |= flag::of(group, q);
@@ -121,11 +137,15 @@ fn bilinear(tractions: &[Traction; 4], at: [f64; 2]) -> Traction {
 }
 
 /// State of a new patch.
+#[derive(Default)]
 struct New {
     tractions: [Traction; 4],
     /// For open points: the opening displacement at which they close, m.
     normal_offset: [Option<f64>; 4],
     accumulated_slip: [f64; 4],
+    wear: [[f64; 4]; 2],
+    /// Openings of the points, m, where the law is not plain.
+    openings: Option<[f64; 4]>,
 }
 
 impl New {
@@ -156,6 +176,23 @@ impl New {
                 slip[k][q] = u[k + 1] + (s[k + 1] - t[k + 1]) / ks;
             }
         }
+        let joint = patch::joint(&world.setup.interfaces, &class);
+        if let Some(law) = joint.law(class.stiffness) {
+            // Without a point that it goes on from: where its traction holds.
+            let openings = (self.openings).unwrap_or(self.tractions.map(|t| law.opening(t[0])));
+            let memory = patch::memories(
+                flags,
+                Some(&slip),
+                None,
+                Some(&self.accumulated_slip),
+                Some(&self.wear),
+            );
+            // Without an offset points are this far open.
+            let points = poses.points(&class, world.patches.ends[p], finite);
+            if let Some(free) = patch::openings(joint, &class, &points, &start, &memory) {
+                normal_offset = [0, 1, 2, 3].map(|q| free[q] - openings[q]);
+            }
+        }
         let list = &mut world.patches;
         let zero = size == 0.0
             && normal_offset
@@ -172,6 +209,9 @@ impl New {
         if let Some(accumulated_slip) = list.accumulated_slip.get_mut(p) {
             *accumulated_slip = self.accumulated_slip;
         }
+        if let Some(wear) = list.wear.get_mut(p) {
+            *wear = self.wear;
+        }
         list.flags[p] = flags;
     }
 }
@@ -183,8 +223,7 @@ pub(super) fn inside(world: &mut World, p: usize, stress: &Mat3, finite: bool) {
     let t = class.frame.map(|e| e.dot(traction));
     let new = New {
         tractions: [t; 4],
-        normal_offset: [None; 4],
-        accumulated_slip: [0.0; 4],
+        ..New::default()
     };
     new.put(world, p, if finite { flag::FINITE } else { 0 });
 }

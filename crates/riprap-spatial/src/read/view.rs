@@ -3,7 +3,7 @@
 use riprap_geom::{Mat3, Vec3};
 
 use crate::boundary;
-use crate::laws::face_joint::{self, Traction};
+use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 use crate::patch::{self, Points, Poses, Resultant, turned_inertia};
@@ -290,15 +290,21 @@ impl View<'_> {
     fn tractions(&self, p: usize, points: &Points) -> [Traction; 4] {
         let (list, class) = (&self.world.patches, self.patch_class(p));
         let joint = patch::joint(&self.world.setup.interfaces, class);
-        let (slip, normal_offset) = (list.slip.get(p), list.normal_offset.get(p));
-        let memory = patch::memories(
-            list.flags[p],
-            slip,
-            normal_offset,
-            list.accumulated_slip.get(p),
-        );
         let start = patch::start(class, list.prestress.get(p));
-        patch::carried(joint, class, points, &start, &memory)
+        patch::carried(joint, class, points, &start, &self.patch_memory(p))
+    }
+
+    /// What the points of patch `p` remember.
+    #[must_use]
+    pub fn patch_memory(&self, p: usize) -> [Memory; 4] {
+        let list = &self.world.patches;
+        patch::memories(
+            list.flags[p],
+            list.slip.get(p),
+            list.normal_offset.get(p),
+            list.accumulated_slip.get(p),
+            list.wear.get(p),
+        )
     }
 
     /// Forces of patch `p` on its blocks, without dashpots.
@@ -312,12 +318,15 @@ impl View<'_> {
     #[must_use]
     pub fn patch_energy(&self, p: usize) -> [f64; 2] {
         let class = self.patch_class(p);
+        let joint = patch::joint(&self.world.setup.interfaces, class);
+        let start = patch::start(class, self.world.patches.prestress.get(p));
+        let memory = self.patch_memory(p);
+        let points = self.patch_points(p);
         let mut sum = [0.0; 2];
-        for t in self.patch_tractions(p) {
-            let all = face_joint::stored(class.stiffness, &t);
-            let normal = 0.5 * t[0] * t[0] / class.stiffness[0];
-            sum[0] += 0.25 * class.area * normal;
-            sum[1] += 0.25 * class.area * (all - normal);
+        for stored in patch::stored(joint, class, &points, &start, &memory) {
+            for k in 0..2 {
+                sum[k] += 0.25 * class.area * stored[k];
+            }
         }
         sum
     }

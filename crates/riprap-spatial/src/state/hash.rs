@@ -118,6 +118,9 @@ impl World {
             if any {
                 hash.numbers(&memory);
             }
+            if let Some(wear) = list.wear.get(p) {
+                hash.numbers(wear.as_flattened());
+            }
         }
     }
 }

@@ -24,11 +24,14 @@ pub struct Patches {
     /// Irrecoverable shear displacement along b and c of the four points, m; empty while all is
     /// elastic.
     pub slip: Vec<[[f64; 4]; 2]>,
-    /// Opening at which the normal spring of each point is relaxed, m: dilation, edits and changes of
+    /// Opening at which the normal spring of each point is relaxed, m: edits and changes of
     /// kinematics; empty when there is none.
     pub normal_offset: Vec<[f64; 4]>,
-    /// Accumulated slip of each point, m; empty without dilation.
+    /// Accumulated slip of each point, m; empty without softening and roughness.
     pub accumulated_slip: Vec<[f64; 4]>,
+    /// What softening and roughness remember of each point, m: the largest opening beyond the elastic one, and how far its sides have
+    /// been parted; empty without such laws.
+    pub wear: Vec<[[f64; 4]; 2]>,
     /// Where each comes from; empty while all were built with the model.
     pub origin: Vec<Origin>,
 }
@@ -60,6 +63,7 @@ impl Patches {
         pick(&mut self.slip, chosen);
         pick(&mut self.normal_offset, chosen);
         pick(&mut self.accumulated_slip, chosen);
+        pick(&mut self.wear, chosen);
         pick(&mut self.origin, chosen);
     }
 
@@ -84,6 +88,7 @@ impl Patches {
         close(&mut self.slip, gone);
         close(&mut self.normal_offset, gone);
         close(&mut self.accumulated_slip, gone);
+        close(&mut self.wear, gone);
         close(&mut self.origin, gone);
     }
 
@@ -111,9 +116,10 @@ impl Patches {
         self.normal_offset.resize(self.ends.len(), [0.0; 4]);
     }
 
-    /// Makes room for slip paths where there is none yet.
-    pub fn need_path(&mut self) {
+    /// Makes room for what softening and roughness remember where there is none yet.
+    pub fn need_wear(&mut self) {
         self.accumulated_slip.resize(self.ends.len(), [0.0; 4]);
+        self.wear.resize(self.ends.len(), [[0.0; 4]; 2]);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use riprap_geom::polygon;
 
+use super::behaviour::dilates;
 use super::builder::Builder;
 use super::solid::reduce_joint;
 use crate::planar::setup::{self, BondLaw, ContactLaw, FrictionLaw, Motion, Strength};
@@ -39,7 +40,14 @@ impl Builder<'_> {
             if let Some(law) = self.contact_law(row, name.as_str(), interface, size) {
                 let angle = angle_shown(interface, law.friction);
                 let bond = interface.bond.as_ref();
-                let bond = bond.map(|bond| self.bond(name.as_str(), bond, &law, angle));
+                let bond = bond.map(|bond| {
+                    let behaviour = self.behaviour(name.as_str(), interface);
+                    let mut law = self.bond(name.as_str(), bond, &law, angle);
+                    let mut read = self.reading(format!("interfaces.{name}"), interface);
+                    law.behaviour = behaviour;
+                    law.strength = dilates(law.strength, &mut read);
+                    law
+                });
                 let name = name.text.clone();
                 self.setup.interfaces.push(setup::Interface {
                     name,
@@ -220,6 +228,7 @@ impl Builder<'_> {
                 residual_cohesion: read.residual_cohesion(),
                 ..Strength::default()
             },
+            behaviour: Default::default(),
             damping_ratio: read.damping_ratio(),
             points: read.points(),
         }

@@ -13,6 +13,7 @@
 //! Not here: the stable time step and everything else that needs the engine.
 
 mod assertions;
+mod behaviour;
 mod blocks;
 mod builder;
 mod drawn;

@@ -199,6 +199,9 @@ impl Builder<'_> {
                 .clone()
                 .any(|(a, b)| deformable[a] && (deformable[b] || rigid[b]));
             let of = format!("interfaces.{name}");
+            if of_bonds {
+                self.refuse_behaviour(&of, said);
+            }
             if of_bonds && !of_rigid && !self.spatial.found_contacts {
                 let help = "this interface has only bonds of deformable blocks, which `brittle_bond` describes";
                 self.no_effect(&of, &joint_keys(said), &name.span, help);
@@ -229,6 +232,30 @@ impl Builder<'_> {
                     .map_or(&name.span, |thickness| &thickness.span);
                 self.no_effect(&of, &keys, span, help);
             }
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// Bonds of deformable blocks neither dilate nor know the laws of joints that change with slip and closure.
+    fn refuse_behaviour(&mut self, of: &str, said: &Interface) {
+        let dilates = said.dilation_angle.as_ref().filter(|a| a.si() > 0.0);
+        let keys = [
+            ("dilation_angle", dilates.map(|a| &a.span)),
+            ("softening", said.softening.as_ref().map(|s| &s.slip.span)),
+            (
+                "barton_bandis",
+                said.barton_bandis.as_ref().map(|b| &b.jrc.span),
+            ),
+            ("closure", said.closure.as_ref().map(|c| &c.limit.span)),
+        ];
+        for (key, span) in keys {
+            let Some(span) = span else { continue };
+            let message = format!("`{key}` in {of} is of joints between rigid blocks");
+            let help = "a deformable block meets others by this interface: give its material an interface of its own, or \
+                        let the bonds soften (`brittle_bond.cohesive`)";
+            let error = Diagnostic::error("mechanics.deformable", message);
+            self.found.push(error.at(span.clone()).help(help));
         }
     }
 }

@@ -13,6 +13,7 @@ mod meeting;
 pub mod origin;
 pub mod probe;
 pub mod recorder;
+mod rough;
 pub mod safety;
 #[cfg(feature = "scenario")]
 pub mod scene;

@@ -291,7 +291,7 @@ pub fn reduced_from_start(plan: &Plan, rows: &[u16], factor: f64) -> Plan {
             .iter_mut()
             .filter(|(row, _)| rows.contains(row))
         {
-            law.strength = law.strength.map(|s| s.reduced(factor));
+            *law = law.reduced(factor);
         }
     }
     if let Some(first) = plan.phases.first_mut() {

@@ -15,7 +15,7 @@ pub use cursor::{Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stag
 pub use error::RunError;
 
 use super::engine::{BuildError, Engine, Kind, Stable, View};
-use super::meeting;
+use super::{meeting, rough};
 use crate::exec::Exec;
 use crate::ledger::Balance;
 use crate::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
@@ -319,7 +319,8 @@ impl Simulation {
     }
 
     /// What should be known of the run besides its results, in words: what cannot meet, phases that did not come to rest, an energy
-    /// residual that is not small, blocks pressed deep into each other, bolts whose forces did not come into equilibrium.
+    /// residual that is not small, blocks pressed deep into each other, bolts whose forces did not come into
+    /// equilibrium, rough joints pressed beyond the strength of their walls.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let cursor = &self.cursor;
@@ -334,7 +335,8 @@ impl Simulation {
         let supports = self
             .left_terrain()
             .into_iter()
-            .chain(self.unbalanced_bolt());
+            .chain(self.unbalanced_bolt())
+            .chain(rough::crushed(&self.view()));
         all.chain(supports).collect()
     }
 

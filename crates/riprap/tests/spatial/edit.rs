@@ -195,6 +195,7 @@ fn failed_points_hand_on_their_state() {
     for failure in [Failure::Point, Failure::Face] {
         let joint = JointLaw {
             strength: Some(strength(1e5, 30.0, 1e5)),
+            behaviour: Default::default(),
             failure,
             ..elastic()
         };

@@ -39,6 +39,7 @@ fn pressure(pressure: f64, gradient: f64, datum: f64) -> BoundaryKind {
 fn loaded(strength: Strength, failure: Failure, load: LoadKind) -> Run {
     let law = JointLaw {
         strength: Some(strength),
+        behaviour: Default::default(),
         failure,
         ..elastic()
     };

@@ -18,6 +18,7 @@ pub fn elastic() -> JointLaw {
     JointLaw {
         stiffness: Stiffness::Rule(StiffnessRule::Material),
         strength: None,
+        behaviour: Default::default(),
         failure: Failure::Point,
         points: Points::Quarter,
         damping: 0.0,

@@ -30,6 +30,7 @@ fn excess() -> f64 {
 fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
     let law = |dashpots| JointLaw {
         strength: Some(strength(0.0, FRICTION, 0.0)),
+        behaviour: Default::default(),
         failure,
         damping: DAMPING,
         dashpots,

@@ -94,16 +94,21 @@ pub fn face(
 }
 
 /// Mean traction and twist of four points.
-struct Sums {
-    normal: f64,
-    shear: [f64; 2],
+#[derive(Clone, Copy, Debug)]
+pub struct Sums {
+    /// Mean normal traction, Pa.
+    pub normal: f64,
+    /// Mean shear traction along b and c, Pa.
+    pub shear: [f64; 2],
     /// Shear traction per distance from the centre, Pa/m.
-    twist: f64,
+    pub twist: f64,
 }
 
 impl Sums {
+    /// Of tractions at points that lie `half_spacing` (m) from the centre along b and c.
     #[inline]
-    fn of(t: &[Traction; 4], half_spacing: [f64; 2]) -> Self {
+    #[must_use]
+    pub fn of(t: &[Traction; 4], half_spacing: [f64; 2]) -> Self {
         let mean = |k: usize| 0.25 * (t[0][k] + t[1][k] + t[2][k] + t[3][k]);
         let mut moment = 0.0;
         for p in 0..4 {
@@ -120,7 +125,8 @@ impl Sums {
 
     /// Mean shear and torsion in one number: torsion counts as the shear it makes at the points.
     #[inline]
-    fn shear_measure(&self, half_spacing: [f64; 2]) -> f64 {
+    #[must_use]
+    pub fn shear_measure(&self, half_spacing: [f64; 2]) -> f64 {
         let twist = self.twist * norm(half_spacing[0], half_spacing[1]);
         norm(norm(self.shear[0], self.shear[1]), twist)
     }

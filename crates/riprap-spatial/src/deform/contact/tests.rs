@@ -88,6 +88,7 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
                 dilation: 0.0,
                 dilation_end: 1.0,
             }),
+            behaviour: Default::default(),
             failure: Failure::Point,
             points: Points::Gauss,
             damping,

@@ -1,5 +1,6 @@
 //! Laws of joints per pair of materials.
 
+use crate::model::behaviour::dilates;
 use crate::model::builder::Builder;
 use crate::model::interfaces::{angle_shown, changed_friction, friction};
 use crate::scenario::language::{self, InterfaceChange};
@@ -45,6 +46,7 @@ impl Builder<'_> {
     }
 
     fn joint(&mut self, name: &str, said: &language::Interface) -> JointLaw {
+        let behaviour = self.behaviour(name, said);
         let mut read = self.reading(format!("interfaces.{name}"), said);
         let stiffness = stiffness(&mut read);
         let bond = said.brittle_bond.as_ref();
@@ -65,6 +67,7 @@ impl Builder<'_> {
         JointLaw {
             stiffness,
             strength,
+            behaviour,
             failure,
             points: read.points(),
             damping: read.damping_ratio(),
@@ -111,20 +114,20 @@ fn strength(read: &mut Read<'_, language::Interface>) -> Strength {
         Some(value) => read.tension_or(value, Provenance::Default, ""),
         None => read.tension(),
     };
-    Strength {
+    let strength = Strength {
         cohesion,
         tension,
         friction,
         residual_friction,
         residual_cohesion: read.residual_cohesion(),
-        dilation: libm::tan(read.dilation_angle()),
-        dilation_end: read.dilation_end().unwrap_or(0.0),
-    }
+        ..Strength::default()
+    };
+    dilates(strength, read)
 }
 
 /// Divides the strength of a joint by a factor.
 pub(in crate::model) fn reduce_joint(law: &mut JointLaw, factor: f64) {
-    law.strength = law.strength.map(|strength| strength.reduced(factor));
+    *law = law.reduced(factor);
 }
 
 /// Changes a law as a phase says; keys that are not given stay. A new friction angle without a
