@@ -1,9 +1,10 @@
-"""Draws docs/src/img/blast-table1.svg: crater radius over charge, from the rows of docs/src/verification.md.
+"""Draws docs/src/img/blast-table1.svg: crater radius over charge, from the rows of docs/src/verification.csv.
 
     cargo xtask verify-all scenes/blast/long/table1.toml scenes/blast/long/table1_literal.toml
     python3 docs/figures/table1.py
 """
 
+import csv
 import math
 import re
 from pathlib import Path
@@ -20,10 +21,15 @@ CHARGES, RADII = (0.4, 80), (0.3, 6)
 
 def measured(scene):
     """Radius (m) over charge (kg) in the rows of a scene."""
-    row = re.compile(rf"\| scenes/blast/long/{scene}\.toml \| \S+ \| crater radius, ([\d.]+) kg[^|]*\|[^|]*\| ([\d.e+-]+) m ")
-    found = {float(q): float(r) for q, r in row.findall((DOCS / "verification.md").read_text())}
+    name = re.compile(r"crater radius, ([\d.]+) kg")
+    found = {}
+    with (DOCS / "verification.csv").open(newline="") as rows:
+        for row in csv.DictReader(rows):
+            charge = name.match(row["check"])
+            if charge and row["scene"] == f"scenes/blast/long/{scene}.toml" and row["unit"] == "m":
+                found[float(charge[1])] = float(row["measured"])
     if len(found) != len(PAPER):
-        raise SystemExit(f"verification.md has {len(found)} of the {len(PAPER)} radii of {scene}: run it with `cargo xtask verify-all`")
+        raise SystemExit(f"verification.csv has {len(found)} of the {len(PAPER)} radii of {scene}: run it with `cargo xtask verify-all`")
     return found
 
 

@@ -27,7 +27,7 @@ Tasks:
   test [step]...   formatting, lints, unit, property, doc, CLI and scene tests, docs: what CI runs
   steps            list the steps of `test`
   verify-all [SCENE]...
-                   run every scene, the long ones too, and write docs/src/verification.md;
+                   run every scene, the long ones too, and write docs/src/verification.csv and .md;
                    with names: run these and replace their rows
                    --from FILE: take the lines that `riprap verify --json` printed; --table: run nothing, show what is stale
   arrows CRATE     print each module of a crate with the modules it uses

@@ -66,17 +66,17 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
     if !success && counts.failed == 0 {
         counts.failed = 1;
     }
-    let rows = table::read(root);
+    let rows = table::read(root)?;
     let now = Now::of(root);
     for difference in table::differences(&rows, &checks, &now) {
-        println!("{}: {difference}", table::PAGE);
+        println!("{}: {difference}", table::DATA);
         counts.failed += 1;
     }
     if counts.failed > count("failed") {
         println!(
             "{} is older than the program. Where the change is meant: an entry under *Numerics* in CHANGELOG.md if results moved, and \
              `cargo xtask verify-all --from {LAST}`",
-            table::PAGE
+            table::DATA
         );
     }
     println!(
@@ -167,9 +167,11 @@ fn rewrite(root: &Path, checks: &[Value]) -> Result<(), String> {
             "`{scene}` is no scene with checks of this repository"
         ));
     }
-    let rows = table::merge(&table::read(root), checks, &now, &table::this_run(root));
+    let [date, commit] = table::this_run(root);
+    let rows = table::merge(&table::read(root)?, checks, &now, [&date, &commit]);
+    write(&root.join(table::DATA), &table::data(&rows)?)?;
     write(&root.join(table::PAGE), &table::page(&rows, &now))?;
-    println!("wrote {}", table::PAGE);
+    println!("wrote {} and {}", table::DATA, table::PAGE);
     println!("{}", table::totals(&rows, &now));
     Ok(())
 }

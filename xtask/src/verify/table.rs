@@ -1,4 +1,5 @@
-//! The table of all checks, `docs/src/verification.md`, and which of its rows still count.
+//! The results of all checks, `docs/src/verification.csv`, which of them still count, and the page that sums them up scene by scene,
+//! `docs/src/verification.md`.
 //!
 //! A row says when it was measured: date, commit, how many *Numerics* entries `CHANGELOG.md` had, and a digest of the scene with the
 //! files that it reads. It is *stale* when the scene has changed since, and, for a long scene, when the changelog has got another
@@ -15,20 +16,27 @@ use crate::source_tree::{files, shown};
 
 /// The page.
 pub const PAGE: &str = "docs/src/verification.md";
+/// The results.
+pub const DATA: &str = "docs/src/verification.csv";
 
-/// Cells of a row that are read from a check.
-const CELLS: [&str; 8] = [
+/// Columns that are read from a check.
+const CELLS: [&str; 9] = [
     "scene",
     "case",
     "check",
     "status",
     "measured",
+    "unit",
     "expected",
     "tolerance",
     "note",
 ];
-/// Before the result of a row that does not count.
-const STALE: &str = "stale: ";
+/// Columns that name a check.
+const NAME: usize = 3;
+/// The column of the result.
+const STATUS: usize = 3;
+/// Columns that say when a check was run and what its result rests on.
+const RUN: [&str; 4] = ["date", "commit", "numerics", "digest"];
 
 /// Whether one of its folders says that a scene takes long.
 pub fn is_long(scene: &str) -> bool {
@@ -55,84 +63,54 @@ pub fn scenes(root: &Path) -> (Vec<String>, Vec<String>) {
 /// One row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// [`CELLS`], escaped, the result without [`STALE`].
+    /// [`CELLS`].
     cells: Vec<String>,
-    /// Date and commit; empty where nobody wrote them down.
-    run: String,
-    /// Number of *Numerics* entries, digest of the scene.
-    basis: String,
+    /// [`RUN`]; empty where nobody wrote them down.
+    run: [String; 4],
 }
 
 impl Row {
     /// Of a check that has just been run.
-    fn new(check: &Value, run: &str, basis: &str) -> Self {
+    fn new(check: &Value, run: [String; 4]) -> Self {
         Self {
             cells: CELLS.iter().map(|key| cell(check, key)).collect(),
-            run: run.to_owned(),
-            basis: basis.to_owned(),
+            run,
         }
     }
 
-    /// Of a line of the page.
-    fn read(line: &str) -> Option<Self> {
-        let line = line.strip_prefix("| ")?.strip_suffix(" |")?;
-        let mut cells: Vec<String> = Vec::new();
-        let mut rest = line;
-        while let Some((cell, after)) = rest.split_once(" | ") {
-            cells.push(cell.trim().to_owned());
-            rest = after;
-        }
-        cells.push(rest.trim().to_owned());
-        if !cells.first()?.starts_with("scenes/") {
-            return None;
-        }
-        cells.resize(CELLS.len() + 2, String::new());
-        let basis = cells.pop()?;
-        let run = cells.pop()?;
-        if let Some(bare) = cells[3].strip_prefix(STALE) {
-            cells[3] = bare.to_owned();
-        }
-        Some(Self { cells, run, basis })
+    /// Of a record of the file; `None` where it has other columns.
+    fn read(record: &csv::StringRecord) -> Option<Self> {
+        let cells: Vec<String> = record.iter().map(str::to_owned).collect();
+        let (cells, run) = cells.split_at_checked(CELLS.len())?;
+        Some(Self {
+            cells: cells.to_vec(),
+            run: run.to_vec().try_into().ok()?,
+        })
     }
 
     pub fn scene(&self) -> &str {
         &self.cells[0]
     }
 
+    /// Scene, case and name of the check.
+    fn name(&self) -> String {
+        self.cells[..NAME].join(" | ")
+    }
+
     /// Whether what was measured then is what would be measured now.
     fn fresh(&self, now: &Now) -> bool {
-        let Some((numerics, digest)) = self.basis.split_once('/') else {
-            return false;
-        };
+        let [_, _, numerics, digest] = &self.run;
         let same = now.digest(self.scene()) == digest;
         same && (!is_long(self.scene()) || numerics.parse() == Ok(now.numerics))
     }
-
-    fn line(&self, now: &Now) -> String {
-        let mut out = String::from("|");
-        for (k, cell) in self.cells.iter().enumerate() {
-            let sign = if k == 3 && !self.fresh(now) {
-                STALE
-            } else {
-                ""
-            };
-            let _ = write!(out, " {sign}{cell} |");
-        }
-        let _ = write!(out, " {} | {} |", self.run, self.basis);
-        out
-    }
 }
 
-/// A cell of the table: what a check says under `key`.
+/// What a check says under `key`.
 fn cell(check: &Value, key: &str) -> String {
     match &check[key] {
-        Value::String(text) => text.replace('|', "\\|").replace('\n', " "),
-        Value::Number(number) => {
-            let unit = check["unit"].as_str().filter(|unit| *unit != "-");
-            let value = number.as_f64().unwrap_or(f64::NAN);
-            let unit = unit.unwrap_or("");
-            format!("{value:.6e} {unit}").trim_end().to_owned()
-        }
+        Value::String(text) if key == "unit" && text == "-" => String::new(),
+        Value::String(text) => text.replace('\n', " "),
+        Value::Number(number) => format!("{:.6e}", number.as_f64().unwrap_or(f64::NAN)),
         Value::Null => String::new(),
         other => other.to_string(),
     }
@@ -142,7 +120,15 @@ fn cell(check: &Value, key: &str) -> String {
 #[derive(Debug)]
 pub struct Now {
     numerics: usize,
-    digests: Vec<(String, String)>,
+    scenes: Vec<Scene>,
+}
+
+/// A scene as it stands there.
+#[derive(Clone, Debug)]
+struct Scene {
+    name: String,
+    title: String,
+    digest: String,
 }
 
 impl Now {
@@ -150,23 +136,23 @@ impl Now {
     pub fn of(root: &Path) -> Self {
         let changes = std::fs::read_to_string(root.join("CHANGELOG.md")).unwrap_or_default();
         let (fast, long) = scenes(root);
-        let digest = |name: String| {
-            let digest = digest(root, &name);
-            (name, digest)
+        let scene = |name: String| Scene {
+            title: title(&std::fs::read_to_string(root.join(&name)).unwrap_or_default()),
+            digest: digest(root, &name),
+            name,
         };
         Self {
             numerics: numerics(&changes),
-            digests: fast.into_iter().chain(long).map(digest).collect(),
+            scenes: fast.into_iter().chain(long).map(scene).collect(),
         }
     }
 
     fn digest(&self, scene: &str) -> &str {
-        let found = self.digests.iter().find(|(name, _)| name == scene);
-        found.map_or("", |(_, digest)| digest)
+        self.place(scene).map_or("", |k| &self.scenes[k].digest)
     }
 
     fn place(&self, scene: &str) -> Option<usize> {
-        self.digests.iter().position(|(name, _)| name == scene)
+        self.scenes.iter().position(|one| one.name == scene)
     }
 
     pub fn known(&self, scene: &str) -> bool {
@@ -186,6 +172,13 @@ fn numerics(changes: &str) -> usize {
         }
     }
     count
+}
+
+/// The title of a scene.
+fn title(text: &str) -> String {
+    let line = text.lines().find_map(|line| line.strip_prefix("title = "));
+    let words = line.map(|line| line.trim().trim_matches('"').replace("\\\"", "\""));
+    words.unwrap_or_default()
 }
 
 /// Digest of a scene and of the files whose names stand in it between quotes (FNV-1a, 64 bits).
@@ -214,25 +207,56 @@ fn digest(root: &Path, scene: &str) -> String {
     format!("{hash:016x}")
 }
 
-/// The rows of the page.
-pub fn read(root: &Path) -> Vec<Row> {
-    let page = std::fs::read_to_string(root.join(PAGE)).unwrap_or_default();
-    page.lines().filter_map(Row::read).collect()
+/// The rows of the file.
+///
+/// # Errors
+/// It cannot be read, or has other columns.
+pub fn read(root: &Path) -> Result<Vec<Row>, String> {
+    let path = root.join(DATA);
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    let mut file = csv::Reader::from_path(&path).map_err(|e| format!("{DATA}: {e}"))?;
+    let record = |record: Result<csv::StringRecord, csv::Error>| {
+        let record = record.map_err(|e| format!("{DATA}: {e}"))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        Row::read(&record)
+            .ok_or_else(|| format!("{DATA}, line {line}: other columns than the head says"))
+    };
+    file.records().map(record).collect()
+}
+
+/// The rows as text.
+///
+/// # Errors
+/// None that a row can cause.
+pub fn data(rows: &[Row]) -> Result<String, String> {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let head = CELLS.iter().chain(&RUN);
+    out.write_record(head).map_err(|e| e.to_string())?;
+    for row in rows {
+        let record = row.cells.iter().chain(&row.run);
+        out.write_record(record).map_err(|e| e.to_string())?;
+    }
+    let bytes = out.into_inner().map_err(|e| e.to_string())?;
+    String::from_utf8(bytes).map_err(|e| e.to_string())
 }
 
 /// Puts the checks that were run in place of the rows of their scenes; a row that says the same of the same scene keeps its date.
 /// Rows of scenes that are gone go.
-pub fn merge(rows: &[Row], checks: &[Value], now: &Now, run: &str) -> Vec<Row> {
+pub fn merge(rows: &[Row], checks: &[Value], now: &Now, [date, commit]: [&str; 2]) -> Vec<Row> {
     let ran = |scene: &str| checks.iter().any(|c| c["scene"] == scene);
     let mut out: Vec<Row> = rows.to_vec();
     out.retain(|row| now.known(row.scene()) && !ran(row.scene()));
     for check in checks {
         let scene = check["scene"].as_str().unwrap_or("");
-        let basis = format!("{}/{}", now.numerics, now.digest(scene));
-        let new = Row::new(check, run, &basis);
+        let basis = [now.numerics.to_string(), now.digest(scene).to_owned()];
+        let [numerics, digest] = basis;
+        let run = [date.to_owned(), commit.to_owned(), numerics, digest];
+        let new = Row::new(check, run);
         let same = rows
             .iter()
-            .find(|old| old.cells == new.cells && old.fresh(now) && !old.run.is_empty());
+            .find(|old| old.cells == new.cells && old.fresh(now) && !old.run[0].is_empty());
         out.push(same.cloned().unwrap_or(new));
     }
     // Stable: the checks of a scene stay in their order.
@@ -251,91 +275,127 @@ pub fn differences(rows: &[Row], checks: &[Value], now: &Now) -> Vec<String> {
         .filter(|c| c["scene"].as_str().is_some_and(|s| claimed.contains(&s)))
         .collect();
     for check in &checks {
-        let new = Row::new(check, "", "");
-        let Some(at) = left.iter().position(|r| r.cells[..3] == new.cells[..3]) else {
-            out.push(format!("no row: {}", new.cells[..3].join(" | ")));
+        let new = Row::new(check, Default::default());
+        let Some(at) = left
+            .iter()
+            .position(|r| r.cells[..NAME] == new.cells[..NAME])
+        else {
+            out.push(format!("no row: {}", new.name()));
             continue;
         };
         let old = left.remove(at);
         if old.cells != new.cells {
-            let name = new.cells[..3].join(" | ");
-            let [was, is] = [&old.cells, &new.cells].map(|c| c[3..].join(", "));
-            out.push(format!("{name}: the row says {was}; it came out {is}"));
+            let [was, is] = [&old.cells, &new.cells].map(|c| c[NAME..].join(", "));
+            out.push(format!(
+                "{}: the row says {was}; it came out {is}",
+                new.name()
+            ));
         }
     }
     let ran = |scene: &str| checks.iter().any(|c| c["scene"] == scene);
     let gone = left.into_iter().filter(|row| ran(row.scene()));
-    out.extend(gone.map(|row| format!("no such check any more: {}", row.cells[..3].join(" | "))));
+    out.extend(gone.map(|row| format!("no such check any more: {}", row.name())));
     out
 }
 
 /// How many rows have which result; stale ones count for none.
 pub fn totals(rows: &[Row], now: &Now) -> String {
-    let (fresh, stale): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.fresh(now));
-    let count = |what: &str| fresh.iter().filter(|row| row.cells[3] == what).count();
-    format!(
-        "{} passed, {} failed, {} skipped; {} stale",
-        count("passed"),
-        count("failed"),
-        count("skipped"),
-        stale.len()
-    )
+    let rows: Vec<&Row> = rows.iter().collect();
+    let [passed, failed, skipped, stale] = counts(&rows, now);
+    format!("{passed} passed, {failed} failed, {skipped} skipped; {stale} stale")
 }
 
-/// The page: one row a check.
+/// Passed, failed, skipped, stale.
+fn counts(rows: &[&Row], now: &Now) -> [usize; 4] {
+    let fresh = |row: &&&Row| row.fresh(now);
+    let count = |what: &str| {
+        let fresh = rows.iter().filter(fresh);
+        fresh.filter(|row| row.cells[STATUS] == what).count()
+    };
+    let stale = rows.len() - rows.iter().filter(fresh).count();
+    [count("passed"), count("failed"), count("skipped"), stale]
+}
+
+/// The page: one line a scene, then the checks that are known to fail.
 pub fn page(rows: &[Row], now: &Now) -> String {
-    let lines: Vec<String> = rows.iter().map(|row| row.line(now)).collect();
-    format!(
-        "# Verification\n\nWritten by `cargo xtask verify-all`; every row is a check inside a scene and can be run again\n\
-         with `riprap verify SCENE`, the row itself with `cargo xtask verify-all SCENE`.\n\
-         Skipped = known failures, run and shown with their reason. Stale = not run since the scene changed or, for scenes in a folder `long`, since the\n\
-         [changelog](../../CHANGELOG.md) got another *Numerics* entry: such a row says what came out then and counts for nothing. The last column is what the row\n\
-         rests on: the number of those entries, and a digest of the scene with its files. What fast scenes give is held against their rows in every test run.\n\n\
-         {}\n\n\
-         | scene | case | check | result | measured | expected | tolerance | note | run | basis |\n\
-         |---|---|---|---|---|---|---|---|---|---|\n\
-         {}\n",
-        totals(rows, now),
-        lines.join("\n")
-    )
+    let mut out = format!(
+        "# Verification\n\nEvery scene with checks, one line each; written by `cargo xtask verify-all`. Every check with what was measured and expected, when, at which\n\
+         commit and on what it rests is a row of [verification.csv](verification.csv). `riprap verify SCENE` runs a scene again, `cargo xtask verify-all SCENE` renews\n\
+         its rows. Skipped = known failures, run and listed below with their reason. Stale = not run since the scene changed or, for scenes in a folder `long`, since\n\
+         the [changelog](../../CHANGELOG.md) got another *Numerics* entry: such a row says what came out then and counts for nothing. What fast scenes give is held\n\
+         against their rows in every test run.\n\n{}\n\n| scene | what it shows | passed | failed | skipped | stale | last run |\n|---|---|---|---|---|---|---|\n",
+        totals(rows, now)
+    );
+    let escaped = |text: &str| text.replace('|', "\\|");
+    for scene in &now.scenes {
+        let of: Vec<&Row> = rows.iter().filter(|r| r.scene() == scene.name).collect();
+        let numbers = counts(&of, now).map(|n| if n == 0 { String::new() } else { n.to_string() });
+        let last = of.iter().map(|row| row.run[0].as_str()).max();
+        let _ = writeln!(
+            out,
+            "| [{}](../../{}) | {} | {} | {} |",
+            scene
+                .name
+                .trim_start_matches("scenes/")
+                .trim_end_matches(".toml"),
+            scene.name,
+            escaped(&scene.title),
+            numbers.join(" | "),
+            last.filter(|day| !day.is_empty()).unwrap_or("never")
+        );
+    }
+    out.push_str("\n## Known failures\n\n| scene | case | check | measured | expected | why |\n|---|---|---|---|---|---|\n");
+    for row in rows.iter().filter(|r| r.cells[STATUS] == "skipped") {
+        let [_, case, check, _, measured, unit, expected, _, note] = &row.cells[..] else {
+            continue;
+        };
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {unit}")
+        };
+        let cells = [
+            row.scene(),
+            case,
+            check,
+            &format!("{measured}{unit}"),
+            expected,
+            note,
+        ];
+        let _ = writeln!(out, "| {} |", cells.map(escaped).join(" | "));
+    }
+    out
 }
 
-/// Whether the page shows every row as it is: fresh or stale, and counted so.
+/// Whether the page says of every scene what the rows say: how many are fresh, how many stale.
 ///
 /// # Errors
 /// What is wrong, and what to do.
 pub fn judge(root: &Path) -> Result<String, String> {
     let now = Now::of(root);
-    let rows = read(root);
+    let rows = read(root)?;
     let text = std::fs::read_to_string(root.join(PAGE)).unwrap_or_default();
     if let Some(row) = rows.iter().find(|row| !now.known(row.scene())) {
         return Err(format!(
-            "{PAGE} has rows of {}, which is gone; `cargo xtask verify-all --table` takes them out",
+            "{DATA} has rows of {}, which is gone; `cargo xtask verify-all --table` takes them out",
             row.scene()
         ));
     }
-    if page(&rows, &now) != text {
-        let shown: Vec<&str> = text
-            .lines()
-            .filter(|l| l.starts_with("| scenes/"))
-            .collect();
-        let wrong = rows
-            .iter()
-            .zip(shown)
-            .find(|(row, line)| row.line(&now) != *line);
-        let which = wrong.map_or("its head".to_owned(), |(row, _)| {
-            format!("the row of {}", row.scene())
-        });
+    let due = page(&rows, &now);
+    if due != text {
+        let mut lines = due.lines().zip(text.lines());
+        let wrong = lines.find(|(due, is)| due != is);
+        let which = wrong.map_or("at its end", |(due, _)| due);
         return Err(format!(
-            "{PAGE} does not show what is stale, first {which}: run the scene again with `cargo xtask verify-all SCENE`, or show it as stale with \
-             `cargo xtask verify-all --table`"
+            "{PAGE} does not show what is stale, first where it should say \"{which}\": run the scene again with `cargo xtask verify-all SCENE`, or show it as stale \
+             with `cargo xtask verify-all --table`"
         ));
     }
     Ok(totals(&rows, &now))
 }
 
 /// Date and commit for new rows; `+` where files differ from it.
-pub fn this_run(root: &Path) -> String {
+pub fn this_run(root: &Path) -> [String; 2] {
     let said = |program: &str, words: &[&str]| {
         let output = Command::new(program).args(words).current_dir(root).output();
         output
@@ -352,7 +412,7 @@ pub fn this_run(root: &Path) -> String {
         ""
     };
     let commit = commit.map_or("no commit".to_owned(), |c| format!("{c}{sign}"));
-    format!("{date} {commit}")
+    [date, commit]
 }
 
 #[cfg(test)]
@@ -360,12 +420,19 @@ mod tests {
     use super::*;
 
     fn now(numerics: usize) -> Now {
-        let known = ["scenes/a.toml", "scenes/long/b.toml"];
+        let scene = |name: &str| Scene {
+            name: name.to_owned(),
+            title: "a | b".to_owned(),
+            digest: "d1".to_owned(),
+        };
         Now {
             numerics,
-            digests: known.map(|n| (n.to_owned(), "d1".to_owned())).to_vec(),
+            scenes: ["scenes/a.toml", "scenes/long/b.toml"].map(scene).to_vec(),
         }
     }
+
+    const DAY: [&str; 2] = ["2026-01-01", "abc"];
+    const LATER: [&str; 2] = ["2026-01-02", "def"];
 
     fn check(scene: &str, measured: f64) -> Value {
         serde_json::json!({
@@ -374,19 +441,30 @@ mod tests {
     }
 
     #[test]
-    fn a_row_a_check_and_bars_are_escaped() {
-        let rows = merge(
-            &[],
-            &[check("scenes/a.toml", 1.5)],
-            &now(3),
-            "2026-01-01 abc",
+    fn a_row_a_check_and_a_line_a_scene() {
+        let mut failing = check("scenes/a.toml", 2.5);
+        (failing["status"], failing["note"]) = ("skipped".into(), "because, \"so\"".into());
+        let rows = merge(&[], &[check("scenes/a.toml", 1.5), failing], &now(3), DAY);
+        let text = data(&rows).unwrap();
+        assert!(
+            text.contains("\nscenes/a.toml,,|v|,passed,1.500000e0,m,,,,2026-01-01,abc,3,d1\n"),
+            "{text}"
         );
-        let text = page(&rows, &now(3));
-        let line = "| scenes/a.toml |  | \\|v\\| | passed | 1.500000e0 m |  |  |  | 2026-01-01 abc | 3/d1 |";
-        assert!(text.contains(line), "{text}");
-        assert!(text.contains("1 passed, 0 failed, 0 skipped; 0 stale"));
-        let again: Vec<Row> = text.lines().filter_map(Row::read).collect();
+        let mut file = csv::Reader::from_reader(text.as_bytes());
+        let again: Vec<Row> = file
+            .records()
+            .map(|r| Row::read(&r.unwrap()).unwrap())
+            .collect();
         assert_eq!(again, rows);
+        let page = page(&rows, &now(3));
+        assert!(page.contains("1 passed, 0 failed, 1 skipped; 0 stale"));
+        let line = "| [a](../../scenes/a.toml) | a \\| b | 1 |  | 1 |  | 2026-01-01 |";
+        assert!(page.contains(line), "{page}");
+        let known = "| scenes/a.toml |  | \\|v\\| | 2.500000e0 m |  | because, \"so\" |";
+        assert!(page.contains(known), "{page}");
+        assert!(
+            page.contains("| [long/b](../../scenes/long/b.toml) | a \\| b |  |  |  |  | never |")
+        );
     }
 
     #[test]
@@ -395,27 +473,27 @@ mod tests {
             check("scenes/a.toml", 1.5),
             check("scenes/long/b.toml", 2.5),
         ];
-        let rows = merge(&[], &checks, &now(3), "day");
+        let rows = merge(&[], &checks, &now(3), DAY);
         assert!(rows.iter().all(|r| r.fresh(&now(3))));
         let fresh: Vec<bool> = rows.iter().map(|r| r.fresh(&now(4))).collect();
         assert_eq!(fresh, [true, false]);
-        assert!(page(&rows, &now(4)).contains("| stale: passed |"));
+        assert!(page(&rows, &now(4)).contains("|  |  |  | 1 | 2026-01-01 |"));
         assert!(totals(&rows, &now(4)).contains("1 passed, 0 failed, 0 skipped; 1 stale"));
         let mut other = now(3);
-        other.digests[0].1 = "d2".to_owned();
+        other.scenes[0].digest = "d2".to_owned();
         assert!(!rows[0].fresh(&other));
         // A row that says nothing of what it rests on is stale.
-        let old = Row::read("| scenes/a.toml |  | x | passed | 1 m |  |  |  |").unwrap();
+        let old = Row::new(&checks[0], Default::default());
         assert!(!old.fresh(&now(3)));
     }
 
     #[test]
     fn a_run_that_says_something_else_is_told() {
-        let rows = merge(&[], &[check("scenes/a.toml", 1.5)], &now(3), "day");
+        let rows = merge(&[], &[check("scenes/a.toml", 1.5)], &now(3), DAY);
         assert!(differences(&rows, &[check("scenes/a.toml", 1.5)], &now(3)).is_empty());
         let moved = differences(&rows, &[check("scenes/a.toml", 1.500_01)], &now(3));
         assert!(
-            moved[0].contains("1.500000e0 m") && moved[0].contains("1.500010e0 m"),
+            moved[0].contains("1.500000e0, m") && moved[0].contains("1.500010e0, m"),
             "{moved:?}"
         );
         let mut renamed = check("scenes/a.toml", 1.5);
@@ -423,13 +501,13 @@ mod tests {
         assert_eq!(differences(&rows, &[renamed], &now(3)).len(), 2);
         // A row that is shown as stale claims nothing.
         let mut other = now(3);
-        other.digests[0].1 = "d2".to_owned();
+        other.scenes[0].digest = "d2".to_owned();
         assert!(differences(&rows, &[check("scenes/a.toml", 9.0)], &other).is_empty());
         // What says the same keeps its date, what has moved gets a new one.
-        let kept = merge(&rows, &[check("scenes/a.toml", 1.5)], &now(3), "later");
-        assert_eq!(kept[0].run, "day");
-        let kept = merge(&rows, &[check("scenes/a.toml", 1.6)], &now(3), "later");
-        assert_eq!(kept[0].run, "later");
+        let kept = merge(&rows, &[check("scenes/a.toml", 1.5)], &now(3), LATER);
+        assert_eq!(kept[0].run[0], DAY[0]);
+        let kept = merge(&rows, &[check("scenes/a.toml", 1.6)], &now(3), LATER);
+        assert_eq!(kept[0].run[0], LATER[0]);
     }
 
     #[test]
