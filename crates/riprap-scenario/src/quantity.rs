@@ -228,6 +228,8 @@ kinds! {
     Share: Some(Dim::NONE), Bounds { low: 0.0, high: 1.0, low_closed: false, high_closed: true, text: "greater than 0 and at most 1" }, "a number without unit", "1.0";
     /// A share, 0 <= x < 1.
     ShareBelowOne: Some(Dim::NONE), Bounds { low: 0.0, high: 1.0, low_closed: true, high_closed: false, text: "at least 0 and less than 1" }, "a number without unit", "0.7";
+    /// A coefficient of restitution, 0.01 <= x <= 1 (`LEAST_RESTITUTION` of the law of dashpots).
+    Restitution: Some(Dim::NONE), Bounds { low: riprap_core::laws::damping::LEAST_RESTITUTION, high: 1.0, low_closed: true, high_closed: true, text: "at least 0.01 and at most 1" }, "a number without unit", "0.3";
     /// Poisson's ratio, -1 < x < 0.5.
     Poisson: Some(Dim::NONE), Bounds { low: -1.0, high: 0.5, low_closed: false, high_closed: false, text: "greater than -1 and less than 0.5" }, "a number without unit", "0.25";
     /// A joint roughness coefficient, 0 to 20.

@@ -448,7 +448,7 @@ fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
         shear_stiffness,
         friction,
         cohesion,
-        damping_ratio: joint.damping,
+        damping_ratio: joint.contact_damping,
     }
 }
 

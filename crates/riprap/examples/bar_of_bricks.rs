@@ -56,6 +56,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,
+                contact_damping: 0.0,
                 dashpots: Dashpots::Sticking,
             },
         }],

@@ -230,6 +230,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,
+                contact_damping: 0.0,
                 dashpots: Dashpots::Sticking,
             },
         }],

@@ -78,6 +78,7 @@ fn lattice(edge: usize) -> Setup {
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,
+                contact_damping: 0.0,
                 dashpots: Dashpots::Sticking,
             },
         }],

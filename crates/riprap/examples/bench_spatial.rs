@@ -107,6 +107,7 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
                 failure: Failure::Point,
                 points: Points::Quarter,
                 damping: 0.0,
+                contact_damping: 0.0,
                 dashpots: Dashpots::Sticking,
             },
         }],

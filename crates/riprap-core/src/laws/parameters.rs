@@ -149,6 +149,8 @@ pub struct JointLaw {
     /// Dashpots parallel to the springs of closed points: `beta = damping * d / c_P` with d the distance of the
     /// centroids across the patch, so that fine and coarse blocks are damped alike.
     pub damping: f64,
+    /// Dashpots of found contacts under this law, as a share of critical damping.
+    pub contact_damping: f64,
     /// Where those along the patch act.
     pub dashpots: Dashpots,
 }

@@ -5,7 +5,8 @@ use serde::Deserialize;
 
 use crate::quantity::{
     AtLeastOne, FractureEnergy, FrictionAngle, JointRoughness, Modulus, Name, NotNegativePlain,
-    Poisson, PositiveLength, PositiveStrength, Quantity, Speed, StiffnessPerArea, Strength,
+    Poisson, PositiveLength, PositiveStrength, Quantity, Restitution, Speed, StiffnessPerArea,
+    Strength,
 };
 use riprap_core::laws::bond::Softening;
 use riprap_core::laws::parameters::{
@@ -99,11 +100,13 @@ pub struct Interface {
     #[key(space = "planar")]
     #[key(changes)]
     pub clip_speed: Option<Quantity<Speed>>,
-    /// Damping; zero or more. In `[space.planar]` a share of critical damping. In `[space.spatial]` dashpots beside the
-    /// springs of closed joints, with the time constant `damping_ratio` times distance of the centroids over c_P, which
-    /// needs `young` and `poisson`.
+    /// Share of critical damping of found contacts, zero or more; of closed joints in `[space.spatial]` dashpots with the time
+    /// constant `damping_ratio` times distance of the centroids over c_P (needs `young`, `poisson`).
     #[key(planar = "0.2", spatial = "0.1", changes)]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
+    /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`.
+    #[key(changes)]
+    pub restitution: Option<Quantity<Restitution>>,
     /// Points of a joint on which its dashpots act along it; across it they act on all closed points. Those of
     /// `damping.stiffness` of a phase do likewise.
     #[key(space = "spatial")]

@@ -5,7 +5,7 @@ use riprap_core::laws::parameters::{FrictionLaw, NormalLaw};
 use super::Rules;
 use crate::diagnostic::Diagnostic;
 use crate::language::{Interface, Scenario};
-use crate::quantity::{Name, Span};
+use crate::quantity::{Name, NotNegativePlain, Quantity, Restitution, Span};
 use crate::vectors::InSpace;
 
 impl Rules {
@@ -30,6 +30,7 @@ impl Rules {
             }
             (Some(_), false) | (None, true) => {}
         }
+        self.rebound(&of, &interface.damping_ratio, &interface.restitution);
         match self.space {
             InSpace::Planar => self.contact(span, &of, interface, scenario),
             InSpace::Spatial => self.joint(span, &of, interface, scenario),
@@ -70,6 +71,20 @@ impl Rules {
                 );
                 self.error("key.missing", span, message, &help);
             }
+        }
+    }
+
+    /// Found contacts have one pair of dashpots, said in one way.
+    pub(super) fn rebound(
+        &mut self,
+        of: &str,
+        ratio: &Option<Quantity<NotNegativePlain>>,
+        restitution: &Option<Quantity<Restitution>>,
+    ) {
+        if let (Some(_), Some(second)) = (ratio, restitution) {
+            let message = format!("{of} has `damping_ratio` and `restitution`");
+            let help = "keep one of them: dashpots of found contacts follow from either";
+            self.error("key.one_of", &second.span, message, help);
         }
     }
 

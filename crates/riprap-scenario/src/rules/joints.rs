@@ -160,7 +160,11 @@ impl Rules {
             (
                 format!("the damping of {of} needs the wave speed of `{material}`"),
                 format!(
-                    "give materials.{material} `young` and `poisson`, or write damping_ratio = 0"
+                    "give materials.{material} `young` and `poisson`, or write damping_ratio = 0{}",
+                    match interface.restitution {
+                        Some(_) => " in place of `restitution`",
+                        None => "",
+                    }
                 ),
             )
         };

@@ -172,6 +172,7 @@ impl Rules {
                 let message = format!("{of} has `friction_angle` and `friction_coefficient`");
                 self.error("key.one_of", &second.span, message, "keep one of them");
             }
+            self.rebound(&of, &change.damping_ratio, &change.restitution);
             if change.friction_law == Some(FrictionLaw::Clipped) && change.clip_speed.is_none() {
                 self.friction_law(&name.span, &of, change.friction_law, false);
             }

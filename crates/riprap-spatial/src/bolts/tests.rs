@@ -68,6 +68,7 @@ fn stack(count: usize, bolts: &[(f64, Design)], kinematics: Kinematics) -> Setup
                 failure: Failure::default(),
                 points: Points::default(),
                 damping: 0.0,
+                contact_damping: 0.0,
                 dashpots: Dashpots::default(),
             },
             friction: None,

@@ -65,6 +65,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
             failure: Failure::Point,
             points: Points::Gauss,
             damping,
+            contact_damping: damping,
             dashpots: Dashpots::Sticking,
         },
     });

@@ -5,6 +5,7 @@ use riprap_geom::polygon;
 use super::behaviour::dilates;
 use super::builder::Builder;
 use super::solid::reduce_joint;
+use crate::laws::damping::ratio_of;
 use crate::planar::setup::{self, BondLaw, ContactLaw, FrictionLaw, Motion, Strength};
 use crate::scenario::language::{self, Bond, InterfaceChange};
 use crate::scenario::quantity::FrictionAngle;
@@ -120,7 +121,10 @@ impl Builder<'_> {
             cohesion: read.cohesion(),
             friction_law,
             clip_speed: clip_speed.unwrap_or(0.0),
-            damping_ratio: read.damping_ratio(),
+            damping_ratio: match read.restitution() {
+                Some(wanted) => ratio_of(wanted),
+                None => read.damping_ratio(),
+            },
         })
     }
 
@@ -242,6 +246,15 @@ pub(super) fn changed_friction(change: &InterfaceChange) -> Option<f64> {
     angle.or(coefficient)
 }
 
+/// Damping ratio of changed contacts, if it changes.
+pub(super) fn changed_damping(change: &InterfaceChange) -> Option<f64> {
+    let restitution = change
+        .restitution
+        .as_ref()
+        .map(|wanted| ratio_of(wanted.si()));
+    restitution.or(change.damping_ratio.as_ref().map(Quantity::si))
+}
+
 /// Tangent of the friction angle, given by either key.
 pub(super) fn friction(read: &mut Read<'_, language::Interface>) -> Option<f64> {
     let angle = read.said().friction_angle.as_ref().map(Quantity::tangent);
@@ -266,6 +279,6 @@ pub(super) fn change_contact(law: &mut ContactLaw, change: &InterfaceChange) {
         cohesion: change.cohesion.si_or(law.cohesion),
         friction_law: change.friction_law.unwrap_or(law.friction_law),
         clip_speed: change.clip_speed.si_or(law.clip_speed),
-        damping_ratio: change.damping_ratio.si_or(law.damping_ratio),
+        damping_ratio: changed_damping(change).unwrap_or(law.damping_ratio),
     };
 }

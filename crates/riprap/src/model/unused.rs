@@ -212,6 +212,19 @@ impl Builder<'_> {
                     }
                 }
             }
+            if !self.spatial.found_contacts {
+                let help = "it belongs to found contacts: space.spatial.found_contacts = true";
+                if let Some(wanted) = &said.restitution {
+                    self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
+                }
+                for phase in &self.parsed.scenario.phases {
+                    let change = phase.interfaces.get(name.as_str());
+                    if let Some(wanted) = change.and_then(|change| change.restitution.as_ref()) {
+                        let of = format!("phases.{}.{of}", phase.name);
+                        self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
+                    }
+                }
+            }
             if let Some(bond) = said.brittle_bond.as_ref().filter(|_| of_rigid && !of_bonds) {
                 let keys = [
                     ("thickness", bond.thickness.is_some()),

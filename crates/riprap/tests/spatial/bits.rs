@@ -21,6 +21,7 @@ fn everything() -> Setup {
     let law = riprap::spatial::setup::JointLaw {
         strength: Some(strength(0.1e6, 30.0, 0.0)),
         damping: 0.1,
+        contact_damping: 0.1,
         ..elastic()
     };
     let mut setup = rock(lattice([16, 14, 12], 1.0), law);
@@ -240,6 +241,7 @@ fn free(kinematics: Kinematics) -> Setup {
     let law = riprap::spatial::setup::JointLaw {
         strength: Some(strength(0.05e6, 30.0, 0.02e6)),
         damping: 0.1,
+        contact_damping: 0.1,
         ..elastic()
     };
     let mut draws = Draws::new(21);

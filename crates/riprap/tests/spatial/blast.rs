@@ -79,6 +79,7 @@ fn cube(n: usize, levels: u8, joint: JointLaw, coupling: Coupling) -> Setup {
 fn damped(joint: JointLaw) -> JointLaw {
     JointLaw {
         damping: 0.1,
+        contact_damping: 0.1,
         dashpots: Dashpots::Closed,
         ..joint
     }

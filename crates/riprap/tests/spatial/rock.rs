@@ -22,6 +22,7 @@ pub fn elastic() -> JointLaw {
         failure: Failure::Point,
         points: Points::Quarter,
         damping: 0.0,
+        contact_damping: 0.0,
         dashpots: Dashpots::Sticking,
     }
 }

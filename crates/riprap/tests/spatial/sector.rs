@@ -49,6 +49,7 @@ fn sector(radii: &[f64], young: f64) -> Setup {
     let blocks = radii.windows(2).map(|r| layer(r[0], r[1])).collect();
     let law = JointLaw {
         damping: 0.01,
+        contact_damping: 0.01,
         ..elastic()
     };
     let mut setup = rock(blocks, law);

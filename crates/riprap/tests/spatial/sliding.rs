@@ -33,6 +33,7 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
         behaviour: Default::default(),
         failure,
         damping: DAMPING,
+        contact_damping: DAMPING,
         dashpots,
         ..elastic()
     };

@@ -31,6 +31,7 @@ fn shaken() -> Setup {
     let law = riprap::spatial::setup::JointLaw {
         strength: Some(strength(0.05e6, 30.0, 0.02e6)),
         damping: 0.1,
+        contact_damping: 0.1,
         ..elastic()
     };
     let mut setup = rock(lattice([4, 3, 3], 1.0), law);

@@ -18,6 +18,7 @@ fn tower(a: f64, x: f64) -> Vec<BlockSpec> {
 fn limit(blocks: Vec<BlockSpec>, damping: f64) -> f64 {
     let joint = JointLaw {
         damping,
+        contact_damping: damping,
         ..elastic()
     };
     let run = Run::new(rock(blocks, joint));

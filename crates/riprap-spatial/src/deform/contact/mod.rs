@@ -63,7 +63,7 @@ fn between(
         shear_stiffness: springs[1],
         friction,
         cohesion,
-        damping_ratio: joint.damping,
+        damping_ratio: joint.contact_damping,
     })
 }
 

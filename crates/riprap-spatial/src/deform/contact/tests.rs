@@ -92,6 +92,7 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
             failure: Failure::Point,
             points: Points::Gauss,
             damping,
+            contact_damping: damping,
             dashpots: Dashpots::Sticking,
         },
     });

@@ -1,8 +1,9 @@
 //! Laws of joints per pair of materials.
 
+use crate::laws::damping::ratio_of;
 use crate::model::behaviour::dilates;
 use crate::model::builder::Builder;
-use crate::model::interfaces::{angle_shown, changed_friction, friction};
+use crate::model::interfaces::{angle_shown, changed_damping, changed_friction, friction};
 use crate::scenario::language::{self, InterfaceChange};
 use crate::scenario::read::{Given, Provenance, Read};
 use crate::scenario::{Diagnostic, Quantity, quantity};
@@ -64,13 +65,16 @@ impl Builder<'_> {
                 said.dashpots.unwrap_or_default(),
             ),
         };
+        let damping = read.damping_ratio();
+        let contact_damping = read.restitution().map_or(damping, ratio_of);
         JointLaw {
             stiffness,
             strength,
             behaviour,
             failure,
             points: read.points(),
-            damping: read.damping_ratio(),
+            damping,
+            contact_damping,
             dashpots,
         }
     }
@@ -163,4 +167,5 @@ pub(in crate::model) fn change_joint(law: &mut JointLaw, change: &InterfaceChang
         (None, rule @ Stiffness::Rule(_)) => rule,
     };
     law.damping = change.damping_ratio.si_or(law.damping);
+    law.contact_damping = changed_damping(change).unwrap_or(law.contact_damping);
 }

@@ -14,6 +14,7 @@ mod checks;
 mod foreign;
 mod interfaces;
 mod numbers;
+mod restitution;
 mod solid;
 mod terrain;
 mod unused;
