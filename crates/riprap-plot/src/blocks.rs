@@ -369,19 +369,26 @@ fn outlines(
     corner: [f64; 2],
 ) {
     let stroke = if frame.blocks() > 400 { 0.35 } else { 0.8 };
-    for (i, value) in field.values.iter().enumerate() {
-        let points: Vec<[f64; 2]> = frame
-            .outline(i)
-            .iter()
-            .map(|p| window.pixel([p[0], p[1]], corner))
-            .collect();
-        if points.iter().flatten().all(|v| v.is_finite()) {
-            let colour = map.at(scale.share(*value));
+    let numbers = frame.column("block").map_or(&[][..], |c| &c.data);
+    let same = |i: usize| i > 0 && numbers.get(i).is_some_and(|n| *n == numbers[i - 1]);
+    let mut from = 0;
+    while from < field.values.len() {
+        // A cut block may be in several parts, and have holes.
+        let to = (from + 1..field.values.len()).find(|&i| !same(i));
+        let to = to.unwrap_or(field.values.len());
+        let line = |i: usize| -> Vec<[f64; 2]> {
+            let points = frame.outline(i).iter();
+            points.map(|p| window.pixel([p[0], p[1]], corner)).collect()
+        };
+        let lines: Vec<Vec<[f64; 2]>> = (from..to).map(line).collect();
+        if lines.iter().flatten().flatten().all(|v| v.is_finite()) {
+            let colour = map.at(scale.share(field.values[from]));
             let style = format!(
                 "fill=\"{colour}\" stroke=\"#1a1a1a\" stroke-width=\"{stroke}\" stroke-linejoin=\"round\""
             );
-            page.polygon(&points, &style);
+            page.rings(&lines, &style);
         }
+        from = to;
     }
 }
 

@@ -199,7 +199,7 @@ fn reach(bodies: &[Body], k: usize) -> (f64, f64) {
         })
 }
 
-/// The cut as a frame in the plane of the picture, and the blocks that are in it.
+/// The cut as a frame in the plane of the picture, and the block of each line in it.
 fn sliced(
     frame: &Frame,
     bodies: &[Body],
@@ -217,16 +217,15 @@ fn sliced(
     };
     let mut kept = Vec::new();
     for (i, body) in bodies.iter().enumerate() {
-        let corners = solid::cut(frame, i, body, normal.index(), at);
-        if corners.len() < 3 {
-            continue;
+        // Parts and holes of one block follow each other: `outlines` knows them by its number.
+        for corners in solid::cut(frame, i, body, normal.index(), at) {
+            kept.push(i);
+            out.points.extend(corners.iter().map(|c| {
+                let p = body.moved(*c, factor);
+                [p[h], p[v], 0.0]
+            }));
+            out.offsets.push(out.points.len() as u32);
         }
-        kept.push(i);
-        out.points.extend(corners.iter().map(|c| {
-            let p = body.moved(*c, factor);
-            [p[h], p[v], 0.0]
-        }));
-        out.offsets.push(out.points.len() as u32);
     }
     for name in ["block", "displacement", "velocity"] {
         if let Some(column) = frame.column(name) {

@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 use riprap_record::frame::{Column, Frame};
+use std::collections::BTreeMap;
 
 /// Corners nearer to the cutting plane than this share of the block's size count as lying on it.
 const ON_PLANE: f64 = 1e-4;
@@ -95,11 +96,12 @@ fn centroid(frame: &Frame, i: usize) -> Vec3 {
     }
 }
 
-/// Cut of a convex block by the plane `x[normal] = at`, through the block as it was before it moved: corners in unmoved
-/// position, anticlockwise about the normal. Fewer than three: the plane misses the block.
+/// Cut of a block of any form by the plane `x[normal] = at`, through the block as it was before it moved: closed lines of corners in
+/// unmoved position, those around material anticlockwise about the normal, those around holes clockwise. None: the plane misses the
+/// block.
 ///
 /// A plane that runs along faces between blocks cuts those below it, each once.
-pub(super) fn cut(frame: &Frame, i: usize, body: &Body, normal: usize, at: f64) -> Vec<Vec3> {
+pub(super) fn cut(frame: &Frame, i: usize, body: &Body, normal: usize, at: f64) -> Vec<Vec<Vec3>> {
     let points: Vec<Vec3> = frame
         .outline(i)
         .iter()
@@ -109,23 +111,57 @@ pub(super) fn cut(frame: &Frame, i: usize, body: &Body, normal: usize, at: f64) 
     let size = heights.iter().fold(f64::NEG_INFINITY, |s, h| s.max(*h))
         - heights.iter().fold(f64::INFINITY, |s, h| s.min(*h));
     let below = |c: u32| heights[c as usize] < -ON_PLANE * size;
-    let mut corners: Vec<Vec3> = Vec::new();
-    for face in frame.solids.iter().flat_map(|s| s.of(i)) {
-        for (k, &a) in face.iter().enumerate() {
-            let b = face[(k + 1) % face.len()];
-            // Each edge is in two faces, once in each direction.
-            if below(a) && !below(b) {
-                let (ha, hb) = (heights[a as usize], heights[b as usize]);
-                let share = (ha / (ha - hb)).clamp(0.0, 1.0);
-                corners.push(points[a as usize].lerp(points[b as usize], share));
+    let mut next = links(frame.solids.iter().flat_map(|s| s.of(i)), below);
+    let corner = |(a, b): (u32, u32)| {
+        let (ha, hb) = (heights[a as usize], heights[b as usize]);
+        let share = (ha / (ha - hb)).clamp(0.0, 1.0);
+        points[a as usize].lerp(points[b as usize], share)
+    };
+    let mut lines = Vec::new();
+    while let Some((start, mut edge)) = next.pop_first() {
+        let mut line = vec![corner(start)];
+        while edge != start {
+            line.push(corner(edge));
+            match next.remove(&edge) {
+                Some(further) => edge = further,
+                // The faces of the block do not close; what there is of the line is drawn.
+                None => break,
+            }
+        }
+        if line.len() > 2 {
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+/// Where the cut goes on: from an edge (its lower end, its upper end) that it crosses to the next one, across the face that has the
+/// first of them downwards.
+///
+/// Each edge is in two faces, once in each direction; a face of any form is left where it was entered the last time.
+fn links<'a>(
+    faces: impl Iterator<Item = &'a [u32]>,
+    below: impl Fn(u32) -> bool,
+) -> BTreeMap<(u32, u32), (u32, u32)> {
+    let mut next = BTreeMap::new();
+    for face in faces {
+        let edges = || (0..face.len()).map(|k| (face[k], face[(k + 1) % face.len()]));
+        // From an edge downwards to the next one upwards, around the face.
+        let first = edges().position(|(a, b)| !below(a) && below(b));
+        let mut down = None;
+        for (a, b) in edges().cycle().skip(first.unwrap_or(0)).take(face.len()) {
+            match (below(a), below(b)) {
+                (false, true) => down = Some((b, a)),
+                (true, false) => {
+                    if let Some(from) = down.take() {
+                        next.insert(from, (a, b));
+                    }
+                }
+                (false, false) | (true, true) => {}
             }
         }
     }
-    let middle = corners.iter().fold(Vec3::ZERO, |s, p| s + *p) / corners.len().max(1) as f64;
-    let (h, v) = ((normal + 1) % 3, (normal + 2) % 3);
-    let angle = |p: &Vec3| libm::atan2(p[v] - middle[v], p[h] - middle[h]);
-    corners.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
-    corners
+    next
 }
 
 #[cfg(test)]
@@ -133,10 +169,90 @@ mod tests {
     use super::*;
     use riprap_testkit::solid_sample;
 
-    fn area(corners: &[Vec3]) -> f64 {
-        let fan = corners.windows(2).skip(1);
-        fan.map(|p| 0.5 * (p[0] - corners[0]).cross(p[1] - corners[0]).length())
-            .sum()
+    /// Signed about the normal: holes count as less.
+    fn area(lines: &[Vec<Vec3>], normal: usize) -> f64 {
+        let fan = |line: &Vec<Vec3>| {
+            let pairs = line.windows(2).skip(1);
+            let twice = pairs.map(|p| (p[0] - line[0]).cross(p[1] - line[0])[normal]);
+            0.5 * twice.sum::<f64>()
+        };
+        lines.iter().map(fan).sum()
+    }
+
+    /// A body under heights on a grid of places 1 m apart, with its foot at `foot`.
+    fn ground(heights: &[&[f64]], foot: f64) -> Frame {
+        let (wide, long) = (heights[0].len(), heights.len());
+        let axis = |n: usize| (0..n).map(|k| k as f64).collect::<Vec<_>>();
+        let field =
+            riprap_geom::height_field::HeightField::grid(&axis(wide), &axis(long), |i, j| {
+                Some(heights[j][i])
+            });
+        let (mut points, faces) = field.unwrap().body();
+        let lowest = points.iter().fold(f64::INFINITY, |l, p| l.min(p.z));
+        for p in points.iter_mut().filter(|p| p.z == lowest) {
+            p.z = foot;
+        }
+        let mut solids = riprap_record::frame::Solids {
+            faces: vec![0, faces.len() as u32],
+            ends: vec![0],
+            corners: Vec::new(),
+        };
+        for face in &faces {
+            solids.corners.extend(face);
+            solids.ends.push(solids.corners.len() as u32);
+        }
+        Frame {
+            offsets: vec![0, points.len() as u32],
+            points: points.iter().map(Vec3::to_array).collect(),
+            solids: Some(solids),
+            ..Frame::default()
+        }
+    }
+
+    #[test]
+    fn a_section_of_a_valley_follows_its_floor() {
+        // Two ridges along y with a valley between them: no convex outline.
+        let row: &[f64] = &[2.0, 5.0, 1.0, 4.0, 3.0];
+        let frame = ground(&[row, row, row], -1.0);
+        let body = bodies(&frame)[0];
+        let section = cut(&frame, 0, &body, 1, 0.7);
+        assert_eq!(section.len(), 1, "one line");
+        let trapezoids: f64 = row.windows(2).map(|z| 0.5 * (z[0] + z[1]) + 1.0).sum();
+        let found = area(&section, 1);
+        assert!((found - trapezoids).abs() < 1e-12, "{found}, {trapezoids}");
+        let along: Vec<f64> = section[0].iter().map(|p| p.z).collect();
+        for (x, z) in row.iter().enumerate() {
+            let there = section[0]
+                .iter()
+                .any(|p| p.x == x as f64 && (p.z - z).abs() < 1e-12);
+            assert!(there, "({x}, {z}) is no corner: {along:?}");
+        }
+    }
+
+    #[test]
+    fn a_plan_of_a_crater_has_a_hole_and_one_of_two_peaks_two_parts() {
+        let crater: [&[f64]; 5] = [
+            &[0.0; 5],
+            &[0.0, 2.0, 2.0, 2.0, 0.0],
+            &[0.0, 2.0, 0.0, 2.0, 0.0],
+            &[0.0, 2.0, 2.0, 2.0, 0.0],
+            &[0.0; 5],
+        ];
+        let frame = ground(&crater, -1.0);
+        let plan = cut(&frame, 0, &bodies(&frame)[0], 2, 1.0);
+        let mut areas: Vec<f64> = plan
+            .iter()
+            .map(|l| area(std::slice::from_ref(l), 2))
+            .collect();
+        areas.sort_by(f64::total_cmp);
+        assert_eq!(areas.len(), 2, "{areas:?}");
+        assert!(areas[0] < -0.4 && areas[1] > 8.0, "{areas:?}");
+        let peaks: [&[f64]; 3] = [&[0.0; 5], &[0.0, 3.0, 0.0, 3.0, 0.0], &[0.0; 5]];
+        let frame = ground(&peaks, -1.0);
+        let plan = cut(&frame, 0, &bodies(&frame)[0], 2, 1.0);
+        assert_eq!(plan.len(), 2);
+        let [a, b] = [0, 1].map(|k| area(&plan[k..=k], 2));
+        assert!(a > 0.5 && (a - b).abs() < 1e-12, "{a}, {b}");
     }
 
     #[test]
@@ -153,12 +269,12 @@ mod tests {
         let all = bodies(&frame);
         for normal in 0..3 {
             let brick = cut(&frame, 0, &all[0], normal, 0.3);
-            assert_eq!(brick.len(), 4);
-            assert!((area(&brick) - 4.0).abs() < 1e-12);
+            assert_eq!((brick.len(), brick[0].len()), (1, 4));
+            assert!((area(&brick, normal) - 4.0).abs() < 1e-12);
         }
         // At half its height a tetrahedron has a quarter of its base.
         let tip = cut(&frame, 1, &all[1], 2, 0.5);
-        assert!(tip.len() == 3 && (area(&tip) - 0.125).abs() < 1e-12);
+        assert!(tip[0].len() == 3 && (area(&tip, 2) - 0.125).abs() < 1e-12);
         assert!(cut(&frame, 1, &all[1], 2, 1.5).is_empty());
     }
 
@@ -166,7 +282,7 @@ mod tests {
     fn a_plane_along_faces_cuts_the_lower_block() {
         let frame = solid_sample();
         let all = bodies(&frame);
-        assert_eq!(cut(&frame, 0, &all[0], 0, 1.0 + 1e-9).len(), 4);
+        assert_eq!(cut(&frame, 0, &all[0], 0, 1.0 + 1e-9)[0].len(), 4);
         assert!(cut(&frame, 1, &all[1], 0, 1.0 + 1e-9).is_empty());
     }
 
@@ -184,7 +300,7 @@ mod tests {
             cut(&frame, 0, &bodies(&frame)[0], 1, 0.25),
             cut(&moved, 0, &body, 1, 0.25),
         );
-        for (a, b) in before.iter().zip(&after) {
+        for (a, b) in before[0].iter().zip(&after[0]) {
             assert!((*a - *b).length() < 1e-12);
             let now = turned(*a, turn) + shift;
             assert!((body.moved(*b, 1.0) - now).length() < 1e-12);

@@ -167,6 +167,31 @@ impl Page {
         self.points("polygon", points, style);
     }
 
+    /// Closed lines filled together: what lies inside two of them is a hole.
+    pub(super) fn rings(&mut self, rings: &[Vec<[f64; 2]>], style: &str) {
+        if let [one] = rings {
+            return self.polygon(one, style);
+        }
+        let mut path = String::new();
+        for ring in rings {
+            for (k, p) in ring.iter().enumerate() {
+                let _ = write!(
+                    path,
+                    "{}{:.2},{:.2} ",
+                    if k == 0 { "M" } else { "L" },
+                    p[0],
+                    p[1]
+                );
+            }
+            path.push_str("Z ");
+        }
+        put!(
+            self,
+            "<path d=\"{}\" fill-rule=\"evenodd\" {style}/>",
+            path.trim_end()
+        );
+    }
+
     fn points(&mut self, tag: &str, points: &[[f64; 2]], style: &str) {
         let mut list = String::new();
         for p in points {
