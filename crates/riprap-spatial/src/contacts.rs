@@ -13,6 +13,7 @@ mod felt;
 mod give_way;
 mod held;
 mod limit;
+mod outlook;
 pub(crate) mod terrain;
 
 use super::build::{BuildError, stiffness};
@@ -28,6 +29,7 @@ use crate::exec::CHUNK;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
+pub use outlook::{Meets, outlook};
 
 /// Steps between two looks at joints that have failed since.
 const LOOK: u64 = 16;

@@ -2,6 +2,7 @@
 
 use riprap::model::{Charge, Setup, Summary};
 use riprap::run::forecast::{Forecast, ForecastError, forecast};
+use riprap::run::meeting::Outlook;
 use serde_json::json;
 
 use crate::args::Check;
@@ -202,6 +203,9 @@ fn expected_text(f: &Forecast) -> String {
             si(*speed, "m/s")
         ));
     }
+    if let Some(found) = &f.found {
+        text.push_str(&found_text(found));
+    }
     let most = if f.at_most { "up to " } else { "" };
     let steps = match (f.steps, f.iterations) {
         (Some(n), _) => format!("{most}{} steps", grouped(n)),
@@ -222,4 +226,20 @@ fn expected_text(f: &Forecast) -> String {
         text.push_str("             as long as the blocks are apart; several times longer once they rest on each other\n");
     }
     text
+}
+
+/// What blocks that can meet in space will be like.
+fn found_text(found: &Outlook) -> String {
+    let [flat, corner] = found.pressed.map(|share| ratio(100.0 * share));
+    let (speed, block) = &found.stop_speed;
+    format!(
+        "  meeting    {} blocks can meet others; {} pairs are near and {} touch at the start; steps of {} and more once they touch, {} a step in a heap\n             \
+         pressed in by {flat} % of their size under their own weight flat, {corner} % on a corner; a cube's corner that hits with {} without dashpots goes in too far (block {block})\n",
+        grouped(found.blocks as u64),
+        grouped(found.pairs as u64),
+        grouped(found.touching as u64),
+        si(found.step, "s"),
+        si(found.heap_step_time, "s"),
+        si(*speed, "m/s"),
+    )
 }

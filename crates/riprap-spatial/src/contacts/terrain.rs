@@ -21,7 +21,7 @@ use crate::world::World;
 const REACH: f64 = 1.0;
 /// Share of the stable step: the stiffness grows with the area. Half of that of pairs in the square, since a block may lie on terrain and on
 /// others at once and both limits are found apart.
-const SAFETY: f64 = 0.15;
+pub(super) const SAFETY: f64 = 0.15;
 /// Share of the time until a block can touch that a step may take.
 const APPROACH: f64 = 0.25;
 
@@ -33,7 +33,7 @@ impl World {
     }
 
     /// Whether terrain acts on block `b`.
-    fn meets_terrain(&self, b: usize) -> bool {
+    pub(super) fn meets_terrain(&self, b: usize) -> bool {
         self.alive[b] && self.is_free(b) && !self.deforms(b) && !self.is_terrain(b)
     }
 }

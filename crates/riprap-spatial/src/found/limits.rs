@@ -43,6 +43,19 @@ pub fn corner_depth(mass: f64, speed: f64, normal_stiffness: f64) -> f64 {
     fourth.sqrt().sqrt()
 }
 
+/// The speed (m/s) at which the corner of a cube goes in by `depth` (m): the inverse of [`corner_depth`].
+#[must_use]
+pub fn corner_speed(mass: f64, depth: f64, normal_stiffness: f64) -> f64 {
+    depth * depth * (2.0 * CORNER_ENERGY * normal_stiffness / mass).sqrt()
+}
+
+/// How deep a force (N) presses the corner of a cube into a flat face, m: `F = (3 - sqrt 3)/2 kn d³`, the derivative of the same
+/// energy.
+#[must_use]
+pub fn corner_under(force: f64, normal_stiffness: f64) -> f64 {
+    libm::cbrt(force / (4.0 * CORNER_ENERGY * normal_stiffness))
+}
+
 /// The normal stiffness (Pa/m) from which a corner of a block of this mass (kg) and size (m) at this speed (m/s) goes in by
 /// a twentieth of the size at most.
 #[must_use]
@@ -285,6 +298,11 @@ mod tests {
     fn corners_go_in_as_far_as_measured() {
         // A cube of 1 m falling on its corner at 2 m/s without turning.
         let depth = corner_depth(2500.0, 2.0, 1e10);
+        assert!((corner_speed(2500.0, depth, 1e10) - 2.0).abs() < 1e-12);
+        // The static depth has the force of the closed form.
+        let under = corner_under(1e6, 1e10);
+        let force = (3.0 - 3f64.sqrt()) / 2.0 * 1e10 * under * under * under;
+        assert!((force - 1e6).abs() < 1e-6, "{force}");
         assert!((depth - 4.214_434e-2).abs() < 1e-7, "{depth}");
         let stiffness = least_stiffness(2500.0, 2.0, 1.0);
         assert!((corner_depth(2500.0, 2.0, stiffness) - 0.05).abs() < 1e-12);

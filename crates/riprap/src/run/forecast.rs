@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::engine::BuildError;
 use super::given_step::{self, TooLong};
-use super::meeting;
+use super::meeting::{self, Outlook};
 use super::simulation::{RunError, Simulation};
 use crate::exec::Exec;
 use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
@@ -64,6 +64,8 @@ pub struct Forecast {
     pub apart: bool,
     /// Wall time on one thread, s; absent if the number of steps is.
     pub wall_time: Option<f64>,
+    /// Blocks in space that can meet.
+    pub found: Option<Outlook>,
     /// What is probably not meant, in words.
     pub warnings: Vec<String>,
 }
@@ -128,12 +130,15 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let view = simulation.view();
     let fastest = view.fastest().filter(|(_, speed)| *speed > 0.0);
     let (blocks, contacts) = (view.blocks(), view.contacts());
+    let found = meeting::outlook(&view);
+    // Blocks that are apart have no stable step: what steps become once they touch is a better guess than none.
+    let touching = found.as_ref().map_or(f64::INFINITY, |found| found.step);
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let timed = stable.dt.is_finite() && !simulation.relaxes();
     let wanted = |rule: &TimeStep| match *rule {
         TimeStep::Given { dt } => dt,
-        TimeStep::Auto { safety } => safety * stable.dt,
+        TimeStep::Auto { safety } => (safety * stable.dt).min(touching),
     };
     let steps = plan.phases.iter().map(|phase| {
         // Where it relaxes, the time is that of the loads, not of steps.
@@ -179,6 +184,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         steps_per_second: rate,
         apart: 2 * contacts < blocks,
         wall_time: steps.map(|n| n as f64 / rate),
+        found,
         warnings,
     })
 }

@@ -1,7 +1,39 @@
 //! What of a model can meet in space, and what passes through: in words, for `check` and for the end of a run.
 
+use serde::Serialize;
+
 use super::engine::View;
-use crate::spatial::contacts;
+use crate::spatial::contacts::{self, Meets};
+use crate::spatial::found::limits;
+
+/// Depth under a block's own weight, over its size, from which contacts are too soft for it.
+const PRESSED: f64 = 0.01;
+/// Depth of a corner at the speed of the start, over the radius of the largest ball, from which contacts are too soft for it: the run
+/// stops there.
+const IMPACT: f64 = 1.0;
+/// Time that a pair of blocks that touch takes in a step on one thread, s: that of rubble of polyhedra of 13 faces.
+const PAIR: f64 = 2.2e-6;
+/// Touching pairs for each block of a heap.
+const PAIRS: f64 = 2.5;
+
+/// What `check` says of blocks that can meet in space.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Outlook {
+    /// Rigid blocks that can come together with others.
+    pub blocks: usize,
+    /// Pairs of them near each other at the start.
+    pub pairs: usize,
+    /// Those that touch.
+    pub touching: usize,
+    /// Shortest step once blocks touch, s.
+    pub step: f64,
+    /// Time a step takes on one thread once all blocks lie in a heap, s.
+    pub heap_step_time: f64,
+    /// Least speed at which a corner is pressed in as far as the run allows, m/s, and the block.
+    pub stop_speed: (f64, String),
+    /// Largest depth under a block's own weight over its size: flat and on a corner.
+    pub pressed: [f64; 2],
+}
 
 /// That found contact is off, where there are blocks that no joint holds together.
 pub(super) fn off(view: &View<'_>) -> Option<String> {
@@ -37,5 +69,134 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
             meeting.sticking.join(", ")
         ));
     }
+    let blocks = contacts::outlook(world);
+    found.extend(soft(&view_name(view), world, &blocks));
     found
+}
+
+/// Names of blocks.
+fn view_name<'a>(view: &'a View<'_>) -> impl Fn(u32) -> String + 'a {
+    |b| view.name(b)
+}
+
+/// Blocks that contacts are too soft for, each reason once.
+fn soft(
+    name: &impl Fn(u32) -> String,
+    world: &crate::spatial::world::World,
+    blocks: &[Meets],
+) -> Vec<String> {
+    let mut found = Vec::new();
+    let gravity = world.gravity.length();
+    let key = |block: &Meets| {
+        let row = &world.setup.interfaces[usize::from(block.row)].name;
+        format!("interfaces.{row}.normal_stiffness")
+    };
+    let most = |get: &dyn Fn(&Meets) -> f64| {
+        let worst = blocks.iter().max_by(|a, b| get(a).total_cmp(&get(b)));
+        worst.map(|block| (block, get(block)))
+    };
+    if let Some((block, share)) = most(&|b| b.pressed(gravity)[0]).filter(|(_, s)| *s > PRESSED) {
+        let wanted = block.stiffness * share / PRESSED;
+        found.push(format!(
+            "block `{}` is pressed in by {:.1} % of its size under its own weight, flat: `{}` = {:.1e} Pa/m is soft; {wanted:.1e} Pa/m keep it below {:.0} %",
+            name(block.block),
+            100.0 * share,
+            key(block),
+            block.stiffness,
+            100.0 * PRESSED,
+        ));
+    }
+    if let Some((block, share)) = most(&Meets::impact).filter(|(_, s)| *s > IMPACT) {
+        let wanted = limits::least_stiffness(block.mass, block.speed, block.size);
+        found.push(format!(
+            "block `{}` starts with {:.3} m/s: a corner that hits would go in by {share:.2} of the radius of the largest ball in the block, where the run stops; `{}` = {wanted:.1e} Pa/m would keep it below a twentieth of its size",
+            name(block.block),
+            block.speed,
+            key(block),
+        ));
+    }
+    found
+}
+
+/// What `check` says of blocks that can meet; `None` where none can.
+pub(super) fn outlook(view: &View<'_>) -> Option<Outlook> {
+    let of = view.spatial()?;
+    let blocks = contacts::outlook(of.world);
+    let least =
+        |get: &dyn Fn(&Meets) -> f64| blocks.iter().min_by(|a, b| get(a).total_cmp(&get(b)));
+    let stop = least(&Meets::stop_speed)?;
+    let gravity = of.world.gravity.length();
+    let most = |k: usize| {
+        blocks
+            .iter()
+            .map(|b| b.pressed(gravity)[k])
+            .fold(0.0, f64::max)
+    };
+    let pairs = &of.world.found.pairs;
+    Some(Outlook {
+        blocks: blocks.len(),
+        pairs: pairs.len(),
+        touching: pairs.iter().filter(|pair| pair.depth > 0.0).count(),
+        step: least(&|b| b.step)?.step,
+        heap_step_time: PAIRS * PAIR * blocks.len() as f64,
+        stop_speed: (stop.stop_speed(), view.name(stop.block)),
+        pressed: [most(0), most(1)],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::run::forecast::{Forecast, forecast};
+    use crate::run::scene::Scene;
+    use crate::scenario::Source;
+
+    fn cube_over_floor(stiffness: &str, speed: &str) -> Forecast {
+        let text = format!(
+            "riprap = 1\ntitle = \"t\"\n[space.spatial]\nfound_contacts = true\ngravity = \"10 m/s2\"\n\
+             [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n\
+             [interfaces.default]\nnormal_stiffness = \"{stiffness}\"\nfriction_angle = \"30 deg\"\ndamping_ratio = 0\n\
+             [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nbrick = {{ size = [\"6 m\", \"6 m\", \"2 m\"], corner = [\"0 m\", \"0 m\", \"-2 m\"] }}\n\
+             [[blocks]]\nname = \"cube\"\nmaterial = \"rock\"\nbrick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"2 m\", \"2 m\", \"3 m\"] }}\n\
+             velocity = [\"0 m/s\", \"0 m/s\", \"{speed}\"]\n\
+             [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil.time = \"1 s\"\n"
+        );
+        let scene = Scene::parse(Source::new("t.toml", text), ".".into(), &[]).unwrap();
+        let job = scene.prepare(&scene.plain()).unwrap().job();
+        forecast(&job.setup, &job.plan).unwrap()
+    }
+
+    #[test]
+    fn what_will_meet_is_told_before_it_does() {
+        let told = cube_over_floor("100 MPa/m", "-1 m/s");
+        let found = told.found.unwrap();
+        assert_eq!((found.blocks, found.touching), (1, 0));
+        // The energy of a corner, (3 - sqrt 3)/8 kn d^4, at the radius of the largest ball.
+        let stop = 0.25 * (2.0 * (3.0 - 3f64.sqrt()) / 8.0 * 1e8 / 2500.0).sqrt();
+        assert!((found.stop_speed.0 - stop).abs() < 1e-9 * stop);
+        assert_eq!(found.stop_speed.1, "cube");
+        let corner = (25_000.0 / ((3.0 - 3f64.sqrt()) / 2.0 * 1e8)).cbrt();
+        assert!((found.pressed[0] - 2.5e-4).abs() < 1e-15);
+        assert!((found.pressed[1] - corner).abs() < 1e-12);
+        // Blocks that are apart have no stable step, but the run will take some.
+        assert!(told.steps.unwrap() > 1000, "{:?}", told.steps);
+        assert_eq!(told.warnings, Vec::<String>::new());
+    }
+
+    #[test]
+    fn contacts_that_are_too_soft_are_told_with_their_key() {
+        let soft = cube_over_floor("1 MPa/m", "-0.1 m/s").warnings.join("\n");
+        assert!(
+            soft.contains("`cube` is pressed in by 2.5 % of its size"),
+            "{soft}"
+        );
+        assert!(
+            soft.contains("`interfaces.default.normal_stiffness`"),
+            "{soft}"
+        );
+        assert!(!soft.contains("starts with"), "{soft}");
+        let fast = cube_over_floor("100 MPa/m", "-40 m/s").warnings.join("\n");
+        assert!(fast.contains("`cube` starts with 40.000 m/s"), "{fast}");
+        assert!(fast.contains("where the run stops"), "{fast}");
+        assert!(!fast.contains("own weight"), "{fast}");
+    }
 }

@@ -9,7 +9,7 @@ pub mod engine;
 pub mod forecast;
 pub mod given_step;
 pub mod job;
-mod meeting;
+pub mod meeting;
 pub mod origin;
 pub mod probe;
 pub mod recorder;

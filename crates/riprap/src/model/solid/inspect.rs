@@ -129,8 +129,8 @@ impl Builder<'_> {
             );
             let span = self.table_span(overlap.blocks[1]);
             let error = Diagnostic::error("geometry.overlap", message).at(span);
-            let help = "move one of them, or accept it with allow_overlap = \"...\" in \
-                        [space.spatial]";
+            let help = "move one of them; or accept it with allow_overlap = \"...\" in \
+                        [space.spatial] and let a first phase with kind = \"static\" press them apart";
             self.found.push(error.help(help));
         }
         if bad.len() > NAMED {

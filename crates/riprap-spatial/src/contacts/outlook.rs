@@ -1,0 +1,135 @@
+//! What found contacts of a model will be like, told before they are there: who can be pressed in how far, and how long steps will be.
+
+use riprap_geom::Vec3;
+
+use super::limit::Ease;
+use super::terrain::SAFETY;
+use super::{law, make_shapes, roles};
+use crate::found::desk::Desk;
+use crate::found::{Role, limits};
+use crate::world::World;
+
+/// A block that can meet others, and the softest law under which it can.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meets {
+    /// The block.
+    pub block: u32,
+    /// Row of the softest law in `Setup::interfaces`.
+    pub row: u16,
+    /// Its normal stiffness, Pa/m.
+    pub stiffness: f64,
+    /// Radius of the largest ball in the block, m.
+    pub inradius: f64,
+    /// Cube root of its volume, m.
+    pub size: f64,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Largest face, m².
+    pub face: f64,
+    /// Speed of its fastest point at present against blocks that are held, or where none is against the centre of mass of all, m/s.
+    pub speed: f64,
+    /// Longest step once its largest face lies flat on something that cannot move, s.
+    pub step: f64,
+}
+
+impl Meets {
+    /// Speed at which a corner goes in by the radius of the largest ball, where the run stops, m/s.
+    #[must_use]
+    pub fn stop_speed(&self) -> f64 {
+        limits::corner_speed(self.mass, self.inradius, self.stiffness)
+    }
+
+    /// How deep a corner goes in at the present speed over the radius of the largest ball.
+    #[must_use]
+    pub fn impact(&self) -> f64 {
+        limits::corner_depth(self.mass, self.speed, self.stiffness) / self.inradius
+    }
+
+    /// How deep its own weight presses it in under gravity (m/s²), flat on its largest face and standing on a corner, over its size.
+    #[must_use]
+    pub fn pressed(&self, gravity: f64) -> [f64; 2] {
+        let weight = self.mass * gravity;
+        let flat = weight / (self.stiffness * self.face);
+        [flat, limits::corner_under(weight, self.stiffness)].map(|depth| depth / self.size)
+    }
+}
+
+/// All rigid blocks that can come together with others, or with terrain; none where found contact is off.
+#[must_use]
+pub fn outlook(world: &World) -> Vec<Meets> {
+    let roles = roles(world);
+    if !world.setup.found_contacts || world.found.roles.len() != roles.len() {
+        return Vec::new();
+    }
+    let n = roles.len();
+    let there = |b: &usize| world.alive[*b];
+    // One block of each material stands for all: a law hangs on materials, and on the block itself.
+    let mut partner: Vec<Option<u32>> = vec![None; world.setup.materials.len()];
+    for b in (0..n).filter(there).filter(|b| !world.deforms(*b)) {
+        let material = usize::from(world.setup.blocks[b].material);
+        partner[material].get_or_insert(b as u32);
+    }
+    let mut desk = Desk::default();
+    make_shapes(world, &mut desk);
+    let still = still(world);
+    // What lies over terrain can meet it, joined to others or not.
+    let over = |b: usize| world.has_terrain() && world.meets_terrain(b);
+    let seekers = (0..n).filter(|b| roles[*b] == Role::Seeker || over(*b));
+    let seekers = seekers.filter(|b| world.freedoms(*b)[0] != Vec3::ZERO);
+    seekers
+        .filter_map(|b| {
+            let solid = world.solid_of(b);
+            let shape = &desk.shapes[world.solid[b] as usize];
+            let laws = partner.iter().flatten().map(|other| {
+                let ends = [*other, b as u32];
+                let materials = ends.map(|b| usize::from(world.setup.blocks[b as usize].material));
+                let row = materials[0] * world.setup.materials.len() + materials[1];
+                let row = world.setup.pair_table[row];
+                (row, law(&world.setup, ends, [shape.inradius; 2]))
+            });
+            let laws: Vec<_> = laws.collect();
+            let softest = laws
+                .iter()
+                .min_by(|a, b| a.1.normal_stiffness.total_cmp(&b.1.normal_stiffness))?;
+            let face = shape.areas.iter().copied().fold(0.0, f64::max);
+            let ease = Ease::of(world, &desk.shapes, b).of_area(face);
+            let steps = laws.iter().map(|(_, law)| {
+                let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+                let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
+                SAFETY * 2.0 * loss / (stiffness * face * ease).sqrt()
+            });
+            let spin = world.bodies.spin(b).length() * solid.radius;
+            let density =
+                world.setup.materials[usize::from(world.setup.blocks[b].material)].density;
+            Some(Meets {
+                block: b as u32,
+                row: softest.0,
+                stiffness: softest.1.normal_stiffness,
+                inradius: shape.inradius,
+                size: libm::cbrt(solid.mass / density),
+                mass: solid.mass,
+                face,
+                speed: (world.bodies.velocity(b) - still).length() + spin,
+                step: steps.fold(f64::INFINITY, f64::min),
+            })
+        })
+        .collect()
+}
+
+/// Velocity that nobody is hit with: none where something is held, else that of the centre of mass, m/s.
+fn still(world: &World) -> Vec3 {
+    let (mut mass, mut momentum) = (0.0, Vec3::ZERO);
+    for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
+        if world.is_terrain(b) || world.motion[b].is_some() {
+            return Vec3::ZERO;
+        }
+        let of = world.solid_of(b).mass;
+        mass += of;
+        momentum += of * world.bodies.velocity(b);
+    }
+    if mass > 0.0 {
+        momentum / mass
+    } else {
+        Vec3::ZERO
+    }
+}
