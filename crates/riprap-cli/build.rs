@@ -174,7 +174,7 @@ fn add_templates(scenes: &Path, space: &str, table: &mut String) {
             "Template {{ name: {:?}, space: {space:?}, blocks: {blocks:?}, time: {time:?}, about: {about:?}, text: include_str!({path:?}), files: &[",
             name.to_string_lossy()
         );
-        for file in csv_files(&text) {
+        for file in files_read(&text) {
             let full = scenes.join(&file);
             if full.exists() {
                 let _ = writeln!(table, "({file:?}, include_str!({full:?})),");
@@ -200,13 +200,13 @@ fn title(text: &str) -> Option<String> {
     line.split('"').nth(1).map(str::to_owned)
 }
 
-/// Every quoted name that ends in `.csv`, once.
-fn csv_files(text: &str) -> Vec<String> {
+/// Every quoted name that ends in `.csv` or `.asc`, once.
+fn files_read(text: &str) -> Vec<String> {
     let mut names: Vec<String> = text
         .lines()
         .filter(|line| !line.trim_start().starts_with('#'))
         .flat_map(|line| line.split('"').skip(1).step_by(2))
-        .filter(|word| word.ends_with(".csv"))
+        .filter(|word| word.ends_with(".csv") || word.ends_with(".asc"))
         .map(str::to_owned)
         .collect();
     names.sort();

@@ -179,6 +179,12 @@ fn the_first_crack_works() {
     keep(&folder, &["notch-section.svg", "notch-net.svg"]);
 }
 
+#[test]
+fn the_first_rockfall_works() {
+    let folder = run_page("first-rockfall.md");
+    keep(&folder, &["fall-section.svg", "fall-runout.svg"]);
+}
+
 /// Pictures that a page's commands made are those that it shows.
 fn keep(folder: &TempDir, pictures: &[&str]) {
     for picture in pictures {

@@ -114,6 +114,19 @@ fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> V
     one(blocks.map(get).fold(0.0, f64::max))
 }
 
+/// Horizontal way that this share of the blocks of a group has not exceeded, m; all of the way without gravity.
+fn run_out(v: &View<'_>, of: &[u32], share: f64) -> f64 {
+    let up = v.up();
+    let way = |b: usize| {
+        let moved = v.displacement(b);
+        (moved - up.dot(moved) * up).length()
+    };
+    let mut ways: Vec<f64> = members(v, of).map(way).collect();
+    ways.sort_by(f64::total_cmp);
+    let last = (share * ways.len() as f64).ceil() as usize;
+    ways.get(last.max(1) - 1).copied().unwrap_or(0.0)
+}
+
 /// Share of the living blocks of a group for which something holds.
 fn share(v: &View<'_>, of: &[u32], holds: impl Fn(usize) -> bool) -> Vec3 {
     mean(v, of, |b| one(f64::from(u8::from(holds(b)))))
@@ -268,6 +281,8 @@ fields! {
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(members(v, of), |b| v.velocity(b).length());
     "group.peak_speed" "m/s" Group Scalar false "Largest peak particle velocity in the group." |v, of| largest(members(v, of), |b| v.peak_speed(b));
     "group.energy_head" "m" Group Scalar false "Largest height to which the energy of a block of the group would lift its centroid." |v, of| largest(members(v, of), |b| v.energy_head(b));
+    "group.runout_50" "m" Group Scalar false "Run-out of the group: horizontal way that half of its blocks have not exceeded." |v, of| one(run_out(v, of, 0.5));
+    "group.runout_90" "m" Group Scalar false "Run-out of the group: horizontal way that nine in ten of its blocks have not exceeded." |v, of| one(run_out(v, of, 0.9));
     "group.left_terrain" "-" Group Scalar false "Number of the group's blocks that have gone over the rim of the terrain." |v, of| { let left = v.left_terrain(); one(members(v, of).filter(|b| left.contains(&(*b as u32))).count() as f64) };
     "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
     "group.blocks" "-" Group Scalar false "Number of the group's blocks that are there." |v, of| one(members(v, of).count() as f64);
