@@ -290,7 +290,7 @@ impl Cavity {
         let mut found: Vec<u32> = Vec::new();
         for face in &world.faces {
             let block = face.block as usize;
-            if !world.alive[block] || face.frame[0].dot(up) < 0.9 {
+            if !world.alive[block] || face.parted || face.frame[0].dot(up) < 0.9 {
                 continue;
             }
             let (centre, half) = (world.reference[block], world.solid_of(block).half);

@@ -254,5 +254,6 @@ fn left(side: &Side, covered: &[face_overlap::Overlap], reference: &[Vec3]) -> O
         stiffness: [0.0; 2],
         impedance: [0.0; 2],
         anchor: [Vec3::ZERO; 4],
+        parted: false,
     })
 }

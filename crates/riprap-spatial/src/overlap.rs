@@ -76,6 +76,7 @@ pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
         stiffness: [0.0; 2],
         impedance: [0.0; 2],
         anchor: [Vec3::ZERO; 4],
+        parted: false,
     }
 }
 
@@ -102,5 +103,6 @@ pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
         stiffness: [0.0; 2],
         impedance: [0.0; 2],
         anchor: [Vec3::ZERO; 4],
+        parted: false,
     }
 }

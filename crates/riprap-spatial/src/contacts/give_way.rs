@@ -16,6 +16,7 @@ use crate::overlap::bare;
 use crate::patch::{self, Poses};
 use crate::read::view::View;
 use crate::setup::Points;
+use crate::state::face::Face;
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
 use crate::world::{World, flag};
@@ -59,7 +60,10 @@ pub(super) fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]
     let gone: Vec<usize> = ends.filter(|(_, e)| goes(e)).map(|(p, _)| p).collect();
     for &p in &gone {
         hand_over(world, scratch, p);
-        let faces = [0, 1].map(|side| bare(world, p, side));
+        let faces = [0, 1].map(|side| Face {
+            parted: true,
+            ..bare(world, p, side)
+        });
         world.faces.extend(faces);
     }
     world.faces.sort_by_key(|face| face.block);
@@ -203,6 +207,8 @@ mod tests {
     use super::super::tests::{Run, above_floor, brick};
     use super::let_go;
     use crate::dynamics::TimeFunction;
+    use crate::dynamics::damping::Damping;
+    use crate::edit::split;
     use crate::exec::Exec;
     use crate::setup::{Load, LoadKind};
     use crate::state::scratch::Scratch;
@@ -342,6 +348,46 @@ mod tests {
         }
         let after = usual.world.patches.len();
         assert!(after < before && after > 0, "{before} {after}");
+    }
+
+    /// Two bricks on each other on the floor, the joints between them gone.
+    fn parted() -> Run {
+        let blocks = vec![
+            brick([0.0, 0.0, 0.0], [0.5; 3]),
+            brick([0.0, 0.0, 0.5], [0.5; 3]),
+        ];
+        let mut run = Run::new(above_floor(blocks, 0.5, 0.1), 1, 1e-4);
+        assert_eq!(run.world.patches.len(), 2);
+        run.evaluate();
+        run.world.start_energy = Some(run.view().balance().total());
+        let_go(&mut run.world, &mut run.scratch, &[[1, 2]]);
+        run.evaluate();
+        run
+    }
+
+    #[test]
+    fn faces_in_joints_that_have_given_way_are_no_surface() {
+        let run = parted();
+        assert_eq!(run.view().surface(), [true, false, true]);
+    }
+
+    #[test]
+    fn blocks_whose_joint_has_given_way_can_be_split() {
+        let mut run = parted();
+        let damping = Damping::default();
+        split(&mut run.world, &mut run.scratch, &[1, 2], &damping, run.dt).unwrap();
+        // Twelve joints inside each, four to the floor, none between the two.
+        assert_eq!(run.world.patches.len(), 2 * 12 + 4);
+        let surface = run.view().surface();
+        assert_eq!(surface.iter().filter(|s| **s).count(), 5, "{surface:?}");
+        // The parts of the upper one lie on those of the lower one.
+        run.until(0.2);
+        for b in 3..19 {
+            let sunk = run.view().displacement(b).z;
+            assert!(sunk.abs() < 1e-4, "{b}: {sunk}");
+        }
+        let residual = run.view().balance().residual_relative();
+        assert!(residual.abs() < 1e-2, "{residual}");
     }
 
     #[test]

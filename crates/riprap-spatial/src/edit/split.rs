@@ -8,7 +8,7 @@ use super::error::EditError;
 use super::patches::{self, Old};
 use crate::build::{self, ClassTable};
 use crate::laws::face_joint::SIGNS;
-use crate::meet::{self, Cell};
+use crate::meet::{self, Cell, Free};
 use crate::overlap;
 use crate::patch::turned_inertia;
 use crate::read::view::View;
@@ -101,6 +101,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     let (cells, charges) = neighbourhood(world, plan);
     let (shared, free) = meet::meet(&cells, world.setup.periodic, tolerance);
     forget(world);
+    let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
     let mut after: BTreeMap<u32, u32> = BTreeMap::new();
     let mut table = ClassTable::new(world, world.finest());
     for s in &shared {
@@ -119,6 +120,21 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             continue;
         }
         let roots = blocks.map(|b| plan.root(world, b));
+        let inside = roots[0] == roots[1] && lies_inside(world, roots[0], &cells[s.low], s.axis);
+        let old = plan.old.get(&(roots[0], roots[1], s.axis as u8));
+        if !inside && old.is_none() {
+            // Neighbours of the start whose joint has given way: the faces of the parts are as bare as those of the parents.
+            for (cell, upward) in [(s.low, true), (s.high, false)] {
+                let side = Free {
+                    cell,
+                    axis: s.axis,
+                    upward,
+                    part: s.part,
+                };
+                lay_bare(world, plan, &parents, overlap::face(&cells, &side))?;
+            }
+            continue;
+        }
         let p = world.patches.len();
         world.add_patch(&mut table, &overlap)?;
         for root in if roots[0] == roots[1] {
@@ -128,17 +144,14 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         } {
             *after.entry(*root).or_default() += 1;
         }
-        if roots[0] == roots[1] && lies_inside(world, roots[0], &cells[s.low], s.axis) {
+        if inside {
             let finite = world.turned[roots[0] as usize].is_some();
             patches::inside(world, p, &plan.stress[&roots[0]], finite);
             world.patches.set_origin(p, Origin::Cut);
-        } else if let Some(old) = plan.old.get(&(roots[0], roots[1], s.axis as u8)) {
+        } else if let Some(old) = old {
             old.hand_on(world, p);
-        } else {
-            return Err(missing(world, roots[0], overlap.area));
         }
     }
-    let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
     for f in &free {
         let block = cells[f.cell].block;
         if plan.is_new(block) {
@@ -278,6 +291,25 @@ fn lies_inside(world: &World, root: u32, low: &Cell, axis: usize) -> bool {
     plane.abs() < 0.999 * half
 }
 
+/// Adds a face that a neighbour of the start faces, to which no joint of the parent led any more.
+fn lay_bare(
+    world: &mut World,
+    plan: &Plan,
+    parents: &BTreeMap<u32, Vec<Face>>,
+    mut face: Face,
+) -> Result<(), EditError> {
+    if !plan.is_new(face.block) {
+        return Ok(()); // It has its face already.
+    }
+    let root = plan.root(world, face.block);
+    inherit(world, &mut face, parents, root);
+    if !face.parted {
+        return Err(missing(world, root, face.area));
+    }
+    world.faces.push(face);
+    Ok(())
+}
+
 /// A free face of a child takes the condition of the parent's face; springs keep their stress at their new stiffness.
 fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, root: u32) {
     let reference = |b: u32| world.reference[b as usize];
@@ -294,6 +326,7 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     }) else {
         return;
     };
+    face.parted = parent.parted;
     let Some(index) = parent.boundary else {
         return;
     };

@@ -103,12 +103,13 @@ impl View<'_> {
         let (world, up) = (self.world, self.up());
         let mut surface = vec![false; world.alive.len()];
         for face in &world.faces {
-            let free = face.boundary.is_none_or(|k| {
-                matches!(
-                    world.setup.boundaries[k as usize].kind,
-                    BoundaryKind::Traction { .. }
-                )
-            });
+            let free = !face.parted
+                && face.boundary.is_none_or(|k| {
+                    matches!(
+                        world.setup.boundaries[k as usize].kind,
+                        BoundaryKind::Traction { .. }
+                    )
+                });
             if free && face.frame[0].dot(up) > UPWARD {
                 surface[face.block as usize] = world.alive[face.block as usize];
             }

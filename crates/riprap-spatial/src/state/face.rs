@@ -26,6 +26,8 @@ pub struct Face {
     pub impedance: [f64; 2],
     /// Displacement of the far end of the face spring at the four points, m.
     pub anchor: [Vec3; 4],
+    /// Whether it lay in a joint that has given way: nothing covers it, but it is inside the rock and no part of its surface.
+    pub parted: bool,
 }
 
 impl Face {
