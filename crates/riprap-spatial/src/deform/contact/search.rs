@@ -63,7 +63,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         scratch.deformable.ready = false;
     }
     if !scratch.deformable.ready {
-        rebuild(world, scratch);
+        rebuild(world, scratch, renew);
     }
     world.found.deformable.longest_step = Some(f64::INFINITY);
     !world.found.deformable.pairs.is_empty()
@@ -252,7 +252,9 @@ fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
 }
 
 /// Makes the list of pairs of the state, and what follows from it.
-fn rebuild(world: &mut World, scratch: &mut Scratch) {
+///
+/// `renewed`: the state of the last look has changed, so that the masses there are now are those before.
+fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
     else {
         return;
@@ -304,8 +306,17 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     world.found.deformable.pairs = pairs;
     lay_out(world, work, desk);
     if deform.relax.is_some() {
-        work.fictitious = relax::masses(deform, &work.kinds);
+        let masses = relax::masses(deform, &work.kinds);
+        let before = std::mem::replace(&mut work.fictitious, masses);
         weigh(deform, desk, &mut work.fictitious);
+        if renewed && world.start_energy.is_some() && before.len() == work.fictitious.len() {
+            // The same velocities are another energy of motion with other masses.
+            let masses = before.iter().zip(&work.fictitious);
+            let changes = masses
+                .zip(&deform.nodes.velocity)
+                .map(|((m, now), v)| 0.5 * (now - m) * Vec3::from_array(*v).length_squared());
+            world.works.edit_defect += changes.sum::<f64>();
+        }
     }
     // Rigid blocks that are no longer in a pair keep nothing of what pushed them.
     scratch.pushes.own.blocks.clear();
