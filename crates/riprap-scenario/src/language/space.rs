@@ -56,7 +56,7 @@ pub struct Spatial {
     #[key(told)]
     pub periodic: Option<[Period; 3]>,
     /// Whether blocks that no joint joins meet: press, slide, rebound.
-    #[key(default = false)]
+    #[key(default = true)]
     pub found_contacts: Option<bool>,
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
     /// block.

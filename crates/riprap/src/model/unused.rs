@@ -202,13 +202,19 @@ impl Builder<'_> {
             if of_bonds {
                 self.refuse_behaviour(&of, said);
             }
-            if of_bonds && !of_rigid && !self.spatial.found_contacts {
+            // Found contacts of deformable blocks read the dashpots of joints; the rest too where there is no bond.
+            let found = self.spatial.found_contacts;
+            let unread = |given: &Given| !(found && given.0 == "damping_ratio");
+            if of_bonds && !of_rigid && !(found && said.brittle_bond.is_none()) {
                 let help = "this interface has only bonds of deformable blocks, which `brittle_bond` describes";
-                self.no_effect(&of, &joint_keys(said), &name.span, help);
+                let keys: Vec<Given> = joint_keys(said).into_iter().filter(unread).collect();
+                self.no_effect(&of, &keys, &name.span, help);
                 for phase in &self.parsed.scenario.phases {
                     if let Some(change) = phase.interfaces.get(name.as_str()) {
                         let of = format!("phases.{}.{of}", phase.name);
-                        self.no_effect(&of, &changed_keys(change), &phase.name.span, help);
+                        let keys: Vec<Given> =
+                            changed_keys(change).into_iter().filter(unread).collect();
+                        self.no_effect(&of, &keys, &phase.name.span, help);
                     }
                 }
             }

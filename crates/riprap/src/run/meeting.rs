@@ -42,7 +42,7 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
     let loose = meeting.seekers > 0 && view.living().nth(1).is_some();
     (loose && !meeting.on).then(|| {
         format!(
-            "found contact is off (`space.spatial.found_contacts`): {} blocks that are not joined to the others, or no longer, pass through them",
+            "found contact is switched off (`space.spatial.found_contacts`): {} blocks that are not joined to the others, or no longer, pass through them",
             meeting.seekers
         )
     })

@@ -219,7 +219,7 @@ impl Builder<'_> {
             let message = "terrain is met by found contacts, which are switched off";
             let error = Diagnostic::error("terrain.contacts", message);
             let error = error.at(self.table_span(*first));
-            let help = "write `found_contacts = true` in [space.spatial]";
+            let help = "take `found_contacts = false` out of [space.spatial]";
             self.found.push(error.help(help));
         }
         if !self.spatial.deform.sets.is_empty() {

@@ -52,6 +52,14 @@ fn keys_of_joints_beside_bonds_alone() {
     let scene = format!("{head}{DEFORMABLE}{}", phase(""));
     assert_eq!(
         unused(&scene),
+        ["`normal_stiffness` of interfaces.default has no effect"]
+    );
+    let off = scene.replace(
+        "space.spatial.gravity",
+        "space.spatial.found_contacts = false\nspace.spatial.gravity",
+    );
+    assert_eq!(
+        unused(&off),
         ["`normal_stiffness`, `damping_ratio` of interfaces.default have no effect"]
     );
     // A rigid block beside them brings no joint of rigid blocks; two do.
