@@ -96,7 +96,7 @@ pub struct Interface {
     #[key(space = "planar")]
     #[key(default, changes)]
     pub friction_law: Option<FrictionLaw>,
-    /// Slip speed below which `clipped` friction grows linearly, m/s. Needed by `clipped` only.
+    /// Slip speed below which `clipped` friction grows linearly, m/s; needed by it.
     #[key(space = "planar")]
     #[key(changes)]
     pub clip_speed: Option<Quantity<Speed>>,
@@ -107,8 +107,7 @@ pub struct Interface {
     /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`.
     #[key(changes)]
     pub restitution: Option<Quantity<Restitution>>,
-    /// Points of a joint on which its dashpots act along it; across it they act on all closed points. Those of
-    /// `damping.stiffness` of a phase do likewise.
+    /// Points of a joint on which its dashpots and those of `damping.stiffness` act along it; across it on all closed ones.
     #[key(space = "spatial")]
     #[key(default)]
     pub dashpots: Option<Dashpots>,
