@@ -19,7 +19,7 @@ import { View } from "./view";
 /** A running run is asked for news this often, in ms. */
 const NEWS = 1000;
 /** Settings that need other answers, not only another drawing. */
-const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "supports"];
+const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "supports"];
 
 interface Pane {
   view: View;
@@ -307,6 +307,7 @@ export class App {
       { keys: ["u"], label: "u", what: "supports", act: () => choices.set({ supports: !choices.now.supports }) },
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
+      { keys: ["r"], label: "r", what: "bolts: rods (in space)", act: () => choices.set({ bolts: !choices.now.bolts }) },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
       { keys: ["x"], label: "x", what: "cut away: along x, y, z, any plane, nothing", act: nextCut },
       { keys: ["b"], label: "b", what: "cut flat, or whole blocks", act: () => choices.set({ clipFlat: !choices.now.clipFlat }) },

@@ -38,6 +38,11 @@ export function legendOf(view: View, settings: Settings): LegendText {
     }
   }
   if (view.supports !== null) out.notes.push({ text: `${view.supports} held or moved`, colour: "#2f7bd9" });
+  if (view.boltForces && view.boltForces.largest !== null) {
+    const { largest, smallest, unit } = view.boltForces;
+    out.notes.push({ text: `bolts up to ${quantity(largest, unit, 3)}`, colour: "#d01c1c" });
+    if (smallest !== null && smallest < 0) out.notes.push({ text: `bolts down to ${quantity(smallest, unit, 3)}`, colour: "#1d5fd0" });
+  }
   if (view.arrow && settings.vectors) {
     out.notes.push({ text: `longest ${settings.vectors} ${quantity(view.arrow.longest, view.arrow.unit, 3)}` });
   }

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { surfaces } from "./between";
 import type { Blocks } from "./blocks";
-import type { ContactInfo } from "./run";
+import type { BoltInfo, ContactInfo } from "./run";
 import type { Packet } from "./wire";
 
 /** Arrows drawn at most; of more, every second, third, ... is. */
@@ -197,6 +197,64 @@ export class Contacts {
   hide(which: "points" | "cracks"): void {
     this[which].visible = false;
   }
+}
+
+/** Bars of bolts as rods that show through the blocks, coloured by axial force. */
+export class Bolts {
+  private mesh: THREE.InstancedMesh | null = null;
+  readonly object = new THREE.Group();
+  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
+
+  clear(): void {
+    if (!this.mesh) return;
+    this.object.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.mesh.dispose();
+    this.mesh = null;
+  }
+
+  /** Draws the bars, `thick` wide; ends go along with their blocks. The colour is white without force. */
+  draw(bolts: Packet<BoltInfo>, blocks: Blocks, shift: Shift, thick: number): void {
+    this.clear();
+    const points = bolts.f32("points");
+    const forces = bolts.f32("forces");
+    const states = bolts.u8("states");
+    const sides = [bolts.u32("blockA"), bolts.u32("blockB")] as const;
+    const most = Math.max(Math.abs(bolts.info.largest ?? 0), Math.abs(bolts.info.smallest ?? 0)) || 1;
+    const mesh = new THREE.InstancedMesh(new THREE.CylinderGeometry(0.5, 0.5, 1, 6).rotateZ(-Math.PI / 2), this.material, forces.length);
+    const one = new THREE.Object3D();
+    const [a, b, way] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
+    const colour = new THREE.Color();
+    forces.forEach((force, n) => {
+      [a, b].forEach((end, side) => {
+        const block = sides[side]![n]!;
+        end.fromArray(points, 6 * n + 3 * side);
+        if (block < blocks.count) end.add(shift(block, way));
+      });
+      way.subVectors(b, a);
+      const long = way.length();
+      one.position.addVectors(a, b).multiplyScalar(0.5);
+      if (long > 0) one.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(long));
+      const broken = states[n] === BROKEN_BAR;
+      one.scale.set(long, broken ? thick / 3 : thick, broken ? thick / 3 : thick);
+      one.updateMatrix();
+      mesh.setMatrixAt(n, one.matrix);
+      mesh.setColorAt(n, broken ? colour.set("#444444") : boltColour(force / most, colour));
+    });
+    mesh.frustumCulled = false;
+    mesh.renderOrder = 4;
+    this.mesh = mesh;
+    this.object.add(mesh);
+  }
+}
+
+/** State of a bar that has broken, as the server numbers them (crates/riprap-spatial/src/read/bars.rs). */
+const BROKEN_BAR = 3;
+
+/** White without force, red in tension, blue in compression; `share` of the largest force, -1 to 1. */
+export function boltColour(share: number, out: THREE.Color): THREE.Color {
+  const size = Math.min(1, Math.abs(share));
+  return out.set("#f4f0ea").lerp(new THREE.Color(share < 0 ? "#1d5fd0" : "#d01c1c"), size);
 }
 
 /** What is to be added to the present place of something on a block, to have it where the block is drawn. */

@@ -252,6 +252,9 @@ export class Panel {
         this.dimension === 3
           ? check("cracks", now.cracks, (cracks) => choices.set({ cracks }), "Broken and open faces between glassy blocks (k)")
           : null,
+        this.runs.some((r) => r.summary.bolts)
+          ? check("bolts", now.bolts, (bolts) => choices.set({ bolts }), "Bars of bolts, red in tension, blue in compression (r)")
+          : null,
       ),
     );
     if (now.contacts) {

@@ -60,6 +60,8 @@ export interface Summary {
   tables: [boolean, boolean];
   /** Whether frames have cracks of deformable blocks. */
   cracks: boolean;
+  /** Whether frames have bolts. */
+  bolts?: boolean;
 }
 
 export interface ShapeInfo {
@@ -69,6 +71,14 @@ export interface ShapeInfo {
   origin: [number, number, number];
   low: [number, number, number];
   high: [number, number, number];
+}
+
+export interface BoltInfo {
+  /** Largest axial force, tension positive; null: no bars. */
+  largest: number | null;
+  /** Smallest, negative where bars are pressed. */
+  smallest: number | null;
+  unit: string;
 }
 
 export interface MotionInfo {
@@ -195,6 +205,11 @@ export class Run {
   /** Outlines of the broken parts of deformable blocks. */
   cracks(k: number): Promise<Packet<unknown>> {
     return this.packet<unknown>(`cracks/${k}`);
+  }
+
+  /** Bars of bolts with their axial forces. */
+  bolts(k: number): Promise<Packet<BoltInfo>> {
+    return this.packet<BoltInfo>(`bolts/${k}`);
   }
 
   block(k: number, id: number): Promise<BlockNumbers> {

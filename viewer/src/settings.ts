@@ -30,6 +30,7 @@ export interface Settings {
   contacts: boolean;
   states: boolean[];
   cracks: boolean;
+  bolts: boolean;
   speed: number;
   loop: boolean;
 }
@@ -57,6 +58,7 @@ export const DEFAULTS: Settings = {
   contacts: false,
   states: [false, true, true, true, true, true, true, true],
   cracks: false,
+  bolts: true,
   speed: 10,
   loop: true,
 };

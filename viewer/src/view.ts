@@ -4,8 +4,8 @@ import * as THREE from "three";
 import { Blocks, type Look } from "./blocks";
 import { KINDS, Scale } from "./colour";
 import { quantity } from "./format";
-import { Arrows, Contacts, Picked, contactPlaces } from "./marks";
-import { told, wider, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
+import { Arrows, Bolts, Contacts, Picked, contactPlaces } from "./marks";
+import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
@@ -20,6 +20,7 @@ interface Fetched {
   vectors: Packet<{ unit: string; longest: number | null }> | null;
   contacts: Packet<ContactInfo> | null;
   cracks: Packet<unknown> | null;
+  bolts: Packet<BoltInfo> | null;
   supports: Packet<FieldInfo> | null;
 }
 
@@ -42,8 +43,11 @@ export class View {
   private readonly marks: { plane: Contacts; space: Contacts };
   private readonly pickedMark = new Picked();
   private readonly supportMark = new Picked("#2f7bd9", 3);
+  private readonly bolts = new Bolts();
   /** Blocks that supports hold, where they are shown. */
   supports: number | null = null;
+  /** Forces of the bolts that are drawn. */
+  boltForces: BoltInfo | null = null;
   private readonly sources = new THREE.Group();
   private last: Fetched | null = null;
   private ticket = 0;
@@ -59,7 +63,7 @@ export class View {
     this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.bolts]) {
       this.stage.scene.add(one.object);
     }
     this.stage.scene.add(this.sources);
@@ -114,8 +118,9 @@ export class View {
     const none = Promise.resolve(null);
     const withField = field !== "" && this.run.hasField(field);
     const needCracks = settings.cracks && this.run.summary.cracks;
+    const needBolts = settings.bolts && this.run.summary.bolts === true;
     const needSupports = settings.supports && this.run.hasField("held");
-    const [motion, values, range, arrows, contacts, cracks, supports] = await Promise.all([
+    const [motion, values, range, arrows, contacts, cracks, bolts, supports] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
       withField && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
@@ -123,10 +128,12 @@ export class View {
       needContacts ? this.run.contacts(k) : none,
       // A frame whose cracks are missing shows the faces that its contacts tell of.
       needCracks ? this.run.cracks(k).catch(() => null) : none,
+      // Frames before the first bolt is put in have none.
+      needBolts ? this.run.bolts(k).catch(() => null) : none,
       // A report may not hold them.
       needSupports ? this.run.field(k, "held").catch(() => null) : none,
     ]);
-    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, supports };
+    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, bolts, supports };
   }
 
   /** Range of a field over all runs that are shown. */
@@ -192,9 +199,21 @@ export class View {
     this.sources.visible = settings.cracks || settings.clipAxis !== "";
     this.drawArrows(settings);
     this.drawContacts(settings);
+    this.drawBolts(settings);
     this.drawPicked();
     this.drawSupports(settings);
     this.stage.redraw();
+  }
+
+  private drawBolts(settings: Settings): void {
+    const bolts = settings.bolts ? this.last!.bolts : null;
+    this.boltForces = bolts?.info ?? null;
+    if (!bolts) {
+      this.bolts.clear();
+      return;
+    }
+    const shift = (b: number, target: THREE.Vector3) => this.shiftOf(b, settings.exaggeration - 1, target);
+    this.bolts.draw(bolts, this.blocks!, shift, this.modelSize() / 250);
   }
 
   private drawSupports(settings: Settings): void {

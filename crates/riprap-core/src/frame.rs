@@ -151,7 +151,7 @@ impl Solids {
     }
 }
 
-/// Cells in space with numbers: polygons of cracks, tetrahedra.
+/// Cells in space with numbers: polygons of cracks, tetrahedra, bars of bolts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Surfaces {
     /// Shape `[cells]`: end of each cell's run of points.
@@ -185,6 +185,8 @@ pub struct Frame {
     pub contact_columns: Vec<Column>,
     /// Cracks between deformable blocks; `None` where there are no such blocks. Not read back.
     pub cracks: Option<Surfaces>,
+    /// Bars of bolts (two points each); `None` where no bolt is in the rock. Not read back.
+    pub bolts: Option<Surfaces>,
     /// Tetrahedra of deformable blocks (four points each), where they are asked for. Not read back.
     pub tetrahedra: Option<Surfaces>,
 }

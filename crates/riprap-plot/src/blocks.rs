@@ -1,6 +1,7 @@
 //! Block outlines coloured by a field, on equal axes, one frame or several.
 
 use super::arrows;
+use super::bolts;
 use super::colour::ColourMap;
 use super::section::{Normal, Vectors};
 use super::svg::{Anchor, Page, fitted, text_width};
@@ -251,6 +252,9 @@ pub(super) fn draw(
         axes(&mut page, &window, corner, words.axes);
         page.begin_clip(&format!("frame{i}"), corner[0], corner[1], w, h);
         outlines(&mut page, frame, field, (map, &scale), &window, corner);
+        bolts::draw(&mut page, frame, bolts::most(frames), &|p| {
+            window.pixel(p, corner)
+        });
         if options.contacts {
             contacts(&mut page, frame, &window, corner);
         }
@@ -300,7 +304,7 @@ pub(super) fn short(v: f64) -> String {
 
 /// What stands below the picture.
 fn notes(frames: &[Frame], options: BlockOptions) -> String {
-    let mut out = Vec::new();
+    let mut out: Vec<String> = bolts::note(frames).into_iter().collect();
     if options.contacts {
         out.push(contact_note(frames));
     }

@@ -5,7 +5,7 @@ use super::section::{self, middle};
 use super::{PlotError, suffix, write};
 use riprap_record::field::number;
 use riprap_record::field::with_unit;
-use riprap_record::frame::Frame;
+use riprap_record::frame::{Frame, Surfaces};
 use riprap_record::manifest::Manifest;
 use riprap_record::vtu::{self, PvdEntry};
 use std::path::{Path, PathBuf};
@@ -161,10 +161,17 @@ pub fn load_frame(folder: &Path, which: Which) -> Result<Frame, PlotError> {
     let at = found(&list, which)?;
     let contacts = vtu::read_pvd(&folder.join("contacts.pvd"))?;
     let contacts = contacts.get(at).map(|c| folder.join(&c.file));
-    Ok(vtu::read_frame(
-        &folder.join(&list[at].file),
-        contacts.as_deref(),
-    )?)
+    let mut frame = vtu::read_frame(&folder.join(&list[at].file), contacts.as_deref())?;
+    let bolts = folder.join(list[at].file.replacen("frame_", "bolts_", 1));
+    if bolts.exists() {
+        let bars = vtu::read(&bolts)?;
+        frame.bolts = Some(Surfaces {
+            ends: bars.offsets,
+            points: bars.points,
+            columns: bars.cell_columns,
+        });
+    }
+    Ok(frame)
 }
 
 /// The crack surfaces that belong to a frame; there only with deformable blocks.

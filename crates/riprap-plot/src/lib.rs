@@ -10,6 +10,7 @@
 
 mod arrows;
 mod blocks;
+mod bolts;
 mod chart;
 mod colour;
 mod compare;

@@ -227,6 +227,15 @@ fn sliced(
             out.offsets.push(out.points.len() as u32);
         }
     }
+    // Bars of bolts as seen along the normal; they do not move with exaggerated displacements.
+    out.bolts = frame
+        .bolts
+        .clone()
+        .filter(|_| factor == 1.0)
+        .map(|mut bars| {
+            bars.points = bars.points.iter().map(|p| [p[h], p[v], 0.0]).collect();
+            bars
+        });
     for name in ["block", "displacement", "velocity"] {
         if let Some(column) = frame.column(name) {
             out.block_columns.push(picked(column, &kept, [h, v]));

@@ -20,7 +20,7 @@ mod series;
 #[cfg(test)]
 mod tests;
 
-pub use files::{block_file, contact_file, crack_file, in_use, tetrahedron_file};
+pub use files::{block_file, bolt_file, contact_file, crack_file, in_use, tetrahedron_file};
 use files::{clear, frame_files, lock, remove_if_there};
 use series::{Series, append, begin};
 
@@ -375,6 +375,10 @@ impl RunFolder {
         let cracks = self.path.join(crack_file(index));
         if let Some(bytes) = vtu::cracks(frame).at(&cracks)? {
             write_whole(&cracks, &bytes)?;
+        }
+        let bolts = self.path.join(bolt_file(index));
+        if let Some(bytes) = vtu::bolts(frame).at(&bolts)? {
+            write_whole(&bolts, &bytes)?;
         }
         let tetrahedra = self.path.join(tetrahedron_file(index));
         if let Some(bytes) = vtu::tetrahedra(frame).at(&tetrahedra)? {

@@ -30,6 +30,7 @@ pub fn sample() -> Frame {
         contact_points: vec![[2.0, 0.5, 0.0]],
         contact_columns: vec![Column::vector("force", "N/m", &[[1e5, -2e4]])],
         cracks: None,
+        bolts: None,
         tetrahedra: None,
     }
 }
@@ -62,6 +63,7 @@ pub fn solid_sample() -> Frame {
         contact_points: vec![[1.0, 0.25, 0.25]],
         contact_columns: vec![Column::vector3("force", "N", &[[1.0, 0.0, 5.0]])],
         cracks: None,
+        bolts: None,
         tetrahedra: None,
     }
 }

@@ -9,6 +9,7 @@
 //! | `vectors/K?name=` | one vector per block |
 //! | `contacts/K` | places, states, areas and forces of contacts ([`crate::contacts`]) |
 //! | `cracks/K` | outlines of the broken parts of deformable blocks |
+//! | `bolts/K` | bars of bolts with their axial forces |
 //! | `block/K/ID` | JSON: all numbers of one block |
 //! | `history/ID?name=&from=&count=` | JSON: a field of one block over frames |
 //! | `range?name=&from=&count=` | JSON: smallest and largest value over frames, and those of most blocks |
@@ -72,6 +73,7 @@ pub fn answer(run: &Run, path: &str, query: &Query<'_>) -> Result<Answer, Proble
         ["vectors", k] => vectors(run, count(k)?, &query.text("name")?),
         ["contacts", k] => Ok(binary(contacts::wire(&run.contacts(count(k)?)?))),
         ["cracks", k] => Ok(binary(contacts::cracks(run, count(k)?)?)),
+        ["bolts", k] => Ok(binary(contacts::bolts(run, count(k)?)?)),
         ["block", k, id] => block(run, count(k)?, count(id)?),
         ["history", id] => history(run, count(id)?, query),
         ["range"] => range(run, query),
@@ -144,6 +146,7 @@ pub fn summary(run: &Run) -> Value {
         "note": note,
         "tables": tables,
         "cracks": run.inside("cracks.pvd").is_ok(),
+        "bolts": run.inside("bolts.pvd").is_ok(),
     })
 }
 

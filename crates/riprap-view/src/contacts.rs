@@ -149,6 +149,52 @@ pub fn cracks(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
         .finish(&json!({})))
 }
 
+/// The answer `bolts`: both ends of each bar less the origin, its axial force and state, and the blocks that its ends are in.
+///
+/// # Errors
+/// As [`Run::bolts`]; bars that have not two ends.
+pub fn bolts(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
+    let bolts = run.bolts(k)?;
+    let places_of = Places::of(&bolts.ids);
+    let count = bolts.ends.len();
+    let column = |name: &str| {
+        let found = bolts
+            .columns
+            .iter()
+            .find(|c| c.name == name && c.components == 1);
+        found.map_or_else(|| vec![f64::NAN; count], |c| c.data.clone())
+    };
+    if bolts.points.len() != 2 * count {
+        return Err(Problem::broken(
+            format!("frame {k} has bars of bolts without two ends"),
+            "Run the scene again, or copy the run folder again.",
+        ));
+    }
+    let points: Vec<f32> = bolts
+        .points
+        .iter()
+        .flat_map(|p| shape::single(*p))
+        .collect();
+    let forces = column("axial_force");
+    let side = |name: &str| -> Vec<u32> {
+        column(name)
+            .into_iter()
+            .map(|id| places_of.find(id))
+            .collect()
+    };
+    let states: Vec<u8> = column("state").into_iter().map(|s| s as u8).collect();
+    let end = |least: fn(f64, f64) -> f64| forces.iter().copied().reduce(least);
+    let (largest, smallest) = (end(f64::max), end(f64::min));
+    let single: Vec<f32> = forces.iter().map(|f| *f as f32).collect();
+    Ok(Wire::default()
+        .f32("points", &points)
+        .f32("forces", &single)
+        .u8("states", &states)
+        .u32("blockA", &side("block_a"))
+        .u32("blockB", &side("block_b"))
+        .finish(&json!({ "largest": largest, "smallest": smallest, "unit": "N" })))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

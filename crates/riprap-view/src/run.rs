@@ -4,7 +4,7 @@
 //! lie inside the folder. A run that goes on while it is looked at is read anew each time.
 
 use riprap_geom::Vec3;
-use riprap_record::folder::{block_file, contact_file, crack_file, in_use};
+use riprap_record::folder::{block_file, bolt_file, contact_file, crack_file, in_use};
 use riprap_record::names::Names;
 use riprap_record::table::Table;
 use riprap_record::vtu::{self, Moment, PvdEntry, Wanted};
@@ -396,6 +396,21 @@ impl Run {
             points: self.less_origin(k, &cracks.points)?,
             ends: cracks.offsets,
             columns: cracks.cell_columns,
+            ids: numbers_of(&blocks)?,
+        })
+    }
+
+    /// Bars of bolts of frame `k`, two points each.
+    ///
+    /// # Errors
+    /// As [`Run::placed`]; a frame without bolts has none.
+    pub fn bolts(&self, k: usize) -> Result<Cracks, Problem> {
+        let (number, [blocks, _]) = self.numbered(k)?;
+        let bolts = vtu::read(&self.inside(&bolt_file(number))?)?;
+        Ok(Cracks {
+            points: self.less_origin(k, &bolts.points)?,
+            ends: bolts.offsets,
+            columns: bolts.cell_columns,
             ids: numbers_of(&blocks)?,
         })
     }

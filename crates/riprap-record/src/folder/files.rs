@@ -14,7 +14,7 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 15] = [
+const FILES: [&str; 17] = [
     LOCK,
     names::FILE,
     // Of versions before its name was changed.
@@ -26,9 +26,11 @@ const FILES: [&str; 15] = [
     "energy.csv",
     "events.jsonl",
     "fragments.csv",
+    "bolts.csv",
     "run.pvd",
     "contacts.pvd",
     "cracks.pvd",
+    "bolts.pvd",
     "tetrahedra.pvd",
     "manifest.json",
 ];
@@ -41,6 +43,11 @@ pub fn block_file(index: u32) -> String {
 /// File of the cracks of frame `index`, relative to the run folder; there only with deformable blocks.
 pub fn crack_file(index: u32) -> String {
     format!("frames/cracks_{index:06}.vtu")
+}
+
+/// File of the bars of the bolts of frame `index`, relative to the run folder; there only with bolts in the rock.
+pub fn bolt_file(index: u32) -> String {
+    format!("frames/bolts_{index:06}.vtu")
 }
 
 /// File of the tetrahedra of frame `index`, relative to the run folder; there only where they are asked for.
@@ -67,6 +74,7 @@ pub(super) fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputErro
             .strip_prefix("frame_")
             .or_else(|| name.strip_prefix("contacts_"))
             .or_else(|| name.strip_prefix("cracks_"))
+            .or_else(|| name.strip_prefix("bolts_"))
             .or_else(|| name.strip_prefix("tetrahedra_"));
         if let Some(Ok(index)) = number.and_then(|n| n.strip_suffix(".vtu")).map(str::parse) {
             found.push((index, file));
@@ -129,10 +137,11 @@ pub(super) fn clear(path: &Path) -> Result<(), OutputError> {
 type FileOf = fn(u32) -> String;
 
 /// The `.pvd` lists: name, file of a frame, whether every frame has one.
-const LISTS: [(&str, FileOf, bool); 4] = [
+const LISTS: [(&str, FileOf, bool); 5] = [
     ("run.pvd", block_file, true),
     ("contacts.pvd", contact_file, true),
     ("cracks.pvd", crack_file, false),
+    ("bolts.pvd", bolt_file, false),
     ("tetrahedra.pvd", tetrahedron_file, false),
 ];
 

@@ -25,7 +25,7 @@ pub use moment::{Moment, read_moment};
 pub use pvd::{PVD_END, PvdEntry, pvd_entry, read_pvd, write_pvd};
 pub use read::{ReadError, Vtu, Wanted, parse, read, read_some};
 pub use write::escape;
-pub use write::{blocks, contacts, cracks, tetrahedra};
+pub use write::{blocks, bolts, contacts, cracks, tetrahedra};
 
 use super::frame::{Frame, Solids};
 use std::path::Path;
@@ -69,6 +69,7 @@ pub fn read_blocks(blocks: &Path, wanted: Wanted<'_>) -> Result<Frame, ReadError
         contact_points: Vec::new(),
         contact_columns: Vec::new(),
         cracks: None,
+        bolts: None,
         tetrahedra: None,
     };
     if !b.offsets.is_empty() {

@@ -12,6 +12,7 @@ const BLOCK: usize = 1 << 15;
 pub(super) const VERTEX: u8 = 1;
 pub(super) const POLYGON: u8 = 7;
 const TETRAHEDRON: u8 = 10;
+const LINE: u8 = 3;
 pub(super) const HEXAHEDRON: u8 = 12;
 pub(super) const POLYHEDRON: u8 = 42;
 
@@ -73,6 +74,15 @@ pub fn cracks(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
     cracks.map(|c| cells(frame, c, POLYGON)).transpose()
 }
 
+/// The bars of the bolts of a frame as a `.vtu` file of lines; `None` where there are none.
+///
+/// # Errors
+/// As [`cracks`].
+pub fn bolts(frame: &Frame) -> io::Result<Option<Vec<u8>>> {
+    let list = frame.bolts.as_ref();
+    list.map(|c| cells(frame, c, LINE)).transpose()
+}
+
 /// The tetrahedra of a frame as a `.vtu` file; `None` where they are not asked for.
 ///
 /// # Errors
@@ -86,7 +96,7 @@ fn cells(frame: &Frame, cells: &Surfaces, kind: u8) -> io::Result<Vec<u8>> {
     let count = cells.ends.len();
     let last = cells.ends.last().map_or(0, |e| *e as usize);
     if last != cells.points.len() || cells.columns.iter().any(|c| c.len() != count) {
-        let text = "the lists of cracks or tetrahedra do not fit together";
+        let text = "the lists of cracks, tetrahedra or bolts do not fit together";
         return Err(io::Error::new(io::ErrorKind::InvalidData, text));
     }
     let ends: Vec<i64> = cells.ends.iter().map(|e| i64::from(*e)).collect();

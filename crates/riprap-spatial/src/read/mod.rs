@@ -1,6 +1,7 @@
 //! What can be read from a model: readings, pictures and after-thoughts. Nothing here changes a world, and no step needs it but
 //! edits, which plan with what a [`view::View`] says.
 
+pub mod bars;
 pub mod bolts;
 pub mod contacts;
 pub mod cracks;

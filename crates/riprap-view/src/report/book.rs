@@ -122,6 +122,7 @@ impl Book {
         }
         let contacts = self.add(&room, "contacts", None);
         let cracks = told["cracks"] == true && contacts && self.add(&room, "cracks", None);
+        let bolts = told["bolts"] == true && self.add(&room, "bolts", None);
         for (name, _) in &rest {
             if self.field(&room, name)? {
                 fields.push(name);
@@ -139,6 +140,7 @@ impl Book {
         told["names"] = json!(fields);
         told["held"] = json!({ "vectors": vectors, "contacts": contacts });
         told["cracks"] = json!(cracks);
+        told["bolts"] = json!(bolts);
         told["live"] = json!(false);
         self.put("summary".to_owned(), told.to_string().as_bytes());
         Ok(sound.len())

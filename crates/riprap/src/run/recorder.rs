@@ -11,6 +11,7 @@ use crate::ledger::COLUMNS;
 use crate::plan::{Every, Plan};
 use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
+use crate::spatial::read::bars;
 
 /// Records written so far, per rhythm; part of a checkpoint.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -246,6 +247,9 @@ impl Recorder {
         if let Some(fragments) = simulation.view().fragments() {
             self.folder
                 .write_file("fragments.csv", fragments.csv().as_bytes())?;
+        }
+        if let Some(bolts) = view.spatial().as_ref().and_then(bars::csv) {
+            self.folder.write_file("bolts.csv", bolts.as_bytes())?;
         }
         Ok(())
     }
