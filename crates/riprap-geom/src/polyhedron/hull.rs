@@ -177,10 +177,11 @@ fn ring(points: &[Vec2], tolerance: f64) -> Vec<usize> {
     // point in its middle, which the chains do not look at.
     for end in [order[order.len() - 1], order[0]] {
         let count = chain.len();
-        if let Some(k) = chain.iter().position(|&c| c == end) {
-            if count > 2 && !turns(chain[(k + count - 1) % count], end, chain[(k + 1) % count]) {
-                chain.remove(k);
-            }
+        if let Some(k) = chain.iter().position(|&c| c == end)
+            && count > 2
+            && !turns(chain[(k + count - 1) % count], end, chain[(k + 1) % count])
+        {
+            chain.remove(k);
         }
     }
     chain

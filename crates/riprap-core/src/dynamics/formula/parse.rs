@@ -92,7 +92,10 @@ fn truth(a: f64, b: f64, holds: bool) -> f64 {
 /// What `if` takes.
 const BRANCH: &str = "three arguments: condition, value, other value";
 
-const COMPARISONS: [(&str, fn(f64, f64) -> f64); 6] = [
+/// What an operator does with the numbers on both sides.
+type Operation = fn(f64, f64) -> f64;
+
+const COMPARISONS: [(&str, Operation); 6] = [
     ("<=", |a, b| truth(a, b, a <= b)),
     (">=", |a, b| truth(a, b, a >= b)),
     ("==", |a, b| truth(a, b, a == b)),
@@ -102,7 +105,7 @@ const COMPARISONS: [(&str, fn(f64, f64) -> f64); 6] = [
 ];
 
 /// Operators between terms: how tight they bind, and what they do.
-const OPERATORS: [(char, u8, fn(f64, f64) -> f64); 4] = [
+const OPERATORS: [(char, u8, Operation); 4] = [
     ('+', 0, |a, b| a + b),
     ('-', 1, |a, b| a - b),
     ('*', 2, |a, b| a * b),
