@@ -3,10 +3,12 @@
 //! `test` is exactly what CI runs. Every step is a plain function that prints what it finds; the
 //! runner adds a headline, the time, and one closing line `N passed, N failed, N skipped`.
 
+mod attack;
 mod bench;
 mod browser;
 mod licences;
 mod modules;
+mod mutate;
 mod python;
 mod shell;
 mod source_tree;
@@ -30,6 +32,12 @@ Tasks:
                    run every scene, the long ones too, and write docs/src/verification.csv and .md;
                    with names: run these and replace their rows
                    --from FILE: take the lines that `riprap verify --json` printed; --table: run nothing, show what is stale
+  attack [ATTACK]...
+                   damage, kill, crowd and hurry the program: attack / tries / failures; --tries N (1500), --page writes
+                   docs/src/reliability.md, --binary FILE takes a program that is there
+  mutate [SCENE]...
+                   break scenes on purpose (gravity, stiffness, friction, strength, loads, time ...) and list the checks that never fail;
+                   --seconds S (3): only scenes as quick as that; --binary FILE
   arrows CRATE     print each module of a crate with the modules it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   wheel            build the Python package: a release wheel in target/wheels
@@ -53,6 +61,8 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         ["verify-all", scenes @ ..] => verify::all(&root, scenes),
+        ["attack", words @ ..] => attack::run(&root, words),
+        ["mutate", words @ ..] => mutate::run(&root, words),
         ["arrows", name] => match modules::print_arrows(&root, name) {
             Ok(()) => ExitCode::SUCCESS,
             Err(why) => {

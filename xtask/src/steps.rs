@@ -6,7 +6,7 @@ use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
 use crate::shell::{Counts, cargo};
-use crate::{browser, licences, modules, python, shell, tidy, verify, vtk};
+use crate::{attack, browser, licences, modules, python, shell, tidy, verify, vtk};
 
 /// How a step ended, if it could run at all.
 pub enum Outcome {
@@ -101,6 +101,12 @@ pub const STEPS: &[Step] = &[
         "riprap verify on the fast scenes",
         None,
         verify::fast,
+    ),
+    built(
+        "attack",
+        "damaged input, kills, threads and speed, a few tries each",
+        None,
+        attack::step,
     ),
     built(
         "python",

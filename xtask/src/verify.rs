@@ -13,6 +13,7 @@ mod table;
 use crate::shell::{self, Counts, cargo};
 use crate::steps::Outcome;
 use table::Now;
+pub use table::this_run;
 
 /// Builds the release binary; `Err` when it does not build.
 fn release_binary(root: &Path) -> Result<PathBuf, String> {
@@ -39,6 +40,11 @@ fn binary(root: &Path, build: &mut Command, profile: &str) -> Result<PathBuf, St
         .join(target)
         .join(profile)
         .join(format!("riprap{}", std::env::consts::EXE_SUFFIX)))
+}
+
+/// Scenes that CI runs, as the table names them.
+pub fn fast_scenes(root: &Path) -> Vec<String> {
+    table::scenes(root).0
 }
 
 /// The `scenes` step of `cargo xtask test`.

@@ -1,0 +1,245 @@
+//! `cargo xtask attack`: what careless and hostile input, kills, threads and speed do to the program, as a table.
+//!
+//! The program is attacked from outside, as a person or a script would: a process a try. A try fails if the process panics, dies by a
+//! signal, leaves with a code that the manual does not have, or gives a wrong answer in silence (attack by attack, see [`ATTACKS`]).
+//! Each attack has a seed of its own, so that a failure comes again; the input that failed is kept in `target/attack`.
+
+pub mod damage;
+mod faults;
+mod files;
+mod process;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use crate::verify;
+use damage::Chance;
+use process::Program;
+
+/// Tries of each attack on files, when nothing else is asked for: about ten minutes in all.
+const TRIES: usize = 1500;
+const PAGE: &str = "docs/src/reliability.md";
+
+/// What an attack has found.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    pub tries: usize,
+    /// Refused, or ended with an error that says what is wrong.
+    pub refused: usize,
+    /// Stopped by the attacker: it worked longer than the limit, which is no fault of a large model.
+    pub slow: usize,
+    pub failures: Vec<String>,
+}
+
+/// What attacks need.
+pub struct Field<'a> {
+    pub root: &'a Path,
+    pub program: &'a Program,
+    /// Where they work.
+    pub folder: PathBuf,
+    /// Tries for an attack on files; the others take a share that suits what one try costs.
+    pub tries: usize,
+}
+
+struct Attack {
+    name: &'static str,
+    /// What is done, and what counts as a failure.
+    about: &'static str,
+    run: fn(&Field<'_>, &mut Chance) -> Result<Found, String>,
+}
+
+const ATTACKS: [Attack; 9] = [
+    Attack {
+        name: "scenes",
+        about: "scene files of this repository with bytes, numbers, lines and words changed; `riprap check`",
+        run: files::scenes,
+    },
+    Attack {
+        name: "numbers",
+        about: "one number of a scene in place of which stands nan, inf, 1e308, -1, 0, 1e-320, 10^18 and their kin; `riprap check`",
+        run: files::numbers,
+    },
+    Attack {
+        name: "first steps",
+        about: "scenes with one number changed, run for three steps; `riprap run`. Also a failure: exit 0 with energies that are not numbers",
+        run: files::first_steps,
+    },
+    Attack {
+        name: "inputs",
+        about: "damaged meshes, surfaces, grids, tables and drawings that a scene reads (msh, tess, stl, dxf, asc, csv); `riprap check`",
+        run: files::inputs,
+    },
+    Attack {
+        name: "checkpoints",
+        about: "every checkpoint of a run damaged; `riprap resume`. Also a failure: it goes on",
+        run: files::checkpoints,
+    },
+    Attack {
+        name: "run folders",
+        about: "one frame, table, list or manifest of a run damaged; `riprap plot`",
+        run: files::run_folders,
+    },
+    Attack {
+        name: "kills",
+        about: "runs killed (SIGKILL) at random instants and resumed, in the plane, with rigid and with deformable blocks; a try is a kill. Failure: another \
+                state, history or list at the end than without kills",
+        run: faults::kills,
+    },
+    Attack {
+        name: "threads",
+        about: "scenes on 1 to 8 threads. Failure: another state at the end than on one thread",
+        run: faults::threads,
+    },
+    Attack {
+        name: "speed",
+        about: "a 1 m block against a fixed 1 m floor, 1 MPa/m to 10 GPa/m, 1 to 300 m/s, in the plane and in space. Failure: it is below the floor and the run \
+                ends with exit 0",
+        run: faults::speed,
+    },
+];
+
+/// `cargo xtask attack [--tries N] [--binary FILE] [--page] [ATTACK]...`.
+pub fn run(root: &Path, words: &[&str]) -> ExitCode {
+    match all(root, words) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn all(root: &Path, words: &[&str]) -> Result<bool, String> {
+    let (mut tries, mut binary, mut page, mut chosen) = (TRIES, None, false, Vec::new());
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        match *word {
+            "--tries" => {
+                let given = words.next().and_then(|n| n.parse().ok());
+                tries = given.ok_or("--tries needs a number")?;
+            }
+            "--binary" => {
+                binary = Some(PathBuf::from(words.next().ok_or("--binary needs a file")?));
+            }
+            "--page" => page = true,
+            name => chosen.push(name),
+        }
+    }
+    if let Some(wrong) = chosen
+        .iter()
+        .find(|c| ATTACKS.iter().all(|a| a.name != **c))
+    {
+        let names: Vec<&str> = ATTACKS.iter().map(|a| a.name).collect();
+        return Err(format!(
+            "there is no attack {wrong:?}; there are: {}",
+            names.join(", ")
+        ));
+    }
+    let binary = match binary {
+        Some(binary) => root.join(binary),
+        None => verify::ci_binary(root)?,
+    };
+    let program = Program::new(&binary);
+    let rows = attack(root, &program, tries, &chosen)?;
+    let failures: usize = rows.iter().map(|(_, found, _)| found.failures.len()).sum();
+    if page {
+        let version = program.answer(root, &["--version"])?;
+        std::fs::write(root.join(PAGE), text(root, &rows, tries, &version))
+            .map_err(|e| format!("{PAGE}: {e}"))?;
+        println!("wrote {PAGE}");
+    }
+    let done: usize = rows.iter().map(|(_, found, _)| found.tries).sum();
+    println!(
+        "{done} tries: {} passed, {failures} failed, 0 skipped",
+        done - failures.min(done)
+    );
+    Ok(failures == 0)
+}
+
+type Row = (&'static Attack, Found, f64);
+
+/// Carries out all attacks, or those chosen.
+fn attack(
+    root: &Path,
+    program: &Program,
+    tries: usize,
+    chosen: &[&str],
+) -> Result<Vec<Row>, String> {
+    let kept = root.join("target/attack");
+    let mut rows = Vec::new();
+    for (k, attack) in ATTACKS.iter().enumerate() {
+        if !chosen.is_empty() && !chosen.contains(&attack.name) {
+            continue;
+        }
+        let folder = kept.join(attack.name.replace(' ', "_"));
+        let _ = std::fs::remove_dir_all(&folder);
+        std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        let field = Field {
+            root,
+            program,
+            folder,
+            tries,
+        };
+        let begun = Instant::now();
+        let found = (attack.run)(&field, &mut Chance::new(k as u64 + 1))?;
+        let seconds = begun.elapsed().as_secs_f64();
+        println!(
+            "{:<12} {:>6} tries, {:>6} refused, {:>3} slow, {:>3} failures, {seconds:.0} s",
+            attack.name,
+            found.tries,
+            found.refused,
+            found.slow,
+            found.failures.len()
+        );
+        for failure in &found.failures {
+            println!("  FAILED  {failure}");
+        }
+        rows.push((attack, found, seconds));
+    }
+    Ok(rows)
+}
+
+/// The page.
+fn text(root: &Path, rows: &[Row], tries: usize, version: &str) -> String {
+    let mut text = format!(
+        "# Reliability\n\nWhat careless and hostile input, kills, threads and speed do to riprap. This page is written by `cargo xtask attack --page`; the row of each attack \
+         comes from the run of {} with {version} (`--tries {tries}`, one machine, seeds as in `xtask/src/attack.rs`). CI runs a short form of the same attacks.\n\n\
+         A try is a process of its own. It fails if it panics, dies by a signal, leaves with a code that [the manual](cli.md) does not have, or is wrong in silence as the \
+         row says. Models that are still being worked on after {} s are stopped and counted apart: a number may ask for a large model.\n\n\
+         | attack | what is done | tries | refused or stopped with a reason | over {} s | failures |\n|---|---|---|---|---|---|\n",
+        verify::this_run(root).join(" "),
+        process::LIMIT.as_secs(),
+        process::LIMIT.as_secs(),
+    );
+    for (attack, found, _) in rows {
+        text += &format!(
+            "| {} | {} | {} | {} | {} | {} |\n",
+            attack.name,
+            attack.about,
+            found.tries,
+            found.refused,
+            found.slow,
+            found.failures.len()
+        );
+    }
+    text + "\nA failure found is cured with a test of its own; what failed lies in `target/attack` after the run. Not attacked here: the viewer's server (its tests do), the Python \
+            package, and forged checkpoints whose checksum is right: they belong to whoever wrote them.\n"
+}
+
+/// The step `attack` of CI: a few tries of each attack but the kills, which tests of the command line do.
+pub fn step(root: &Path) -> Result<crate::steps::Outcome, String> {
+    const SMOKE: usize = 25;
+    let program = Program::new(&verify::ci_binary(root)?);
+    let names = ATTACKS.iter().map(|a| a.name);
+    let chosen: Vec<&str> = names.filter(|name| *name != "kills").collect();
+    let rows = attack(root, &program, SMOKE, &chosen)?;
+    let failed: usize = rows.iter().map(|(_, found, _)| found.failures.len()).sum();
+    let tries: usize = rows.iter().map(|(_, found, _)| found.tries).sum();
+    Ok(crate::steps::Outcome::Counted(crate::shell::Counts {
+        passed: (tries - failed.min(tries)) as u64,
+        failed: failed as u64,
+        skipped: 0,
+    }))
+}

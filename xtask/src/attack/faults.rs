@@ -1,0 +1,320 @@
+//! Attacks on runs: kills, threads, speed.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use super::damage::{Chance, without_checks};
+use super::process::Ended;
+use super::{Field, Found};
+
+/// Longest that a run of these attacks may take: more than that is a failure.
+const LONG: Duration = Duration::from_secs(300);
+
+const FALL: &str = "riprap = 1\ntitle = \"a block falls\"\n[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[materials.rock]\ndensity = \"2000 kg/m3\"\n\
+    [interfaces.default]\nnormal_stiffness = \"100 MPa/m\"\nfriction_angle = \"30 deg\"\n[[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\n\
+    rectangle = { size = [\"4 m\", \"1 m\"], corner = [\"-2 m\", \"-1 m\"] }\n[[blocks]]\nname = \"stone\"\nmaterial = \"rock\"\n\
+    rectangle = { size = [\"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"0.2 m\"] }\n[[supports]]\non = { block = \"floor\" }\nfixed = {}\n[[phases]]\nname = \"fall\"\n\
+    until = { time = \"3 s\" }\ntime_step = \"10 us\"\n[[outputs]]\nhistory = { name = \"height\", field = \"block.displacement.y\", of = \"stone\", every = \"1 ms\" }\n\
+    [[outputs]]\nframes = { every = \"50 ms\" }\n";
+
+/// A scene of each engine, without its checks, long enough to be killed.
+pub fn engines(root: &Path) -> Result<[(&'static str, String); 3], String> {
+    let read = |file: &str, end: &str, longer: &str| {
+        let path = root.join(file);
+        let text = std::fs::read_to_string(&path).map_err(|e| format!("{file}: {e}"))?;
+        let text = text.split("[[checks]]").next().unwrap_or_default();
+        if !text.contains(end) {
+            return Err(format!("{file} has no `{end}`"));
+        }
+        Ok(text.replace(end, longer))
+    };
+    Ok([
+        ("plane", FALL.to_owned()),
+        (
+            "rigid",
+            read(
+                "scenes/spatial/bricks.toml",
+                "until = { unbalanced = 1e-9, steps = 20000 }",
+                "until = { steps = 20000 }",
+            )?,
+        ),
+        (
+            "deformable",
+            read(
+                "scenes/verify/spatial-deformable/hybrid_p_wave.toml",
+                "until = { time = \"72 ms\" }",
+                "until = { time = \"20 ms\" }",
+            )?,
+        ),
+    ])
+}
+
+/// The same without its checks, each phase with an end after that many steps.
+pub fn shortened(scene: &str, steps: usize) -> String {
+    let scene = without_checks(scene);
+    let lines = scene.lines().map(|line| {
+        if line.starts_with("until = {") && line.trim_end().ends_with('}') {
+            format!("until = {{ steps = {steps} }}")
+        } else {
+            line.to_owned()
+        }
+    });
+    lines.collect::<Vec<_>>().join("\n") + "\n"
+}
+
+fn write(field: &Field<'_>, name: &str, text: &str) -> Result<(), String> {
+    let path = field.folder.join(name);
+    std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+fn hash(field: &Field<'_>, run: &str) -> Result<String, String> {
+    field.program.answer(&field.folder, &["hash", run])
+}
+
+pub fn kills(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
+    let mut found = Found::default();
+    for (name, scene) in engines(field.root)? {
+        let file = format!("{name}.toml");
+        // Rarely enough that the disk does not decide when the run is killed.
+        let every = if name == "plane" { 5000 } else { 500 };
+        let scene =
+            format!("{scene}\n[[outputs]]\ncheckpoints = {{ every = \"{every} steps\" }}\n");
+        write(field, &file, &scene)?;
+        let begun = Instant::now();
+        ended(&field.program.run_within(
+            &field.folder,
+            &[
+                "run",
+                &file,
+                "--out",
+                "whole.run",
+                "--force",
+                "--threads",
+                "1",
+            ],
+            LONG,
+        )?)?;
+        let whole = begun.elapsed();
+        let wanted = (field.tries / 50).clamp(2, 60);
+        let mut kills = 0;
+        while kills < wanted {
+            let before = kills;
+            let died = one_death(field, chance, &file, whole, wanted, &mut kills)?;
+            let (mine, theirs) = (hash(field, "died.run")?, hash(field, "whole.run")?);
+            let mut differ: Vec<&str> = ["energy.csv", "events.jsonl", "run.pvd"]
+                .into_iter()
+                .filter(|file| {
+                    let read = |run: &str| std::fs::read(field.folder.join(run).join(file)).ok();
+                    read("died.run") != read("whole.run")
+                })
+                .collect();
+            if mine != theirs {
+                differ.push("state");
+            }
+            if let Some(why) = died.wrong() {
+                found.failures.push(format!("{name}: {why}"));
+            }
+            if !differ.is_empty() {
+                found.failures.push(format!(
+                    "{name}, after {kills} kills: {} differ",
+                    differ.join(", ")
+                ));
+            }
+            if kills == before {
+                return Err(format!("{name}: the run is over before it can be killed"));
+            }
+        }
+        found.tries += kills;
+    }
+    Ok(found)
+}
+
+/// A run that is killed up to eight times, and goes on to its end.
+fn one_death(
+    field: &Field<'_>,
+    chance: &mut Chance,
+    file: &str,
+    whole: Duration,
+    wanted: usize,
+    kills: &mut usize,
+) -> Result<Ended, String> {
+    let most = (*kills + 8).min(wanted);
+    // What an earlier run has left there must not be taken for a checkpoint of this one.
+    let died = field.folder.join("died.run");
+    if died.exists() {
+        std::fs::remove_dir_all(&died).map_err(|e| format!("{}: {e}", died.display()))?;
+    }
+    let begin = [
+        "run",
+        file,
+        "--out",
+        "died.run",
+        "--force",
+        "--threads",
+        "1",
+    ];
+    let mut child = field.program.start(&field.folder, &begin)?;
+    // From here on there is something to resume.
+    let checkpoints = field.folder.join("died.run/checkpoints");
+    let begun = Instant::now();
+    let whole_file = |entry: std::io::Result<std::fs::DirEntry>| {
+        entry.is_ok_and(|e| e.path().extension().is_some_and(|e| e == "rck"))
+    };
+    while !std::fs::read_dir(&checkpoints).is_ok_and(|mut files| files.any(whole_file)) {
+        if begun.elapsed() > LONG {
+            return Err("no checkpoint comes".to_owned());
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let resume = ["resume", "died.run", "--threads", "1"];
+    while *kills < most {
+        let share = whole.as_millis() as usize / 5;
+        std::thread::sleep(Duration::from_millis(chance.below(share.max(20)) as u64));
+        child.kill().map_err(|e| e.to_string())?;
+        let status = child.wait().map_err(|e| e.to_string())?;
+        if status.code().is_some() {
+            // It was over.
+            break;
+        }
+        *kills += 1;
+        child = field.program.start(&field.folder, &resume)?;
+    }
+    child.wait().map_err(|e| e.to_string())?;
+    // Whoever has ended says so.
+    field.program.run_within(&field.folder, &resume, LONG)
+}
+
+fn ended(how: &Ended) -> Result<(), String> {
+    match how.code {
+        Some(0) => Ok(()),
+        code => Err(format!("exit {code:?}: {}", how.said)),
+    }
+}
+
+pub fn threads(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
+    let mut found = Found::default();
+    let smoke = field.tries < 100;
+    let counts: &[&str] = if smoke {
+        &["3"]
+    } else {
+        &["2", "3", "4", "5", "6", "7", "8"]
+    };
+    let mut scenes: Vec<(&str, String)> = engines(field.root)?.into();
+    if !smoke {
+        for file in [
+            "scenes/spatial/hybrid.toml",
+            "scenes/verify/spatial-contact/stack.toml",
+            "scenes/verify/spatial-contact/soft_shear.toml",
+        ] {
+            let text = std::fs::read_to_string(field.root.join(file))
+                .map_err(|e| format!("{file}: {e}"))?;
+            scenes.push((file, text));
+        }
+    }
+    for (name, scene) in scenes {
+        let scene = shortened(&scene, if smoke { 100 } else { 2000 });
+        write(field, "t.toml", &scene)?;
+        let run = |threads: &str| -> Result<String, String> {
+            let words = [
+                "run",
+                "t.toml",
+                "--out",
+                "a.run",
+                "--force",
+                "--threads",
+                threads,
+                "--quiet",
+            ];
+            ended(&field.program.run_within(&field.folder, &words, LONG)?)?;
+            hash(field, "a.run")
+        };
+        let one = run("1").map_err(|why| format!("{name}: {why}"))?;
+        for count in counts {
+            found.tries += 1;
+            match run(count) {
+                Ok(hash) if hash == one => {}
+                Ok(_) => found.failures.push(format!(
+                    "{name} on {count} threads: another state than on 1"
+                )),
+                Err(why) => found
+                    .failures
+                    .push(format!("{name} on {count} threads: {why}")),
+            }
+        }
+    }
+    Ok(found)
+}
+
+pub fn speed(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
+    let mut found = Found::default();
+    let stiffnesses = ["1 MPa/m", "10 MPa/m", "100 MPa/m", "1 GPa/m", "10 GPa/m"];
+    let speeds = ["1", "3", "10", "30", "100", "300"];
+    let smoke = field.tries < 100;
+    for (space, axis) in [("plane", "y"), ("space", "z")] {
+        for (k, stiffness) in stiffnesses.iter().enumerate() {
+            for (l, speed) in speeds.iter().enumerate() {
+                if smoke && (k + l) % 5 != 0 {
+                    continue;
+                }
+                found.tries += 1;
+                write(
+                    field,
+                    "t.toml",
+                    &falling(space == "plane", stiffness, speed),
+                )?;
+                let words = [
+                    "run",
+                    "t.toml",
+                    "--out",
+                    "a.run",
+                    "--force",
+                    "--threads",
+                    "1",
+                    "--quiet",
+                ];
+                let how = field.program.run_within(&field.folder, &words, LONG)?;
+                let name = format!("{space}, {stiffness}, {speed} m/s");
+                found.refused += usize::from(how.code == Some(1));
+                if let Some(why) = how.wrong() {
+                    found.failures.push(format!("{name}: {why}"));
+                } else if how.code == Some(0) {
+                    let table = std::fs::read_to_string(field.folder.join("a.run/histories.csv"));
+                    let table = table.map_err(|e| format!("{name}: {e}"))?;
+                    let last = table.lines().last().and_then(|l| l.rsplit(',').next());
+                    let low = last.and_then(|cell| cell.parse::<f64>().ok());
+                    let low = low.ok_or_else(|| format!("{name}: no height along {axis}"))?;
+                    // Its centre begins half a metre above the floor.
+                    if low < -0.5 {
+                        found.failures.push(format!("{name}: {low} m and exit 0"));
+                    }
+                } else if how.code != Some(1) || how.slow {
+                    found.failures.push(format!("{name}: {how:?}"));
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// A block that flies against a fixed floor.
+fn falling(plane: bool, stiffness: &str, speed: &str) -> String {
+    let head = format!(
+        "riprap = 1\ntitle = \"t\"\n[materials.rock]\ndensity = \"2000 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n[interfaces.default]\nnormal_stiffness = \"{stiffness}\"\n\
+         friction_angle = \"30 deg\"\n[[supports]]\non = {{ block = \"floor\" }}\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil = {{ time = \"0.2 s\" }}\n"
+    );
+    if plane {
+        format!(
+            "{head}[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\n\
+             rectangle = {{ size = [\"4 m\", \"1 m\"], corner = [\"-2 m\", \"-1 m\"] }}\n[[blocks]]\nname = \"stone\"\nmaterial = \"rock\"\n\
+             rectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"0 m\"] }}\nvelocity = [\"0 m/s\", \"-{speed} m/s\"]\n\
+             [[outputs]]\nhistory = {{ name = \"h\", field = \"block.displacement.y\", of = \"stone\", every = \"1 ms\" }}\n"
+        )
+    } else {
+        format!(
+            "{head}[space.spatial]\nfound_contacts = true\ngravity = \"10 m/s2\"\n[[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\n\
+             brick = {{ size = [\"4 m\", \"4 m\", \"1 m\"], corner = [\"-2 m\", \"-2 m\", \"-1 m\"] }}\n[[blocks]]\nname = \"stone\"\nmaterial = \"rock\"\n\
+             brick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0.01 m\"] }}\nvelocity = [\"0 m/s\", \"0 m/s\", \"-{speed} m/s\"]\n\
+             [[outputs]]\nhistory = {{ name = \"h\", field = \"block.displacement.z\", of = \"stone\", every = \"1 ms\" }}\n"
+        )
+    }
+}
