@@ -95,11 +95,32 @@ impl Rules {
             return;
         }
         let joint = Joint::of(self.space, interface);
+        self.flow(of, interface, &joint);
         if let Some(softening) = &interface.softening {
             self.softening(of, softening, &joint);
         }
         if let Some(rough) = &interface.barton_bandis {
             self.rough(of, rough, interface, &joint);
+        }
+    }
+
+    /// Sliding loses `normal stress x (tan(friction) - tan(dilation))` per slip: with more dilation than friction it would make energy.
+    fn flow(&mut self, of: &str, interface: &Interface, joint: &Joint) {
+        let Some(angle) = &interface.dilation_angle else {
+            return;
+        };
+        let residual = joint.residual.as_ref().map(|(angle, _)| *angle);
+        let friction = joint.friction.into_iter().chain(residual);
+        let least = friction.fold(f64::INFINITY, f64::min);
+        if angle.si() > least {
+            let message = format!(
+                "the dilation angle of {of} is above its friction angle: sliding would make energy"
+            );
+            let help = format!(
+                "at most the smaller one of `friction_angle` and `residual_friction_angle`, {:.4} deg",
+                least.to_degrees()
+            );
+            self.error("value.order", &angle.span, message, &help);
         }
     }
 
