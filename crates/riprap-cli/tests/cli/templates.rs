@@ -17,9 +17,13 @@ fn short(text: &str) -> String {
             continue;
         }
         if line.starts_with("until") {
-            // Several `until.` keys are one end.
+            // Several `until.` keys are one end. What flies has no step but that of its time.
             if !ended {
-                kept.push_str("until = { steps = 10 }\n");
+                let time = line
+                    .split_once("time = ")
+                    .and_then(|(_, rest)| rest.split('"').nth(1))
+                    .map_or(String::new(), |time| format!(", time = \"{time}\""));
+                kept.push_str(&format!("until = {{ steps = 10{time} }}\n"));
             }
             ended = true;
             continue;

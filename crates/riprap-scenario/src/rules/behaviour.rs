@@ -109,15 +109,21 @@ impl Rules {
         let Some(angle) = &interface.dilation_angle else {
             return;
         };
+        let coefficient = interface.friction_coefficient.as_ref();
+        let peak = joint
+            .friction
+            .or(coefficient.map(|friction| libm::atan(friction.si())));
         let residual = joint.residual.as_ref().map(|(angle, _)| *angle);
-        let friction = joint.friction.into_iter().chain(residual);
-        let least = friction.fold(f64::INFINITY, f64::min);
+        let least = peak
+            .into_iter()
+            .chain(residual)
+            .fold(f64::INFINITY, f64::min);
         if angle.si() > least {
             let message = format!(
                 "the dilation angle of {of} is above its friction angle: sliding would make energy"
             );
             let help = format!(
-                "at most the smaller one of `friction_angle` and `residual_friction_angle`, {:.4} deg",
+                "at most that of the smaller one of friction and residual friction, {:.4} deg",
                 least.to_degrees()
             );
             self.error("value.order", &angle.span, message, &help);

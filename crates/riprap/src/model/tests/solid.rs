@@ -386,8 +386,8 @@ fn joints_and_their_changes() {
 [interfaces.deformable]
 between = ["rock", "soil"]
 normal_stiffness = "4 GPa/m"
-friction_coefficient = 0.5
-residual_friction_angle = "0 deg"
+friction_coefficient = 1.5
+residual_friction_angle = "45 deg"
 tension = "1 MPa"
 cohesion = "2 MPa"
 dilation_angle = "45 deg"
@@ -422,7 +422,8 @@ friction_angle = "0 deg"
     let dashpots = setup.interfaces.iter().map(|i| i.joint.dashpots);
     assert!(dashpots.eq([Dashpots::Sticking, Dashpots::Closed]));
     let strength = deformable.strength.unwrap();
-    assert_eq!((strength.friction, strength.residual_friction), (0.5, 0.0));
+    assert_eq!(strength.friction, 1.5);
+    assert!((strength.residual_friction - 1.0).abs() < 1e-15);
     assert!((strength.dilation - 1.0).abs() < 1e-15 && strength.dilation_end == 5e-3);
     // TAIL is the last phase; changes add up.
     let (row, weak) = model.plan.phases[0].joints[0];
