@@ -84,17 +84,23 @@ export class Scale {
     this.texture.needsUpdate = true;
   }
 
+  /** Share of the range that lies below a value: below 0 or above 1 outside it. */
+  private share(value: number): number {
+    if (!this.log) return (value - this.low) / (this.high - this.low);
+    return value > 0 ? Math.log(value / this.low) / Math.log(this.high / this.low) : -Infinity;
+  }
+
+  /** Whether a value has the colour of an end of the range while its own would be another. */
+  isBeyond(value: number): boolean {
+    const far = 1 / (STEPS - 1);
+    return this.share(value) < -far || this.share(value) > 1 + far;
+  }
+
   /** Place of a value in the texture, from 0 to 1. */
   place(value: number): number {
     if (!Number.isFinite(value)) return 0.75;
     if (this.kinds) return ((((Math.round(value) % 250) + 250) % 250) + 0.5) / (2 * STEPS);
-    let t: number;
-    if (this.log) {
-      if (value <= 0) t = 0;
-      else t = Math.log(value / this.low) / Math.log(this.high / this.low);
-    } else {
-      t = (value - this.low) / (this.high - this.low);
-    }
+    let t = this.share(value);
     if (!(t > 0)) t = 0;
     else if (t > 1) t = 1;
     return (t * (STEPS - 1) + 0.5) / (2 * STEPS);

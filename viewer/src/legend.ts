@@ -31,9 +31,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
       const unit = scaleFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), view.unit);
       out.title = settings.field + (unit.unit ? ` [${unit.unit}]` : "");
       out.marks = marksOf(scale, unit.factor);
-      // Values come with seven digits, ends with all of theirs.
-      const slack = 1e-6 * Math.max(Math.abs(scale.low), Math.abs(scale.high));
-      const beyond = view.values.filter((v) => v < scale.low - slack || v > scale.high + slack).length;
+      const beyond = view.values.filter((v) => scale.isBeyond(v)).length;
       if (beyond > 0) out.notes.push({ text: `${beyond} block${beyond === 1 ? "" : "s"} beyond` });
     }
   }

@@ -79,6 +79,12 @@ export async function pixels(page: Page, n = 0): Promise<string> {
   return createHash("sha256").update(picture).digest("hex");
 }
 
+/** The fingerprint of a stage once nothing is left to be drawn: after two pictures that the browser has shown. */
+export async function settled(page: Page, n = 0): Promise<string> {
+  await page.evaluate(() => new Promise((shown) => requestAnimationFrame(() => requestAnimationFrame(() => shown(null)))));
+  return pixels(page, n);
+}
+
 /** Clicks places of the stage until a block is picked. */
 export async function pickSome(page: Page): Promise<void> {
   const box = (await stage(page).boundingBox())!;
