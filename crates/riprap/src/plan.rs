@@ -13,9 +13,11 @@ use crate::planar::setup::ContactLaw;
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
 
-/// Share of the stable time step that is used where nobody says anything: the one of the plane, whose stable step is a bound;
-/// scenes in space take 0.5.
+/// Share of the stable time step that is used where nobody says anything: the one of the plane, whose stable step is a bound.
 pub const SAFETY: f64 = 0.2;
+
+/// The same in space. Contacts that are found there have limits of their own, which go with a smaller share.
+pub const SAFETY_IN_SPACE: f64 = 0.5;
 
 /// Everything the loop needs besides the model itself.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -201,6 +203,18 @@ pub enum TimeStep {
         /// Time step, s.
         dt: f64,
     },
+}
+
+impl TimeStep {
+    /// What this rule leaves of the longest step of contacts that are found in space: less where it asks for less than the usual share
+    /// of the stable step.
+    #[must_use]
+    pub fn of_contacts(self) -> f64 {
+        match self {
+            Self::Auto { safety } => (safety / SAFETY_IN_SPACE).min(1.0),
+            Self::Given { .. } => 1.0,
+        }
+    }
 }
 
 /// One number that can be read from a model.

@@ -2,6 +2,9 @@
 
 use crate::bench::{Bench, FALL, Said};
 
+const CORNER: &str =
+    include_str!("../../../../scenes/verify/spatial-contact/b3_corner_impact.toml");
+
 /// Runs a changed scene of a falling block into `a.run`.
 fn run(changes: &[(&str, &str)]) -> (Bench, Said) {
     let bench = Bench::new();
@@ -103,6 +106,25 @@ fn the_step_is_blamed_only_where_half_of_it_was_tried() {
     let said = run(&[soft, fast, auto, touching]).1.expect(1);
     let said = said.warns(&["with half the step it is stopped as well", "not to blame"]);
     assert!(!said.err.contains("step is to blame"), "{}", said.err);
+}
+
+/// A corner that meets a floor: nothing but the contact itself bounds the step.
+#[test]
+fn a_smaller_safety_shortens_the_steps_of_found_contacts() {
+    let bench = Bench::new();
+    bench.file("a.toml", CORNER);
+    let steps = |safety: &str| {
+        let set = format!("phases.impact.safety={safety}");
+        let args = [
+            "run", "a.toml", "--out", "a.run", "-q", "--force", "--set", &set,
+        ];
+        bench.run(&args).expect(0);
+        let manifest: serde_json::Value =
+            serde_json::from_str(&bench.read("a.run/manifest.json")).unwrap();
+        manifest["steps"].as_f64().unwrap()
+    };
+    let ratio = steps("0.25") / steps("0.5");
+    assert!((1.6..2.4).contains(&ratio), "{ratio}");
 }
 
 #[test]

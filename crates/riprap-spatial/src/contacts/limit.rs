@@ -22,7 +22,7 @@ use riprap_geom::Vec3;
 
 use super::felt::{Felt, Spread};
 use crate::found::desk::{Desk, Facing};
-use crate::found::{Pose, Role, Shape};
+use crate::found::{Memory, Pose, Role, Shape};
 use crate::world::{Bodies, SolidClass, World};
 
 /// Share of the stable step: the stiffness grows with the area.
@@ -81,6 +81,14 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
             if slot.touching {
                 let memory = &pair.memory;
                 let known = memory.area > 0.0;
+                if known && flat.is_none() {
+                    let most = desk.candidates.pairs[k].area;
+                    let small =
+                        SAFETY * loss * step_of(stiffness * slot.area * ease.of_area(slot.area));
+                    let whole = BOUNDED * loss * step_of(stiffness * most * ease.of_area(most));
+                    let closing = speeds.closing(pair.ends, memory);
+                    longest = longest.min(whole.max(growing(small, closing, pair.depth)));
+                }
                 match flat {
                     Some(flat) if !(known && memory.area >= MOSTLY * flat.area) => {
                         let of = desk.place[pair.ends[flat.side] as usize] as usize;
@@ -145,10 +153,30 @@ impl<'a> Speeds<'a> {
         apart.length() + self.turning(i) + self.turning(j)
     }
 
+    /// Speed at which two blocks come nearer to each other across their contact, m/s; 0 where they part.
+    fn closing(&self, ends: [u32; 2], memory: &Memory) -> f64 {
+        let [a, b] = [0, 1].map(|side| {
+            let of = ends[side] as usize;
+            self.bodies.velocity(of) + self.bodies.spin(of).cross(memory.arms[side])
+        });
+        (a - b).dot(memory.normal).max(0.0)
+    }
+
     /// Bound of the speed of the points of a block against its centroid, m/s.
     fn turning(&self, b: usize) -> f64 {
         self.bodies.spin(b).length() * self.solids[self.solid[b] as usize].radius
     }
+}
+
+/// Longest stable step of a squared frequency (1/s²), s.
+fn step_of(square: f64) -> f64 {
+    2.0 / square.sqrt()
+}
+
+/// Longest step of a contact whose stiffness grows with the square of its depth (m), that allows `small` (s) as it is, while its
+/// sides close at `speed` (m/s): `dt (1 + speed dt/depth) = small` in the form without cancellation, s.
+fn growing(small: f64, speed: f64, depth: f64) -> f64 {
+    2.0 * small / (1.0 + (1.0 + 4.0 * small * speed / depth).sqrt())
 }
 
 /// Time that a way (m) takes from the speed `v` (m/s) on under the acceleration `g` (m/s²): `v t + g t²/2 = way` in the form without

@@ -14,7 +14,7 @@ pub use view::{Movement, View};
 
 use crate::exec::Exec;
 use crate::ledger::Works;
-use crate::plan::{Damping, Phase};
+use crate::plan::{Damping, Phase, TimeStep};
 use crate::profile::Profile;
 use crate::record::field::FieldInfo;
 use crate::setup::Setup;
@@ -265,13 +265,13 @@ impl Engine {
     }
 
     /// Longest step that the present motion allows whatever the rule of the phase, s: fast blocks in the
-    /// plane, the gas of a cavity in space.
+    /// plane, the gas of a cavity and the found contacts (see [`Self::contact_step_limit`]) in space.
     #[must_use]
-    pub fn step_limit(&self) -> f64 {
+    pub fn step_limit(&self, rule: TimeStep) -> f64 {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
             Self::Spatial(e) => {
-                spatial::cavity::step_limit(&e.world).min(self.contact_step_limit())
+                spatial::cavity::step_limit(&e.world).min(self.contact_step_limit(rule))
             }
         }
     }
@@ -286,12 +286,13 @@ impl Engine {
         }
     }
 
-    /// Longest step that contacts found in space allow, s; infinite where there are none.
+    /// Longest step that contacts found in space allow, s; infinite where there are none. Under a rule with less than the usual
+    /// share of the stable step they are given that much less as well.
     #[must_use]
-    pub fn contact_step_limit(&self) -> f64 {
+    pub fn contact_step_limit(&self, rule: TimeStep) -> f64 {
         match self {
             Self::Planar(_) => f64::INFINITY,
-            Self::Spatial(e) => spatial::contacts::step_limit(&e.world),
+            Self::Spatial(e) => rule.of_contacts() * spatial::contacts::step_limit(&e.world),
         }
     }
 

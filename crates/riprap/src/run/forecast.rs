@@ -138,7 +138,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let timed = stable.dt.is_finite() && !simulation.relaxes();
     let wanted = |rule: &TimeStep| match *rule {
         TimeStep::Given { dt } => dt,
-        TimeStep::Auto { safety } => (safety * stable.dt).min(touching),
+        TimeStep::Auto { safety } => (safety * stable.dt).min(rule.of_contacts() * touching),
     };
     let steps = plan.phases.iter().map(|phase| {
         // Where it relaxes, the time is that of the loads, not of steps.

@@ -221,7 +221,7 @@ impl Simulation {
         self.evaluate(&damping, self.dt)?;
         self.refine(&damping)?;
         self.cut()?;
-        let sudden = self.engine.contact_step_limit() < SUDDEN * self.dt;
+        let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;
         if self.engine.revision() != revision || sudden {
             // New neighbours can shorten the step.
             let dt = self.checked_step(&phase)?;
@@ -519,7 +519,7 @@ impl Simulation {
             TimeStep::Given { dt } => dt,
             TimeStep::Auto { safety } => safety * self.stable().dt,
         };
-        let limit = self.engine.step_limit();
+        let limit = self.engine.step_limit(phase.time_step);
         let mut dt = wanted;
         if limit < dt {
             dt = limit;
