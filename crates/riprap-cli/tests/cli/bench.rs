@@ -83,6 +83,11 @@ impl Bench {
         }
     }
 
+    /// In memory where the machine has such a folder: runs with a checkpoint every few steps otherwise wait for the disk.
+    pub fn in_memory() -> Self {
+        tempfile::tempdir_in("/dev/shm").map_or_else(|_| Bench::new(), |folder| Bench { folder })
+    }
+
     /// With `fall.toml` in it.
     pub fn with_scene() -> Self {
         let bench = Bench::new();

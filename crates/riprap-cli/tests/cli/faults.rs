@@ -37,7 +37,7 @@ impl Chance {
 
 /// Kills a run again and again, at instants that differ each time, and resumes it; in the end it has the bits of an undisturbed one.
 fn survives_kills(scene: &str, seed: u64) {
-    let bench = Bench::new();
+    let bench = Bench::in_memory();
     bench.file("a.toml", scene);
     let run = |out: &'static str| ["run", "a.toml", "--threads", "1", "--out", out];
     bench.run(&run("whole.run")).expect(0);
@@ -124,7 +124,7 @@ fn a_limit_of_file_sizes_is_an_error_of_writing() {
 
 #[test]
 fn a_second_writer_is_refused_and_the_first_goes_on() {
-    let bench = Bench::new();
+    let bench = Bench::in_memory();
     bench.file(
         "fall.toml",
         FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
@@ -149,7 +149,7 @@ fn a_second_writer_is_refused_and_the_first_goes_on() {
 
 #[test]
 fn damaged_checkpoints_are_passed_over_or_named() {
-    let bench = Bench::new();
+    let bench = Bench::in_memory();
     bench.file(
         "fall.toml",
         FALL.replace("time = \"0.2 s\"", "time = \"1 s\""),
@@ -221,7 +221,7 @@ fn put(bench: &Bench, from: &str, to: &str) {
 
 #[test]
 fn a_checkpoint_of_another_scene_is_refused_by_name() {
-    let bench = Bench::new();
+    let bench = Bench::in_memory();
     let slow = FALL.replace("time = \"0.2 s\"", "time = \"4 s\"");
     bench.file("fall.toml", &slow);
     let other = slow.replace("a block falls", "a stone drops");
@@ -253,7 +253,7 @@ fn a_checkpoint_of_another_scene_is_refused_by_name() {
 
 #[test]
 fn a_scene_edited_since_is_told_with_its_keys() {
-    let bench = Bench::new();
+    let bench = Bench::in_memory();
     let slow = FALL.replace("time = \"0.2 s\"", "time = \"2 s\"");
     bench.file("fall.toml", &slow);
     bench
@@ -299,7 +299,7 @@ fn what_is_not_edited_is_not_told() {
 
 #[test]
 fn a_checkpoint_of_an_older_format_is_refused_by_number() {
-    let bench = Bench::new();
+    let bench = Bench::in_memory();
     bench.file(
         "fall.toml",
         FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
