@@ -3,6 +3,7 @@
 use super::field::Part;
 use serde::{Deserialize, Serialize};
 
+pub mod conditions;
 pub mod fragments;
 
 /// Numbers on blocks or contacts, one to three for each.

@@ -5,6 +5,7 @@
 
 pub mod bond;
 pub mod classify;
+pub mod conditions;
 mod contact;
 mod convex;
 mod depths;

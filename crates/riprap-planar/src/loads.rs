@@ -65,7 +65,7 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
 }
 
 /// Outward normal (body frame) of the edge of block `b` that lies nearest to the segment `p q`.
-fn edge_normal(shapes: &Shapes, b: usize, p: Vec2, q: Vec2) -> Vec2 {
+pub(crate) fn edge_normal(shapes: &Shapes, b: usize, p: Vec2, q: Vec2) -> Vec2 {
     let middle = 0.5 * (p + q);
     let direction = (q - p).normalize_or_zero();
     let mut best = (f64::INFINITY, Vec2::ZERO);

@@ -5,6 +5,7 @@
 //! its wall times excepted).
 
 use super::checkpoint;
+use super::conditions::Conditions;
 use super::disk::{AppendFile, AtPath, OutputError, write_whole};
 use super::frame::Frame;
 use super::manifest::{Manifest, ManifestError};
@@ -350,6 +351,14 @@ impl RunFolder {
             .map_err(io::Error::from)
             .at(&path)?;
         self.events.line(&text)
+    }
+
+    /// Writes what holds, moves and loads the model.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write_conditions(&self, conditions: &Conditions) -> Result<(), OutputError> {
+        super::conditions::write(conditions, &self.path)
     }
 
     /// Writes the names of blocks and groups.

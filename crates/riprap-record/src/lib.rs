@@ -8,6 +8,7 @@
 //! - [`folder`]: the run folder, the contract of `docs/src/run-folder.md`;
 //! - [`manifest`]: what was run, with what, and how it ended;
 //! - [`names`]: what blocks and groups are called;
+//! - [`conditions`]: what holds, moves and loads the model, for pictures;
 //! - [`checkpoint`]: the state to resume from, guarded against every kind of damage;
 //! - [`vtu`]: VTK files for ParaView, written and read back;
 //! - [`table`]: reader of the CSV files;
@@ -19,6 +20,7 @@
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
 pub mod checkpoint;
+pub mod conditions;
 pub mod folder;
 pub mod manifest;
 pub mod names;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::super::disk::{AtPath, OutputError, insert_before_end, write_whole};
 use super::super::vtu::{self, PvdEntry};
-use super::super::{checkpoint, names};
+use super::super::{checkpoint, conditions, names};
 use super::{FolderError, FrameEntry};
 
 /// File whose lock says that a process writes the folder.
@@ -14,9 +14,10 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 17] = [
+const FILES: [&str; 18] = [
     LOCK,
     names::FILE,
+    conditions::FILE,
     // Of versions before its name was changed.
     "paraview.py",
     "paraview_state.py",

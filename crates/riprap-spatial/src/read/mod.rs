@@ -3,6 +3,7 @@
 
 pub mod bars;
 pub mod bolts;
+pub mod conditions;
 pub mod contacts;
 pub mod cracks;
 pub mod crater;

@@ -10,6 +10,7 @@ use super::simulation::{PhaseEnd, Simulation, Snapshot, SnapshotRef, Unconverged
 use crate::ledger::COLUMNS;
 use crate::plan::{Every, Plan};
 use crate::record::checkpoint::Packing;
+use crate::record::conditions::{self, Conditions};
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
 use crate::spatial::read::bars;
 
@@ -68,6 +69,8 @@ pub struct Recorder {
     last_frame: Option<u64>,
     /// Number of blocks whose names are written.
     named: usize,
+    /// What holds, moves and loads the blocks that are known.
+    conditions: Conditions,
 }
 
 impl Recorder {
@@ -97,6 +100,14 @@ impl Recorder {
             .map(|(name, _)| (*name, kind.energy_unit()))
             .collect();
         folder.begin_energy(&names)?;
+        let mut conditions = match &counts {
+            // Blocks that are gone by now are in the file alone. It is drawn from and nothing else: where it cannot be read
+            // the blocks of the present have to do.
+            Some(_) => conditions::read(folder.path()).ok().flatten(),
+            None => None,
+        }
+        .unwrap_or_default();
+        conditions.standing = standing(plan);
         let mut counts = counts.unwrap_or_default();
         counts.histories.resize(readings.len(), 0);
         let last_frame = folder.frames().last().map(|f| f.step);
@@ -111,6 +122,7 @@ impl Recorder {
             counts,
             last_frame,
             named: 0,
+            conditions,
         })
     }
 
@@ -140,6 +152,13 @@ impl Recorder {
         let half = if relaxes { 0.0 } else { 0.5 * simulation.dt() };
         if view.all_blocks() != self.named {
             self.folder.write_names(&view.names())?;
+            // A run that goes on finds what was written of the blocks that it has.
+            if self.conditions.blocks < view.all_blocks() {
+                let mut later = view.conditions(self.conditions.blocks);
+                later.standing.clone_from(&self.conditions.standing);
+                self.conditions.extend(later);
+                self.folder.write_conditions(&self.conditions)?;
+            }
             self.named = view.all_blocks();
         }
         let due = |every: &Every, count: &mut u64| {
@@ -308,6 +327,18 @@ impl Recorder {
         self.folder.checkpoint_as(KIND, step, &value, packing)?;
         Ok(())
     }
+}
+
+/// The phases, each with the water table that stands in it: one that a phase sets stays until another one is set.
+fn standing(plan: &Plan) -> Vec<(String, Option<u16>)> {
+    let mut now = None;
+    let phases = plan.phases.iter();
+    phases
+        .map(|phase| {
+            now = phase.water.unwrap_or(now);
+            (phase.name.clone(), now)
+        })
+        .collect()
 }
 
 /// Why recording could not start.

@@ -2,6 +2,7 @@
 
 use super::{Kind, Who, notes};
 use crate::ledger::Balance;
+use crate::record::conditions::Conditions;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::Source;
@@ -377,6 +378,15 @@ impl<'a> View<'a> {
                     .map(|g| (g.name.as_str(), &g.blocks[..]));
                 Names::pack((0..setup.blocks.len()).map(|b| v.name(b)), groups)
             }
+        }
+    }
+
+    /// What holds, moves and loads blocks with numbers from `first` on.
+    #[must_use]
+    pub fn conditions(&self, first: usize) -> Conditions {
+        match self {
+            Self::Planar(v) => planar::conditions::conditions(v, first),
+            Self::Spatial(v) => spatial::read::conditions::conditions(v, first),
         }
     }
 

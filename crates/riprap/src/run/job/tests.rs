@@ -177,6 +177,8 @@ fn a_run_that_died_goes_on_to_the_same_bits() {
         "events.jsonl",
         "checks.jsonl",
         "run.pvd",
+        "names.json",
+        "conditions.json",
     ] {
         let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
         assert_eq!(bytes(&whole), bytes(&died), "{file}");
