@@ -6,7 +6,7 @@ import { listen, sheet, type Shortcut } from "./keys";
 import { legendElement, legendOf } from "./legend";
 import { STATES } from "./marks";
 import { Panel } from "./panel";
-import { Plots, namesOf } from "./plots";
+import { Plots, namesOf, type AlongLine } from "./plots";
 import { Run, told, type Moment } from "./run";
 import { Choices, type Settings } from "./settings";
 import { defaultMap } from "./colour";
@@ -19,7 +19,7 @@ import { View } from "./view";
 /** A running run is asked for news this often, in ms. */
 const NEWS = 1000;
 /** Settings that need other answers, not only another drawing. */
-const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "supports"];
+const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "supports", "joints"];
 
 interface Pane {
   view: View;
@@ -40,6 +40,8 @@ export class App {
   private readonly stages = el("div.stages");
   private readonly badge = el("span.badge");
   private readonly title = el("h1");
+  /** Whether the next click is an end of the line. */
+  private measuring = false;
   private work: AbortController | null = null;
 
   constructor(private readonly host: HTMLElement) {}
@@ -47,6 +49,7 @@ export class App {
   async start(sources: Source[]): Promise<void> {
     this.runs = await Promise.all(sources.map((s) => Run.open(s)));
     const good = this.runs.filter((r) => !r.summary.problem);
+    await Promise.all(good.map((r) => r.readModel()));
     this.chooseField(good);
     this.timeline = new Timeline(
       this.choices,
@@ -93,7 +96,11 @@ export class App {
     const first = good[0];
     const dimension = first?.summary.fields.some((f) => f.components === 3) ? 3 : 2;
     this.panel = new Panel(this.runs, this.choices, this.actions(), dimension);
-    this.plots = new Plots(good, (x, bySteps) => void this.timeline.seek(x, bySteps));
+    this.plots = new Plots(
+      good,
+      (x, bySteps) => void this.timeline.seek(x, bySteps),
+      () => this.lines(),
+    );
     const shortcuts = this.shortcuts();
     const keys = sheet(shortcuts);
     listen(shortcuts, this.host);
@@ -147,7 +154,8 @@ export class App {
     view.stage.canvas.addEventListener("pointerup", (e) => {
       // A click, not the end of a drag.
       if (down && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 5 && e.button === 0) {
-        void this.pick(pane, view.pickAt(e.clientX, e.clientY));
+        if (this.measuring) this.measure(view, e.clientX, e.clientY);
+        else void this.pick(pane, view.pickAt(e.clientX, e.clientY));
       }
       down = null;
     });
@@ -158,10 +166,48 @@ export class App {
     if (run.frames === 0) this.banner(pane, noFrames(run));
   }
 
+  /** Takes a place of the picture as an end of the line. */
+  private measure(view: View, x: number, y: number): void {
+    const place = view.placeAt(x, y);
+    if (!place) return;
+    const ends = view.ends.length === 1 ? [view.ends[0]!, place] : [place];
+    this.layLine(ends);
+    if (ends.length < 2) return;
+    this.setMeasuring(false);
+    this.host.classList.add("with-plots");
+    void this.plots?.open("line");
+  }
+
+  /** The same line in all pictures: models that are compared lie in one place. */
+  private layLine(ends: View["ends"]): void {
+    for (const pane of this.panes) {
+      pane.view.lay(ends);
+      this.refreshPane(pane);
+    }
+    this.plots?.changed();
+  }
+
+  private setMeasuring(on: boolean): void {
+    this.measuring = on;
+    this.host.classList.toggle("measuring", on);
+  }
+
+  /** The field along the line in each picture. */
+  private lines(): AlongLine[] {
+    const { field } = this.choices.now;
+    return this.panes.flatMap(({ view }) => {
+      const { pieces, length } = view.along();
+      if (!view.values || length === 0) return [];
+      const parts = pieces.map((p) => ({ from: p.from * length, to: p.to * length, block: view.blocks!.ids[p.block]!, value: view.values![p.block]! }));
+      return [{ run: view.run, field, unit: view.unit, length, parts }];
+    });
+  }
+
   private async showMoment(moment: Moment): Promise<void> {
     await Promise.all(this.panes.map(({ view }) => view.show(view.run.frameAt(moment), this.choices.now)));
     for (const pane of this.panes) this.refreshPane(pane);
     this.plots?.mark(moment);
+    this.plots?.changed();
     const picked = this.panes.find((p) => p.view.picked !== null);
     if (picked && !this.timeline.playing) await this.showNumbers(picked);
   }
@@ -201,6 +247,7 @@ export class App {
       for (const { view } of this.panes) view.apply(now, changed.includes("exaggeration"));
     }
     for (const pane of this.panes) this.refreshPane(pane);
+    this.plots?.changed();
   }
 
   private async pick(pane: Pane, id: number | null): Promise<void> {
@@ -240,6 +287,7 @@ export class App {
       unpick: () => {
         for (const pane of this.panes) void this.pick(pane, null);
       },
+      line: () => this.toggleLine(),
       history: () => {
         this.host.classList.add("with-plots");
         void this.plots?.open("block");
@@ -287,6 +335,10 @@ export class App {
       const clip = all.filter((axis) => axis !== "z" || this.panes.some(({ view }) => !view.flat));
       choices.set({ clipAxis: clip[(clip.indexOf(choices.now.clipAxis) + 1) % clip.length]! });
     };
+    const nextJoints = () => {
+      const all = ["", "set", "interface"] as const;
+      choices.set({ joints: all[(all.indexOf(choices.now.joints) + 1) % all.length]! });
+    };
     const moveCut = (by: number) => (shift: boolean) =>
       choices.set({ clipAt: Math.min(1, Math.max(0, Number((choices.now.clipAt + (shift ? 10 : 1) * by).toFixed(4)))) });
     return [
@@ -305,9 +357,14 @@ export class App {
       })),
       { keys: ["e"], label: "e", what: "edges", act: () => choices.set({ edges: !choices.now.edges }) },
       { keys: ["u"], label: "u", what: "supports", act: () => choices.set({ supports: !choices.now.supports }) },
+      { keys: ["h"], label: "h", what: "boundaries: held, moved, viscous, loaded faces (in space)", act: () => choices.set({ boundaries: !choices.now.boundaries }) },
+      { keys: ["l"], label: "l", what: "loads: arrows", act: () => choices.set({ loads: !choices.now.loads }) },
+      { keys: ["w"], label: "w", what: "water table", act: () => choices.set({ water: !choices.now.water }) },
+      { keys: ["j"], label: "j", what: "joints: by set, by interface, not", act: nextJoints },
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
       { keys: ["r"], label: "r", what: "bolts: rods (in space)", act: () => choices.set({ bolts: !choices.now.bolts }) },
+      { keys: ["d"], label: "d", what: "distance, and the field along a line: click both ends (again: take it away)", act: () => this.toggleLine() },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
       { keys: ["x"], label: "x", what: "cut away: along x, y, z, any plane, nothing", act: nextCut },
       { keys: ["b"], label: "b", what: "cut flat, or whole blocks", act: () => choices.set({ clipFlat: !choices.now.clipFlat }) },
@@ -323,6 +380,12 @@ export class App {
       { keys: ["Escape"], label: "Esc", what: "let the block go", act: () => actions.unpick() },
       { keys: ["?"], label: "?", what: "this sheet", act: () => document.querySelector<HTMLDialogElement>("dialog.sheet")?.showModal() },
     ];
+  }
+
+  private toggleLine(): void {
+    const there = this.measuring || this.panes.some(({ view }) => view.ends.length > 0);
+    this.layLine([]);
+    this.setMeasuring(!there);
   }
 
   private toggle(name: string): void {

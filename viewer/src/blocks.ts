@@ -466,11 +466,24 @@ export class Blocks {
 
   /** The block under a ray, as its place in the frame. */
   pick(ray: THREE.Raycaster): number | null {
+    return this.hit(ray)?.block ?? null;
+  }
+
+  /** The block under a ray, and where it is met. */
+  hit(ray: THREE.Raycaster): { block: number; point: THREE.Vector3 } | null {
     const cap = this.section.pick(ray);
     const hit = ray.intersectObject(this.mesh, false).find((h) => !this.isAway(h.point));
-    if (cap && (!hit || cap.distance < hit.distance)) return cap.block;
+    if (cap && (!hit || cap.distance < hit.distance)) return { block: cap.block, point: ray.ray.at(cap.distance, new THREE.Vector3()) };
     if (!hit || hit.faceIndex === undefined || hit.faceIndex === null) return null;
-    return this.blockOf[this.triangleFace[hit.faceIndex]!] ?? null;
+    const block = this.blockOf[this.triangleFace[hit.faceIndex]!];
+    return block === undefined ? null : { block, point: hit.point };
+  }
+
+  /** Corners of a block as drawn. */
+  cornersOf(b: number): THREE.Vector3[] {
+    const out: THREE.Vector3[] = [];
+    for (let p = this.offsets[b]!; p < this.offsets[b + 1]!; p++) out.push(new THREE.Vector3().fromArray(this.positions, 3 * p));
+    return out;
   }
 
   placeOf(id: number): number {

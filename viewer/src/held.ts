@@ -4,12 +4,13 @@ import type { BlockNumbers, Run } from "./run";
 import { Problem } from "./source";
 
 /** The contents of names.json (docs/src/run-folder.md). */
-interface Names {
+export interface Names {
   blocks: { first: number; name: string; from?: number; count?: number }[];
   groups: { name: string; blocks: [number, number][] }[];
 }
 
-function nameOf(names: Names, id: number): string {
+/** Name of a block by its number; empty where it has none. */
+export function nameOf(names: Names, id: number): string {
   const run = names.blocks.findLast((r) => r.first <= id);
   if (!run || id >= run.first + (run.count ?? 1)) return "";
   return run.from === undefined ? run.name : `${run.name}.${run.from + id - run.first}`;
@@ -38,7 +39,7 @@ export async function heldBlock(run: Run, k: number, id: number): Promise<BlockN
       return { name, unit: packet?.info.unit ?? "", values: packet ? [packet.f32("values")[at]!] : [] };
     }),
   );
-  const names = await run.source.json<Names>("names");
+  const { names } = run;
   const groups = names.groups.filter((g) => g.blocks.some(([a, b]) => a <= id && id <= b)).map((g) => g.name);
   return { block: id, name: nameOf(names, id), groups, frame: k, columns: columns.filter((c) => c.values.length > 0) };
 }

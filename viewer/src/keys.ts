@@ -40,7 +40,7 @@ export function sheet(shortcuts: Shortcut[]): HTMLDialogElement {
     ["drag", "turn (in the plane: move)"],
     ["right drag", "move"],
     ["wheel, pinch", "nearer, farther"],
-    ["click", "pick a block"],
+    ["click", "pick a block; after d an end of the line"],
     ["click in a plot", "go to that time"],
   ];
   dialog.append(

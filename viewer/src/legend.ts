@@ -3,7 +3,9 @@
 import { kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
+import { RULER } from "./line";
 import { FACES, STATES } from "./marks";
+import type { Run } from "./run";
 import type { Settings } from "./settings";
 import type { View } from "./view";
 
@@ -24,8 +26,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
       out.title = settings.field;
       const kinds = [...new Set(view.values)].filter(Number.isFinite).sort((a, b) => a - b);
       if (kinds.length <= 10) {
-        const names = settings.field === "material" ? (view.run.summary.manifest.materials ?? []) : [];
-        out.marks = kinds.map((k, i) => ({ at: i, text: names[k] ?? short(k), colour: kindColour(k) }));
+        out.marks = kinds.map((k, i) => ({ at: i, text: kindName(view.run, settings.field, k), colour: kindColour(k) }));
       }
     } else {
       const unit = scaleFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), view.unit);
@@ -36,6 +37,8 @@ export function legendOf(view: View, settings: Settings): LegendText {
     }
   }
   if (view.supports !== null) out.notes.push({ text: `${view.supports} held or moved`, colour: "#2f7bd9" });
+  if (view.supports !== null && view.driven > 0) out.notes.push({ text: `${view.driven} of them driven`, colour: "#e07b1a" });
+  out.notes.push(...view.conditionNotes);
   if (view.boltForces && view.boltForces.largest !== null) {
     const { largest, smallest, unit } = view.boltForces;
     out.notes.push({ text: `bolts up to ${quantity(largest, unit, 3)}`, colour: "#d01c1c" });
@@ -45,6 +48,8 @@ export function legendOf(view: View, settings: Settings): LegendText {
     out.notes.push({ text: `longest ${settings.vectors} ${quantity(view.arrow.longest, view.arrow.unit, 3)}` });
   }
   if (settings.exaggeration !== 1) out.notes.push({ text: `displacements × ${short(settings.exaggeration)}` });
+  const line = view.lineText();
+  if (line) out.notes.push({ text: line, colour: RULER });
   const cut = view.cutText(settings);
   if (cut) out.notes.push({ text: cut });
   const { between } = view;
@@ -59,6 +64,24 @@ export function legendOf(view: View, settings: Settings): LegendText {
     });
   }
   return out;
+}
+
+/** What a value of a field of kinds means. */
+export function kindName(run: Run, field: string, value: number): string {
+  switch (field) {
+    case "block":
+      return run.called(value);
+    case "material":
+      return run.summary.manifest.materials?.[value] ?? short(value);
+    case "held":
+      return value > 0 ? "held or driven" : "free";
+    case "surface":
+      return value > 0 ? "at the surface" : "inside";
+    case "level":
+      return value > 0 ? `split ${short(value)} times` : "not split";
+    default:
+      return short(value);
+  }
 }
 
 function marksOf(scale: Scale, factor: number): LegendText["marks"] {

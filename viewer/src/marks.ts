@@ -53,8 +53,11 @@ export class Arrows {
   private mesh: THREE.InstancedMesh | null = null;
   private readonly material: THREE.MeshBasicMaterial;
 
-  constructor(private readonly flat: boolean) {
-    this.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide });
+  constructor(
+    private readonly flat: boolean,
+    looks: THREE.MeshBasicMaterialParameters = {},
+  ) {
+    this.material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, ...looks });
   }
 
   set colour(colour: THREE.ColorRepresentation) {

@@ -3,6 +3,7 @@
 import { KINDS, MAPS, defaultMap } from "./colour";
 import { check, choice, el, row } from "./dom";
 import { quantity, short } from "./format";
+import { kindName } from "./legend";
 import { STATES } from "./marks";
 import { namesOf } from "./plots";
 import type { BlockNumbers, Run } from "./run";
@@ -15,6 +16,7 @@ export interface Actions {
   film: () => void;
   niceExaggeration: () => number;
   unpick: () => void;
+  line: () => void;
   history: () => void;
   range: () => [number, number];
   /** Which states of contacts the frames shown have. */
@@ -123,9 +125,10 @@ export class Panel {
     return rows;
   }
 
-  /** Name of a material by its number, where all runs agree on it. */
-  private materialOf(number: number | undefined): string {
-    const names = this.runs.map((r) => r.summary.manifest?.materials?.[number ?? -1] ?? "");
+  /** What a number of a kind means, where all runs agree on it. */
+  private kindOf(field: string, number: number | undefined): string {
+    if (number === undefined) return "";
+    const names = this.runs.filter((r) => r.summary.manifest).map((r) => kindName(r, field, number));
     return names.every((n) => n === names[0]) ? (names[0] ?? "") : "";
   }
 
@@ -158,15 +161,44 @@ export class Panel {
         ...(this.dimension === 3
           ? (["x", "y", "z"] as const).map((side) => small(side, `Look along ${side}`, () => actions.fit(side)))
           : []),
+        small("line", "Distance, and the field along a line: click both ends; again: take it away (d)", actions.line),
       ),
       el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)"),
         this.runs.some((r) => r.hasField("held"))
           ? check("supports", now.supports, (supports) => choices.set({ supports }), "Outline the blocks that supports hold or move (u)")
           : null,
+        ...this.conditionChecks(),
+      ),
+      row(
+        "Joints",
+        choice(
+          [["", "not shown"], ["set", "by set (direction)"], ...(this.runs.some((r) => r.conditions) ? [["interface", "by interface"] as [string, string]] : [])],
+          now.joints,
+          (joints) => choices.set({ joints: joints as Settings["joints"] }),
+          "joints",
+        ),
       ),
       ...this.cutRows(),
     ];
     return rows;
+  }
+
+  /** Of what holds and loads the model, what there is. */
+  private conditionChecks(): HTMLElement[] {
+    const { choices } = this;
+    const now = choices.now;
+    const all = this.runs.flatMap((r) => r.conditions ?? []);
+    const out: HTMLElement[] = [];
+    if (all.some((c) => c.faces.length > 0)) {
+      out.push(check("boundaries", now.boundaries, (boundaries) => choices.set({ boundaries }), "Colour the faces that are held, moved, viscous or loaded (h)"));
+    }
+    if (all.some((c) => c.loads.length > 0 || c.faces.some((f) => f.kind === "loaded"))) {
+      out.push(check("loads", now.loads, (loads) => choices.set({ loads }), "Arrows of given forces and pressures, at their full size (l)"));
+    }
+    if (all.some((c) => c.water.length > 0)) {
+      out.push(check("water table", now.water, (water) => choices.set({ water }), "The water table of the phase (w)"));
+    }
+    return out;
   }
 
   /** What is taken away to look inside. */
@@ -310,9 +342,9 @@ export class Panel {
           parts.length > 1
             ? `${quantity(Math.hypot(...parts), c.unit)}`
             : c.unit === "-" ? short(parts[0] ?? Number.NaN) : quantity(parts[0] ?? Number.NaN, c.unit);
-        const material = c.name === "material" ? this.materialOf(parts[0]) : "";
+        const kind = KINDS.has(c.name) ? this.kindOf(c.name, parts[0]) : "";
         const detail = parts.length > 1 ? `(${parts.map((p) => short(p, 3)).join(", ")})` : "";
-        return el("tr", {}, el("td", {}, c.name), el("td", {}, material || text, detail ? el("small", {}, detail) : null));
+        return el("tr", {}, el("td", {}, c.name), el("td", {}, kind || text, detail ? el("small", {}, detail) : null));
       });
     const groups = numbers.groups.length ? [named(numbers.groups.length > 1 ? "groups" : "group", numbers.groups.join(", "))] : [];
     this.blockBox.replaceChildren(

@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { choice, el } from "./dom";
+import { choice, el, save } from "./dom";
 import { short } from "./format";
 import type { Field, Moment, Run, Table } from "./run";
 
@@ -15,9 +15,22 @@ interface Curve {
   bySteps: boolean;
   values: ArrayLike<number | null>;
   dash: boolean;
+  /** Along a line of the picture, in m, and no history: of which run. */
+  along?: string;
 }
 
-type Tab = "histories" | "energy" | "block";
+type Tab = "histories" | "energy" | "block" | "line";
+
+/** A field along the line of one picture. */
+export interface AlongLine {
+  run: Run;
+  field: string;
+  unit: string;
+  /** m. */
+  length: number;
+  /** Ends from the start of the line, m, number of the block, value. */
+  parts: { from: number; to: number; block: number; value: number }[];
+}
 
 export class Plots {
   readonly object: HTMLElement;
@@ -35,6 +48,7 @@ export class Plots {
   constructor(
     private readonly runs: Run[],
     private readonly seek: (x: number, bySteps: boolean) => void,
+    private readonly lines: () => AlongLine[],
   ) {
     this.object = el("section.plots", { "aria-label": "histories" }, el("div.plothead", {}, this.bar, this.extra), this.body);
     new ResizeObserver(() => this.resize()).observe(this.body);
@@ -46,6 +60,7 @@ export class Plots {
       ["histories", "Histories"],
       ["energy", "Energy"],
       ["block", "Block"],
+      ["line", "Line"],
     ];
     this.bar.replaceChildren(
       ...tabs.map(([tab, label]) =>
@@ -65,6 +80,7 @@ export class Plots {
     const stamp = ++this.stamp;
     this.extra.replaceChildren();
     if (tab === "block") return this.openBlock(stamp);
+    if (tab === "line") return this.openLine();
     const tables = await Promise.all(this.runs.map((run) => run.table(tab).catch(() => null)));
     if (stamp !== this.stamp) return;
     this.curves = tables.flatMap((table, i) => (table ? curvesOf(table, i > 0) : []));
@@ -88,7 +104,7 @@ export class Plots {
     const names = namesOf(run);
     if (!names.includes(this.blockField)) this.blockField = names[0] ?? "";
     this.extra.replaceChildren(
-      el("span", {}, `block ${id}: `),
+      el("span", {}, `${run.called(id)}: `),
       choice(
         names.map((n) => [n, n]),
         this.blockField,
@@ -111,6 +127,23 @@ export class Plots {
     });
   }
 
+  /** Another frame, field or line. */
+  changed(): void {
+    if (this.tab === "line" && this.object.offsetParent !== null) this.openLine();
+  }
+
+  private openLine(): void {
+    const lines = this.lines();
+    this.extra.replaceChildren();
+    if (lines.some((l) => l.parts.length > 0)) {
+      this.extra.append(
+        el("button", { type: "button", title: "The values as a table (CSV)", onclick: () => save(new Blob([csvOf(lines)], { type: "text/csv" }), csvName(lines)) }, "CSV"),
+      );
+    }
+    this.curves = lines.filter((l) => l.parts.length > 0).map(curveAlong);
+    this.draw("Press d and click two places of the picture to see the field along the line between them.");
+  }
+
   /** Moves the line. */
   mark(now: Moment): void {
     this.now = now;
@@ -127,7 +160,7 @@ export class Plots {
     }
     const groups = new Map<string, Curve[]>();
     for (const curve of this.curves) {
-      const key = `${curve.unit === "-" ? `- ${curve.name}` : curve.unit} ${curve.bySteps}`;
+      const key = `${curve.unit === "-" ? `- ${curve.name}` : curve.unit} ${curve.bySteps} ${curve.along ?? ""}`;
       groups.set(key, [...(groups.get(key) ?? []), curve]);
     }
     for (const curves of groups.values()) this.body.append(this.one(curves));
@@ -136,7 +169,7 @@ export class Plots {
 
   private one(curves: Curve[]): HTMLElement {
     const unit = curves[0]!.unit === "-" ? "" : curves[0]!.unit;
-    const { bySteps } = curves[0]!;
+    const { bySteps, along } = curves[0]!;
     const host = el("figure.chart", {});
     const style = getComputedStyle(document.documentElement);
     const ink = style.getPropertyValue("--ink2").trim();
@@ -148,8 +181,8 @@ export class Plots {
     const options: uPlot.Options = {
       width: 300,
       height: 180,
-      title: names.length === 1 ? names[0] + (unit ? ` [${unit}]` : "") : unit ? `[${unit}]` : "",
-      cursor: { sync: { key: "riprap" }, drag: { x: true, y: false } },
+      title: (along ? `${along}` : "") + (names.length === 1 ? names[0] + (unit ? ` [${unit}]` : "") : unit ? `[${unit}]` : ""),
+      cursor: { sync: { key: along === undefined ? "riprap" : "riprap line" }, drag: { x: true, y: false } },
       legend: { live: true },
       scales: { x: { time: false }, y: log ? { distr: 3 } : {} },
       axes: [
@@ -157,20 +190,21 @@ export class Plots {
         { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1 }, size: 62, values },
       ],
       series: [
-        { label: bySteps ? "step" : "time [s]", value: (_, v) => (v === null ? "–" : short(v)) },
+        { label: along !== undefined ? "distance [m]" : bySteps ? "step" : "time [s]", value: (_, v) => (v === null ? "–" : short(v)) },
         ...curves.map((c, i) => ({
           label: c.dash ? `${c.name} (2)` : c.name,
           stroke: COLOURS[names.indexOf(c.name) % COLOURS.length] ?? COLOURS[i % COLOURS.length]!,
           width: 1.4,
           ...(c.dash ? { dash: [6, 4] } : {}),
-          points: { show: c.x.length < 40, size: 4 },
-          spanGaps: true,
+          points: { show: c.x.length < 40 && along === undefined, size: 4 },
+          spanGaps: along === undefined,
           value: (_: uPlot, v: number | null) => (v === null || v === undefined ? "–" : short(v)),
         })),
       ],
       hooks: {
         draw: [
           (u) => {
+            if (along !== undefined) return;
             const x = u.valToPos((bySteps ? this.now?.step : this.now?.time) ?? 0, "x", true);
             const { left, top, width, height } = u.bbox;
             if (x < left || x > left + width) return;
@@ -190,7 +224,7 @@ export class Plots {
     const plot = new uPlot(options, joined(curves, log), host);
     plot.over.addEventListener("click", () => {
       const { left } = plot.cursor;
-      if (left !== undefined && left !== null && left >= 0) this.seek(plot.posToVal(left, "x"), bySteps);
+      if (along === undefined && left !== undefined && left !== null && left >= 0) this.seek(plot.posToVal(left, "x"), bySteps);
     });
     this.plots.push(plot);
     return host;
@@ -210,6 +244,41 @@ export class Plots {
   retheme(): void {
     if (this.curves.length > 0) this.draw("");
   }
+}
+
+/** Steps from block to block, with gaps where there is none. */
+function curveAlong({ run, field, unit, parts }: AlongLine, _: number, all: AlongLine[]): Curve {
+  const x: number[] = [];
+  const values: (number | null)[] = [];
+  parts.forEach(({ from, to, value }, k) => {
+    if (k > 0 && from > parts[k - 1]!.to * (1 + 1e-9)) {
+      x.push(0.5 * (parts[k - 1]!.to + from));
+      values.push(null);
+    }
+    x.push(from, to);
+    values.push(value, value);
+  });
+  const along = all.length > 1 ? `${run.summary.name}: ` : "";
+  return { name: field, unit, x, bySteps: false, values, dash: false, along };
+}
+
+/** Text as a cell of a table. */
+function quoted(text: string): string {
+  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+function csvOf(lines: AlongLine[]): string {
+  const { field, unit } = lines[0]!;
+  const many = lines.length > 1;
+  const head = [...(many ? ["run"] : []), "from [m]", "to [m]", "block", "name", unit === "-" ? field : `${field} [${unit}]`];
+  const rows = lines.flatMap(({ run, parts }) =>
+    parts.map((p) => [...(many ? [quoted(run.summary.name)] : []), p.from, p.to, p.block, quoted(run.called(p.block)), p.value].join(",")),
+  );
+  return [head.join(","), ...rows, ""].join("\n");
+}
+
+function csvName(lines: AlongLine[]): string {
+  return `${lines[0]!.run.summary.name.replace(/\.run$/, "")}_${lines[0]!.field}_line.csv`;
 }
 
 function curvesOf(table: Table, dash: boolean): Curve[] {

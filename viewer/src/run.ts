@@ -1,7 +1,8 @@
 // One run: what it has, and its frames as they are asked for, with a memory of those seen.
 
+import type { Conditions } from "./conditions";
 import { quantity } from "./format";
-import { heldBlock, heldHistory } from "./held";
+import { heldBlock, heldHistory, nameOf, type Names } from "./held";
 import type { Source } from "./source";
 import { Problem } from "./source";
 import type { Packet } from "./wire";
@@ -154,6 +155,10 @@ export class Run {
   private held = 0;
   /** Values over all frames, by field. */
   private readonly ranges = new Map<string, Range>();
+  /** What holds, moves and loads the model; null in runs of earlier versions. */
+  conditions: Conditions | null = null;
+  /** Names of its blocks and groups; those of later parts of blocks come when they are there. */
+  names: Names = { blocks: [], groups: [] };
 
   constructor(
     readonly source: Source,
@@ -179,6 +184,19 @@ export class Run {
     if (next.times?.length !== this.summary.times?.length) this.ranges.clear();
     this.summary = next;
     return other;
+  }
+
+  /** Reads names and conditions; none where there are none or their file is damaged: all else can be shown without them. */
+  async readModel(): Promise<void> {
+    [this.conditions, this.names] = await Promise.all([
+      this.source.json<Conditions | null>("conditions").catch(() => null),
+      this.source.json<Names>("names").catch(() => this.names),
+    ]);
+  }
+
+  /** What a block is called: its name, or its number. */
+  called(id: number): string {
+    return nameOf(this.names, id) || `block ${id}`;
   }
 
   motion(k: number): Promise<Packet<MotionInfo>> {

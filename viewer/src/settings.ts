@@ -13,6 +13,13 @@ export interface Settings {
   edges: boolean;
   /** Outlines of the blocks that supports hold. */
   supports: boolean;
+  /** Faces of boundaries in colours. */
+  boundaries: boolean;
+  /** Arrows of given forces and pressures. */
+  loads: boolean;
+  water: boolean;
+  /** What joints between blocks are coloured by. */
+  joints: "" | "set" | "interface";
   /** Normal of the cut: an axis, or free. */
   clipAxis: "" | "x" | "y" | "z" | "free";
   /** Share of the model. */
@@ -45,6 +52,10 @@ export const DEFAULTS: Settings = {
   exaggeration: 1,
   edges: true,
   supports: false,
+  boundaries: false,
+  loads: false,
+  water: true,
+  joints: "",
   clipAxis: "",
   clipAt: 0.5,
   clipFlip: false,

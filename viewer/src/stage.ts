@@ -201,6 +201,13 @@ export class Stage {
     return ray;
   }
 
+  /** Where a place is on the screen. */
+  onScreen(place: THREE.Vector3): [number, number] {
+    const rect = this.canvas.getBoundingClientRect();
+    const at = place.clone().project(this.camera);
+    return [rect.left + (0.5 + 0.5 * at.x) * rect.width, rect.top + (0.5 - 0.5 * at.y) * rect.height];
+  }
+
   /** Directions of the axes on the screen: right and up parts. */
   triad(): [number, number][] {
     const inverse = this.camera.quaternion.clone().invert();

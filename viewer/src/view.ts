@@ -3,7 +3,10 @@
 import * as THREE from "three";
 import { Blocks, type Look } from "./blocks";
 import { KINDS, Scale } from "./colour";
-import { quantity } from "./format";
+import { ConditionMarks, type Note } from "./conditions";
+import { quantity, short } from "./format";
+import { JointMarks } from "./joints";
+import { piecesAlong, Ruler, type Piece } from "./line";
 import { Arrows, Bolts, Contacts, Picked, contactPlaces } from "./marks";
 import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
@@ -22,7 +25,11 @@ interface Fetched {
   cracks: Packet<unknown> | null;
   bolts: Packet<BoltInfo> | null;
   supports: Packet<FieldInfo> | null;
+  materials: Packet<FieldInfo> | null;
 }
+
+/** A corner nearer than this to the pointer is meant, pixels. */
+const SNAP = 9;
 
 export class View {
   readonly stage: Stage;
@@ -43,9 +50,19 @@ export class View {
   private readonly marks: { plane: Contacts; space: Contacts };
   private readonly pickedMark = new Picked();
   private readonly supportMark = new Picked("#2f7bd9", 3);
+  private readonly drivenMark = new Picked("#e07b1a", 3);
   private readonly bolts = new Bolts();
+  private readonly conditions = new ConditionMarks();
+  private readonly joints = new JointMarks();
+  private readonly ruler = new Ruler();
+  /** Ends of the line that was laid into the picture, as drawn, less the origin: none, one or two. */
+  ends: THREE.Vector3[] = [];
+  /** What the legend says of boundaries, loads, water and joints. */
+  conditionNotes: Note[] = [];
   /** Blocks that supports hold, where they are shown. */
   supports: number | null = null;
+  /** Of these, blocks that are driven. */
+  driven = 0;
   /** Forces of the bolts that are drawn. */
   boltForces: BoltInfo | null = null;
   private readonly sources = new THREE.Group();
@@ -63,7 +80,7 @@ export class View {
     this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.bolts]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.bolts, this.conditions, this.joints, this.ruler]) {
       this.stage.scene.add(one.object);
     }
     this.stage.scene.add(this.sources);
@@ -93,6 +110,10 @@ export class View {
         const shape = await this.run.shape(key, k);
         if (ticket !== this.ticket) return false;
         this.build(new Blocks(shape, this.scale));
+        // Blocks that were made since.
+        const { conditions, blocks } = { conditions: this.run.conditions, blocks: this.blocks! };
+        if (conditions && blocks.ids.some((id) => id >= conditions.blocks)) await this.run.readModel();
+        if (ticket !== this.ticket) return false;
       }
       this.last = fetched;
       this.trouble = null;
@@ -120,7 +141,8 @@ export class View {
     const needCracks = settings.cracks && this.run.summary.cracks;
     const needBolts = settings.bolts && this.run.summary.bolts === true;
     const needSupports = settings.supports && this.run.hasField("held");
-    const [motion, values, range, arrows, contacts, cracks, bolts, supports] = await Promise.all([
+    const needMaterials = settings.joints === "interface" && this.run.hasField("material");
+    const [motion, values, range, arrows, contacts, cracks, bolts, supports, materials] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
       withField && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
@@ -132,8 +154,9 @@ export class View {
       needBolts ? this.run.bolts(k).catch(() => null) : none,
       // A report may not hold them.
       needSupports ? this.run.field(k, "held").catch(() => null) : none,
+      needMaterials ? this.run.field(k, "material").catch(() => null) : none,
     ]);
-    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, bolts, supports };
+    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, bolts, supports, materials };
   }
 
   /** Range of a field over all runs that are shown. */
@@ -193,7 +216,7 @@ export class View {
     this.tune(settings);
     blocks.paint(this.values, this.scale);
     blocks.reveal(look, this.values);
-    blocks.glass = settings.cracks && !this.flat;
+    blocks.glass = (settings.cracks || settings.joints !== "") && !this.flat;
     const { planes } = blocks;
     for (const marks of Object.values(this.marks)) marks.end(planes);
     this.sources.visible = settings.cracks || settings.clipAxis !== "";
@@ -202,6 +225,7 @@ export class View {
     this.drawBolts(settings);
     this.drawPicked();
     this.drawSupports(settings);
+    this.drawConditions(settings);
     this.stage.redraw();
   }
 
@@ -221,16 +245,36 @@ export class View {
     this.supports = null;
     if (!held) {
       this.supportMark.draw(null);
+      this.drivenMark.draw(null);
       return;
     }
-    const lines: number[] = [];
+    const lines: [number[], number[]] = [[], []];
     this.supports = 0;
+    this.driven = 0;
+    // A later support wins over an earlier one.
+    const driven = new Map((this.run.conditions?.supports ?? []).flatMap((s) => s.blocks.map((b): [number, boolean] => [b, s.driven])));
     held.forEach((value, b) => {
       if (!(value > 0)) return;
       this.supports!++;
-      if (this.blocks!.isShown(b)) for (const x of this.blocks!.outline(b)) lines.push(x);
+      const moves = driven.get(this.blocks!.ids[b]!) === true;
+      if (moves) this.driven++;
+      if (this.blocks!.isShown(b)) for (const x of this.blocks!.outline(b)) lines[moves ? 1 : 0].push(x);
     });
-    this.supportMark.draw(new Float32Array(lines));
+    this.supportMark.draw(new Float32Array(lines[0]));
+    this.drivenMark.draw(new Float32Array(lines[1]));
+  }
+
+  private drawConditions(settings: Settings): void {
+    const { conditions } = this.run;
+    const blocks = this.blocks!;
+    const shift = (b: number, target: THREE.Vector3) => this.shiftOf(b, settings.exaggeration, target);
+    const of = (on: boolean) => (on ? conditions : null);
+    this.conditionNotes = [
+      ...this.conditions.drawFaces(of(settings.boundaries), blocks),
+      ...this.conditions.drawLoads(of(settings.loads), blocks, shift, 0.1 * this.modelSize()),
+      ...this.conditions.drawWater(of(settings.water), blocks, this.last!.motion.info.phase),
+      ...this.joints.draw(settings.joints, blocks, conditions, this.last!.materials?.f32("values") ?? null),
+    ];
   }
 
   private look(settings: Settings): Look {
@@ -380,6 +424,50 @@ export class View {
     return at === null ? null : this.blocks.ids[at]!;
   }
 
+  /** The place of the model under a place of the screen; a corner of its block where one is near. Null: nothing there. */
+  placeAt(x: number, y: number): THREE.Vector3 | null {
+    if (!this.blocks) return null;
+    const ray = this.stage.ray(x, y);
+    const hit = this.blocks.hit(ray);
+    const far = (p: THREE.Vector3) => {
+      const [px, py] = this.stage.onScreen(p);
+      return Math.hypot(px - x, py - y);
+    };
+    const near = hit ? this.blocks.cornersOf(hit.block).reduce((a, b) => (far(b) < far(a) ? b : a)) : null;
+    if (near && far(near) < SNAP && !this.blocks.isAway(near)) return near;
+    if (this.flat) {
+      const { origin, direction } = ray.ray;
+      return origin.clone().addScaledVector(direction, -origin.z / direction.z);
+    }
+    return hit?.point ?? null;
+  }
+
+  /** Lays the line anew. */
+  lay(ends: THREE.Vector3[]): void {
+    this.ends = ends;
+    this.ruler.draw(ends, this.flat);
+    this.stage.redraw();
+  }
+
+  /** Length of the line in words; empty without one. */
+  lineText(): string {
+    const [a, b] = this.ends;
+    if (!a) return "";
+    if (!b) return "line: click its other end";
+    const way = b.clone().sub(a);
+    // What single precision leaves of nothing is nothing.
+    const part = (v: number) => short(Math.abs(v) < 1e-6 * way.length() ? 0 : v, 4);
+    const parts = (this.flat ? [way.x, way.y] : way.toArray()).map(part).join(", ");
+    return `distance ${quantity(way.length(), "m", 5)} (${parts})`;
+  }
+
+  /** The blocks along the line. */
+  along(): { pieces: Piece[]; length: number } {
+    const [a, b] = this.ends;
+    if (!a || !b || !this.blocks) return { pieces: [], length: 0 };
+    return { pieces: piecesAlong(this.blocks, a, b).filter((p) => this.blocks!.isShown(p.block)), length: a.distanceTo(b) };
+  }
+
   pick(id: number | null): void {
     this.picked = id;
     if (this.blocks) this.drawPicked();
@@ -402,6 +490,6 @@ export class View {
   }
 
   fit(side?: "default" | "x" | "y" | "z"): void {
-    if (this.blocks) this.stage.look(this.blocks.box(), side);
+    if (this.blocks) this.stage.look(this.blocks.box().union(this.conditions.reach), side);
   }
 }

@@ -10,6 +10,8 @@
 //! | `contacts/K` | places, states, areas and forces of contacts ([`crate::contacts`]) |
 //! | `cracks/K` | outlines of the broken parts of deformable blocks |
 //! | `bolts/K` | bars of bolts with their axial forces |
+//! | `conditions` | JSON: boundaries, loads, supports, water tables, laws of interfaces ([`riprap_record::conditions`]); null in runs of earlier versions |
+//! | `names` | JSON: names of blocks and groups ([`riprap_record::names`]) |
 //! | `block/K/ID` | JSON: all numbers of one block |
 //! | `history/ID?name=&from=&count=` | JSON: a field of one block over frames |
 //! | `range?name=&from=&count=` | JSON: smallest and largest value over frames, and those of most blocks |
@@ -74,6 +76,8 @@ pub fn answer(run: &Run, path: &str, query: &Query<'_>) -> Result<Answer, Proble
         ["contacts", k] => Ok(binary(contacts::wire(&run.contacts(count(k)?)?))),
         ["cracks", k] => Ok(binary(contacts::cracks(run, count(k)?)?)),
         ["bolts", k] => Ok(binary(contacts::bolts(run, count(k)?)?)),
+        ["conditions"] => Ok(json_answer(&json!(run.conditions()?))),
+        ["names"] => Ok(json_answer(&json!(run.names()))),
         ["block", k, id] => block(run, count(k)?, count(id)?),
         ["history", id] => history(run, count(id)?, query),
         ["range"] => range(run, query),

@@ -4,6 +4,7 @@
 //! lie inside the folder. A run that goes on while it is looked at is read anew each time.
 
 use riprap_geom::Vec3;
+use riprap_record::conditions::{self, Conditions};
 use riprap_record::folder::{block_file, bolt_file, contact_file, crack_file, in_use};
 use riprap_record::names::Names;
 use riprap_record::table::Table;
@@ -367,6 +368,19 @@ impl Run {
             Problem::missing(
                 format!("frame {k} has no vectors {name:?}"),
                 "Choose another field.",
+            )
+        })
+    }
+
+    /// What holds, moves and loads the model; `None` in runs of earlier versions.
+    ///
+    /// # Errors
+    /// A damaged file.
+    pub fn conditions(&self) -> Result<Option<Conditions>, Problem> {
+        conditions::read(&self.path).map_err(|error| {
+            Problem::broken(
+                error.to_string(),
+                "Copy the run folder again, or run the scene again.",
             )
         })
     }

@@ -153,7 +153,7 @@ fn a_run_is_told_frame_by_frame() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("a.run");
     write_run(&path, 3);
-    let site = serve(&[path]);
+    let site = serve(std::slice::from_ref(&path));
     let page = get(&site, "/");
     assert_eq!(page.code, 200);
     assert!(
@@ -177,6 +177,7 @@ fn a_run_is_told_frame_by_frame() {
         ("table/histories", 200),
         ("table/energy", 200),
         ("events", 200),
+        ("names", 200),
         ("file/histories.csv", 200),
         ("frame/3", 404),
         ("frame/x", 404),
@@ -196,6 +197,18 @@ fn a_run_is_told_frame_by_frame() {
     assert_eq!(block["columns"][1]["values"][0], 0.06);
     assert_eq!(block["name"], "row.4");
     assert_eq!(block["groups"], serde_json::json!(["row"]));
+    assert_eq!(get(&site, "/api/0/names").json()["blocks"][0]["count"], 4);
+    // A run of an earlier version has no conditions; one that has a damaged file says which.
+    assert_eq!(get(&site, "/api/0/conditions").json(), Value::Null);
+    let held = r#"{"faces":[{"name":"floor","kind":"held","count":2,"blocks":[0],"centres":[[0.5,0.5,0.0]],"tractions":[]}]}"#;
+    let file = path.join("conditions.json");
+    std::fs::write(&file, held).unwrap();
+    let damaged = get(&site, "/api/0/conditions");
+    assert_eq!(damaged.code, 422);
+    assert!(damaged.json().to_string().contains("different lengths"));
+    std::fs::write(&file, held.replace("\"count\":2", "\"count\":1")).unwrap();
+    let told = get(&site, "/api/0/conditions").json();
+    assert_eq!(told["faces"][0]["centres"][0][1], 0.5);
     let history = get(&site, "/api/0/history/3?name=displacement.x&from=1").json();
     assert_eq!(history["values"], serde_json::json!([0.03, 0.06]));
     let range = get(&site, "/api/0/range?name=displacement").json();
@@ -440,6 +453,7 @@ fn only_plain_files_are_read() {
         "frames/frame_000002.vtu",
         "histories.csv",
         "names.json",
+        "conditions.json",
         "events.jsonl",
     ] {
         let file = path.join(name);
@@ -454,6 +468,7 @@ fn only_plain_files_are_read() {
     assert_eq!(get(&site, "/api/0/frame/1").code, 422);
     assert_eq!(get(&site, "/api/0/table/histories").code, 422);
     assert_eq!(get(&site, "/api/0/file/histories.csv").code, 422);
+    assert_eq!(get(&site, "/api/0/conditions").code, 422);
     assert_eq!(get(&site, "/api/0/events").code, 200);
     assert_eq!(get(&site, "/api/0/summary").code, 200);
     assert_eq!(get(&site, "/api/0/frame/0").code, 200);

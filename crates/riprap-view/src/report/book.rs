@@ -132,6 +132,12 @@ impl Book {
             let bytes = thinned(run, name);
             self.put(format!("table/{name}"), &bytes);
         }
+        // What a damaged file would have held is not drawn; the viewer tells of it.
+        let conditions = run.conditions().ok().flatten();
+        self.put(
+            "conditions".to_owned(),
+            json!(conditions).to_string().as_bytes(),
+        );
         let names = json!(run.names()).to_string();
         self.put("names".to_owned(), names.as_bytes());
         for key in ["times", "steps", "phases"] {
