@@ -92,8 +92,13 @@ def test_pyvista(which, request):
     sizes = [g.compute_cell_sizes(length=False, vertex_count=False).cell_data[size] for g in (ours, theirs)]
     assert np.allclose(*sizes) and np.all(sizes[0] > 0)
     for name, field in frame.blocks.items():
-        assert np.allclose(ours.cell_data[name], theirs.cell_data[name], equal_nan=True), name
-    assert frame.contacts_to_pyvista().n_points == len(frame.contact_points)
+        assert np.allclose(ours.cell_data[field.label], theirs.cell_data[field.label], equal_nan=True), name
+    for grid in (ours, theirs):
+        assert "velocity [m/s]" in grid.cell_data and "velocity" not in grid.cell_data
+        assert "block" in grid.cell_data
+    contacts = frame.contacts_to_pyvista()
+    assert contacts.n_points == len(frame.contact_points)
+    assert ("force_on_a [N]" if which == "blast" else "force_on_a [N/m]") in contacts.point_data
 
 
 def test_pictures(slide, blast, tmp_path):

@@ -195,7 +195,7 @@ class Frame:
         return self.blocks.to_pandas()
 
     def to_pyvista(self) -> "pv.UnstructuredGrid":
-        """The blocks as a pyvista grid with cell data: polygons, hexahedra or polyhedra."""
+        """The blocks as a pyvista grid with cell data named ``name [unit]``: polygons, hexahedra or polyhedra."""
         import pyvista as pv
 
         cells: list[int] = []
@@ -217,18 +217,18 @@ class Frame:
                     stream += [len(face), *(int(c) + first for c in face)]
                 cells += [len(stream), *stream]
         grid = pv.UnstructuredGrid(np.array(cells, np.int64), kinds, np.asarray(self.points))
-        for name, field in self.blocks.items():
-            grid.cell_data[name] = _in_space(field)
+        for field in self.blocks.values():
+            grid.cell_data[field.label] = _in_space(field)
         grid.field_data["TimeValue"] = [self.time]
         return grid
 
     def contacts_to_pyvista(self) -> "pv.PolyData":
-        """The contacts as pyvista points with point data."""
+        """The contacts as pyvista points with point data named ``name [unit]``."""
         import pyvista as pv
 
         cloud = pv.PolyData(np.asarray(self.contact_points))
-        for name, field in self.contacts.items():
-            cloud.point_data[name] = _in_space(field)
+        for field in self.contacts.values():
+            cloud.point_data[field.label] = _in_space(field)
         return cloud
 
 
