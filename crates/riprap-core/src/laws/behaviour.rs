@@ -276,7 +276,9 @@ impl<'a> Law<'a> {
     /// How far dilation has parted the two sides (m) at the irrecoverable slip `slip`. It closes again where the joint slides back.
     fn lift(&self, slip: [f64; 2], memory: &Memory) -> f64 {
         match self.strength {
-            Some(s) if s.dilation > 0.0 => s.dilation * norm(slip[0], slip[1]).min(s.dilation_end),
+            Some(s) if s.dilation > 0.0 => {
+                s.dilating() * norm(slip[0], slip[1]).min(s.dilation_end)
+            }
             Some(_) | None => memory.lift,
         }
     }

@@ -45,7 +45,8 @@ pub struct Strength {
     pub residual_friction: f64,
     /// Cohesion after failure, Pa.
     pub residual_cohesion: f64,
-    /// tan of the dilation angle of a joint that slides; bonds of deformable blocks do not dilate.
+    /// tan of the dilation angle of a joint that slides, as it was given ([`Strength::dilating`] is what acts); bonds of
+    /// deformable blocks do not dilate.
     pub dilation: f64,
     /// Slip from where the joint was built at which dilation ends, m.
     pub dilation_end: f64,
@@ -115,7 +116,18 @@ impl Strength {
         (used > 1.0).then_some(mode)
     }
 
-    /// The strength divided by `factor` (Zienkiewicz, Humpheson and Lewis 1975), residual values too; dilation stays.
+    /// tan of the angle at which a joint that slides dilates: the given one, at most that of friction, before and after failure.
+    ///
+    /// Sliding loses `s (tan(phi) - tan(psi))` per area and slip under the pressure s, so with more dilation than friction it would make
+    /// energy. A scene cannot ask for that, but strengths that are reduced and phases that lower friction come to it.
+    #[inline]
+    #[must_use]
+    pub fn dilating(&self) -> f64 {
+        self.dilation.min(self.friction).min(self.residual_friction)
+    }
+
+    /// The strength divided by `factor` (Zienkiewicz, Humpheson and Lewis 1975), residual values too; dilation stays as far as friction
+    /// lets it ([`Strength::dilating`]).
     #[must_use]
     pub fn reduced(self, factor: f64) -> Self {
         Self {
@@ -191,5 +203,18 @@ mod tests {
         assert_eq!(half.peak(-1e6), 0.5 * STRENGTH.peak(-1e6));
         assert_eq!(half.residual(-1e6), 0.5 * STRENGTH.residual(-1e6));
         assert_eq!(half.tension, 0.5e6);
+    }
+
+    #[test]
+    fn dilation_stays_below_the_friction_that_is_left() {
+        let steep = Strength {
+            dilation: 0.4,
+            ..STRENGTH
+        };
+        assert_eq!(steep.dilating(), 0.4);
+        assert_eq!(steep.reduced(1.2).dilating(), 0.4);
+        assert_eq!(steep.reduced(2.0).dilating(), 0.25);
+        // Divided and given back it is what it was.
+        assert_eq!(steep.reduced(2.0).reduced(0.5).dilating(), 0.4);
     }
 }

@@ -71,6 +71,16 @@ impl Builder<'_> {
             if let Some(law) = laws.joints.get_mut(row) {
                 change_joint(law, change);
                 joints.push((row as u16, *law));
+                if let Some(strength) = law.strength.filter(|s| s.dilation > s.dilating()) {
+                    let least = libm::atan(strength.dilating()).to_degrees();
+                    let message = format!(
+                        "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: it dilates by {least:.4} deg from then on",
+                        said.name
+                    );
+                    let note = Diagnostic::warning("phase.dilation", message);
+                    let help = "with more dilation than friction sliding would make energy";
+                    self.found.push(note.at(name.span.clone()).help(help));
+                }
             }
         }
         let [remove, fix, release] = [&said.remove, &said.fix, &said.release].map(|names| {

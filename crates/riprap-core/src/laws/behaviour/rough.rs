@@ -64,25 +64,33 @@ impl BartonBandis {
         full * (y0 + (y1 - y0) * (x - x0) / (x1 - x0))
     }
 
-    /// Shear strength (Pa) under the pressure `s` (Pa) after the plastic slip `path` (m); `residual` is tan(phi_r).
+    /// phi_r, rad, from the residual friction of a [`super::Strength`] that has been reduced as the share says: the strength of rough
+    /// surfaces is divided as a whole, not its parameters.
+    fn residual_angle(&self, residual: f64) -> f64 {
+        libm::atan(residual / self.share)
+    }
+
+    /// Shear strength (Pa) under the pressure `s` (Pa) after the plastic slip `path` (m); `residual` is tan(phi_r), where strengths are
+    /// reduced divided as they are.
     #[must_use]
     pub fn strength(&self, residual: f64, s: f64, path: f64) -> f64 {
         if s <= 0.0 {
             return 0.0;
         }
-        let angle = libm::atan(residual);
+        let angle = self.residual_angle(residual);
         self.share * s * libm::tan(angle + self.mobilised(angle, s, path))
     }
 
-    /// Tangent of the angle of dilation: half of the angle that roughness adds. Deviation: contraction before roughness is mobilised is
-    /// left out.
+    /// Tangent of the angle of dilation: half of the angle that roughness adds, and no more than the friction that is left where strengths
+    /// are reduced. Deviation: contraction before roughness is mobilised is left out.
     #[must_use]
     pub fn dilation(&self, residual: f64, s: f64, path: f64) -> f64 {
         if s <= 0.0 {
             return 0.0;
         }
-        let angle = libm::atan(residual);
-        libm::tan(0.5 * self.mobilised(angle, s, path).max(0.0))
+        let angle = self.residual_angle(residual);
+        let added = self.mobilised(angle, s, path).max(0.0);
+        libm::tan(0.5 * added).min(self.share * libm::tan(angle + added))
     }
 
     /// Whether the peak strength has been passed.

@@ -254,6 +254,78 @@ fn dilation_ends_and_goes_back() {
     }
 }
 
+/// Each law under reduction: the tractions of the reduced strength, no energy from sliding, and the balance of the whole law.
+#[test]
+fn reduced_laws_slide_at_their_reduced_strength_and_make_no_energy() {
+    let steep = Strength {
+        dilation: 0.45,
+        dilation_end: 1.0,
+        ..strength()
+    };
+    let closes = Behaviour {
+        closure: Closure::Hyperbolic {
+            limit: 1e-3,
+            stiffest: 25.0,
+        },
+        ..Behaviour::default()
+    };
+    let laws = [
+        (strength(), softening()),
+        (steep, softening()),
+        (steep, Behaviour::default()),
+        (steep, closes),
+        rough(None),
+        rough(Some(1e-3)),
+    ];
+    for (case, (strength, behaviour)) in laws.into_iter().enumerate() {
+        for factor in [1.0, 1.25, 4.0] {
+            let (strength, behaviour) = (strength.reduced(factor), behaviour.reduced(factor));
+            let law = Law::new(Some(&strength), &behaviour, SPRINGS);
+            let sheared = shear(&law, &straight(-1e-4, 4e-3));
+            assert!(
+                sheared.residual.iter().all(|r| r.abs() < 1e-6),
+                "{case} {factor} {:?}",
+                sheared.residual
+            );
+            assert!(sheared.loss.friction >= 0.0, "{case} {factor}");
+            let t = sheared.point[20_000];
+            let path = sheared.memory.accumulated_slip;
+            let bears = law.limit(t[0], law.damage(&sheared.memory, path), path);
+            assert!((t[1] / bears - 1.0).abs() < 1e-9, "{case} {factor}");
+            // Step by step: what friction takes is at least what dilation lifts against the pressure.
+            for pair in sheared.point.windows(2) {
+                assert!(
+                    pair[1][1] >= 0.0 && pair[1][0] <= pair[0][0] + 1e-6,
+                    "{case} {factor}"
+                );
+            }
+            let half = (strength.reduced(2.0), behaviour.reduced(2.0));
+            let half = Law::new(Some(&half.0), &half.1, SPRINGS);
+            let [one, other] = [law, half].map(|law| law.limit(-5e6, 1.0, 2e-3));
+            assert!((one / other - 2.0).abs() < 1e-12, "{case} {factor}");
+        }
+    }
+    // At the dilation angle nothing is lost in sliding, and nothing made.
+    let smooth = Strength {
+        cohesion: 0.0,
+        tension: 0.0,
+        friction: 0.1,
+        residual_friction: 0.1,
+        residual_cohesion: 0.0,
+        ..steep
+    };
+    let plain = Behaviour::default();
+    let sheared = shear(
+        &Law::new(Some(&smooth), &plain, SPRINGS),
+        &straight(-1e-4, 4e-3),
+    );
+    let Loss { friction, fracture } = sheared.loss;
+    assert!(
+        friction.abs() + fracture.abs() < 1e-6 * 1e4,
+        "{friction} {fracture}"
+    );
+}
+
 #[test]
 fn closure_follows_the_hyperbola_and_stores_its_integral() {
     let closure = Closure::Hyperbolic {

@@ -435,6 +435,10 @@ friction_angle = "0 deg"
         (0.0, 0.0, 2e6)
     );
     assert!(model.plan.phases[0].contacts.is_empty());
+    // Dilation goes no further than friction, and is told.
+    assert_eq!((weaker.dilation > 0.9, weaker.dilating()), (true, 0.0));
+    let told = |w: &crate::scenario::Diagnostic| w.message.contains("`weaker` lowers the friction");
+    assert_eq!(model.warnings.iter().filter(|w| told(w)).count(), 1);
 }
 
 #[test]
