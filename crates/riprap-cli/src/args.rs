@@ -257,17 +257,18 @@ pub struct Bisect {
     pub json: bool,
 }
 
-/// Find the factor of safety of a scene by reduction of strengths.
+/// Find the factor of safety of a scene, or the limit of any number of it.
 ///
 /// Cohesion, tension and tan(friction angle) of the interfaces are divided by a factor F, which is searched for by doubling
 /// and halving: at the largest F with which the model comes to rest it is safe. The phases of the scene are run
-/// first; every trial then goes on from the last stable state, as a static phase. Writes a table of the trials and a
-/// run of the mechanism into a folder.
+/// first; every trial then goes on from the last stable state, as a static phase. With --quantity a key takes the place of F: a load, a
+/// water level, an angle, a thickness; every trial then begins anew. Writes a table of the trials and a run of the mechanism into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   riprap safety slope.toml
   riprap safety slope.toml --interfaces plane --width 0.002
+  riprap safety arch.toml --quantity blocks.arch.arch.thickness --range '1 m..1.15 m' --width '2 mm'
 
 A trial is stable when the unbalanced forces have died down, failing when a block has moved more than --moved
 and the kinetic energy goes on growing, undecided otherwise; the answer is then a wider range.")]
@@ -276,12 +277,23 @@ pub struct Safety {
     pub scene: Scene,
     #[command(flatten)]
     pub how: How,
-    /// Width of the answer
-    #[arg(long, value_name = "F", default_value_t = 0.01)]
-    pub width: f64,
+    /// Width of the answer, of a quantity with its unit [default: 0.01; a hundredth of the range]
+    #[arg(long, value_name = "F")]
+    pub width: Option<String>,
     /// Interfaces whose strength is reduced, with commas between [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        conflicts_with = "quantity"
+    )]
     pub interfaces: Vec<String>,
+    /// Search for the limit of this key, in place of the factor of safety
+    #[arg(long, value_name = "KEY", requires = "range")]
+    pub quantity: Option<String>,
+    /// Values of the key between which the limit lies, either end of which may stand
+    #[arg(long, value_name = "A..B", requires = "quantity")]
+    pub range: Option<String>,
     /// Displacement from which on a trial may count as failing, with its unit [default: a thousandth of a block]
     #[arg(long, value_name = "LENGTH")]
     pub moved: Option<String>,
@@ -292,7 +304,7 @@ pub struct Safety {
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     pub steps: u64,
     /// Run the scene from its start with reduced strengths in every trial: slower, and another stress path
-    #[arg(long)]
+    #[arg(long, conflicts_with = "quantity")]
     pub from_start: bool,
     /// Folder for the results [default: the scene's name with .safety, in the working folder]
     #[arg(short, long, value_name = "DIR")]

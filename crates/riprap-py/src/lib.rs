@@ -10,6 +10,7 @@ mod live;
 mod look;
 mod plots;
 mod runs;
+mod safety;
 mod scene;
 mod shapes;
 mod sweeps;
@@ -31,6 +32,8 @@ mod _riprap {
     use crate::plots::plot;
     #[pymodule_export]
     use crate::runs::{resume, run};
+    #[pymodule_export]
+    use crate::safety::safety;
     #[pymodule_export]
     use crate::scene::{Scene, explain, fields, free_folder, schema, si, version};
     #[pymodule_export]

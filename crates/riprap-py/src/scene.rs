@@ -26,7 +26,8 @@ impl Scene {
             .map_err(|wrong| errors::scenario(py, &wrong))
     }
 
-    fn case(&self, name: Option<&str>) -> PyResult<scenario::Case> {
+    /// The case of that name, the plain one without.
+    pub fn case(&self, name: Option<&str>) -> PyResult<scenario::Case> {
         let Some(name) = name else {
             return Ok(self.0.plain());
         };

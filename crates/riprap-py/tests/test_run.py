@@ -211,6 +211,24 @@ def test_a_sweep_with_a_wrong_case_runs_nothing(sliding_block, tmp_path):
     assert not (tmp_path / "s").exists()
 
 
+def test_a_factor_of_safety_and_the_limit_of_a_quantity(sliding_block, tmp_path, capsys):
+    """A block on a slope slides at tan(friction) = tan(slope), whichever of both is searched for."""
+    block = sliding_block(time="0.01 s")
+    key = "interfaces.default.friction_angle"
+    slope = math.radians(35)
+    found = riprap.safety(block, tmp_path / "q", quantity=key, between=("5 deg", "60 deg"), threads=2, progress=True)
+    assert abs(found.limit - slope) < 0.02 and found.unit == "rad" and found.mechanism == "sliding"
+    assert found.run is not None and (tmp_path / "q/safety.csv").read_text() == found.csv
+    assert "stable" in capsys.readouterr().out and len(found.trials) > 4
+    block = sliding_block(friction="60 deg", time="0.01 s")
+    found = riprap.safety(block, tmp_path / "f", width=0.05, moved="4 mm")
+    assert abs(found.limit - math.tan(math.pi / 3) / math.tan(slope)) < 0.1 and found.quantity is None
+    with pytest.raises(ValueError, match="write"):
+        riprap.safety(block, tmp_path / "n", quantity=key, between=("5 deg", "1 m"))
+    with pytest.raises(riprap.ScenarioError):
+        riprap.safety(block, tmp_path / "n", quantity=key, between=("1 m", "2 m"))
+
+
 def test_manifest_and_events(slide):
     assert slide.manifest["format"] == "riprap-run" and slide.manifest["riprap"] == riprap.__version__
     kinds = [e["event"] for e in slide.events()]

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use riprap::run::safety::{Answer, Mechanism, Rules, SafetyError, State, search};
+use riprap::run::safety::{
+    Answer, Mechanism, Quantity, Rules, SafetyError, State, over_quantity, search,
+};
 use riprap::run::scene::Scene;
 use riprap::scenario::Source;
 
@@ -54,7 +56,8 @@ until = { unbalanced = 1e-6, steps = 50000 }
 "#;
 
 fn agrees(answer: &Answer, wanted: f64, width: f64) {
-    let (low, high) = (answer.stable_at.unwrap(), answer.fails_at.unwrap());
+    let (stable, failing) = (answer.stable_at.unwrap(), answer.fails_at.unwrap());
+    let (low, high) = (stable.min(failing), stable.max(failing));
     assert!(!answer.undecided, "{answer:?}");
     assert!(high - low <= width, "{low} {high}");
     // The width, and 0.2 % for what the model is not rigid.
@@ -138,6 +141,193 @@ fn what_cannot_be_reduced_is_told() {
         safety(&scene(STONE), "default", &rules),
         Err(SafetyError::NotANumber)
     ));
+}
+
+fn limit(scene: &Scene, key: &str, range: &str, width: &str, threads: usize) -> Answer {
+    let quantity = Quantity::read(key, range, Some(width)).unwrap();
+    let (case, rules) = (scene.plain(), Rules::default());
+    let found = over_quantity(
+        scene,
+        &case,
+        &quantity,
+        &rules,
+        threads,
+        &|| false,
+        &mut |_| {},
+    );
+    found.unwrap_or_else(|wrong| panic!("{wrong}"))
+}
+
+/// Without what hangs on the clock.
+fn timeless(answer: Answer) -> Answer {
+    let mut answer = answer;
+    answer.trials.iter_mut().for_each(|t| t.seconds = 0.0);
+    answer
+}
+
+#[test]
+fn limits_of_other_numbers_than_strength() {
+    let stone = scene(STONE);
+    // The slope is the friction angle: either end of a range may stand.
+    let slope = limit(&stone, "space.planar.tilt", "30 deg..50 deg", "0.1 deg", 1);
+    let friction = "interfaces.default.friction_angle";
+    let angle = limit(&stone, friction, "20 deg..40 deg", "0.1 deg", 1);
+    let deg = f64::to_radians;
+    for (answer, wanted) in [(&slope, deg(40.0)), (&angle, deg(30.0))] {
+        agrees(answer, wanted, deg(0.1));
+        assert_eq!(answer.mechanism, Some(Mechanism::Sliding));
+        assert!(answer.is_found() && answer.unit == "rad");
+    }
+    assert!(slope.stable_at < slope.fails_at && angle.stable_at > angle.fails_at);
+    assert!(angle.words().contains("stands at 30") && angle.words().contains(" deg, fails at "));
+    // A load, in the unit of its key: W (cos a tan phi - sin a) = 8.4545 kN/m, W = 2 m x 1 m x 2500 kg/m3 x g.
+    let pushed = STONE.replace(
+        "[[phases]]",
+        "[[loads]]\non = { block = \"stone\" }\npoint = { force = [\"-1 kN/m\", \"0 N/m\"] }\ntime.ramp = { from = 0, to = 1, start = \"0 s\", end = \"0.1 s\" }\n[[phases]]",
+    );
+    let load = limit(&scene(&pushed), "loads.0.time.ramp.to", "1..20", "0.05", 1);
+    let weight = 2.0 * 2500.0 * 9.81e-3;
+    let (sin, cos) = (libm::sin(deg(30.0)), libm::cos(deg(30.0)));
+    agrees(&load, weight * (cos * libm::tan(deg(40.0)) - sin), 0.05);
+}
+
+#[test]
+fn trials_side_by_side_give_the_same_answer() {
+    let stone = scene(STONE);
+    let job = stone.prepare(&stone.plain()).unwrap().job();
+    let friction = "interfaces.default.friction_angle";
+    let angle = |threads| limit(&stone, friction, "20 deg..40 deg", "0.5 deg", threads);
+    let factor = |threads, from_start| {
+        let rules = Rules {
+            from_start,
+            ..Rules::default()
+        };
+        let mut told = Vec::new();
+        let mut report = |t: &riprap::run::safety::Trial| told.push(t.value);
+        let answer = search(
+            &job.setup,
+            &job.plan,
+            &rules,
+            threads,
+            &|| false,
+            &mut report,
+        );
+        let answer = answer.unwrap();
+        assert_eq!(
+            told,
+            answer.trials.iter().map(|t| t.value).collect::<Vec<_>>()
+        );
+        timeless(answer)
+    };
+    for threads in [2, 3] {
+        assert_eq!(timeless(angle(1)), timeless(angle(threads)));
+        for from_start in [false, true] {
+            assert_eq!(factor(1, from_start), factor(threads, from_start));
+        }
+    }
+}
+
+#[test]
+fn ranges_and_values_that_cannot_be_are_told() {
+    let key = "interfaces.default.friction_angle";
+    for (range, width) in [
+        ("20 deg", None),
+        ("20 deg..4 m", None),
+        ("20 deg..20 deg", None),
+        ("..", None),
+        ("20 deg..40 deg", Some("1 mm")),
+        ("20 deg..40 deg", Some("0 deg")),
+    ] {
+        let wrong = Quantity::read(key, range, width).unwrap_err().to_string();
+        assert!(wrong.contains("write"), "{wrong}");
+    }
+    let stone = scene(STONE);
+    let asked = |key: &str, range: &str| {
+        let quantity = Quantity::read(key, range, None).unwrap();
+        let (case, rules) = (stone.plain(), Rules::default());
+        let found = over_quantity(&stone, &case, &quantity, &rules, 1, &|| false, &mut |_| {});
+        found.unwrap_err().to_string()
+    };
+    let wrong = asked("interfaces.default.frictoin_angle", "20 deg..40 deg");
+    assert!(wrong.contains("friction_angle"), "{wrong}");
+    let wrong = asked(key, "1 m..2 m");
+    assert!(wrong.contains("friction angle"), "{wrong}");
+    // Nothing fails: no limit, and no panic.
+    let none = limit(&stone, key, "35 deg..40 deg", "1 deg", 2);
+    assert!(
+        !none.is_found() && none.words().contains("nothing fails"),
+        "{}",
+        none.words()
+    );
+}
+
+/// What falls in a phase of the scene and comes to rest on the floor has not stood.
+#[test]
+fn rubble_at_rest_does_not_stand() {
+    let step = STONE
+        .replace("tilt = \"30 deg\"", "")
+        .replace(
+            "corner = [\"0 m\", \"0 m\"]",
+            "corner = [\"0 m\", \"0.5 m\"]",
+        )
+        .replace(
+            "kind = \"static\"\nuntil = { unbalanced = 1e-6, steps = 50000 }",
+            "until = { time = \"2 s\" }",
+        );
+    let answer = limit(
+        &scene(&step),
+        "blocks.stone.rectangle.corner.1",
+        "0 m..0.5 m",
+        "0.4 m",
+        1,
+    );
+    assert_eq!(answer.trials[0].state, State::Stable, "{:?}", answer.trials);
+    assert_eq!(answer.trials[1].state, State::Undecided);
+    assert!(
+        answer.trials[1].note.contains("`stone` had moved"),
+        "{:?}",
+        answer.trials[1]
+    );
+}
+
+fn verified(file: &str, changes: &[(&str, &str)]) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/verify");
+    let changes: Vec<(String, String)> = (changes.iter())
+        .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
+        .collect();
+    Scene::load(&path.join(file), &changes).unwrap()
+}
+
+/// Catalogue entry G5: fifteen voussoirs stand from t/R = 0.106265 on; softer joints than those of the scene, in a wider range.
+#[test]
+fn the_thinnest_arch_that_stands() {
+    let arch = verified(
+        "planar/g5_arch.toml",
+        &[
+            ("phases.stand.kind", "static"),
+            ("phases.stand.until.time", "10 ms"),
+            ("interfaces.default.normal_stiffness", "100 GPa/m"),
+            ("interfaces.default.shear_stiffness", "50 GPa/m"),
+        ],
+    );
+    let key = "blocks.arch.arch.thickness";
+    let answer = limit(&arch, key, "0.95 m..1.15 m", "200 mm", 1);
+    assert_eq!(
+        (answer.stable_at, answer.fails_at),
+        (Some(1.15), Some(0.95)),
+        "{answer:?}"
+    );
+    assert_eq!(answer.mechanism, Some(Mechanism::Both));
+    // It falls in the static phase of the scene already.
+    assert!(answer.trials[0].note.contains("`decentre`"), "{answer:?}");
+}
+
+/// The depth of water in the tension crack of G1 at which F = 1 by its equation.
+#[test]
+fn the_water_level_at_which_a_slope_fails() {
+    let slope = verified("engineering/water_plane_failure.toml", &[]);
+    let answer = limit(&slope, "water.wet.points.1.1", "24 m..30 m", "0.1 m", 1);
+    agrees(&answer, 28.99347, 0.1);
 }
 
 /// Plane failure with a tension crack (Hoek and Bray): dry, with cohesion, with water in the crack.

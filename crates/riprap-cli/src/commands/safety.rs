@@ -1,13 +1,13 @@
-//! `riprap safety`: factor of safety by reduction of strengths.
+//! `riprap safety`: factor of safety by reduction of strengths, limits of other numbers.
 
 use std::path::Path;
 
-use riprap::plan::Every;
 use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending};
 use riprap::run::job::{self, Job};
-use riprap::run::safety::{self, Answer, Mechanism, Rules, SafetyError, State, Trial};
-use riprap::scenario::units::Dim;
+use riprap::run::safety::{self, Answer, Quantity, Rules, SafetyError, Trial};
+use riprap::run::scene::Scene;
+use riprap::scenario::units::{self, Dim};
 
 use crate::args::Safety;
 use crate::commands::plot::{self, quantity};
@@ -20,16 +20,34 @@ use crate::interrupt::Interrupt;
 use crate::numbers::{duration, grouped, si};
 use crate::{scenes, screen};
 
-/// Blocks of the mechanism that are named on the screen.
-const NAMED: usize = 5;
 /// Frames of the run of the mechanism.
 const FRAMES: u64 = 20;
 
 /// `riprap safety`.
 pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, args.how.quiet)?;
+    let over = match (&args.quantity, &args.range) {
+        (Some(key), Some(range)) => {
+            let read = Quantity::read(key, range, args.width.as_deref());
+            Some(read.map_err(SafetyError::from)?)
+        }
+        _ => None,
+    };
+    let factor = Rules::default().width;
+    let width = match (&over, &args.width) {
+        (Some(quantity), _) => quantity.width,
+        (None, Some(text)) => match units::parse(text) {
+            Ok((width, Dim::NONE)) => width,
+            Ok(_) | Err(_) => {
+                let text =
+                    format!("{text:?} is no width of a factor; write for example --width 0.01");
+                return Err(Failure::Input(text));
+            }
+        },
+        (None, None) => factor,
+    };
     let rules = Rules {
-        width: args.width,
+        width,
         interfaces: args.interfaces.clone(),
         moved: (args.moved.as_deref())
             .map(|text| quantity(text, Dim::LENGTH, "length", "--moved '5 mm'"))
@@ -41,77 +59,77 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "safety", args.force);
     make_folder(&folder, existing)?;
     let interrupt = Interrupt::listen()?;
-    let job = prepared.job();
+    let stop = || interrupt.asked();
     let mut count = 0;
-    let answer = safety::search(
-        &job.setup,
-        &job.plan,
-        &rules,
-        threads(&args.how),
-        &|| interrupt.asked(),
-        &mut |trial| {
-            count += 1;
-            if args.json {
-                screen::line(&serde_json::json!(trial).to_string());
-            } else if !args.how.quiet {
-                screen::line(&line(count, trial));
-            }
-        },
-    )?;
+    let mut report = |trial: &Trial| {
+        count += 1;
+        if args.json {
+            screen::line(&serde_json::json!(trial).to_string());
+        } else if !args.how.quiet {
+            screen::line(&line(count, trial, over.as_ref()));
+        }
+    };
+    let threads = threads(&args.how);
+    let (answer, job) = if let Some(quantity) = &over {
+        let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+        let case = scenes::case(&scene, &args.scene.change)?;
+        let answer =
+            safety::over_quantity(&scene, &case, quantity, &rules, threads, &stop, &mut report)?;
+        let value = answer.fails_at.unwrap_or(quantity.low);
+        (answer, quantity.prepare(&scene, &case, value)?.job())
+    } else {
+        let job = prepared.job();
+        let (setup, plan) = (&job.setup, &job.plan);
+        let answer = safety::search(setup, plan, &rules, threads, &stop, &mut report)?;
+        (answer, job)
+    };
     write(
         &folder.join("safety.json"),
         &serde_json::json!(&answer).to_string(),
     )?;
-    write(&folder.join("safety.csv"), &table(&answer))?;
-    if let Some(factor) = answer.fails_at {
-        mechanism(
-            job, &rules, factor, &answer, &folder, existing, args, &interrupt,
-        )?;
+    write(&folder.join("safety.csv"), &answer.table())?;
+    if let Some(job) = safety::mechanism_job(job, &rules, &answer, FRAMES)? {
+        mechanism(job, &folder, existing, threads, &interrupt)?;
     }
     if args.json {
         screen::line(&serde_json::json!(&answer).to_string());
     } else {
-        screen::line(&in_words(&answer, &rules));
-        if let Some(text) = mechanism_line(&answer) {
+        screen::line(&answer.words());
+        if let Some(text) = answer.mechanism_words() {
             screen::line(&text);
         }
         screen::line(&format!("{}", folder.display()));
     }
-    match (answer.stable_at, answer.fails_at) {
-        (Some(_), Some(_)) if answer.undecided => {
-            print_line(
-                "warning",
-                "trials inside the range were undecided: give them more --steps, or look at the run of the mechanism",
-            );
-            Ok(())
-        }
-        (Some(_), Some(_)) => Ok(()),
-        _ => Err(Failure::Physics("no factor of safety was found".to_owned())),
+    if !answer.is_found() {
+        return Err(Failure::Physics(missing(&answer)));
+    }
+    if answer.undecided {
+        print_line(
+            "warning",
+            "trials inside the range were undecided: give them more --steps, or look at the run of the mechanism",
+        );
+    }
+    Ok(())
+}
+
+/// What was not found.
+fn missing(answer: &Answer) -> String {
+    match &answer.quantity {
+        None => "no factor of safety was found".to_owned(),
+        Some(key) => format!("no limit of `{key}` was found: give a wider --range"),
     }
 }
 
-/// Runs the scene with a last phase in which the mechanism moves, and draws it.
-#[allow(
-    clippy::too_many_arguments,
-    reason = "one caller, and each is a thing of its own"
-)]
+/// Runs the scene until the mechanism has moved, and draws it.
 fn mechanism(
-    mut job: Job,
-    rules: &Rules,
-    factor: f64,
-    answer: &Answer,
+    job: Job,
     folder: &Path,
     existing: Existing,
-    args: &Safety,
+    threads: usize,
     interrupt: &Interrupt,
 ) -> Result<(), Failure> {
-    let trials = answer.trials.iter().filter(|t| t.factor == factor);
-    let steps = trials.map(|t| t.steps).max().unwrap_or(1);
-    job.plan = safety::plan_of_mechanism(&job.setup, &job.plan, rules, factor, steps)?;
-    job.plan.frames = Some(Every::Steps(steps.div_ceil(FRAMES).max(1)));
-    job.checks.clear();
     let target = folder.join("mechanism.run");
-    let outcome = job::run(job, &target, existing, threads(&args.how), &mut |_| {
+    let outcome = job::run(job, &target, existing, threads, &mut |_| {
         if interrupt.asked() {
             Control::Stop
         } else {
@@ -133,20 +151,15 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
         .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())))
 }
 
-fn word(state: State) -> &'static str {
-    match state {
-        State::Stable => "stable",
-        State::Failing => "failing",
-        State::Undecided => "undecided",
-    }
-}
-
 /// `F = 1.2500  failing    moved 12.3 mm (block wedge)  2 450 steps in 0.8 s`.
-fn line(count: usize, trial: &Trial) -> String {
+fn line(count: usize, trial: &Trial, over: Option<&Quantity>) -> String {
+    let value = match over {
+        None => format!("F = {:<8.4}", trial.value),
+        Some(quantity) => format!("{:<12}", quantity.shown.text(trial.value, 6)),
+    };
     let mut text = format!(
-        "{count:>3}  F = {:<8.4} {:<9}  moved {} ({})  {} steps in {}",
-        trial.factor,
-        word(trial.state),
+        "{count:>3}  {value} {:<9}  moved {} ({})  {} steps in {}",
+        trial.state.word(),
         si(trial.moved, "m"),
         trial.block,
         grouped(trial.steps),
@@ -154,74 +167,6 @@ fn line(count: usize, trial: &Trial) -> String {
     );
     if !trial.note.is_empty() {
         text.push_str(&format!("\n     {}", trial.note));
-    }
-    text
-}
-
-fn in_words(answer: &Answer, rules: &Rules) -> String {
-    // One digit more than the width has.
-    let mut digits = 1;
-    let mut width = rules.width;
-    while width < 1.0 && digits < 9 {
-        width *= 10.0;
-        digits += 1;
-    }
-    match (answer.stable_at, answer.fails_at) {
-        (Some(low), Some(high)) => format!("factor of safety: {low:.digits$} .. {high:.digits$}"),
-        (Some(low), None) => {
-            format!(
-                "factor of safety: above {low}: the model stands with next to no strength in these interfaces"
-            )
-        }
-        (None, Some(high)) => {
-            format!("factor of safety: below {high}: no strength that was tried holds the model")
-        }
-        (None, None) => "factor of safety: unknown, no trial was decided".to_owned(),
-    }
-}
-
-/// What moves, and how.
-fn mechanism_line(answer: &Answer) -> Option<String> {
-    let count = answer.moving.len();
-    let (noun, s) = if count == 1 {
-        ("block", "s")
-    } else {
-        ("blocks", "")
-    };
-    let how = match answer.mechanism? {
-        Mechanism::Sliding => format!("slide{s} or fall{s} without turning"),
-        Mechanism::Turning => format!("turn{s}"),
-        Mechanism::Both => format!("slide{s} and turn{s}"),
-    };
-    let names: Vec<&str> = (answer.moving.iter().take(NAMED))
-        .map(|(name, _)| name.as_str())
-        .collect();
-    let more = if count > NAMED {
-        format!(" and {} more", count - NAMED)
-    } else {
-        String::new()
-    };
-    Some(format!(
-        "mechanism: {} {noun} {how}: {}{more}",
-        grouped(count as u64),
-        names.join(", ")
-    ))
-}
-
-/// The trials as CSV.
-fn table(answer: &Answer) -> String {
-    let mut text = "factor,state,moved (m),block,unbalanced,steps,seconds\n".to_owned();
-    for t in &answer.trials {
-        text.push_str(&format!(
-            "{},{},{:e},{},{:e},{},{:.3}\n",
-            t.factor,
-            word(t.state),
-            t.moved,
-            t.block,
-            t.unbalanced,
-            t.steps,
-            t.seconds
-        ));
     }
     text
 }
@@ -234,7 +179,9 @@ impl From<SafetyError> for Failure {
             | SafetyError::Exec(_)
             | SafetyError::Interface { .. }
             | SafetyError::NoStrength(_)
+            | SafetyError::Range(_)
             | SafetyError::NotANumber => Failure::Input(error.to_string()),
+            SafetyError::Scene(wrong) => Failure::Scene(wrong),
         }
     }
 }

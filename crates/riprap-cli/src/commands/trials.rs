@@ -100,22 +100,13 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     let case = scenes::case(&scene, &args.scene.change)?;
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(args.how.quiet || args.json);
-    let stop = || {
-        if interrupt.asked() {
-            Control::Stop
-        } else {
-            Control::Continue
-        }
-    };
     let mut count = 0;
     let found = trials::search(
         &scene,
         &case,
         threads(&args.how),
-        &mut |look| {
-            display.show(look);
-            stop()
-        },
+        &|| interrupt.asked(),
+        &mut |look| display.show(look),
         &mut |trial| {
             count += 1;
             let word = if trial.failed { "fails" } else { "holds" };
@@ -140,11 +131,10 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     );
     display.close();
     let found = found?;
-    let (bracket, unit) = (&found.bracket, &found.unit);
     if args.json {
         let line = serde_json::json!({
-            "key": found.key, "unit": unit, "limit": bracket.limit(),
-            "holds_at": bracket.holds_at, "fails_at": bracket.fails_at,
+            "key": found.key, "unit": found.unit, "limit": found.limit(),
+            "holds_at": found.holds_at, "fails_at": found.fails_at,
         });
         screen::line(&line.to_string());
         return Ok(());
@@ -153,9 +143,9 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     screen::line(&format!(
         "{}: limit {} (holds at {}, fails at {})",
         found.key,
-        words(bracket.limit()),
-        words(bracket.holds_at),
-        words(bracket.fails_at)
+        words(found.limit()),
+        words(found.holds_at),
+        words(found.fails_at)
     ));
     Ok(())
 }

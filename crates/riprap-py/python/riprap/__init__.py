@@ -18,6 +18,7 @@ from ._folder import RunFolder
 from ._plot import Picture, plot
 from ._riprap import Progress, explain, si, version
 from ._run import resume, run
+from ._safety import Safety, safety
 from ._scenario import Report, Scenario
 from ._simulation import Simulation, Value
 from ._sweep import Sweep, sweep
@@ -51,6 +52,7 @@ __all__ = [
     "RiprapError",
     "RunError",
     "RunFolder",
+    "Safety",
     "Scenario",
     "ScenarioError",
     "ShapeError",
@@ -65,6 +67,7 @@ __all__ = [
     "plot",
     "resume",
     "run",
+    "safety",
     "schema",
     "shapes",
     "si",

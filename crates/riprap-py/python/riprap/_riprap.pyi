@@ -96,6 +96,14 @@ def run(
     callback: Callable[[Progress], object] | None,
 ) -> str: ...
 def resume(folder: _Path, threads: int, callback: Callable[[Progress], object] | None) -> str: ...
+def safety(
+    scene: Scene,
+    case: str | None,
+    folder: _Path,
+    existing_folder: str,
+    options: Mapping[str, Any],
+    report: Callable[[str], object] | None,
+) -> tuple[str, str, str]: ...
 def sweep(
     scene: Scene,
     folder: _Path,

@@ -1,7 +1,7 @@
 //! Simulation loop: phases, schedule, stop criteria, checks, sweeps.
 
 pub mod ask;
-pub mod bisect;
+pub mod bracket;
 pub mod checks;
 pub mod compare;
 pub mod drive;

@@ -17,20 +17,31 @@
 //! not hang on the stated length, which only says from when on it is worth asking. A trial that is neither when its steps are used up is
 //! *undecided*, and never counts as stable: the answer is then a wider range.
 
+#[cfg(feature = "scenario")]
+mod quantity;
+mod record;
+mod trial;
 mod verdict;
-
-use std::time::Instant;
 
 use serde::Serialize;
 use thiserror::Error;
 
+use super::bracket::{Found, Search, Task, drive};
 use super::engine::BuildError;
-use super::simulation::{Cursor, RunError, Simulation, Snapshot, Stage};
-use crate::exec::{Exec, ExecError};
-use crate::plan::{Damping, Deforming, Phase, Plan, Reduction, TimeStep};
+use super::job::Job;
+use crate::exec::ExecError;
+use crate::plan::shown::Shown;
+use crate::plan::{Every, Plan, Until};
 use crate::setup::Setup;
-use verdict::{Look, Watch};
-pub use verdict::{Mechanism, State};
+
+pub use super::bracket::State;
+#[cfg(feature = "scenario")]
+pub(in crate::run) use quantity::with_value;
+#[cfg(feature = "scenario")]
+pub use quantity::{Quantity, RangeError, over_quantity};
+use trial::{Done, Made, Maker};
+pub use trial::{reduced_from_start, trial_phase};
+pub use verdict::Mechanism;
 
 /// Largest factor that is tried; above it strength does not decide. Its inverse is the smallest.
 const MOST: f64 = 64.0;
@@ -38,11 +49,13 @@ const MOST: f64 = 64.0;
 const LOOK: u64 = 50;
 /// Share of the size of the middle one of the blocks that counts as moved where nothing else is said.
 const MOVED: f64 = 1e-3;
+/// The same for blocks that are not where they were any more: what comes to rest then has not stood.
+const FAR: f64 = 0.1;
 
 /// How the search is made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
-    /// Width of the answer.
+    /// Width of the answer, SI.
     pub width: f64,
     /// Interfaces whose strength is reduced, by name; empty: all.
     pub interfaces: Vec<String>,
@@ -72,8 +85,8 @@ impl Default for Rules {
 /// One trial.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Trial {
-    /// Factor that strengths are divided by.
-    pub factor: f64,
+    /// Factor that strengths are divided by, or value of the quantity, SI.
+    pub value: f64,
     /// What came of it.
     pub state: State,
     /// Largest displacement of a block in the trial, m.
@@ -86,16 +99,29 @@ pub struct Trial {
     pub steps: u64,
     /// Wall time, s.
     pub seconds: f64,
-    /// Why the physics stopped it, if it did.
+    /// Why the physics stopped it, and what else is to be known.
     pub note: String,
+    /// Number of the phase of the scene in which it failed already.
+    #[serde(skip)]
+    pub phase: Option<usize>,
 }
 
 /// What was found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Answer {
-    /// Largest factor found stable; `None`: the model fails at the smallest one tried.
+    /// The key of the quantity that was searched for; `None`: a factor of safety.
+    pub quantity: Option<String>,
+    /// SI unit of the values; empty for plain numbers.
+    pub unit: String,
+    /// The unit in which they are shown.
+    #[serde(skip)]
+    pub shown: Shown,
+    /// Width that was asked for, SI.
+    #[serde(skip)]
+    pub width: f64,
+    /// The value nearest to the limit that is stable; `None`: no value that was tried.
     pub stable_at: Option<f64>,
-    /// Smallest factor found failing; `None`: nothing fails at the largest one tried.
+    /// The value nearest to the limit that fails; `None`: no value that was tried.
     pub fails_at: Option<f64>,
     /// Whether there is an undecided trial between both, so that the range is wider than was asked for.
     pub undecided: bool,
@@ -132,6 +158,14 @@ pub enum SafetyError {
     /// A number that is none.
     #[error("the width, the ratio of balance and the displacement must be numbers above zero")]
     NotANumber,
+    /// A range that is none.
+    #[cfg(feature = "scenario")]
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// A value that the scene cannot have.
+    #[cfg(feature = "scenario")]
+    #[error("{0}")]
+    Scene(crate::scenario::Diagnostics),
     /// The user stopped it.
     #[error("stopped by the user")]
     Stopped,
@@ -194,35 +228,84 @@ pub fn search(
     plan: &Plan,
     rules: &Rules,
     threads: usize,
-    stop: &dyn Fn() -> bool,
+    stop: &(dyn Fn() -> bool + Sync),
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Answer, SafetyError> {
+    sound(rules)?;
+    let search = Search::from_one(MOST, rules.width).map_err(|_| SafetyError::NotANumber)?;
+    let rows = rows(setup, rules)?;
+    let maker = Maker {
+        rules,
+        rows: &rows,
+        stop,
+    };
+    let one = |task: &Task<'_, Done>| -> Made {
+        let (factor, threads) = (task.value, task.threads);
+        if let Some((
+            from,
+            Done {
+                state: Some(state), ..
+            },
+        )) = task.from
+        {
+            return maker.weaker(state, plan, factor / from, factor, threads, task.useless);
+        }
+        let plan = if factor == 1.0 {
+            plan.clone()
+        } else {
+            reduced_from_start(plan, &rows, factor)
+        };
+        let model = (setup.clone(), plan);
+        maker.anew(model, factor, factor != 1.0, threads, task.useless)
+    };
+    let chained = !rules.from_start;
+    answer(search, threads, chained, rules.width, one, report)
+}
+
+/// Whether the rules are numbers.
+fn sound(rules: &Rules) -> Result<(), SafetyError> {
     let sound = |x: f64| x.is_finite() && x > 0.0;
     if !sound(rules.width) || !sound(rules.balance) || !rules.moved.is_none_or(sound) {
         return Err(SafetyError::NotANumber);
     }
-    let mut search = Search {
-        setup,
-        plan,
-        rules,
-        rows: rows(setup, rules)?,
+    Ok(())
+}
+
+/// Makes the trials of a search and says what they found, of a factor of safety.
+fn answer(
+    search: Search,
+    threads: usize,
+    chained: bool,
+    width: f64,
+    one: impl Fn(&Task<'_, Done>) -> Made + Sync,
+    report: &mut dyn FnMut(&Trial),
+) -> Result<Answer, SafetyError> {
+    let mut trials = Vec::new();
+    let found = drive(
+        search,
         threads,
-        stop,
-        report,
-        trials: Vec::new(),
-        stable: None,
-        failed: None,
-    };
-    search.bracket()?;
-    let (stable_at, undecided) = search.narrow()?;
-    let failed = search.failed;
+        chained,
+        |task| one(task).map(|made| made.map(|done| (done.trial.state, done))),
+        |_, _, done: &Done| {
+            report(&done.trial);
+            trials.push(done.trial.clone());
+        },
+    )?;
+    let Found {
+        search, failing, ..
+    } = found;
+    let (moving, mechanism) = failing.map_or((Vec::new(), None), |f| (f.moving, f.mechanism));
     Ok(Answer {
-        stable_at,
-        fails_at: failed.as_ref().map(|f| f.factor),
-        undecided,
-        trials: search.trials,
-        moving: failed.as_ref().map_or_else(Vec::new, |f| f.moving.clone()),
-        mechanism: failed.and_then(|f| f.mechanism),
+        quantity: None,
+        unit: String::new(),
+        shown: Shown::si(""),
+        width,
+        stable_at: search.holds_at(),
+        fails_at: search.fails_at(),
+        undecided: search.undecided(),
+        trials,
+        moving,
+        mechanism,
     })
 }
 
@@ -274,294 +357,50 @@ fn rows(setup: &Setup, rules: &Rules) -> Result<Vec<u16>, SafetyError> {
         .collect())
 }
 
-/// A plan whose first phase begins with reduced strengths, those that later phases give too.
-#[must_use]
-pub fn reduced_from_start(plan: &Plan, rows: &[u16], factor: f64) -> Plan {
-    let mut plan = plan.clone();
-    for phase in &mut plan.phases {
-        for (_, law) in phase
-            .contacts
-            .iter_mut()
-            .filter(|(row, _)| rows.contains(row))
-        {
-            *law = law.reduced(factor);
-        }
-        for (_, law) in phase
-            .joints
-            .iter_mut()
-            .filter(|(row, _)| rows.contains(row))
-        {
-            *law = law.reduced(factor);
-        }
-    }
-    if let Some(first) = plan.phases.first_mut() {
-        first.reduction = Some(Reduction {
-            factor,
-            rows: rows.to_vec(),
-        });
-    }
-    plan
-}
-
-/// The phase of a trial: static, from the present state, with strengths divided by `factor`.
-#[must_use]
-pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Phase {
-    let last = plan.phases.last();
-    let deform = last.and_then(|phase| phase.deform).map(|deform| Deforming {
-        breaking: true,
-        ..deform
-    });
-    let time_step = last.map(|phase| phase.time_step);
-    let mut phase = Phase::settle("safety", rules.balance);
-    phase.until.steps = Some(rules.steps);
-    phase.time_step = match time_step {
-        Some(rule @ TimeStep::Auto { .. }) => rule,
-        Some(TimeStep::Given { .. }) | None => phase.time_step,
-    };
-    phase.damping = Damping::default();
-    phase.zero_displacements = true;
-    phase.zero_velocities = true;
-    phase.deform = deform;
-    phase.max_residual = f64::INFINITY;
-    // A factor of one changes nothing, not even the last bit.
-    phase.reduction = (factor != 1.0).then(|| Reduction {
-        factor,
-        rows: rows.to_vec(),
-    });
-    phase
-}
-
-/// The plan of a run that shows the mechanism: the phases of the scene and one of `steps` steps at the factor at which it fails.
+/// The job of a run that shows the mechanism, of the model `job` is of: that of the scene, or for a quantity that of the value at which it
+/// fails. It has the phases of the scene and one of as many steps as the trial that fails nearest to the limit had, with about `frames`
+/// frames; `None` where nothing failed.
 ///
 /// # Errors
 /// As [`search`] for the names of interfaces.
-pub fn plan_of_mechanism(
-    setup: &Setup,
-    plan: &Plan,
+pub fn mechanism_job(
+    mut job: Job,
     rules: &Rules,
-    factor: f64,
-    steps: u64,
-) -> Result<Plan, SafetyError> {
-    let rows = rows(setup, rules)?;
-    // Below 1 the scene needs its greater strength from the start, or it has failed before.
-    let whole = rules.from_start || factor < 1.0;
-    let (mut shown, factor) = if whole {
-        (reduced_from_start(plan, &rows, factor), 1.0)
-    } else {
-        (plan.clone(), factor)
+    answer: &Answer,
+    frames: u64,
+) -> Result<Option<Job>, SafetyError> {
+    let failing = |t: &&Trial| t.state == State::Failing && Some(t.value) == answer.fails_at;
+    let Some(trial) = answer.trials.iter().find(failing) else {
+        return Ok(None);
     };
-    let mut phase = trial_phase(plan, rules, &rows, factor);
-    phase.name = "mechanism".to_owned();
+    let steps = trial.steps.max(1);
+    let (mut rows_of, mut factor) = (Vec::new(), 1.0);
+    if answer.quantity.is_none() {
+        rows_of = rows(&job.setup, rules)?;
+        // Below 1 the scene needs its greater strength from the start, or it has failed before.
+        if (rules.from_start && trial.value != 1.0) || trial.value < 1.0 {
+            job.plan = reduced_from_start(&job.plan, &rows_of, trial.value);
+        } else {
+            factor = trial.value;
+        }
+    }
     // It ends when it has been seen, not when it is at rest.
-    phase.until.unbalanced = None;
-    phase.until.steps = Some(steps.max(1));
-    shown.phases.push(phase);
-    Ok(shown)
-}
-
-/// A failing trial.
-struct Failed {
-    factor: f64,
-    moving: Vec<(String, f64)>,
-    mechanism: Option<Mechanism>,
-}
-
-struct Search<'a> {
-    setup: &'a Setup,
-    plan: &'a Plan,
-    rules: &'a Rules,
-    rows: Vec<u16>,
-    threads: usize,
-    stop: &'a dyn Fn() -> bool,
-    report: &'a mut dyn FnMut(&Trial),
-    trials: Vec<Trial>,
-    /// The largest stable factor so far, with the state it came to.
-    stable: Option<(f64, Snapshot)>,
-    /// The smallest failing factor so far.
-    failed: Option<Failed>,
-}
-
-impl Search<'_> {
-    /// Finds a stable and a failing factor by doubling or halving from 1.
-    fn bracket(&mut self) -> Result<(), SafetyError> {
-        let mut factor = 1.0;
-        match self.trial(factor)? {
-            State::Stable => {
-                while self.failed.is_none() && factor < MOST {
-                    factor *= 2.0;
-                    self.trial(factor)?;
-                }
-            }
-            State::Failing | State::Undecided => {
-                while self.stable.is_none() && factor > 1.0 / MOST {
-                    factor *= 0.5;
-                    self.trial(factor)?;
-                }
-            }
+    let seen = Until {
+        steps: Some(steps),
+        ..Until::default()
+    };
+    if let Some(phase) = trial.phase {
+        job.plan.phases.truncate(phase + 1);
+        for last in job.plan.phases.iter_mut().skip(phase) {
+            last.until = seen;
         }
-        Ok(())
+    } else {
+        let mut phase = trial_phase(&job.plan, rules, &rows_of, factor);
+        phase.name = "mechanism".to_owned();
+        phase.until = seen;
+        job.plan.phases.push(phase);
     }
-
-    /// Halves what lies between; the largest stable factor, and whether something undecided lies between it and the failing one.
-    fn narrow(&mut self) -> Result<(Option<f64>, bool), SafetyError> {
-        let stable = |search: &Self| search.stable.as_ref().map(|(factor, _)| *factor);
-        let failing = |search: &Self| search.failed.as_ref().map(|failed| failed.factor);
-        loop {
-            let (Some(low), Some(high)) = (stable(self), failing(self)) else {
-                return Ok((
-                    stable(self),
-                    self.trials.iter().any(|t| t.state == State::Undecided),
-                ));
-            };
-            // Undecided trials divide the range in up to three: of the outer two, the wider one is halved.
-            let between = self
-                .trials
-                .iter()
-                .filter(|t| t.state == State::Undecided && t.factor > low && t.factor < high);
-            let (first, last) = between.fold((high, low), |(first, last), t| {
-                (first.min(t.factor), last.max(t.factor))
-            });
-            let undecided = first < high;
-            let (left, right) = (first - low, if undecided { high - last } else { 0.0 });
-            if left.max(right) <= self.rules.width {
-                return Ok((Some(low), undecided));
-            }
-            let [below, above] = if left >= right {
-                [low, first]
-            } else {
-                [last, high]
-            };
-            let middle = 0.5 * (below + above);
-            if middle <= below || middle >= above {
-                // The width is finer than the numbers themselves.
-                return Ok((Some(low), undecided));
-            }
-            self.trial(middle)?;
-        }
-    }
-
-    /// Makes a trial and keeps what it tells.
-    fn trial(&mut self, factor: f64) -> Result<State, SafetyError> {
-        let begun = Instant::now();
-        let (mut simulation, ran) = match &self.stable {
-            Some((from, state)) if !self.rules.from_start => {
-                (self.weaker(state, factor / from)?, Ok(()))
-            }
-            _ => {
-                let plan = if factor == 1.0 {
-                    self.plan.clone()
-                } else {
-                    reduced_from_start(self.plan, &self.rows, factor)
-                };
-                let mut simulation =
-                    Simulation::new(self.setup.clone(), plan, Exec::new(self.threads)?)?;
-                let ran = self.run(&mut simulation)?;
-                (self.weaker(&simulation.snapshot(), 1.0)?, ran)
-            }
-        };
-        let begin = simulation.steps();
-        let mut watch = Watch::new(self.rules.moved);
-        let mut ended = ran.err();
-        let state = loop {
-            if ended.is_some() {
-                break watch.stopped();
-            }
-            match simulation.prepare() {
-                Ok(Stage::Within) => {}
-                Ok(Stage::PhaseEnd | Stage::Done) => {
-                    let balanced = simulation.view().unbalanced() <= self.rules.balance
-                        || simulation
-                            .engine()
-                            .relaxing()
-                            .is_some_and(|now| now.converged);
-                    watch.look(Look::of(&simulation, begin));
-                    break if balanced {
-                        State::Stable
-                    } else {
-                        watch.stopped()
-                    };
-                }
-                Err(why) => {
-                    ended = Some(why);
-                    continue;
-                }
-            }
-            if (simulation.steps() - begin).is_multiple_of(LOOK) {
-                if (self.stop)() {
-                    return Err(SafetyError::Stopped);
-                }
-                watch.look(Look::of(&simulation, begin));
-                if watch.is_failing() {
-                    break State::Failing;
-                }
-            }
-            simulation.step();
-        };
-        let (moved, block) = watch.farthest().unwrap_or((0.0, 0));
-        let trial = Trial {
-            factor,
-            state,
-            moved,
-            block: simulation.view().name(block),
-            unbalanced: simulation.view().unbalanced(),
-            steps: simulation.steps() - begin,
-            seconds: begun.elapsed().as_secs_f64(),
-            note: ended.map_or_else(String::new, |why: RunError| why.to_string()),
-        };
-        (self.report)(&trial);
-        self.trials.push(trial);
-        match state {
-            State::Stable if self.stable.as_ref().is_none_or(|(f, _)| factor > *f) => {
-                self.stable = Some((factor, simulation.snapshot()));
-            }
-            State::Failing if self.failed.as_ref().is_none_or(|f| factor < f.factor) => {
-                let moving = watch.moving();
-                let view = simulation.view();
-                self.failed = Some(Failed {
-                    factor,
-                    mechanism: verdict::mechanism(&moving),
-                    moving: moving
-                        .iter()
-                        .map(|m| (view.name(m.block), verdict::length(m.shift)))
-                        .collect(),
-                });
-            }
-            State::Stable | State::Failing | State::Undecided => {}
-        }
-        Ok(state)
-    }
-
-    /// A trial that goes on from `state` with strengths divided by `factor`.
-    fn weaker(&self, state: &Snapshot, factor: f64) -> Result<Simulation, SafetyError> {
-        let phase = trial_phase(self.plan, self.rules, &self.rows, factor);
-        let cursor = Cursor {
-            gravity_before: state.cursor.gravity_after,
-            gravity_after: state.cursor.gravity_after,
-            ..Cursor::default()
-        };
-        let plan = Plan {
-            title: self.plan.title.clone(),
-            phases: vec![phase],
-            ..Plan::default()
-        };
-        let snapshot = Snapshot {
-            plan,
-            cursor,
-            state: state.state.clone(),
-        };
-        Ok(Simulation::resume(snapshot, Exec::new(self.threads)?))
-    }
-
-    /// Runs the phases of the scene; inside: why the physics stopped them.
-    fn run(&self, simulation: &mut Simulation) -> Result<Result<(), RunError>, SafetyError> {
-        use super::simulation::Reached;
-        loop {
-            match simulation.advance(20 * LOOK) {
-                Ok(Reached::End) => return Ok(Ok(())),
-                Ok(Reached::Asked) if (self.stop)() => return Err(SafetyError::Stopped),
-                Ok(Reached::Asked) => {}
-                Err(why) => return Ok(Err(why)),
-            }
-        }
-    }
+    job.plan.frames = Some(Every::Steps(steps.div_ceil(frames).max(1)));
+    job.checks.clear();
+    Ok(Some(job))
 }

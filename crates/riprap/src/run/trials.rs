@@ -2,14 +2,16 @@
 //! under both normal laws.
 
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use thiserror::Error;
 
-use super::bisect::{BisectError, Bracket, bisect};
+use super::bracket::{Search, State, Task, drive};
 use super::checks::Status;
 use super::compare::{self, CompareError, Difference};
 use super::drive::{Control, Ending, Look};
 use super::job::{self, JobError, Outcome, watch_only};
+use super::safety::with_value;
 use super::scene::Scene;
 use crate::model::Bisection;
 use crate::plan::shown::{Shown, digits_for};
@@ -80,13 +82,24 @@ pub struct Found {
     pub unit: String,
     /// How its values are shown: in the unit in which the scene gave the interval.
     pub shown: Shown,
-    /// Values that hold and fail.
-    pub bracket: Bracket,
+    /// The value nearest to the limit that holds, SI.
+    pub holds_at: f64,
+    /// The value nearest to the limit that fails, SI.
+    pub fails_at: f64,
     /// Digits that the tolerance of the search makes meaningful.
     pub digits: usize,
 }
 
-/// Searches for the value at which a case of `scene` begins to fail.
+impl Found {
+    /// The middle between the value that holds and the one that fails.
+    #[must_use]
+    pub fn limit(&self) -> f64 {
+        0.5 * (self.holds_at + self.fails_at)
+    }
+}
+
+/// Searches for the value at which a case of `scene` begins to fail, with `threads` trials side by side; `look` sees those
+/// that are needed, `stop` is asked by all.
 ///
 /// A run that the physics stops counts as failed.
 ///
@@ -96,7 +109,8 @@ pub fn search(
     scene: &Scene,
     case: &Case,
     threads: usize,
-    look: &mut dyn FnMut(&mut Look<'_>) -> Control,
+    stop: &(dyn Fn() -> bool + Sync),
+    look: &mut (dyn FnMut(&mut Look<'_>) + Send),
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Found, TrialError> {
     let prepared = scene.prepare(case).map_err(TrialError::Scene)?;
@@ -107,22 +121,29 @@ pub fn search(
     };
     let shown = shown(&wanted);
     let digits = digits_for(wanted.tolerance / wanted.low.abs().max(wanted.high.abs()));
-    let trial = |value: f64| -> Result<bool, TrialError> {
-        // After the changes of the case, which may name the key themselves.
-        let mut changed = case.clone();
-        let text = format!("{value} {}", wanted.unit);
-        let quoted = if wanted.unit.is_empty() {
-            format!("{value:?}")
-        } else {
-            format!("{text:?}")
-        };
-        changed.trial.push((wanted.key.clone(), quoted));
+    // Trials that are made ahead leave it alone.
+    let look = Mutex::new(look);
+    let one = |task: &Task<'_, Trial>| -> Result<Option<(State, Trial)>, TrialError> {
+        let changed = with_value(case, &wanted.key, task.value, &wanted.unit);
         let mut job = scene.prepare(&changed).map_err(TrialError::Scene)?.job();
         job.checks = vec![wanted.holds.clone()];
-        let Outcome { ending, checks, .. } = watch_only(job, threads, look)?;
+        let mut here = |now: &mut Look<'_>| {
+            if task.needed
+                && let Ok(mut look) = look.lock()
+            {
+                look(now);
+            }
+            if stop() || (task.useless)() {
+                Control::Stop
+            } else {
+                Control::Continue
+            }
+        };
+        let Outcome { ending, checks, .. } = watch_only(job, task.threads, &mut here)?;
         let note = match ending {
             Ending::Finished => String::new(),
-            Ending::Stopped => return Err(TrialError::Stopped),
+            Ending::Stopped if stop() => return Err(TrialError::Stopped),
+            Ending::Stopped => return Ok(None),
             Ending::Unstable(why) => why.to_string(),
         };
         let holds = checks.iter().all(|check| check.status == Status::Passed);
@@ -131,28 +152,40 @@ pub fn search(
         let measured_words = checks
             .first()
             .map_or_else(String::new, |check| check.words.clone());
-        report(&Trial {
-            value,
-            words: shown.text(value, digits),
+        let trial = Trial {
+            value: task.value,
+            words: shown.text(task.value, digits),
             measured,
             measured_words,
             failed,
             note,
-        });
-        Ok(failed)
+        };
+        let state = if failed {
+            State::Failing
+        } else {
+            State::Stable
+        };
+        Ok(Some((state, trial)))
     };
-    let bracket =
-        bisect(wanted.low, wanted.high, wanted.tolerance, trial).map_err(|wrong| match wrong {
-            BisectError::Trial(why) => why,
-            BisectError::NoLimit { .. } | BisectError::NotANumber => {
-                TrialError::NoLimit(wrong.to_string())
-            }
-        })?;
+    let search = Search::between(wanted.low, wanted.high, wanted.tolerance)
+        .map_err(|wrong| TrialError::NoLimit(wrong.to_string()))?;
+    let found = drive(search, threads, false, one, |_, _, trial| report(trial))?.search;
+    let (Some(holds_at), Some(fails_at)) = (found.holds_at(), found.fails_at()) else {
+        let what = match found.holds_at() {
+            Some(_) => "holds",
+            None => "fails",
+        };
+        let [low, high] = [wanted.low, wanted.high].map(|end| shown.text(end, digits));
+        return Err(TrialError::NoLimit(format!(
+            "it {what} at both, {low} and {high}"
+        )));
+    };
     Ok(Found {
         key: wanted.key,
-        shown: shown.clone(),
+        shown,
         unit: wanted.unit,
-        bracket,
+        holds_at,
+        fails_at,
         digits,
     })
 }

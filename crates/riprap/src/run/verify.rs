@@ -166,21 +166,14 @@ fn verify_limit(
     strict: bool,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Vec<CheckResult> {
-    let mut look = |_: &mut Look<'_>| {
-        if stop() {
-            Control::Stop
-        } else {
-            Control::Continue
-        }
-    };
-    match trials::search(scene, case, 1, &mut look, &mut |_| {}) {
+    match trials::search(scene, case, 1, stop, &mut |_| {}, &mut |_| {}) {
         Err(wrong) => {
             let why = wrong.to_string();
             vec![broken(&scene.path, name, "the limit is found", &why)]
         }
         Ok(found) => {
             let path = scene.path.display().to_string();
-            let limit = found.bracket.limit();
+            let limit = found.limit();
             let compare = |check: Check| {
                 let mut watch = Watch::new(check);
                 watch.observe(0.0, limit);

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::MOVED;
+use super::{MOVED, State};
 use crate::run::engine::Movement;
 use crate::run::simulation::Simulation;
 
@@ -13,18 +13,6 @@ const GROWTH: f64 = 1.3;
 const FEWEST: usize = 12;
 /// Share of the farthest displacement from which on a block belongs to the mechanism.
 const MOVING: f64 = 0.3;
-
-/// What came of a trial.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum State {
-    /// The forces came into balance.
-    Stable,
-    /// Blocks move on and on.
-    Failing,
-    /// Neither, when its steps were used up or the physics stopped it.
-    Undecided,
-}
 
 /// How the blocks of a mechanism move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -65,6 +53,8 @@ pub struct Watch {
     moved: Option<f64>,
     looks: Vec<(u64, f64)>,
     movements: Vec<Movement>,
+    /// Displacements that blocks had before, m.
+    base: Vec<(u32, [f64; 3])>,
 }
 
 impl Watch {
@@ -74,6 +64,16 @@ impl Watch {
             moved,
             looks: Vec::new(),
             movements: Vec::new(),
+            base: Vec::new(),
+        }
+    }
+
+    /// Nothing yet, of blocks that have moved before: what counts is how far they come from there.
+    pub fn from(moved: Option<f64>, before: &Look) -> Self {
+        let all = before.movements.iter();
+        Self {
+            base: all.map(|m| (m.block, m.shift)).collect(),
+            ..Self::new(moved)
         }
     }
 
@@ -81,6 +81,21 @@ impl Watch {
     pub fn look(&mut self, look: Look) {
         self.looks.push((look.steps, look.kinetic));
         self.movements = look.movements;
+        // Both lists are in the order of the blocks.
+        let mut base = self.base.iter().peekable();
+        for movement in &mut self.movements {
+            while base
+                .peek()
+                .is_some_and(|(block, _)| *block < movement.block)
+            {
+                base.next();
+            }
+            if let Some((block, shift)) = base.peek()
+                && *block == movement.block
+            {
+                movement.shift = [0, 1, 2].map(|k| movement.shift[k] - shift[k]);
+            }
+        }
     }
 
     /// The block that has come farthest, and how far, m.
@@ -95,19 +110,24 @@ impl Watch {
         })
     }
 
-    /// Whether it has moved far enough to be asked.
-    fn has_moved(&self) -> bool {
-        let limit = self.moved.unwrap_or_else(|| {
+    /// Whether it has moved far enough to be asked; with a share, farther than that share of the size of the middle one of the blocks.
+    pub fn has_moved(&self, share: Option<f64>) -> bool {
+        let of_size = |share: f64| {
             let mut sizes: Vec<f64> = self.movements.iter().map(|m| m.size).collect();
             sizes.sort_by(f64::total_cmp);
-            sizes.get(sizes.len() / 2).map_or(0.0, |size| MOVED * size)
-        });
+            sizes.get(sizes.len() / 2).map_or(0.0, |size| share * size)
+        };
+        let limit = match (share, self.moved) {
+            (None, Some(moved)) => moved,
+            (Some(share), _) => of_size(share),
+            (None, None) => of_size(MOVED),
+        };
         self.farthest().is_some_and(|(moved, _)| moved > limit)
     }
 
     /// Whether it moves on and on.
     pub fn is_failing(&self) -> bool {
-        self.looks.len() >= FEWEST && self.has_moved() && grows(&self.looks)
+        self.looks.len() >= FEWEST && self.has_moved(None) && grows(&self.looks)
     }
 
     /// What it is when it ends without balance: failing if it was at its end, else undecided.

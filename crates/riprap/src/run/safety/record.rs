@@ -1,0 +1,125 @@
+//! Answers as words and tables.
+
+use super::{Answer, Mechanism, State};
+use crate::plan::shown::{Shown, digits_for};
+
+/// Blocks of the mechanism that are named in words.
+const NAMED: usize = 5;
+
+impl State {
+    /// As it is written.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Failing => "failing",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
+/// A value in a unit, with the digits that a width makes meaningful.
+pub fn in_unit(shown: &Shown, value: f64, width: f64) -> String {
+    shown.text(value, digits_for(width / value.abs()))
+}
+
+impl Answer {
+    /// Whether a limit was found.
+    #[must_use]
+    pub fn is_found(&self) -> bool {
+        self.stable_at.is_some() && self.fails_at.is_some()
+    }
+
+    /// A value as it is shown: with its unit, and one digit more than the width has.
+    #[must_use]
+    pub fn text(&self, value: f64) -> String {
+        if self.quantity.is_some() {
+            return in_unit(&self.shown, value, self.width);
+        }
+        let mut digits = 1;
+        let mut width = self.width;
+        while width < 1.0 && digits < 9 {
+            width *= 10.0;
+            digits += 1;
+        }
+        format!("{value:.digits$}")
+    }
+
+    /// The answer in one line.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let ends = [self.stable_at, self.fails_at].map(|end| end.map(|value| self.text(value)));
+        if let Some(key) = &self.quantity {
+            return match ends {
+                [Some(stable), Some(failing)] => {
+                    format!("{key}: stands at {stable}, fails at {failing}")
+                }
+                [Some(_), None] => format!("{key}: nothing fails in this range"),
+                [None, Some(_)] => format!("{key}: nothing stands in this range"),
+                [None, None] => format!("{key}: unknown, no trial was decided"),
+            };
+        }
+        match ends {
+            [Some(low), Some(high)] => format!("factor of safety: {low} .. {high}"),
+            [Some(low), None] => format!(
+                "factor of safety: above {low}: the model stands with next to no strength in these interfaces"
+            ),
+            [None, Some(high)] => format!(
+                "factor of safety: below {high}: no strength that was tried holds the model"
+            ),
+            [None, None] => "factor of safety: unknown, no trial was decided".to_owned(),
+        }
+    }
+
+    /// What moves, and how.
+    #[must_use]
+    pub fn mechanism_words(&self) -> Option<String> {
+        let count = self.moving.len();
+        let (noun, s) = if count == 1 {
+            ("block", "s")
+        } else {
+            ("blocks", "")
+        };
+        let how = match self.mechanism? {
+            Mechanism::Sliding => format!("slide{s} or fall{s} without turning"),
+            Mechanism::Turning => format!("turn{s}"),
+            Mechanism::Both => format!("slide{s} and turn{s}"),
+        };
+        let names: Vec<&str> = (self.moving.iter().take(NAMED))
+            .map(|(name, _)| name.as_str())
+            .collect();
+        let more = if count > NAMED {
+            format!(" and {} more", count - NAMED)
+        } else {
+            String::new()
+        };
+        Some(format!(
+            "mechanism: {count} {noun} {how}: {}{more}",
+            names.join(", ")
+        ))
+    }
+
+    /// The trials as CSV: value (SI), state, displacement, block, unbalanced ratio, steps, seconds.
+    #[must_use]
+    pub fn table(&self) -> String {
+        let head = match (&self.quantity, self.unit.as_str()) {
+            (None, _) => "factor".to_owned(),
+            (Some(_), "") => "value".to_owned(),
+            (Some(_), unit) => format!("value ({unit})"),
+        };
+        let mut text = format!("{head},state,moved (m),block,unbalanced,steps,seconds\n");
+        for t in &self.trials {
+            text.push_str(&format!(
+                "{},{},{:e},{},{:e},{},{:.3}\n",
+                t.value,
+                t.state.word(),
+                t.moved,
+                t.block,
+                t.unbalanced,
+                t.steps,
+                t.seconds
+            ));
+        }
+        text
+    }
+}

@@ -1,0 +1,350 @@
+//! One trial: a model with the strengths or with the value that is tried, run until it is seen to stand or to fail.
+
+use std::time::Instant;
+
+use super::verdict::{self, Look, Watch};
+use super::{FAR, LOOK, Mechanism, Rules, SafetyError, State, Trial};
+use crate::exec::Exec;
+use crate::plan::{Damping, Deforming, Phase, PhaseKind, Plan, Reduction, TimeStep};
+use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot, Stage};
+use crate::setup::Setup;
+
+/// What a trial leaves.
+pub struct Done {
+    /// As it is told.
+    pub trial: Trial,
+    /// The state, where it is stable.
+    pub state: Option<Snapshot>,
+    /// Blocks that move, the farthest first, with their displacement (m), where it fails.
+    pub moving: Vec<(String, f64)>,
+    /// How they move.
+    pub mechanism: Option<Mechanism>,
+}
+
+/// Makes trials.
+pub struct Maker<'a> {
+    /// Rules of the search.
+    pub rules: &'a Rules,
+    /// Rows of the interface table whose strength is reduced.
+    pub rows: &'a [u16],
+    /// Whether the user wants to stop.
+    pub stop: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// How the phases of a scene came out.
+struct Before {
+    /// Why the physics stopped them.
+    ended: Option<RunError>,
+    /// What was seen, where they fail.
+    failing: Option<Watch>,
+    /// The farthest displacement in them (m), the block, and whether it is far from where it began.
+    farthest: (f64, u32),
+    far: bool,
+}
+
+/// A trial that was broken off because nobody needs it.
+pub type Made = Result<Option<Done>, SafetyError>;
+
+impl Maker<'_> {
+    /// A trial of a model from its start; `changed` says that it is not the scene as it stands.
+    pub fn anew(
+        &self,
+        (setup, plan): (Setup, Plan),
+        value: f64,
+        changed: bool,
+        threads: usize,
+        useless: &dyn Fn() -> bool,
+    ) -> Made {
+        let begun = Instant::now();
+        let last = trial_phase(&plan, self.rules, self.rows, 1.0);
+        let mut simulation = Simulation::new(setup, plan, Exec::new(threads)?)?;
+        let Some(before) = self.run(&mut simulation, useless)? else {
+            return Ok(None);
+        };
+        let Some(watch) = before.failing else {
+            let after = after(&simulation.snapshot(), last, threads)?;
+            let Some(mut done) = self.judge(after, before.ended, value, begun, useless)? else {
+                return Ok(None);
+            };
+            if changed && before.far && done.trial.state == State::Stable {
+                // Rubble at rest is no model that stands.
+                done.trial.state = State::Undecided;
+                let (moved, block) = before.farthest;
+                done.trial.note = format!(
+                    "it came to rest after `{}` had moved by {moved:.3e} m in phases of the scene, where a dynamic phase is not watched: make it static or \
+                     end it earlier",
+                    simulation.view().name(block)
+                );
+                done.state = None;
+            }
+            return Ok(Some(done));
+        };
+        let (phase, from) = (simulation.cursor().phase, simulation.cursor().start_step);
+        let name = simulation.phase().map_or("", |phase| phase.name.as_str());
+        let note = format!("in phase `{name}` of the scene");
+        let mut done = told(
+            &simulation,
+            &watch,
+            State::Failing,
+            value,
+            from,
+            begun,
+            note,
+        );
+        done.trial.phase = Some(phase);
+        Ok(Some(done))
+    }
+
+    /// A trial that goes on from `state` with strengths divided by `by`, to those of `value`.
+    pub fn weaker(
+        &self,
+        state: &Snapshot,
+        plan: &Plan,
+        by: f64,
+        value: f64,
+        threads: usize,
+        useless: &dyn Fn() -> bool,
+    ) -> Made {
+        let begun = Instant::now();
+        let phase = trial_phase(plan, self.rules, self.rows, by);
+        self.judge(after(state, phase, threads)?, None, value, begun, useless)
+    }
+
+    /// Runs a trial to its verdict.
+    fn judge(
+        &self,
+        mut simulation: Simulation,
+        mut ended: Option<RunError>,
+        value: f64,
+        begun: Instant,
+        useless: &dyn Fn() -> bool,
+    ) -> Made {
+        let begin = simulation.steps();
+        let mut watch = Watch::new(self.rules.moved);
+        let state = loop {
+            if ended.is_some() {
+                break watch.stopped();
+            }
+            match simulation.prepare() {
+                Ok(Stage::Within) => {}
+                Ok(Stage::PhaseEnd | Stage::Done) => {
+                    let balanced = simulation.view().unbalanced() <= self.rules.balance
+                        || simulation
+                            .engine()
+                            .relaxing()
+                            .is_some_and(|now| now.converged);
+                    watch.look(Look::of(&simulation, begin));
+                    break if balanced {
+                        State::Stable
+                    } else {
+                        watch.stopped()
+                    };
+                }
+                Err(why) => {
+                    ended = Some(why);
+                    continue;
+                }
+            }
+            if (simulation.steps() - begin).is_multiple_of(LOOK) {
+                if (self.stop)() {
+                    return Err(SafetyError::Stopped);
+                }
+                if useless() {
+                    return Ok(None);
+                }
+                watch.look(Look::of(&simulation, begin));
+                if watch.is_failing() {
+                    break State::Failing;
+                }
+            }
+            simulation.step();
+        };
+        let note = ended.map_or_else(String::new, |why| why.to_string());
+        Ok(Some(told(
+            &simulation,
+            &watch,
+            state,
+            value,
+            begin,
+            begun,
+            note,
+        )))
+    }
+
+    /// Runs the phases of a scene and watches the static ones; `None` where nobody needs it.
+    fn run(
+        &self,
+        simulation: &mut Simulation,
+        useless: &dyn Fn() -> bool,
+    ) -> Result<Option<Before>, SafetyError> {
+        let mut before = Before {
+            ended: None,
+            failing: None,
+            farthest: (0.0, 0),
+            far: false,
+        };
+        let mut watch: Option<Watch> = None;
+        let (mut of_phase, mut begin) = (usize::MAX, 0);
+        loop {
+            match simulation.advance(LOOK) {
+                Ok(Reached::End) => return Ok(Some(before)),
+                Ok(Reached::Asked) => {}
+                Err(why) => {
+                    before.ended = Some(why);
+                    return Ok(Some(before));
+                }
+            }
+            if (self.stop)() {
+                return Err(SafetyError::Stopped);
+            }
+            if useless() {
+                return Ok(None);
+            }
+            let cursor = simulation.cursor();
+            if of_phase != cursor.phase {
+                of_phase = cursor.phase;
+                watch = None;
+            }
+            let mut all = Watch::new(self.rules.moved);
+            all.look(Look::of(simulation, 0));
+            if let Some((moved, block)) = all.farthest()
+                && moved > before.farthest.0
+            {
+                before.farthest = (moved, block);
+                before.far = all.has_moved(Some(FAR));
+            }
+            // What falls while its weight still grows is seen afterwards, from there.
+            let elapsed = simulation.time() - cursor.start_time;
+            let watched = simulation.phase().is_some_and(|phase| {
+                phase.kind == PhaseKind::Static && elapsed > phase.gravity_ramp.unwrap_or(0.0)
+            });
+            if !watched {
+                continue;
+            }
+            let Some(seen) = &mut watch else {
+                begin = simulation.steps();
+                watch = Some(Watch::from(self.rules.moved, &Look::of(simulation, begin)));
+                continue;
+            };
+            seen.look(Look::of(simulation, begin));
+            if seen.is_failing() {
+                before.failing = watch;
+                return Ok(Some(before));
+            }
+        }
+    }
+}
+
+/// What a trial that has come to its end leaves.
+fn told(
+    simulation: &Simulation,
+    watch: &Watch,
+    state: State,
+    value: f64,
+    begin: u64,
+    begun: Instant,
+    note: String,
+) -> Done {
+    let view = simulation.view();
+    let (moved, block) = watch.farthest().unwrap_or((0.0, 0));
+    let moving = match state {
+        State::Failing => watch.moving(),
+        State::Stable | State::Undecided => Vec::new(),
+    };
+    Done {
+        trial: Trial {
+            value,
+            state,
+            moved,
+            block: view.name(block),
+            unbalanced: view.unbalanced(),
+            steps: simulation.steps() - begin,
+            seconds: begun.elapsed().as_secs_f64(),
+            note,
+            phase: None,
+        },
+        state: (state == State::Stable).then(|| simulation.snapshot()),
+        mechanism: verdict::mechanism(&moving),
+        moving: moving
+            .iter()
+            .map(|m| (view.name(m.block), verdict::length(m.shift)))
+            .collect(),
+    }
+}
+
+/// A simulation that goes on from a state with one more phase.
+fn after(state: &Snapshot, phase: Phase, threads: usize) -> Result<Simulation, SafetyError> {
+    let cursor = Cursor {
+        gravity_before: state.cursor.gravity_after,
+        gravity_after: state.cursor.gravity_after,
+        ..Cursor::default()
+    };
+    let plan = Plan {
+        title: state.plan.title.clone(),
+        phases: vec![phase],
+        ..Plan::default()
+    };
+    let snapshot = Snapshot {
+        plan,
+        cursor,
+        state: state.state.clone(),
+    };
+    Ok(Simulation::resume(snapshot, Exec::new(threads)?))
+}
+
+/// The phase of a trial: static, from the present state, with strengths divided by `factor`.
+#[must_use]
+pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Phase {
+    let last = plan.phases.last();
+    let deform = last.and_then(|phase| phase.deform).map(|deform| Deforming {
+        breaking: true,
+        ..deform
+    });
+    let time_step = last.map(|phase| phase.time_step);
+    let mut phase = Phase::settle("safety", rules.balance);
+    phase.until.steps = Some(rules.steps);
+    phase.time_step = match time_step {
+        Some(rule @ TimeStep::Auto { .. }) => rule,
+        Some(TimeStep::Given { .. }) | None => phase.time_step,
+    };
+    phase.damping = Damping::default();
+    phase.zero_displacements = true;
+    phase.zero_velocities = true;
+    phase.deform = deform;
+    phase.max_residual = f64::INFINITY;
+    // A factor of one changes nothing, not even the last bit.
+    phase.reduction = (factor != 1.0).then(|| Reduction {
+        factor,
+        rows: rows.to_vec(),
+    });
+    phase
+}
+
+/// A plan whose first phase begins with reduced strengths, those that later phases give too.
+#[must_use]
+pub fn reduced_from_start(plan: &Plan, rows: &[u16], factor: f64) -> Plan {
+    let mut plan = plan.clone();
+    for phase in &mut plan.phases {
+        for (_, law) in phase
+            .contacts
+            .iter_mut()
+            .filter(|(row, _)| rows.contains(row))
+        {
+            *law = law.reduced(factor);
+        }
+        for (_, law) in phase
+            .joints
+            .iter_mut()
+            .filter(|(row, _)| rows.contains(row))
+        {
+            *law = law.reduced(factor);
+        }
+    }
+    if let Some(first) = plan.phases.first_mut() {
+        first.reduction = Some(Reduction {
+            factor,
+            rows: rows.to_vec(),
+        });
+    }
+    plan
+}
