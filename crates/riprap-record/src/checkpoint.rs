@@ -157,6 +157,48 @@ pub enum CheckpointError {
     },
 }
 
+impl CheckpointError {
+    /// The file, where it may well be whole but is not of this run or this program: nothing for us to remove.
+    #[must_use]
+    pub fn of_another(&self) -> Option<&Path> {
+        match self {
+            Self::Foreign { path }
+            | Self::Newer { path, .. }
+            | Self::Older { path, .. }
+            | Self::Kind { path, .. }
+            | Self::OtherScene { path, .. }
+            | Self::Decode { path, .. } => Some(path),
+            Self::Read { .. }
+            | Self::Truncated { .. }
+            | Self::Trailing { .. }
+            | Self::Checksum { .. }
+            | Self::Absurd { .. }
+            | Self::None { .. } => None,
+        }
+    }
+}
+
+/// Gives a file a name that is free and that no checkpoint has (`.aside`, `.aside2`, ...), so that it is neither read nor replaced.
+///
+/// # Errors
+/// What the system says when renaming.
+pub(crate) fn set_aside(path: &Path) -> Result<PathBuf, OutputError> {
+    let name = |k: u32| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(match k {
+            1 => ".aside".to_owned(),
+            k => format!(".aside{k}"),
+        });
+        PathBuf::from(name)
+    };
+    let mut k = 1;
+    while name(k).exists() {
+        k += 1;
+    }
+    fs::rename(path, name(k)).at(path)?;
+    Ok(name(k))
+}
+
 fn list(broken: &[CheckpointError]) -> String {
     broken.iter().map(|b| format!("\n  {b}")).collect()
 }

@@ -203,6 +203,19 @@ impl RunFolder {
     /// # Errors
     /// Files that are shorter than their marks or changed, missing frames, the disk.
     pub fn reopen(path: &Path, marks: &Marks) -> Result<Self, FolderError> {
+        Self::reopen_beside(path, marks, &[]).map(|(run, _)| run)
+    }
+
+    /// As [`RunFolder::reopen`] where checkpoints of other runs or programs lie in the folder: these are given other names, not removed. The
+    /// names, in their order.
+    ///
+    /// # Errors
+    /// As [`RunFolder::reopen`].
+    pub fn reopen_beside(
+        path: &Path,
+        marks: &Marks,
+        others: &[&Path],
+    ) -> Result<(Self, Vec<PathBuf>), FolderError> {
         Manifest::read(path)?;
         let lock = lock(path)?;
         for entry in &marks.frames {
@@ -242,12 +255,14 @@ impl RunFolder {
                 fs::remove_file(&file).at(&file)?;
             }
         }
+        let aside = others.iter().map(|file| checkpoint::set_aside(file));
+        let aside = aside.collect::<Result<Vec<_>, _>>()?;
         for (step, file) in checkpoint::all(path).at(path)? {
             if step > marks.step {
                 fs::remove_file(&file).at(&file)?;
             }
         }
-        Ok(run)
+        Ok((run, aside))
     }
 
     /// Where it is.

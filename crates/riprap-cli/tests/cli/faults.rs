@@ -244,11 +244,14 @@ fn a_checkpoint_of_another_scene_is_refused_by_name() {
     let foreign = bench.path("b.run/checkpoints").read_dir().unwrap();
     let foreign = foreign.map(|f| f.unwrap().path()).max().unwrap();
     let place = bench.path("a.run/checkpoints/checkpoint_000000999999.rck");
-    std::fs::copy(foreign, place).unwrap();
-    bench
-        .run(&["resume", "a.run"])
-        .expect(0)
-        .warns(&["skipped a checkpoint", "a stone drops"]);
+    std::fs::copy(&foreign, place).unwrap();
+    bench.run(&["resume", "a.run"]).expect(0).warns(&[
+        "skipped a checkpoint",
+        "a stone drops",
+        "is kept as",
+    ]);
+    let kept = bench.path("a.run/checkpoints/checkpoint_000000999999.rck.aside");
+    assert!(std::fs::read(kept).unwrap() == std::fs::read(foreign).unwrap());
 }
 
 #[test]

@@ -255,12 +255,20 @@ impl Live {
             watches,
         } = latest.value;
         notes.extend(origin.edits(folder, &manifest));
+        let others: Vec<&Path> = latest
+            .broken
+            .iter()
+            .filter_map(|e| e.of_another())
+            .collect();
+        let (folder, aside) = RunFolder::reopen_beside(folder, &marks, &others)?;
+        notes.extend(
+            (aside.iter()).map(|name| format!("what was skipped is kept as {}", name.display())),
+        );
         for note in &notes {
             if !manifest.warnings.contains(note) {
                 manifest.warnings.push(note.clone());
             }
         }
-        let folder = RunFolder::reopen(folder, &marks)?;
         manifest.ended = Ended::Running;
         folder.write_manifest(&manifest)?;
         let simulation = Simulation::resume(snapshot, exec);
