@@ -6,7 +6,8 @@
 //!
 //! Volume and force are conjugate: `V = V0 - f sum A n.(u + th x r)` and a force `-P f A n` at the centre of each wall,
 //! so that the work on the blocks is `P dV`. Gas work is booked as the analytic integral of its adiabat; what the
-//! leapfrog makes of it differs by its error, which shows in the residual. Normals keep the direction of the start. On deformable
+//! leapfrog makes of it differs by its error, which shows in the residual. With small rotations normals keep the direction of the start; walls
+//! of blocks with finite rotations turn with them (`walls::follow`). On deformable
 //! blocks a wall is a set of nodes with their shares of the area (`walls`).
 //!
 //! Source: Tian & Li, eqs. (19)-(22) and assumption 1 (the charge turns to gas at once). Deviation: the coupling of
@@ -20,7 +21,7 @@ use riprap_geom::polyhedron::frame;
 use super::overlap::Overlap;
 use super::region::Bounds;
 use super::setup::{Coupling, Place, Region, Setup, Venting};
-pub use super::state::cavity::{Cavity, Gas, NodalWalls, Wall};
+pub use super::state::cavity::{Cavity, Gas, NodalWalls, TurnedWall, Wall};
 use super::state::lineage::Origin;
 use super::world::World;
 use crate::laws::explosive::{Adiabat, ExplosiveError};
@@ -103,6 +104,16 @@ impl Wall {
             arm,
             hold,
             hold_moment,
+            turned: None,
+        }
+    }
+
+    /// Its unit outward normal and its area (m²) for the gas now.
+    #[must_use]
+    pub fn now(&self) -> (Vec3, f64) {
+        match &self.turned {
+            Some(turned) => (turned.normal, turned.area),
+            None => (self.normal, self.area),
         }
     }
 }
@@ -237,7 +248,10 @@ impl Cavity {
         let freedoms = world.all_freedoms();
         self.walls.iter().map(move |wall| {
             let force = match self.ignited {
-                Some(_) => -self.pressure * factor * wall.area * wall.normal,
+                Some(_) => {
+                    let (normal, area) = wall.now();
+                    -self.pressure * factor * area * normal
+                }
                 None => wall.hold,
             };
             (

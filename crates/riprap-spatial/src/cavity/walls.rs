@@ -2,14 +2,22 @@
 //!
 //! Both are points with an anchor, an area A and an outward normal n, into the cavity. `V = V0 - f sum A n.u` and a force `-P f A n` on each, so that
 //! the work is `P dV`. In-situ tractions that the charge carried are given forces, as moments too on rigid blocks.
+//!
+//! A wall of a block with finite rotations turns with it: the push stays normal to the face and at its centre, and the volume follows from
+//! `dV = -A n.dx` along its way, with the mean of `A n` before and after a step. A face that has turned by more than [`TURNING`] from its start
+//! is less and less of a wall, by the cosine, and none from a right angle on: it no longer looks into the cavity. (No wall becomes of the
+//! other faces of a block that turns so far.)
 
 use riprap_geom::Vec3;
 
-use crate::anchor::Anchor;
-use crate::state::cavity::{Cavity, NodalWalls};
+use crate::anchor::{Anchor, Freedoms};
+use crate::state::cavity::{Cavity, NodalWalls, TurnedWall, Wall};
 use crate::state::deform::{Acts, Deform, Surface};
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
+
+/// Cosine of the angle by which a face may turn from its start and still is a whole wall: 60 degrees.
+const TURNING: f64 = 0.5;
 
 /// A point of the walls.
 #[derive(Clone, Copy, Debug)]
@@ -18,20 +26,83 @@ pub struct Spot {
     pub anchor: Anchor,
     /// Its share of the area, m².
     pub area: f64,
-    /// Unit outward normal of the block, into the cavity, at the start.
+    /// Unit outward normal of the block, into the cavity; that of the start where rotations are small.
     pub normal: Vec3,
 }
 
 /// Walls on rigid blocks.
 pub fn on_blocks(cavity: &Cavity) -> impl Iterator<Item = Spot> + '_ {
-    cavity.walls.iter().map(|wall| Spot {
-        anchor: Anchor::Block {
-            block: wall.block,
-            arm: wall.arm,
-        },
-        area: wall.area,
-        normal: wall.normal,
+    cavity.walls.iter().map(|wall| {
+        let (normal, area) = wall.now();
+        Spot {
+            anchor: centre(wall),
+            area,
+            normal,
+        }
     })
+}
+
+/// The centre of a wall.
+fn centre(wall: &Wall) -> Anchor {
+    Anchor::Block {
+        block: wall.block,
+        arm: wall.arm,
+    }
+}
+
+/// Takes the walls of blocks with finite rotations of cavity `k` along to where they are now.
+///
+/// Calling it again without moving changes nothing.
+pub(crate) fn follow(world: &mut World, k: usize) {
+    if world.turned.iter().all(Option::is_none) {
+        return;
+    }
+    let mut walls = std::mem::take(&mut world.cavities[k].walls);
+    let freedoms = world.all_freedoms();
+    for wall in &mut walls {
+        let Some(block) = &world.turned[wall.block as usize] else {
+            continue;
+        };
+        let displacement = freedoms.displacement(&centre(wall));
+        let normal = block.attitude * wall.normal;
+        let share = (normal.dot(wall.normal) / TURNING).clamp(0.0, 1.0);
+        let area = share * wall.area;
+        let swept = match &wall.turned {
+            Some(before) => {
+                let mean = 0.5 * (before.area * before.normal + area * normal);
+                before.swept - mean.dot(displacement - before.displacement)
+            }
+            None => swept_by(wall, &freedoms),
+        };
+        wall.turned = Some(TurnedWall {
+            normal,
+            area,
+            displacement,
+            swept,
+        });
+    }
+    world.cavities[k].walls = walls;
+}
+
+/// Makes `wall` a part of that of the block it comes from: normal and share of the area go on, and the parts of a wall have swept together
+/// what the whole has.
+pub(crate) fn divide(world: &World, wall: &mut Wall, whole: &Wall) {
+    let share = wall.area / whole.area;
+    let displacement = world.all_freedoms().displacement(&centre(wall));
+    wall.turned = whole.turned.map(|turned| TurnedWall {
+        area: share * turned.area,
+        swept: share * turned.swept,
+        displacement,
+        ..turned
+    });
+}
+
+/// Volume that a wall has swept since the start, m³.
+fn swept_by(wall: &Wall, freedoms: &Freedoms) -> f64 {
+    match &wall.turned {
+        Some(turned) => turned.swept,
+        None => wall.area * -wall.normal.dot(freedoms.displacement(&centre(wall))),
+    }
 }
 
 /// Walls of a source on deformable blocks.
@@ -55,7 +126,9 @@ fn surfaces(deform: &Deform, source: u16) -> impl Iterator<Item = &Surface> {
 /// Volume that the walls of a cavity have swept since the start, m³.
 #[must_use]
 pub fn swept(world: &World, cavity: &Cavity) -> f64 {
-    volume(world, on_blocks(cavity)) + volume(world, on_nodes(world, cavity.source))
+    let freedoms = world.all_freedoms();
+    let on_blocks = cavity.walls.iter().map(|wall| swept_by(wall, &freedoms));
+    on_blocks.sum::<f64>() + volume(world, on_nodes(world, cavity.source))
 }
 
 fn volume(world: &World, walls: impl Iterator<Item = Spot>) -> f64 {
@@ -67,11 +140,10 @@ fn volume(world: &World, walls: impl Iterator<Item = Spot>) -> f64 {
 /// Volume that the walls of dead rigid blocks have swept, m³.
 #[must_use]
 pub fn lost(world: &World, cavity: &Cavity) -> f64 {
-    let is_dead = |w: &Spot| match w.anchor {
-        Anchor::Block { block, .. } => !world.alive[block as usize],
-        Anchor::Nodes { .. } => false,
-    };
-    volume(world, on_blocks(cavity).filter(is_dead))
+    let freedoms = world.all_freedoms();
+    let dead = |w: &&Wall| !world.alive[w.block as usize];
+    let dead = cavity.walls.iter().filter(dead);
+    dead.map(|wall| swept_by(wall, &freedoms)).sum()
 }
 
 /// Tractions (Pa) of the stress at the start on the nodes of the walls of a source: node, area (m²), traction.

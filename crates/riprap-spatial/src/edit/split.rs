@@ -7,6 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 use super::error::EditError;
 use super::patches::{self, Old};
 use crate::build::{self, ClassTable};
+use crate::cavity::walls;
 use crate::laws::face_joint::SIGNS;
 use crate::meet::{self, Cell, Free};
 use crate::overlap;
@@ -100,6 +101,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     let tolerance = build::GAP * world.finest();
     let (cells, charges) = neighbourhood(world, plan);
     let (shared, free) = meet::meet(&cells, world.setup.periodic, tolerance);
+    let turned = turned_walls(world);
     forget(world);
     let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
     let mut after: BTreeMap<u32, u32> = BTreeMap::new();
@@ -115,7 +117,10 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             .into_iter()
             .find_map(|(side, owner)| owner.map(|cavity| (side, cavity)))
         {
-            let wall = Wall::new(&world.setup, &world.reference, &overlap, side);
+            let mut wall = Wall::new(&world.setup, &world.reference, &overlap, side);
+            if let Some(parent) = turned.get(&(plan.root(world, wall.block), wall.behind)) {
+                walls::divide(world, &mut wall, parent);
+            }
             world.cavities[cavity].walls.push(wall);
             continue;
         }
@@ -255,6 +260,13 @@ fn neighbourhood(world: &World, plan: &Plan) -> (Vec<Cell>, BTreeMap<u32, usize>
         })
         .collect();
     (cells, charges)
+}
+
+/// Walls of dead blocks that have turned with them, by block and removed block.
+fn turned_walls(world: &World) -> BTreeMap<(u32, u32), Wall> {
+    let walls = world.cavities.iter().flat_map(|c| &c.walls);
+    let gone = walls.filter(|w| w.turned.is_some() && !world.alive[w.block as usize]);
+    gone.map(|w| ((w.block, w.behind), *w)).collect()
 }
 
 /// Drops patches and walls of dead blocks.

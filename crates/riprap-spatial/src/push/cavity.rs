@@ -22,6 +22,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
         pushes.need_nodes(deform.nodes.len());
     }
     for k in 0..world.cavities.len() {
+        walls::follow(world, k);
         ignite(world, k, dt);
         match world.cavities[k].ignited {
             None => hold(world, k, pushes),

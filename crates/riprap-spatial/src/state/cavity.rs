@@ -66,6 +66,21 @@ pub struct Wall {
     pub hold: Vec3,
     /// Moment of the same about the centroid, N m.
     pub hold_moment: Vec3,
+    /// Where it has got to once its block uses finite rotations.
+    pub turned: Option<TurnedWall>,
+}
+
+/// A wall that turns with its block, at the last evaluation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TurnedWall {
+    /// Unit outward normal of the block.
+    pub normal: Vec3,
+    /// Area that the gas still finds, m²: less than that of the wall where it has turned away.
+    pub area: f64,
+    /// Displacement of its centre, m.
+    pub displacement: Vec3,
+    /// Volume that it has swept since the start, m³.
+    pub swept: f64,
 }
 
 /// Walls of a cavity on deformable blocks, in sum.

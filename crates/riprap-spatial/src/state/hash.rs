@@ -42,6 +42,9 @@ impl World {
             for wall in &cavity.walls {
                 hash.numbers(&wall.hold.to_array());
                 hash.numbers(&wall.hold_moment.to_array());
+                if let Some(turned) = &wall.turned {
+                    hash.numbers(&[turned.swept]);
+                }
             }
         }
         for anchor in self.faces.iter().flat_map(|f| f.anchor) {
