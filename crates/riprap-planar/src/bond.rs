@@ -5,7 +5,7 @@
 //! middle: with the mean frame exactly that point makes force and moments the gradient of the stored
 //! energy, also for finite rotation.
 
-use riprap_geom::Vec2;
+use riprap_geom::{Vec2, Vec3};
 
 use super::contact::Relative;
 use super::search::{is_driven, row_of};
@@ -87,9 +87,10 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
                     .iter()
                     .map(|&(x, w)| {
                         let at = start_a + (low + x * (high - low)) * dir;
+                        let apart = 0.5 * apart(setup, &law, at, ea.normal);
                         BondPoint {
-                            on_i: at - shapes.centroid[a],
-                            on_j: at - shapes.centroid[b],
+                            on_i: at - apart - shapes.centroid[a],
+                            on_j: at + apart - shapes.centroid[b],
                             weight: w * (high - low),
                             ..BondPoint::default()
                         }
@@ -114,6 +115,25 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
         }
     }
     bonds
+}
+
+/// How far the places of a point of a whole joint lie apart (m) under the stress of the rock at the start, at the place `at` (local, m)
+/// on the face with the normal `n`.
+///
+/// The stress is in the springs from the beginning: places that lie as far apart as it presses and shears them about their common
+/// middle carry it where the blocks stand, so that forces, moments and energy need no other rule.
+fn apart(setup: &Setup, law: &BondLaw, at: Vec2, n: Vec2) -> Vec2 {
+    let Some(in_situ) = &setup.in_situ else {
+        return Vec2::ZERO;
+    };
+    let traction = in_situ.traction(at.y, Vec3::new(n.x, n.y, 0.0));
+    let traction = Vec2::new(traction.x, traction.y);
+    let (sigma, tau) = (traction.dot(n), traction.dot(n.perp()));
+    let opening = match law.law() {
+        Some(law) => law.opening(sigma),
+        None => sigma / law.normal_stiffness,
+    };
+    opening * n + tau / law.shear_stiffness * n.perp()
 }
 
 /// Sets the effective masses after supports have changed.

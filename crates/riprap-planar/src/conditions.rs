@@ -87,7 +87,8 @@ fn loads(view: &View<'_>) -> Vec<GivenLoad> {
                     for k in 0..ARROWS {
                         let s = k as f64 / (ARROWS - 1) as f64;
                         let value = (1.0 - s) * pressure[0] + s * pressure[1];
-                        let acts = value * inward + *traction;
+                        let across = (1.0 - s) * traction[0] + s * traction[1];
+                        let acts = value * inward + across;
                         let at = *from + s * (*to - *from);
                         put(Kind::Pressure, "Pa", b, at, [acts.x, acts.y, 0.0]);
                     }

@@ -20,6 +20,7 @@ mod parting;
 pub mod picture;
 mod pieces;
 mod potential;
+pub mod removal;
 mod search;
 pub mod setup;
 mod shapes;

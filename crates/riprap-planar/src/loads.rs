@@ -21,6 +21,10 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
     applied.fill(Applied::default());
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
+        // What was released by and by is gone.
+        if factor == 0.0 {
+            continue;
+        }
         for &b in &load.blocks {
             let b = b as usize;
             if !world.alive[b] {
@@ -49,9 +53,12 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
                     let inward =
                         along.length() * turn(-edge_normal(shapes, b, body(*from), body(*to)));
                     let [p0, p1] = pressure.map(|x| x * factor);
-                    let push = 0.5 * (p0 + p1) * inward + factor * along.length() * *traction;
+                    let [t0, t1] = *traction;
+                    let mean = 0.5 * (t0 + t1);
+                    let push = 0.5 * (p0 + p1) * inward + factor * along.length() * mean;
                     // Moment of a linear pressure: mean part at the middle, slope about it.
-                    let slope = (p1 - p0) / 12.0 * along.perp_dot(inward);
+                    let slope = (p1 - p0) / 12.0 * along.perp_dot(inward)
+                        + factor * along.length() / 12.0 * along.perp_dot(t1 - t0);
                     slot.force += push;
                     slot.moment += (0.5 * (p + q)).perp_dot(push) + slope;
                 }

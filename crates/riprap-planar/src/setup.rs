@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
+pub use crate::laws::in_situ::InSitu;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondLaw, ContactLaw, FrictionLaw, NormalLaw, Reflex};
 pub use crate::laws::water::WaterTable;
@@ -34,6 +35,8 @@ pub struct Setup {
     pub supports: Vec<Support>,
     /// External loads.
     pub loads: Vec<Load>,
+    /// Stress that all joints carry at the start.
+    pub in_situ: Option<InSitu>,
     /// Named sets of blocks, each sorted.
     pub groups: Vec<Group>,
     /// Water tables, of which one at a time stands ([`World::water`](super::world::World::water)).
@@ -161,8 +164,8 @@ pub enum LoadKind {
         from: Vec2,
         /// End of the loaded segment, m.
         to: Vec2,
-        /// Traction with a fixed direction, Pa.
-        traction: Vec2,
+        /// Tractions with a fixed direction at `from` and `to`, linear between, Pa.
+        traction: [Vec2; 2],
         /// Pressure at `from` and `to`, Pa, positive into the block; follows the edge normal.
         pressure: [f64; 2],
     },

@@ -17,7 +17,7 @@ pub use super::moments::{Interval, When};
 pub use super::names::{Name, Names, Table};
 use super::units::{self, Dim, UnitError};
 use super::vectors::InSpace;
-pub use super::vectors::{Axial, Direction, Down, Edges, Vector};
+pub use super::vectors::{Axial, Direction, Down, Edges, Tensor, Vector};
 
 /// Bytes of the source text.
 pub type Span = Range<usize>;

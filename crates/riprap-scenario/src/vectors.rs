@@ -112,6 +112,11 @@ pub const FORMS: &[FormInfo] = &[
         },
     },
     FormInfo {
+        name: "Tensor",
+        planar: list(3),
+        spatial: list(6),
+    },
+    FormInfo {
         name: "Direction",
         planar: single(),
         spatial: list(3),
@@ -143,6 +148,15 @@ impl Form for DownForm {
     const NAME: &'static str = "Down";
 }
 
+/// Form of [`Tensor`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TensorForm {}
+impl Form for TensorForm {
+    const NAME: &'static str = "Tensor";
+}
+
+/// A symmetric tensor: [xx, yy, xy] in the plane, [xx, yy, zz, yz, zx, xy] in space.
+pub type Tensor<K> = Components<K, TensorForm>;
 /// A vector: [x, y] in the plane, [x, y, z] in space.
 pub type Vector<K> = Components<K, VectorForm>;
 /// Something about an axis: one value (anticlockwise) in the plane; [x, y, z], right-handed, in
@@ -192,6 +206,15 @@ impl<K: Kind, F: Form> Components<K, F> {
     /// Three components, SI; missing ones are 0.
     pub fn xyz(&self) -> [f64; 3] {
         [self.part(0), self.part(1), self.part(2)]
+    }
+
+    /// xx, yy, zz, yz, zx, xy of a tensor, SI; those of the plane that it has not are 0.
+    pub fn symmetric(&self) -> [f64; 6] {
+        let all = [0, 1, 2, 3, 4, 5].map(|k| self.part(k));
+        match self.items.len() {
+            3 => [all[0], all[1], 0.0, 0.0, 0.0, all[2]],
+            _ => all,
+        }
     }
 
     /// As it was written.

@@ -21,7 +21,7 @@ use super::meet_solids::meet_solids;
 use super::overlap::{Overlap, face, overlap};
 use super::refine;
 use super::region::Bounds;
-use super::setup::{InSitu, Motion, Setup, Shape};
+use super::setup::{Motion, Setup, Shape};
 use super::state::cavity::{Cavity, Wall};
 use super::state::face::Face;
 use super::state::found::{FoundContacts, OnTerrain};
@@ -30,7 +30,6 @@ use super::state::lineage;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
 use crate::exec::Exec;
-use crate::laws::tetrahedron::tensor;
 use crate::ledger::Works;
 
 /// Largest gap between faces that touch, over the shortest half edge of all blocks.
@@ -354,22 +353,5 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
             };
             Ok((bounds.centre, class))
         }
-    }
-}
-
-impl InSitu {
-    /// Stress tensor at height `z` (m), Pa, tension-positive.
-    #[must_use]
-    pub fn at(&self, z: f64) -> Mat3 {
-        let depth = self.datum - z;
-        tensor(std::array::from_fn(|k| {
-            self.stress[k] + self.gradient[k] * depth
-        }))
-    }
-
-    /// Change of the stress tensor for each metre upward, Pa/m.
-    #[must_use]
-    pub fn upward(&self) -> Mat3 {
-        -tensor(self.gradient)
     }
 }

@@ -36,11 +36,13 @@
 //! and after, booked as one line, so the residual itself is the same before and after: an edit can neither hide nor make a fault of the steps.
 
 pub(super) mod error;
+mod gradual;
 mod measure;
 mod patches;
 mod split;
 
 pub use error::EditError;
+pub use gradual::take_out_gradually;
 
 use super::bolts;
 use super::build;

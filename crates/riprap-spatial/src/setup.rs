@@ -14,6 +14,7 @@ use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 use crate::laws::bolt::Design;
 pub use crate::laws::explosive::Explosive;
+pub use crate::laws::in_situ::InSitu;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{
     Dashpots, Failure, JointLaw, Kinematics, Points, Stiffness, StiffnessRule,
@@ -375,17 +376,6 @@ pub enum BoundaryKind {
         /// Multiplier over time.
         time: TimeFunction,
     },
-}
-
-/// Stress at the start, linear in height; all patches carry it at t = 0.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct InSitu {
-    /// xx, yy, zz, yz, zx, xy at height `datum`, Pa, tension-positive.
-    pub stress: [f64; 6],
-    /// Change for each metre of depth below `datum`, Pa/m, tension-positive.
-    pub gradient: [f64; 6],
-    /// Height (local z), m.
-    pub datum: f64,
 }
 
 /// A force on blocks.

@@ -53,6 +53,8 @@ pub struct Phase {
     pub damping: Damping,
     /// Blocks taken out at the start of the phase.
     pub remove: Vec<u32>,
+    /// Time over which the forces that these gave to others fade, s; at once where it is not given.
+    pub removal_ramp: Option<f64>,
     /// Blocks fixed at the start of the phase.
     pub fix: Vec<u32>,
     /// Blocks whose supports are taken away at the start of the phase.
@@ -122,6 +124,7 @@ impl Phase {
             time_step: TimeStep::Auto { safety: SAFETY },
             damping: Damping::default(),
             remove: Vec::new(),
+            removal_ramp: None,
             fix: Vec::new(),
             release: Vec::new(),
             install: Vec::new(),

@@ -54,6 +54,7 @@ fn plan(time_step: TimeStep) -> Plan {
             install: vec![],
             gravity: None,
             gravity_ramp: None,
+            removal_ramp: None,
             water: None,
             contacts: vec![],
             joints: vec![],

@@ -145,6 +145,15 @@ impl TimeFunction {
         }
     }
 
+    /// One until `start` (s), straight down to zero over `span` (s).
+    #[must_use]
+    pub fn fade(start: f64, span: f64) -> Self {
+        Self::Table {
+            t: vec![start, start + span],
+            v: vec![1.0, 0.0],
+        }
+    }
+
     /// Whether it is zero at all times as far as its form tells.
     #[must_use]
     pub fn is_zero(&self) -> bool {

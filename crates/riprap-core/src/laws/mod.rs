@@ -9,6 +9,7 @@ pub mod damping;
 pub mod explosive;
 pub mod face_joint;
 pub mod fracture;
+pub mod in_situ;
 pub mod joint_point;
 pub mod mohr_coulomb;
 pub mod parameters;

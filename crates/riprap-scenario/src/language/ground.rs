@@ -8,8 +8,8 @@ use super::Point3;
 use super::loads::MotionComponents;
 use super::solids::{BoxRegion, Empty};
 use crate::quantity::{
-    Density, Length, Name, NotNegativePlain, Plain, Pressure, PressureGradient, Quantity, Spin,
-    Velocity,
+    Angle, Density, Length, Name, NotNegativePlain, Plain, Pressure, PressureGradient, Quantity,
+    Spin, Tensor, Velocity,
 };
 use crate::time_function::TimeFunction;
 use crate::words::{OneWord, WordOr};
@@ -26,17 +26,23 @@ pub struct Boundary {
     pub on: Faces,
     /// Holds the faces, along the normal and along the face, through the stiffness of the half
     /// blocks behind them. Write `held = {}`.
+    #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub held: Option<Empty>,
     /// Holds the faces along their normal only: a roller or a plane of symmetry. Write
     /// `roller = {}`.
+    #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub roller: Option<Empty>,
     /// Moves the faces as prescribed, through the stiffness of the half blocks behind them.
+    #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub moved: Option<Moved>,
     /// Absorbs waves (Lysmer and Kuhlemeyer).
+    #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub viscous: Option<Viscous>,
     /// A pressure that pushes into the blocks.
+    #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub pressure: Option<FacePressure>,
     /// A force per area with a fixed direction.
+    #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub traction: Option<FaceTraction>,
     /// Whether the in-situ stress acts on these faces from outside, so that the start is in
     /// equilibrium. Default true for `held`, `roller`, `moved` and `viscous` if there is
@@ -44,7 +50,7 @@ pub struct Boundary {
     pub in_situ: Option<bool>,
 }
 
-/// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`, `surface`.
+/// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`, `surface`; in the plane `plane` with a word.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Faces {
@@ -142,14 +148,14 @@ pub struct FaceTraction {
     pub time: Option<TimeFunction<Plain>>,
 }
 
-/// Stress that all joints carry at the start. Exactly one form; the sign stands in its name.
+/// Stress that all joints carry at the start. Exactly one form; the sign stands in its name. Heights are along z, in the plane along y.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InSitu {
     /// The weight of the rock above, and a share of it sideways.
     GravityK0(GravityK0),
     /// Principal stresses along the axes; compression is positive.
-    Compressive(Compressive),
+    Compressive(Box<Compressive>),
     /// All components; tension is positive.
     TensionPositive(TensionPositive),
 }
@@ -183,22 +189,30 @@ pub struct Compressive {
     /// Its growth with depth, Pa/m. Default `k0` times `vertical_gradient`.
     pub x_gradient: Option<Quantity<PressureGradient>>,
     /// Stress along y, Pa. Default `k0` times `vertical`.
+    #[key(space = "spatial", instead = "use `vertical`")]
     pub y: Option<Quantity<Pressure>>,
     /// Its growth with depth, Pa/m. Default `k0` times `vertical_gradient`.
+    #[key(space = "spatial", instead = "use `vertical_gradient`")]
     pub y_gradient: Option<Quantity<PressureGradient>>,
     /// Horizontal over vertical stress where a horizontal one is not given; zero or more.
     #[key(default = "0")]
     pub k0: Option<Quantity<NotNegativePlain>>,
+    /// Bearing of `x`, clockwise from north (y); `y` is at right angles to it. Default 90 deg.
+    #[key(space = "spatial", instead = "use `angle`")]
+    pub azimuth: Option<Quantity<Angle>>,
+    /// Angle of `x`, anticlockwise from the horizontal; `vertical` is at right angles to it. Default 0 deg.
+    #[key(space = "planar", instead = "use `azimuth`")]
+    pub angle: Option<Quantity<Angle>>,
 }
 
-/// Stress by its six components, tension positive.
+/// Stress by its components, tension positive.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct TensionPositive {
     /// Height at which the stresses hold, m. Default the top of the model.
     pub surface: Option<Quantity<Length>>,
-    /// Stress [xx, yy, zz, yz, zx, xy], Pa.
-    pub stress: [Quantity<Pressure>; 6],
-    /// Change for each metre of depth [xx, yy, zz, yz, zx, xy], Pa/m. Default none.
-    pub gradient: Option<[Quantity<PressureGradient>; 6]>,
+    /// Stress [xx, yy, zz, yz, zx, xy], in the plane [xx, yy, xy], Pa.
+    pub stress: Tensor<Pressure>,
+    /// Change for each metre of depth, Pa/m. Default none.
+    pub gradient: Option<Tensor<PressureGradient>>,
 }

@@ -109,11 +109,7 @@ pub struct Scenario {
     #[key(space = "spatial")]
     #[serde(default)]
     pub refine: Vec<Refine>,
-    /// Conditions on free faces: held, moved, absorbing or loaded.
-    #[key(
-        space = "spatial",
-        instead = "use [[supports]] and [[loads]] on blocks"
-    )]
+    /// Conditions on free faces: held, moved, absorbing or loaded; in the plane the stress of the rock outside.
     #[serde(default)]
     pub boundaries: Vec<Boundary>,
     /// Cracks that are there at the start.
@@ -121,10 +117,6 @@ pub struct Scenario {
     #[serde(default)]
     pub notches: Vec<Notch>,
     /// Stress at the start.
-    #[key(
-        space = "spatial",
-        instead = "let a first phase with kind = \"static\" settle the model"
-    )]
     pub in_situ: Option<InSitu>,
     /// Explosives by name.
     #[key(space = "spatial")]

@@ -37,6 +37,9 @@ pub struct Phase {
     /// Groups or blocks that are taken away when the phase begins.
     #[serde(default)]
     pub remove: Vec<Name>,
+    /// Time over which the forces that removed blocks gave to those that stay fade to nothing, s; rest before that does not end
+    /// the phase. Default 0 s: at once.
+    pub removal_ramp: Option<Quantity<NotNegativeTime>>,
     /// Groups or blocks that are fixed when the phase begins.
     #[serde(default)]
     pub fix: Vec<Name>,

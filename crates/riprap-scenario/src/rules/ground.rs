@@ -4,7 +4,7 @@ use riprap_core::laws::parameters::Kinematics;
 
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
-use crate::language::{Boundary, InSitu, Scenario, Space};
+use crate::language::{Boundary, InSitu, Scenario, Side, Space};
 use crate::quantity::{Plain, Quantity, Span};
 use crate::vectors::unit;
 use crate::words::WordOr;
@@ -21,7 +21,11 @@ impl Rules {
                     .help("it belongs to kinematics = \"automatic\""),
             );
         }
+        let planar = matches!(scenario.space, Space::Planar(_));
         for boundary in &scenario.boundaries {
+            if planar {
+                self.flat_boundary(boundary);
+            }
             self.boundary(boundary, scenario.in_situ.is_some());
         }
         if let Some(InSitu::Compressive(stress)) = &scenario.in_situ {
@@ -38,6 +42,20 @@ impl Rules {
                             gravity_k0 = { k0 = 0.333 } for the weight of the rock";
                 self.error("key.one_of", &span, message, help);
             }
+        }
+    }
+
+    /// In the plane a boundary is a side of the model on which the stress of the rock outside acts.
+    fn flat_boundary(&mut self, boundary: &Boundary) {
+        let sides = [Side::XMin, Side::XMax, Side::YMin, Side::YMax];
+        let side = match &boundary.on.plane {
+            Some(WordOr::Word(word, _)) => sides.contains(word),
+            Some(WordOr::Table(..)) | None => false,
+        };
+        if !side {
+            let message = "in the plane `on` of a boundary is a side of the model".to_owned();
+            let help = "write on.plane = \"x-min\", \"x-max\", \"y-min\" or \"y-max\"";
+            self.error("key.forbidden", &boundary_span(boundary), message, help);
         }
     }
 

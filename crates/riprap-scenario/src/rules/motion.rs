@@ -5,7 +5,7 @@ use riprap_core::laws::parameters::FrictionLaw;
 use super::{Rules, target_span};
 use crate::diagnostic::Diagnostic;
 use crate::language::{EdgeLoad, Load, Motion, MotionComponents, Phase, Support, Target};
-use crate::quantity::{Kind, Quantity, Span};
+use crate::quantity::{Kind, NotNegativeTime, Quantity, Span};
 use crate::time_function::TimeFunction;
 use crate::values::short;
 use crate::vectors::InSpace;
@@ -157,6 +157,9 @@ impl Rules {
             let message = format!("{of} has no steps");
             self.error("value.range", span, message, "`steps` is at least 1");
         }
+        if let Some(ramp) = &phase.removal_ramp {
+            self.removal_ramp(phase, ramp);
+        }
         if let (Some(_), Some(safety)) = (&phase.time_step, &phase.safety) {
             self.found.push(
                 Diagnostic::warning("key.unused", format!("`safety` of {of} has no effect"))
@@ -176,6 +179,23 @@ impl Rules {
             if change.friction_law == Some(FrictionLaw::Clipped) && change.clip_speed.is_none() {
                 self.friction_law(&name.span, &of, change.friction_law, false);
             }
+        }
+    }
+
+    /// Forces fade after blocks are taken out, and before the phase ends.
+    fn removal_ramp(&mut self, phase: &Phase, ramp: &Quantity<NotNegativeTime>) {
+        let of = format!("phase `{}`", short(phase.name.as_str()));
+        if phase.remove.is_empty() {
+            let message = format!("`removal_ramp` of {of} has no effect");
+            let help = "nothing is taken out in this phase: give `remove`";
+            let note = Diagnostic::warning("key.unused", message).at(ramp.span.clone());
+            self.found.push(note.help(help));
+        }
+        let until = phase.until.time.as_ref();
+        if let Some(until) = until.filter(|until| until.si() < ramp.si()) {
+            let message = format!("{of} ends before its `removal_ramp`");
+            let help = "make `until.time` at least as long, or the ramp shorter";
+            self.error("value.range", &until.span, message, help);
         }
     }
 }

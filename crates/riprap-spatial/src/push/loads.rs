@@ -13,6 +13,10 @@ use crate::state::world::World;
 pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
+        // What was released by and by is gone.
+        if factor == 0.0 {
+            continue;
+        }
         for &b in load.blocks.iter().filter(|b| world.alive[**b as usize]) {
             let deformable = world.deform.as_deref().zip(work);
             let deformable = deformable

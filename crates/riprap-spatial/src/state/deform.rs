@@ -291,17 +291,16 @@ impl Deform {
         self.bodies.iter().filter(|b| b.alive)
     }
 
-    /// Takes a block out: its facets and surfaces go, its nodes stay in the lists at rest.
+    /// Takes a block out, a rigid one too: its facets and surfaces go, its nodes stay in the lists at rest.
     pub fn retire(&mut self, block: u32) {
-        let Some(&slot) = self.slot.get(block as usize).filter(|s| **s != RIGID) else {
-            return;
-        };
-        let body = &mut self.bodies[slot as usize];
-        body.alive = false;
-        let nodes = body.nodes();
-        self.nodes.velocity[nodes.clone()].fill([0.0; 3]);
-        self.holds.retain(|h| !nodes.contains(&(h.node as usize)));
-        self.surfaces.retain(|s| s.body != slot);
+        if let Some(&slot) = self.slot.get(block as usize).filter(|s| **s != RIGID) {
+            let body = &mut self.bodies[slot as usize];
+            body.alive = false;
+            let nodes = body.nodes();
+            self.nodes.velocity[nodes.clone()].fill([0.0; 3]);
+            self.holds.retain(|h| !nodes.contains(&(h.node as usize)));
+            self.surfaces.retain(|s| s.body != slot);
+        }
         let (mut facets, mut worn) = (Vec::new(), Vec::new());
         let (mut points, mut memory) = (Vec::new(), Vec::new());
         for (facet, was_worn) in self.facets.iter().zip(&self.worn) {

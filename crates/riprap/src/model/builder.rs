@@ -94,7 +94,10 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
             b.unused();
             b.dry_tables();
             match b.space {
-                InSpace::Planar => inspect::inspect(&mut b),
+                InSpace::Planar => {
+                    inspect::inspect(&mut b);
+                    b.stress_balance();
+                }
                 InSpace::Spatial => {
                     b.unused_in_space();
                     b.inspect_solid();
@@ -191,6 +194,7 @@ impl Builder<'_> {
         self.supports();
         self.interfaces();
         self.loads();
+        self.in_situ();
         true
     }
 

@@ -18,6 +18,7 @@ mod blocks;
 mod builder;
 mod drawn;
 mod fields;
+mod in_situ;
 mod inspect;
 mod interfaces;
 mod memory;

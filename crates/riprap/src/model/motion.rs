@@ -228,7 +228,7 @@ impl Builder<'_> {
         Some(LoadKind::Edge {
             from,
             to,
-            traction: pair(edge.traction.as_ref().map(|[x, y]| [x.si(), y.si()])).into(),
+            traction: [pair(edge.traction.as_ref().map(|[x, y]| [x.si(), y.si()])).into(); 2],
             pressure: pair(edge.pressure.as_ref().map(|[a, b]| [a.si(), b.si()])),
         })
     }

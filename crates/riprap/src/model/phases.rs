@@ -110,6 +110,7 @@ impl Builder<'_> {
             time_step,
             damping,
             remove,
+            removal_ramp: self.removal_ramp(said),
             fix,
             release,
             install: Vec::new(),
@@ -128,6 +129,23 @@ impl Builder<'_> {
             deform: self.deforming(said),
             max_residual,
         }
+    }
+
+    /// Time over which the forces of removed blocks fade, s. It must pass: where blocks relax, it does in load steps.
+    fn removal_ramp(&mut self, said: &language::Phase) -> Option<f64> {
+        let ramp = said.removal_ramp.as_ref().filter(|ramp| ramp.si() > 0.0)?;
+        let deforms = !self.spatial.deform.sets.is_empty() && self.all_free_deform();
+        let relaxes = deforms && said.kind == Some(PhaseKind::Static);
+        if relaxes && said.until.time.is_none() {
+            let message = format!(
+                "no time passes in phase `{}`: nothing would fade",
+                said.name
+            );
+            let error = Diagnostic::error("key.missing", message).at(ramp.span.clone());
+            let help = "give `until.time`, as long as `removal_ramp`, and `load_steps`";
+            self.found.push(error.help(help));
+        }
+        Some(ramp.si())
     }
 
     /// Rules for deformable blocks. A static phase relaxes them with fictitious masses if no rigid block is free.

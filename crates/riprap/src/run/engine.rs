@@ -410,6 +410,31 @@ impl Engine {
         }
     }
 
+    /// Takes blocks out; the forces that they gave to others fade over `span` (s). Forces must be known, and evaluated anew
+    /// after the edit that follows.
+    ///
+    /// # Errors
+    /// A block whose forces are not finite.
+    pub fn remove_gradually(
+        &mut self,
+        blocks: &[u32],
+        span: f64,
+        damping: &Damping,
+    ) -> Result<(), u32> {
+        match self {
+            Self::Planar(e) => {
+                let (world, scratch) = (&mut e.world, &mut e.scratch);
+                planar::removal::take_out_gradually(world, scratch, blocks, span, damping)
+                    .map_err(|e| e.block)
+            }
+            Self::Spatial(e) => {
+                let (world, scratch) = (&mut e.world, &mut e.scratch);
+                spatial::edit::take_out_gradually(world, scratch, blocks, span, damping)
+                    .map_err(|e| e.block)
+            }
+        }
+    }
+
     /// Applies what a phase changes in blocks, supports, bolts and laws; forces must be evaluated anew afterwards.
     ///
     /// # Errors

@@ -411,7 +411,7 @@ impl Simulation {
         self.cursor.start_time = self.time();
         self.cursor.start_step = self.steps();
         self.cursor.gravity_before = self.engine.gravity();
-        let Some(phase) = self.phase().cloned() else {
+        let Some(mut phase) = self.phase().cloned() else {
             return Ok(());
         };
         if let Some(gravity) = phase.gravity {
@@ -429,6 +429,11 @@ impl Simulation {
         let damping = damping_of(&phase);
         self.evaluate(&damping, 0.0)?;
         let before = self.view().balance().residual();
+        if let Some(span) = phase.removal_ramp {
+            let blocks = std::mem::take(&mut phase.remove);
+            let removed = self.engine.remove_gradually(&blocks, span, &damping);
+            removed.map_err(|block| self.no_force(block))?;
+        }
         let edited = self.engine.edit(&phase);
         edited.map_err(|reason| RunError::Phase {
             phase: phase.name.clone(),
@@ -547,7 +552,14 @@ struct Rules {
     time_step: TimeStep,
     damping: Damping,
     gravity_ramp: Option<f64>,
+    /// Time before which it cannot end at rest, s.
+    ramp: Option<f64>,
     relax: Option<Relaxing>,
+}
+
+/// The longer of two times that may be given.
+fn longest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    a.into_iter().chain(b).reduce(f64::max)
 }
 
 impl Rules {
@@ -557,6 +569,7 @@ impl Rules {
             time_step: phase.time_step,
             damping: damping_of(phase),
             gravity_ramp: phase.gravity_ramp,
+            ramp: longest(phase.gravity_ramp, phase.removal_ramp),
             relax: phase.deform.and_then(|d| d.relax),
         }
     }

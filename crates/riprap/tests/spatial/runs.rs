@@ -66,6 +66,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         install: Vec::new(),
         gravity: None,
         gravity_ramp: None,
+        removal_ramp: None,
         water: None,
         contacts: Vec::new(),
         joints: Vec::new(),

@@ -39,7 +39,7 @@ fn normal_of(said: Side) -> Vec3 {
 
 impl Builder<'_> {
     /// Lowest and highest corner of the whole model, local coordinates, m.
-    pub(super) fn model_bounds(&self) -> (Vec3, Vec3) {
+    pub(in crate::model) fn model_bounds(&self) -> (Vec3, Vec3) {
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let blocks = &self.spatial.blocks;
         let alone = blocks.iter().all(|b| b.shape.is_terrain());

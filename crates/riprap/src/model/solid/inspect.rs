@@ -1,4 +1,4 @@
-//! Checks of the finished model in space: overlaps, balance of the in-situ stress, motion.
+//! Checks of the finished model in space: overlaps, who carries the in-situ stress, motion.
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Sliced, slice};
@@ -7,11 +7,10 @@ use super::grid::grid_of;
 use super::shapes::{bounds, solid, volume};
 use super::triple;
 use crate::model::builder::Builder;
-use crate::plan::PhaseKind;
 use crate::scenario::language::Space;
 use crate::scenario::read::with_unit;
 use crate::scenario::{Diagnostic, Quantity, Span};
-use crate::spatial::setup::{BlockSpec, BoundaryKind, FaceSet, InSitu, Shape};
+use crate::spatial::setup::{BlockSpec, BoundaryKind, FaceSet, Shape};
 
 /// Overlap at the start that needs no reason, as a share of the smaller block.
 const ACCEPTED: f64 = 1e-6;
@@ -21,11 +20,6 @@ const NAMED: usize = 10;
 const MOST_BAD: usize = 1000;
 /// Looks at pairs of boxes (some seconds) after which the search for overlaps is given up, with a warning.
 const MOST_LOOKS: usize = 2_000_000_000;
-/// Stress on a free face, as a share of the largest in the model, that is worth a word.
-const WARNED: f64 = 1e-3;
-/// Share that is refused where the first phase is dynamic.
-const REFUSED: f64 = 0.1;
-
 /// Two blocks that lie in each other.
 struct Overlap {
     depth: f64,
@@ -227,77 +221,8 @@ impl Builder<'_> {
             .map_or(0..0, |said| said.name.span.clone())
     }
 
-    /// In-situ stress must be carried by somebody on every side of the model, and by gravity inside.
-    fn stress_balance(&mut self) {
-        let Some(stress) = self.spatial.in_situ else {
-            return;
-        };
-        let (min, max) = self.model_bounds();
-        let heights = [min.z, max.z];
-        let largest = heights
-            .iter()
-            .flat_map(|&z| stress_at(&stress, z))
-            .fold(0.0, |most: f64, s| most.max(s.abs()));
-        if largest == 0.0 {
-            return;
-        }
-        let settles = self
-            .plan
-            .phases
-            .first()
-            .is_some_and(|phase| phase.kind == PhaseKind::Static);
-        for axis in 0..3 {
-            for sign in [-1.0, 1.0] {
-                let normal = sign * Vec3::AXES[axis];
-                let offset = if sign > 0.0 { max[axis] } else { -min[axis] };
-                if self.spatial.periodic[axis].is_some() || self.carried(normal, offset) {
-                    continue;
-                }
-                let levels = if axis == 2 {
-                    vec![sign * offset]
-                } else {
-                    heights.to_vec()
-                };
-                let pull = levels
-                    .iter()
-                    .map(|&z| traction(&stress, z, normal).length());
-                let share = pull.fold(0.0, f64::max) / largest;
-                if share > WARNED {
-                    self.unbalanced(axis, sign, share, largest, settles);
-                }
-            }
-        }
-        self.weight_balance(&stress);
-    }
-
-    fn unbalanced(&mut self, axis: usize, sign: f64, share: f64, largest: f64, settles: bool) {
-        let word = ["x", "y", "z"][axis];
-        let end = if sign > 0.0 { "max" } else { "min" };
-        let message = format!(
-            "the in-situ stress on side {word}-{end} is carried by nobody: {}",
-            with_unit(share * largest, "Pa")
-        );
-        let help = format!(
-            "add [[boundaries]] with on = {{ plane = \"{word}-{end}\" }} and held, roller or \
-             viscous, or in_situ = true alone; or let a first phase with kind = \"static\" settle"
-        );
-        let refused = share > REFUSED && !settles;
-        let note = if refused {
-            Diagnostic::error("in_situ.unbalanced", message)
-        } else {
-            Diagnostic::warning("in_situ.unbalanced", message)
-        };
-        let span = self.stress_span();
-        self.found.push(note.at(span).help(help));
-    }
-
-    fn stress_span(&self) -> Span {
-        let said = self.parsed.scenario.in_situ.as_ref();
-        said.map_or(0..0, super::in_situ::place)
-    }
-
     /// Whether a condition or fixed blocks take the stress on a side of the model.
-    fn carried(&self, normal: Vec3, offset: f64) -> bool {
+    pub(in crate::model) fn carried(&self, normal: Vec3, offset: f64) -> bool {
         let by_condition = self.spatial.boundaries.iter().any(|boundary| {
             let holds = match boundary.kind {
                 BoundaryKind::Held { normal, .. } => normal,
@@ -339,37 +264,6 @@ impl Builder<'_> {
         side.all(|(block, _)| self.held(block))
     }
 
-    /// The growth of the vertical stress with depth should be the weight of the rock.
-    fn weight_balance(&mut self, stress: &InSitu) {
-        let gravity = self.spatial.gravity;
-        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-        for block in &self.spatial.blocks {
-            let density = self.spatial.materials[usize::from(block.material)].density;
-            (least, most) = (least.min(density), most.max(density));
-        }
-        // d sigma/dz = - d sigma/d depth: the force per volume that is left over is
-        // -gradient_zz + density g_z, likewise the shear components.
-        let [_, _, zz, yz, zx, _] = stress.gradient;
-        let left = |density: f64| {
-            let force = Vec3::new(-zx, -yz, -zz) + density * gravity;
-            force.length()
-        };
-        let weight = most * gravity.length();
-        let scale = weight.max(zz.abs()).max(yz.abs()).max(zx.abs());
-        let worst = left(least).max(left(most));
-        if scale > 0.0 && worst > WARNED * scale {
-            let message = format!(
-                "the in-situ stress and gravity are not in balance: {} is left over",
-                with_unit(worst, "N/m3")
-            );
-            let help = "the vertical stress should grow with depth by density times gravity; \
-                        in_situ.gravity_k0 does that";
-            let note = Diagnostic::warning("in_situ.weight", message).help(help);
-            let span = self.stress_span();
-            self.found.push(note.at(span));
-        }
-    }
-
     fn solid_motion(&mut self) {
         let all_held = (0..self.spatial.blocks.len() as u32).all(|block| self.held(block));
         let released = self.plan.phases.iter().any(|p| !p.release.is_empty());
@@ -394,22 +288,6 @@ fn loaded(kind: &BoundaryKind) -> bool {
             false
         }
     }
-}
-
-/// xx, yy, zz, yz, zx, xy at a height, Pa, tension positive.
-fn stress_at(stress: &InSitu, z: f64) -> [f64; 6] {
-    let depth = stress.datum - z;
-    std::array::from_fn(|k| stress.stress[k] + stress.gradient[k] * depth)
-}
-
-/// Traction on a plane at a height, Pa.
-fn traction(stress: &InSitu, z: f64, n: Vec3) -> Vec3 {
-    let [xx, yy, zz, yz, zx, xy] = stress_at(stress, z);
-    Vec3::new(
-        xx * n.x + xy * n.y + zx * n.z,
-        xy * n.x + yy * n.y + yz * n.z,
-        zx * n.x + yz * n.y + zz * n.z,
-    )
 }
 
 /// Corners and outward planes of a convex block: most of those whose boxes overlap lie on both sides of a face.

@@ -14,7 +14,6 @@ mod cut;
 mod deform;
 mod fit;
 mod grid;
-mod in_situ;
 mod inspect;
 mod joints;
 mod mesh;

@@ -12,6 +12,7 @@ use riprap_geom::polygon::{Aabb, signed_area};
 
 mod checks;
 mod foreign;
+mod in_situ;
 mod interfaces;
 mod numbers;
 mod restitution;

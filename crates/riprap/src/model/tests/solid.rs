@@ -363,6 +363,16 @@ fn stresses_have_the_sign_of_their_name() {
     assert_eq!(stress.stress, [-3e6, -1e6, -2e6, 0.0, 0.0, 0.0]);
     assert_eq!(stress.gradient, [-1e4, -1e4, -2e4, 0.0, 0.0, 0.0]);
     assert!(model.warnings.is_empty(), "{:?}", model.warnings);
+    // The larger one bears east of north by 120 degrees.
+    let (setup, _) = solid(&format!(
+        "{GRID}{sides}[in_situ.compressive]\nx = \"4 MPa\"\ny = \"2 MPa\"\nazimuth = \"120 deg\"\n"
+    ));
+    let found = setup.in_situ.unwrap().stress;
+    let root = 0.75f64.sqrt() * 1e6;
+    let wanted = [-3.5e6, -2.5e6, 0.0, 0.0, 0.0, root];
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert!((found - wanted).abs() < 1e-6, "{found} {wanted}");
+    }
     let tension = format!(
         "{GRID}{sides}[in_situ.tension_positive]\n\
          stress = [\"1 MPa\", \"2 MPa\", \"3 MPa\", \"4 MPa\", \"5 MPa\", \"6 MPa\"]\n"

@@ -8,14 +8,7 @@ use crate::{planar, spatial};
 /// In the plane.
 pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
     use planar::setup::Motion;
-    for &b in &phase.remove {
-        world.alive[b as usize] = false;
-    }
-    let alive = std::mem::take(&mut world.alive);
-    world
-        .bonds
-        .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
-    world.alive = alive;
+    planar::removal::take_out(world, &phase.remove);
     for &b in &phase.fix {
         world.motion[b as usize] = Some(Box::new(Motion::Fixed {
             x: true,

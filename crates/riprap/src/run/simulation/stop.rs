@@ -51,7 +51,7 @@ impl Simulation {
             return Some(Reason::Time);
         }
         let settled = steps > 0 && steps.is_multiple_of(LOOK);
-        let ramped = phase.gravity_ramp.is_none_or(|ramp| elapsed >= ramp);
+        let ramped = phase.ramp.is_none_or(|ramp| elapsed >= ramp);
         if !settled || !ramped {
             return None;
         }
