@@ -1,8 +1,9 @@
 //! Patches that let go: found contact takes over what they carry.
 //!
-//! A patch knows two faces as they lay on each other when it was built. Once all of its points have failed and it has slid,
+//! A patch knows two faces as they lay on each other when it was built. Once nothing holds its points together and it has slid,
 //! turned or opened too far for that, it goes, and its pair becomes one that is searched for. What opens and closes in place
-//! stays a patch, which is far cheaper.
+//! stays a patch, which is far cheaper. What hinges goes at once: the four points of a patch lie inside the face, and a block that rocks
+//! about two of them has its hinge there instead of at its edge (a cube would topple at 30 deg).
 //!
 //! Shear and torsion go on as springs of the found contact. What the patch carries across its plane beyond the pressure of found
 //! contact goes on too, and fades with further slip ([`crate::found::offset`]). Differences in stored energy are booked with edits.
@@ -12,6 +13,7 @@ use riprap_geom::Vec3;
 use super::LOOK;
 use crate::found::Memory;
 use crate::found::offset::{Carried, Offset};
+use crate::laws::mohr_coulomb::Strength;
 use crate::overlap::bare;
 use crate::patch::{self, Poses};
 use crate::read::view::View;
@@ -27,6 +29,8 @@ const SLID: f64 = 0.05;
 const OPEN: f64 = 0.01;
 /// Rotation of both blocks against each other, rad.
 const TURNED: f64 = 0.02;
+/// The same where some points are open and others are pressed, rad.
+const HINGED: f64 = 2e-5;
 
 /// Lets patches go that no longer describe where their blocks touch; every [`LOOK`] steps.
 pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
@@ -35,7 +39,7 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
         return;
     }
     let mut pairs: Vec<[u32; 2]> = (0..world.patches.len())
-        .filter(|&p| world.patches.flags[p] & flag::BROKEN == flag::BROKEN && is_past(world, p))
+        .filter(|&p| is_loose(world, p) && is_past(world, scratch, p))
         .map(|p| sorted(world.patches.ends[p]))
         .collect();
     if pairs.is_empty() {
@@ -88,8 +92,17 @@ fn gyration(world: &World, p: usize) -> [f64; 2] {
     class.half_spacing.map(|half_spacing| half_spacing / spread)
 }
 
-/// Whether a broken patch has slid, turned or opened too far.
-fn is_past(world: &World, p: usize) -> bool {
+/// Whether nothing but pressure and friction holds a patch: all points have failed, or there is nothing that could.
+fn is_loose(world: &World, p: usize) -> bool {
+    let (flags, class) = (world.patches.flags[p], world.patches.class[p]);
+    let joint = patch::joint(&world.setup.interfaces, &world.classes[class as usize]);
+    let strengthless = |s: &Strength| s.tension <= 0.0 && s.cohesion <= 0.0;
+    flags & flag::BROKEN == flag::BROKEN
+        || (joint.is_plain() && joint.strength.as_ref().is_some_and(strengthless))
+}
+
+/// Whether a loose patch has slid, turned or opened too far.
+fn is_past(world: &World, scratch: &Scratch, p: usize) -> bool {
     let list = &world.patches;
     let class = &world.classes[list.class[p] as usize];
     let poses = Poses {
@@ -112,7 +125,15 @@ fn is_past(world: &World, p: usize) -> bool {
     let [i, j] = list.ends[p].map(|b| poses.attitude(b as usize));
     // Quaternions of attitudes an angle a apart differ by 2 sin(a/4).
     let apart = (i - j).length_squared().min((i + j).length_squared());
-    4.0 * apart > TURNED * TURNED
+    let turned = 2.0 * apart.sqrt();
+    turned > TURNED || (turned > HINGED && hinges(world, scratch, p))
+}
+
+/// Whether some points of a patch are open while others are pressed.
+fn hinges(world: &World, scratch: &Scratch, p: usize) -> bool {
+    let tractions = View { world, scratch }.patch_tractions(p);
+    let pressed = tractions.iter().filter(|traction| traction[0] < 0.0);
+    (1..tractions.len()).contains(&pressed.count())
 }
 
 /// Gives what patch `p` carries to the found contact of its blocks.

@@ -247,6 +247,7 @@ pub fn respond(
             point: at,
             area: c.area,
             sliding: v.along.length(),
+            turning: c.normal.cross(b.spin - a.spin).length(),
             before: memory.normal,
         };
         offset.advance(&here, q.dt);

@@ -2,11 +2,13 @@
 //!
 //! A joint that lets go can press harder or softer than the law of found contact at the same overlap: it has another stiffness, carried
 //! stress from the start, or rocked. The difference, of both signs, goes on as a normal force and a rocking couple; it turns with
-//! the contact, fades while the blocks slide on, and goes with the overlap when they part:
+//! the contact, fades while the blocks slide or rock on, and goes with the overlap when they part:
 //!
 //! ```text
-//! H = H_0 max(0, 1 - slip/(0.1 sqrt A)) min(1, |S_F|/|S_F|_0)
+//! H = H_0 max(0, 1 - slip/(0.1 sqrt A) - turned/0.0002) min(1, |S_F|/|S_F|_0)
 //! ```
+//!
+//! The rocking is ours: a couple that stayed would move the hinge of a block for good, which the found contact has at its edge.
 //!
 //! Its work is booked as what the edit has made.
 
@@ -17,6 +19,8 @@ use super::friction::Motion;
 
 /// Slip over the root of the area at which nothing is left.
 const FADED: f64 = 0.1;
+/// Rotation across the normal at which nothing is left, rad.
+const TURNED: f64 = 2e-4;
 
 /// The difference, and how much of it is left.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,6 +35,8 @@ pub struct Offset {
     pub overlap: f64,
     /// Way slid since, m.
     pub slip: f64,
+    /// Way turned across the normal since, rad.
+    pub turned: f64,
     /// Force on B now, N.
     pub force: Vec3,
     /// Couple on B now, N m.
@@ -65,6 +71,8 @@ pub(super) struct Here {
     pub area: f64,
     /// Speed along the contact, m/s.
     pub sliding: f64,
+    /// Spin of the blocks against each other across the normal, rad/s.
+    pub turning: f64,
     /// Normal of the step before; zero before the first.
     pub before: Vec3,
 }
@@ -79,6 +87,7 @@ impl Offset {
             rocking: Vec3::ZERO,
             overlap: 0.0,
             slip: 0.0,
+            turned: 0.0,
             force: Vec3::ZERO,
             couple: Vec3::ZERO,
         }
@@ -95,6 +104,7 @@ impl Offset {
             self.overlap = here.overlap;
         } else if dt > 0.0 {
             self.slip += here.sliding * dt;
+            self.turned += here.turning * dt;
             let length = self.rocking.length();
             let turned = self.rocking + here.before.cross(n).cross(self.rocking);
             let across = turned - turned.dot(n) * n;
@@ -105,7 +115,7 @@ impl Offset {
                 across
             };
         }
-        let left = (1.0 - self.slip / (FADED * here.area.sqrt())).max(0.0);
+        let left = self.left(here.area);
         let share = if here.overlap < self.overlap {
             left * here.overlap / self.overlap
         } else {
@@ -116,10 +126,15 @@ impl Offset {
         self.couple = share * self.rocking;
     }
 
+    /// The share of it that sliding and rocking have left.
+    fn left(&self, area: f64) -> f64 {
+        (1.0 - self.slip / (FADED * area.sqrt()) - self.turned / TURNED).max(0.0)
+    }
+
     /// Whether nothing is left of it for good.
     #[must_use]
     pub fn is_gone(&self, area: f64) -> bool {
-        self.joint.is_none() && self.slip >= FADED * area.sqrt()
+        self.joint.is_none() && self.left(area) == 0.0
     }
 
     /// Work on both blocks in half a step of `dt` (s) with the force it has, J; `arms` are those of its point from the centroids, m.
