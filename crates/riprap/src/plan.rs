@@ -208,7 +208,24 @@ pub enum TimeStep {
     },
 }
 
+/// Steps that a phase, and the ramp of its gravity, are given at least where nothing bounds the step.
+const FEWEST_STEPS: f64 = 100.0;
+
 impl TimeStep {
+    /// The step that this rule asks for in a phase where `stable` is the longest stable one now, s. Where nothing bounds it, blocks are apart: what
+    /// gravity, loads and motions become in the course of the phase must not be stepped over.
+    #[must_use]
+    pub fn wanted(self, stable: f64, until: &Until, gravity_ramp: Option<f64>) -> f64 {
+        match self {
+            Self::Given { dt } => dt,
+            Self::Auto { safety } if stable.is_finite() => safety * stable,
+            Self::Auto { .. } => {
+                let spans = [until.time, gravity_ramp.filter(|span| *span > 0.0)];
+                spans.into_iter().flatten().fold(f64::INFINITY, f64::min) / FEWEST_STEPS
+            }
+        }
+    }
+
     /// What this rule leaves of the longest step of contacts that are found in space: less where it asks for less than the usual share
     /// of the stable step.
     #[must_use]

@@ -136,14 +136,19 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let timed = stable.dt.is_finite() && !simulation.relaxes();
-    let wanted = |rule: &TimeStep| match *rule {
-        TimeStep::Given { dt } => dt,
-        TimeStep::Auto { safety } => (safety * stable.dt).min(rule.of_contacts() * touching),
+    let wanted = |phase: &Phase| {
+        let rule = phase.time_step;
+        let limit = match rule {
+            TimeStep::Given { .. } => f64::INFINITY,
+            TimeStep::Auto { .. } => rule.of_contacts() * touching,
+        };
+        let wanted = rule.wanted(stable.dt, &phase.until, phase.gravity_ramp);
+        wanted.min(limit)
     };
     let steps = plan.phases.iter().map(|phase| {
         // Where it relaxes, the time is that of the loads, not of steps.
         let span = phase.until.time.filter(|_| relaxing(phase).is_none());
-        let by_time = span.map(|span| (span / wanted(&phase.time_step) * (1.0 - 1e-9)).ceil());
+        let by_time = span.map(|span| (span / wanted(phase) * (1.0 - 1e-9)).ceil());
         let by_count = phase.until.steps.map(|n| n as f64);
         match (by_time, by_count) {
             (Some(a), Some(b)) => Some(a.min(b)),

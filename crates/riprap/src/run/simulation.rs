@@ -520,10 +520,11 @@ impl Simulation {
         if phase.relax.is_some() {
             return 1.0;
         }
-        let wanted = match phase.time_step {
-            TimeStep::Given { dt } => dt,
-            TimeStep::Auto { safety } => safety * self.stable().dt,
+        let stable = match phase.time_step {
+            TimeStep::Given { .. } => f64::INFINITY,
+            TimeStep::Auto { .. } => self.stable().dt,
         };
+        let wanted = (phase.time_step).wanted(stable, &phase.until, phase.gravity_ramp);
         let limit = self.engine.step_limit(phase.time_step);
         let mut dt = wanted;
         if limit < dt {
