@@ -359,6 +359,7 @@ mod tests {
         };
         let (mut usual, mut laid) = (start(), start());
         let before = usual.world.patches.len();
+        let mut some_are_left = false;
         for k in 1..=12 {
             usual.until(0.005 * f64::from(k));
             laid.until_laid_out_each_step(0.005 * f64::from(k));
@@ -366,9 +367,9 @@ mod tests {
             let tiles = format!("{:?}", usual.scratch.tiles);
             let anew = Scratch::new(&mut usual.world.clone(), Exec::serial());
             assert_eq!(tiles, format!("{:?}", anew.tiles), "{k}");
+            some_are_left |= (1..before).contains(&usual.world.patches.len());
         }
-        let after = usual.world.patches.len();
-        assert!(after < before && after > 0, "{before} {after}");
+        assert!(some_are_left, "{before}");
     }
 
     /// Two bricks on each other on the floor, the joints between them gone.
@@ -412,10 +413,19 @@ mod tests {
     }
 
     #[test]
-    fn what_rocks_in_place_stays_a_joint() {
-        let mut run = joined(2.0, Vec3::new(0.02, 0.0, 0.02), 0.5);
+    fn what_opens_and_closes_in_place_stays_a_joint() {
+        let mut run = joined(2.0, Vec3::new(0.0, 0.0, 0.02), 0.5);
         run.until(0.3);
         assert_eq!(run.world.patches.len(), 1);
         assert!(run.world.found.pairs.is_empty() || run.world.found.pairs[0].depth == 0.0);
+    }
+
+    #[test]
+    fn what_rocks_gives_way_at_once_and_comes_to_rest() {
+        let mut run = joined(2.0, Vec3::new(0.02, 0.0, 0.02), 0.5);
+        run.until(0.3);
+        assert!(run.world.patches.is_empty());
+        let height = run.place(1).z;
+        assert!((height - 0.25).abs() < 1e-4, "{height}");
     }
 }
