@@ -186,7 +186,8 @@ impl Walker {
         }
         if self.sums.pieces > 0 {
             None
-        } else if depth < UNSURE * self.radius {
+        } else if depth < UNSURE.max(TIE_BAND) * self.radius {
+            // Faces of both that go on in one plane are tied in this band, and what they share between them is no piece.
             Some(Found::Apart(0.0))
         } else {
             Some(Found::Swallowed(depth))
