@@ -51,6 +51,7 @@ export class Blocks {
   readonly corners: Uint32Array;
   readonly twins: Uint32Array;
   private readonly hollow = new Map<number, Uint32Array>();
+  private readonly places = new Map<number, number>();
   readonly blockOf: Uint32Array;
   /** Place of the twin pair of each face, or -1. */
   private readonly twinOf: Int32Array;
@@ -486,8 +487,10 @@ export class Blocks {
     return out;
   }
 
+  /** Place of a block in the frame by its number; below zero if it is not there. */
   placeOf(id: number): number {
-    return this.ids.indexOf(id);
+    if (this.places.size === 0) this.ids.forEach((of, b) => this.places.set(of, b));
+    return this.places.get(id) ?? -1;
   }
 
   /** Whether a block, or a part of it, is drawn. */

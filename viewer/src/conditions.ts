@@ -90,14 +90,12 @@ export class ConditionMarks {
     let found = this.known.get(blocks);
     if (found) return found;
     found = [];
-    const at = new Map<number, number>();
-    blocks.ids.forEach((id, b) => at.set(id, b));
     const { origin } = blocks.shape.info;
     const centre = new THREE.Vector3();
     conditions.faces.forEach(({ blocks: ids, centres }, condition) => {
       ids.forEach((id, item) => {
-        const block = at.get(id);
-        if (block === undefined) return;
+        const block = blocks.placeOf(id);
+        if (block < 0) return;
         const c = centres[item]!;
         centre.set(c[0] - origin[0], c[1] - origin[1], c[2] - origin[2]);
         let face = -1;

@@ -38,7 +38,8 @@ interface Kind {
 
 export class JointMarks {
   readonly object: THREE.Mesh;
-  private readonly known = new WeakMap<Blocks, Joint[]>();
+  /** Joints of a shape, and their sets: they are those of the blocks at rest. */
+  private readonly known = new WeakMap<Blocks, { joints: Joint[]; sets: Kind[] }>();
 
   constructor() {
     this.object = new THREE.Mesh(
@@ -54,12 +55,13 @@ export class JointMarks {
   draw(by: "" | "set" | "interface", blocks: Blocks, conditions: Conditions | null, materials: Float32Array | null): Note[] {
     this.object.visible = false;
     if (by === "") return [];
-    let joints = this.known.get(blocks);
-    if (!joints) {
-      joints = blocks.dimension === 3 ? jointsInSpace(blocks) : jointsInPlane(blocks);
-      this.known.set(blocks, joints);
+    let found = this.known.get(blocks);
+    if (!found) {
+      const joints = blocks.dimension === 3 ? jointsInSpace(blocks) : jointsInPlane(blocks);
+      found = { joints, sets: setsOf(joints, blocks.dimension) };
+      this.known.set(blocks, found);
     }
-    const kinds = by === "set" ? setsOf(joints, blocks.dimension) : lawsOf(joints, blocks.dimension, conditions, materials);
+    const kinds = by === "set" ? found.sets : lawsOf(found.joints, blocks.dimension, conditions, materials);
     const points: number[] = [];
     const colours: number[] = [];
     for (const { note, joints: of } of kinds) {
