@@ -93,7 +93,7 @@ fn a_ramp_needs_something_to_remove_and_time() {
     let codes: Vec<&str> = model.warnings.iter().map(|w| w.code).collect();
     assert_eq!(codes, ["key.unused"]);
     let model = good(&text("remove = [\"cube\"]\nuntil = { time = \"1 s\" }"));
-    assert_eq!(model.plan.phases.last().unwrap().removal_ramp, Some(1.0));
+    assert_eq!(model.plan.phases[0].removal_ramp, Some(1.0));
     let short = text("remove = [\"cube\"]\nuntil = { time = \"0.5 s\" }");
     assert!(bad(&short).contains("phase `dig` ends before its `removal_ramp`"));
 }
