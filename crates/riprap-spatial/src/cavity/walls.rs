@@ -4,7 +4,7 @@
 //! the work is `P dV`. In-situ tractions that the charge carried are given forces, as moments too on rigid blocks.
 //!
 //! A wall of a block with finite rotations turns with it: the push stays normal to the face and at its centre, and the volume follows from
-//! `dV = -A n.dx` along its way, with the mean of `A n` before and after a step. A face that has turned by more than [`TURNING`] from its start
+//! `dV = -A n.dx` along its way, with the mean of `A n` before and after a step. A face that has turned by more than `TURNING` from its start
 //! is less and less of a wall, by the cosine, and none from a right angle on: it no longer looks into the cavity. (No wall becomes of the
 //! other faces of a block that turns so far.)
 
