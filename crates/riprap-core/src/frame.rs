@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 pub mod conditions;
 pub mod fragments;
+pub mod stress;
 
 /// Numbers on blocks or contacts, one to three for each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -74,6 +75,32 @@ impl Column {
             .chunks(self.components)
             .map(|v| part.of(v).unwrap_or(f64::NAN))
             .collect()
+    }
+}
+
+/// Share of the blocks that [`usual`] leaves out: one that flies off must not make points of the arrows of all others.
+const STRAY: f64 = 0.005;
+/// Fewer numbers than this have no strays.
+const FEW: usize = 20;
+
+/// The size to which marks of sizes (arrows, crosses) are drawn: the largest, or that of most blocks where the rest are more than
+/// twice as large. What is not finite does not count; 0 for nothing.
+#[must_use]
+pub fn usual(sizes: &[f64]) -> f64 {
+    let mut finite: Vec<f64> = sizes.iter().copied().filter(|v| v.is_finite()).collect();
+    finite.sort_by(f64::total_cmp);
+    let Some(largest) = finite.last().copied() else {
+        return 0.0;
+    };
+    if finite.len() < FEW {
+        return largest;
+    }
+    let left_out = (STRAY * finite.len() as f64).ceil() as usize;
+    let most = finite[finite.len() - 1 - left_out];
+    if most > 0.0 && largest > 2.0 * most {
+        most
+    } else {
+        largest
     }
 }
 
@@ -242,5 +269,27 @@ impl Frame {
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strays_do_not_set_the_size_of_marks() {
+        let mut sizes = vec![1.0; 199];
+        sizes.push(1e9);
+        assert_eq!(usual(&sizes), 1.0);
+        sizes[198] = 1e9;
+        assert_eq!(usual(&sizes), 1e9);
+        assert_eq!(usual(&[1.0, 1e9]), 1e9);
+        // Nothing else moves.
+        sizes[..199].fill(0.0);
+        assert_eq!(usual(&sizes), 1e9);
+        assert_eq!(usual(&[f64::NAN]), 0.0);
+        // Almost twice is usual.
+        let near: Vec<f64> = (0..100).map(|i| 1.0 + 0.009 * f64::from(i)).collect();
+        assert_eq!(usual(&near), near[99]);
     }
 }

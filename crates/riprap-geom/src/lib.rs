@@ -30,6 +30,7 @@ pub mod polygon;
 pub mod polyhedron;
 mod random;
 pub mod shapes;
+pub mod symmetric;
 pub mod tol;
 pub mod voronoi;
 

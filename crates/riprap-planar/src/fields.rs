@@ -6,6 +6,7 @@ use riprap_geom::Vec2;
 use super::heap;
 use super::view::View;
 use crate::field::{FieldError, FieldInfo, Part, Shape, Site, find};
+use crate::frame::stress::Principal;
 
 /// A getter: the view, the blocks asked for, and room for one or two numbers.
 type Getter = fn(&View<'_>, &[u32]) -> [f64; 2];
@@ -119,6 +120,11 @@ fn area(v: &View<'_>, b: usize) -> f64 {
     v.scratch.shapes.mass[b] / v.world.setup.blocks[b].density
 }
 
+fn principal(v: &View<'_>, of: &[u32]) -> Principal {
+    let [xx, yy, xy] = v.stress(first(of));
+    Principal::in_plane(xx, yy, xy)
+}
+
 fn momentum(v: &View<'_>, b: usize) -> Vec2 {
     v.scratch.shapes.mass[b] * v.velocity(b)
 }
@@ -145,6 +151,10 @@ fields! {
     "block.area" "m2" Block Scalar false "Area: volume per metre of thickness." |v, of| one(area(v, first(of)));
     "block.mass" "kg/m" Block Scalar false "Mass." |v, of| one(v.scratch.shapes.mass[first(of)]);
     "block.momentum" "N s/m" Block Vector false "Momentum." |v, of| momentum(v, first(of)).into();
+    "block.stress_normal" "Pa" Block Vector true "Average stress of the block by what acts on its outline, normal components xx, yy as x, y; tension positive, the effective one in water." |v, of| { let [xx, yy, _] = v.stress(first(of)); [xx, yy] };
+    "block.stress_shear" "Pa" Block Scalar true "Average stress of the block, shear component xy." |v, of| one(v.stress(first(of))[2]);
+    "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression in the plane of the block's average stress." |v, of| one(-principal(v, of).values[1]);
+    "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression in the plane of the block's average stress (negative in tension)." |v, of| one(-principal(v, of).values[0]);
     "block.contacts" "-" Block Scalar true "Number of contacts the block takes part in." |v, of| one(blocks(v, &of[..of.len().min(1)]));
     "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };

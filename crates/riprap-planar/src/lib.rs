@@ -26,6 +26,7 @@ pub mod setup;
 mod shapes;
 pub mod stable;
 pub mod step;
+mod stress;
 pub mod view;
 mod water;
 pub mod world;

@@ -48,24 +48,97 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
                     traction,
                     pressure,
                 } => {
-                    let (p, q) = (turn(body(*from)), turn(body(*to)));
-                    let along = q - p;
-                    let inward =
-                        along.length() * turn(-edge_normal(shapes, b, body(*from), body(*to)));
-                    let [p0, p1] = pressure.map(|x| x * factor);
-                    let [t0, t1] = *traction;
-                    let mean = 0.5 * (t0 + t1);
-                    let push = 0.5 * (p0 + p1) * inward + factor * along.length() * mean;
+                    let ends = [*from, *to].map(body);
+                    let edge = EdgePush::new(shapes, b, ends, (*traction, *pressure), factor, turn);
                     // Moment of a linear pressure: mean part at the middle, slope about it.
-                    let slope = (p1 - p0) / 12.0 * along.perp_dot(inward)
-                        + factor * along.length() / 12.0 * along.perp_dot(t1 - t0);
-                    slot.force += push;
-                    slot.moment += (0.5 * (p + q)).perp_dot(push) + slope;
+                    let slope = edge.pressure_change / 12.0 * edge.along.perp_dot(edge.inward)
+                        + factor * edge.along.length() / 12.0
+                            * edge.along.perp_dot(edge.traction_change);
+                    slot.force += edge.push;
+                    slot.moment += edge.middle.perp_dot(edge.push) + slope;
                 }
                 LoadKind::Moment { moment } => slot.moment += factor * moment,
                 LoadKind::BodyForce { acceleration } => {
                     slot.force += factor * shapes.mass[b] * *acceleration;
                 }
+            }
+        }
+    }
+}
+
+/// A load on an edge of a block that varies linearly along it, at the block's present attitude.
+struct EdgePush {
+    /// Middle of the edge from the centroid, m.
+    middle: Vec2,
+    /// From its first end to its second, m.
+    along: Vec2,
+    /// Into the block across the edge, as long as it, m.
+    inward: Vec2,
+    /// Resultant, N/m.
+    push: Vec2,
+    /// Pressure at the second end less that at the first, Pa, at this time.
+    pressure_change: f64,
+    /// The same of the traction, before its function of time.
+    traction_change: Vec2,
+}
+
+impl EdgePush {
+    /// `ends`: from the centroid in the body frame, m.
+    fn new(
+        shapes: &Shapes,
+        b: usize,
+        ends: [Vec2; 2],
+        ([t0, t1], pressure): ([Vec2; 2], [f64; 2]),
+        factor: f64,
+        turn: impl Fn(Vec2) -> Vec2,
+    ) -> Self {
+        let [p, q] = ends.map(&turn);
+        let along = q - p;
+        let inward = along.length() * turn(-edge_normal(shapes, b, ends[0], ends[1]));
+        let [p0, p1] = pressure.map(|x| x * factor);
+        let mean = 0.5 * (t0 + t1);
+        Self {
+            middle: 0.5 * (p + q),
+            along,
+            inward,
+            push: 0.5 * (p0 + p1) * inward + factor * along.length() * mean,
+            pressure_change: p1 - p0,
+            traction_change: t1 - t0,
+        }
+    }
+}
+
+/// Hands over block, arm from its centroid (m) and force (N/m) of all loads at points and edges. The variation along an edge is a
+/// pair of its own, the edge with a twelfth of the change: `sum arm (x) force` is then the integral over the edge.
+pub fn pushes(world: &World, shapes: &Shapes, put: &mut dyn FnMut(usize, Vec2, Vec2)) {
+    for load in &world.setup.loads {
+        let factor = load.time.at(world.time);
+        let there = load.blocks.iter().map(|b| *b as usize);
+        for b in there.filter(|b| factor != 0.0 && world.alive[*b]) {
+            let (s, c) = libm::sincos(world.bodies[b].angle);
+            let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
+            let body = |p: Vec2| p - shapes.centroid[b];
+            match &load.kind {
+                LoadKind::Point { force, at, follows } => {
+                    let force = factor * if *follows { turn(*force) } else { *force };
+                    if let Some(at) = at {
+                        put(b, turn(body(*at)), force);
+                    }
+                }
+                LoadKind::Edge {
+                    from,
+                    to,
+                    traction,
+                    pressure,
+                } => {
+                    let ends = [*from, *to].map(body);
+                    let edge = EdgePush::new(shapes, b, ends, (*traction, *pressure), factor, turn);
+                    put(b, edge.middle, edge.push);
+                    let change = edge.pressure_change * edge.inward
+                        + factor * edge.along.length() * edge.traction_change;
+                    put(b, edge.along, change / 12.0);
+                }
+                LoadKind::Moment { .. } | LoadKind::BodyForce { .. } => {}
             }
         }
     }

@@ -5,7 +5,7 @@ use riprap_geom::Vec2;
 use super::bond::Bond;
 use super::view::View;
 use super::world::Contact;
-use crate::frame::{Column, Frame};
+use crate::frame::{Column, Frame, stress};
 
 /// Joints beyond which a frame holds only those of which a point has failed.
 pub const MANY_JOINTS: usize = 200_000;
@@ -57,6 +57,9 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             f64::from(u8::from(world.motion[b].is_some()))
         }),
     ];
+    let stresses = view.stresses();
+    let stresses: Vec<[f64; 3]> = living.iter().map(|&b| stresses[b]).collect();
+    frame.block_columns.extend(stress::in_plane(&stresses));
     let mut rows: Vec<Row> = view
         .contacts()
         .map(|(i, j, contact)| found(view, [i, j], contact))

@@ -12,6 +12,7 @@ pub mod fields;
 mod fragments;
 pub mod peaks;
 pub mod picture;
+mod stress;
 pub mod survey;
 pub mod tetrahedra;
 pub mod view;

@@ -1,9 +1,9 @@
 //! Frames of a spatial model: solids at their present positions, patches as points.
 
-use riprap_geom::Vec3;
+use riprap_geom::{Mat3, Vec3};
 
 use crate::deform::store::{Memory, State};
-use crate::frame::{BRICK, Column, Frame, Solids};
+use crate::frame::{BRICK, Column, Frame, Solids, stress};
 use crate::laws::norm;
 use crate::patch;
 use crate::read::fields::principal;
@@ -125,7 +125,7 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
     };
     let ends: Vec<[f64; 3]> = living.iter().map(|&b| principal(&stresses[b])).collect();
     let broken = broken_shares(view);
-    vec![
+    let mut columns = vec![
         scalar("block", "-", &|b| b as f64),
         scalar("material", "-", &|b| {
             f64::from(world.setup.blocks[b].material)
@@ -155,7 +155,10 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
         scalar("held", "-", &|b| {
             f64::from(u8::from(world.motion[b].is_some()))
         }),
-    ]
+    ];
+    let stresses: Vec<Mat3> = living.iter().map(|&b| stresses[b]).collect();
+    columns.extend(stress::in_space(&stresses));
+    columns
 }
 
 /// Share of the failed points among the points of each block's patches.

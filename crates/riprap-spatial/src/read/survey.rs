@@ -1,11 +1,9 @@
 //! Further things that can be read from a spatial model: average stress of one block, the free surface,
 //! displacements since a reset.
 
-use riprap_geom::{Mat3, Vec3};
+use riprap_geom::Vec3;
 
-use crate::boundary;
 use crate::cavity::Cavity;
-use crate::patch;
 use crate::read::view::View;
 use crate::setup::BoundaryKind;
 use crate::world::World;
@@ -61,41 +59,6 @@ impl View<'_> {
         world.cavities.iter().flat_map(|c| c.forces(world))
     }
 
-    /// Average stress of one block, Pa, tension-positive; see [`View::stresses`].
-    #[must_use]
-    pub fn stress(&self, block: usize) -> Mat3 {
-        if let Some(deformable) = self.deformable(block) {
-            return deformable.stress();
-        }
-        let world = self.world;
-        let mut sum = Mat3::ZERO;
-        let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
-        let id = block as u32;
-        for p in (0..world.patches.len()).filter(|&p| world.patches.ends[p].contains(&id)) {
-            let class = self.patch_class(p);
-            let frame = self.patch_points(p).frame;
-            for (q, t) in self.patch_tractions(p).iter().enumerate() {
-                let force =
-                    0.25 * class.area * (t[0] * frame[0] + t[1] * frame[1] + t[2] * frame[2]);
-                for (side, sign) in [(0, 1.0), (1, -1.0)] {
-                    if world.patches.ends[p][side] == id {
-                        let arm = class.arms[side] + patch::place(class, q);
-                        sum += outer(self.turned(block, arm), sign * force);
-                    }
-                }
-            }
-        }
-        let context = boundary::Context::new(world);
-        for face in world.faces.iter().filter(|f| f.block == id) {
-            sum += context.dyad(face);
-        }
-        let others = self.cavity_forces().chain(self.bond_forces());
-        for (_, arm, force) in others.filter(|f| f.0 == block) {
-            sum += outer(arm, force);
-        }
-        (0.5 / world.solid_of(block).volume) * (sum + sum.transpose())
-    }
-
     /// Whether each block has a face in the free surface: one that looks up and on which nothing but a traction
     /// acts.
     #[must_use]
@@ -118,7 +81,7 @@ impl View<'_> {
     }
 
     /// A vector of the start turned with a block.
-    fn turned(&self, b: usize, v: Vec3) -> Vec3 {
+    pub(super) fn turned(&self, b: usize, v: Vec3) -> Vec3 {
         match &self.world.turned[b] {
             Some(turned) => turned.attitude * v,
             None => v,

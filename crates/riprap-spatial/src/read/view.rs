@@ -1,6 +1,6 @@
 //! What can be read from a spatial model.
 
-use riprap_geom::{Mat3, Vec3};
+use riprap_geom::Vec3;
 
 use crate::boundary;
 use crate::laws::face_joint::{Memory, Traction};
@@ -287,7 +287,7 @@ impl View<'_> {
         self.tractions(p, &self.patch_points(p))
     }
 
-    fn tractions(&self, p: usize, points: &Points) -> [Traction; 4] {
+    pub(super) fn tractions(&self, p: usize, points: &Points) -> [Traction; 4] {
         let (list, class) = (&self.world.patches, self.patch_class(p));
         let joint = patch::joint(&self.world.setup.interfaces, class);
         let start = patch::start(class, list.prestress.get(p));
@@ -329,58 +329,6 @@ impl View<'_> {
             }
         }
         sum
-    }
-
-    /// Average stress of every block, Pa, tension-positive: `(1/V) sum r (x) f` over patches, found contacts, boundary
-    /// faces and walls of cavities, symmetrised.
-    #[must_use]
-    pub fn stresses(&self) -> Vec<Mat3> {
-        let world = self.world;
-        let mut sum = vec![Mat3::ZERO; world.alive.len()];
-        let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
-        for p in 0..world.patches.len() {
-            let class = self.patch_class(p);
-            let points = self.patch_points(p);
-            for (q, t) in self.tractions(p, &points).iter().enumerate() {
-                let e = points.frame;
-                let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);
-                let [i, j] = world.patches.ends[p].map(|b| b as usize);
-                let offset = patch::place(class, q);
-                sum[i] += outer(self.turn(i, class.arms[0] + offset), force);
-                sum[j] += outer(self.turn(j, class.arms[1] + offset), -force);
-            }
-        }
-        for contact in self.contacts() {
-            let [i, j] = contact.ends.map(|b| b as usize);
-            sum[i] += outer(contact.arms[0], -contact.force);
-            sum[j] += outer(contact.arms[1], contact.force);
-        }
-        let context = boundary::Context::new(world);
-        for face in &world.faces {
-            sum[face.block as usize] += context.dyad(face);
-        }
-        for (b, arm, force) in world.bolt_forces() {
-            sum[b as usize] += outer(arm, force);
-        }
-        for (b, arm, force) in self.cavity_forces().chain(self.bond_forces()) {
-            sum[b] += outer(arm, force);
-        }
-        for (b, s) in sum.iter_mut().enumerate() {
-            let volume = world.solid_of(b).volume;
-            *s = (0.5 / volume) * (*s + s.transpose());
-            if let Some(deformable) = self.deformable(b) {
-                *s = deformable.stress();
-            }
-        }
-        sum
-    }
-
-    /// A vector of the start turned with block `b`.
-    fn turn(&self, b: usize, v: Vec3) -> Vec3 {
-        match &self.world.turned[b] {
-            Some(turned) => turned.attitude * v,
-            None => v,
-        }
     }
 
     /// Energy in the springs of boundaries, J.

@@ -1,0 +1,85 @@
+//! Average stress of blocks.
+
+use riprap_geom::{Mat3, Vec3};
+
+use crate::boundary;
+use crate::patch;
+use crate::read::view::View;
+
+impl View<'_> {
+    /// Average stress of every block, Pa, tension-positive: of a deformable one over its elements, of a rigid one `(1/V) sum r (x) f`
+    /// over patches, found contacts, terrain, boundary faces, bolts and walls of cavities, symmetrised. Where water stands it is the
+    /// effective stress: the push of water on faces is left out.
+    #[must_use]
+    pub fn stresses(&self) -> Vec<Mat3> {
+        let mut sum = vec![Mat3::ZERO; self.world.alive.len()];
+        self.dyads(&|_| true, &mut |b, dyad| sum[b] += dyad);
+        for (b, s) in sum.iter_mut().enumerate() {
+            *s = self.average(b, *s);
+        }
+        sum
+    }
+
+    /// The same of one block.
+    #[must_use]
+    pub fn stress(&self, block: usize) -> Mat3 {
+        let mut sum = Mat3::ZERO;
+        if self.deformable(block).is_none() {
+            self.dyads(&|b| b == block, &mut |_, dyad| sum += dyad);
+        }
+        self.average(block, sum)
+    }
+
+    fn average(&self, b: usize, sum: Mat3) -> Mat3 {
+        match self.deformable(b) {
+            Some(deformable) => deformable.stress(),
+            None => (0.5 / self.world.solid_of(b).volume) * (sum + sum.transpose()),
+        }
+    }
+
+    /// Hands over `r (x) f` of all that acts on the outlines of the wanted blocks, r from their centroids.
+    fn dyads(&self, wanted: &dyn Fn(usize) -> bool, put: &mut dyn FnMut(usize, Mat3)) {
+        let world = self.world;
+        let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
+        let mut put = |b: usize, dyad: Mat3| {
+            if wanted(b) {
+                put(b, dyad);
+            }
+        };
+        for p in 0..world.patches.len() {
+            let [i, j] = world.patches.ends[p].map(|b| b as usize);
+            if !wanted(i) && !wanted(j) {
+                continue;
+            }
+            let class = self.patch_class(p);
+            let points = self.patch_points(p);
+            for (q, t) in self.tractions(p, &points).iter().enumerate() {
+                let e = points.frame;
+                let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);
+                let offset = patch::place(class, q);
+                put(i, outer(self.turned(i, class.arms[0] + offset), force));
+                put(j, outer(self.turned(j, class.arms[1] + offset), -force));
+            }
+        }
+        for contact in self.contacts() {
+            let [i, j] = contact.ends.map(|b| b as usize);
+            put(i, outer(contact.arms[0], -contact.force));
+            put(j, outer(contact.arms[1], contact.force));
+        }
+        for (b, on) in world.found.terrain.iter().enumerate() {
+            for facet in &on.facets {
+                put(b, outer(facet.memory.arms[1], facet.force));
+            }
+        }
+        let context = boundary::Context::new(world);
+        for face in world.faces.iter().filter(|f| wanted(f.block as usize)) {
+            put(face.block as usize, context.dyad(face));
+        }
+        for (b, arm, force) in world.bolt_forces() {
+            put(b as usize, outer(arm, force));
+        }
+        for (b, arm, force) in self.cavity_forces().chain(self.bond_forces()) {
+            put(b, outer(arm, force));
+        }
+    }
+}
