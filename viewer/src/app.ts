@@ -19,7 +19,7 @@ import { View } from "./view";
 /** A running run is asked for news this often, in ms. */
 const NEWS = 1000;
 /** Settings that need other answers, not only another drawing. */
-const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "supports", "joints"];
+const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "stress", "supports", "joints"];
 
 interface Pane {
   view: View;
@@ -363,7 +363,8 @@ export class App {
       { keys: ["j"], label: "j", what: "joints: by set, by interface, not", act: nextJoints },
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
-      { keys: ["r"], label: "r", what: "bolts: rods (in space)", act: () => choices.set({ bolts: !choices.now.bolts }) },
+      { keys: ["r"], label: "r", what: "bolts: rods, red in tension, blue in compression", act: () => choices.set({ bolts: !choices.now.bolts }) },
+      { keys: ["a"], label: "a", what: "principal stresses as crosses", act: () => choices.set({ stress: !choices.now.stress }) },
       { keys: ["d"], label: "d", what: "distance, and the field along a line: click both ends (again: take it away)", act: () => this.toggleLine() },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
       { keys: ["x"], label: "x", what: "cut away: along x, y, z, any plane, nothing", act: nextCut },

@@ -179,6 +179,11 @@ export class Blocks {
     return this.section.count;
   }
 
+  /** Whether the flat cut goes through a block. */
+  isCut(b: number): boolean {
+    return this.cut !== null && this.side[b] === 2;
+  }
+
   /** The planes at which the graphics end what is drawn with these blocks. */
   get planes(): THREE.Plane[] {
     return this.cut ? [this.plane] : [];

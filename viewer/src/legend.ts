@@ -4,7 +4,7 @@ import { kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
 import { RULER } from "./line";
-import { FACES, STATES } from "./marks";
+import { FACES, PRESSED, PULLED, STATES } from "./marks";
 import type { Run } from "./run";
 import type { Settings } from "./settings";
 import type { View } from "./view";
@@ -43,6 +43,12 @@ export function legendOf(view: View, settings: Settings): LegendText {
     const { largest, smallest, unit } = view.boltForces;
     out.notes.push({ text: `bolts up to ${quantity(largest, unit, 3)}`, colour: "#d01c1c" });
     if (smallest !== null && smallest < 0) out.notes.push({ text: `bolts down to ${quantity(smallest, unit, 3)}`, colour: "#1d5fd0" });
+  }
+  if (view.stressShown?.range) {
+    const { range: [low, high], longest, unit, beyond } = view.stressShown;
+    if (low < 0) out.notes.push({ text: `compression up to ${quantity(-low, unit, 3)}`, colour: PRESSED });
+    if (high > 0) out.notes.push({ text: `tension up to ${quantity(high, unit, 3)}`, colour: PULLED });
+    if (longest !== null) out.notes.push({ text: `longest cross ${quantity(longest, unit, 3)}${beyond > 0 ? `, ${beyond} beyond` : ""}` });
   }
   if (view.arrow && settings.vectors) {
     out.notes.push({ text: `longest ${settings.vectors} ${quantity(view.arrow.longest, view.arrow.unit, 3)}` });

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { surfaces } from "./between";
 import type { Blocks } from "./blocks";
-import type { BoltInfo, ContactInfo } from "./run";
+import type { BoltInfo, ContactInfo, StressInfo } from "./run";
 import type { Packet } from "./wire";
 
 /** Arrows drawn at most; of more, every second, third, ... is. */
@@ -251,13 +251,70 @@ export class Bolts {
   }
 }
 
+/** Colours of principal stresses: those of bolts. */
+export const PRESSED = "#1d5fd0";
+export const PULLED = "#d01c1c";
+
+/** Principal stresses of blocks as crosses through their middles; they show through the blocks. */
+export class Crosses {
+  private mesh: THREE.InstancedMesh | null = null;
+  readonly object = new THREE.Group();
+  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
+
+  clear(): void {
+    if (!this.mesh) return;
+    this.object.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.mesh.dispose();
+    this.mesh = null;
+  }
+
+  /**
+   * Draws the crosses of the chosen blocks at their places (three numbers each). An arm of the size `longest` is `length` long from end
+   * to end and `thick` thick, and none is longer. Returns how many blocks have a longer one.
+   */
+  draw(stress: Packet<StressInfo>, chosen: number[], places: Float32Array, length: number, thick: number): number {
+    this.clear();
+    const { longest } = stress.info;
+    if (longest === null) return 0;
+    const arms = stress.f32("arms");
+    const tension = stress.u8("tension");
+    const step = Math.max(1, Math.ceil(chosen.length / ARROWS));
+    const drawn = chosen.filter((_, i) => i % step === 0);
+    const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(1, 1, 1), this.material, 3 * drawn.length);
+    const one = new THREE.Object3D();
+    const way = new THREE.Vector3();
+    const colour = new THREE.Color();
+    let n = 0;
+    for (const b of drawn) {
+      for (let k = 0; k < 3; k++) {
+        const size = way.fromArray(arms, 9 * b + 3 * k).length();
+        if (!(size > 0.01 * longest)) continue;
+        one.position.fromArray(places, 3 * b);
+        one.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(size));
+        one.scale.set(length * Math.min(1, size / longest), thick, thick);
+        one.updateMatrix();
+        mesh.setMatrixAt(n, one.matrix);
+        mesh.setColorAt(n++, colour.set(tension[3 * b + k] ? PULLED : PRESSED));
+      }
+    }
+    mesh.count = n;
+    mesh.frustumCulled = false;
+    mesh.renderOrder = 4;
+    this.mesh = mesh;
+    this.object.add(mesh);
+    const beyond = (b: number) => [0, 1, 2].some((k) => way.fromArray(arms, 9 * b + 3 * k).length() > 1.001 * longest);
+    return chosen.filter(beyond).length;
+  }
+}
+
 /** State of a bar that has broken, as the server numbers them (crates/riprap-spatial/src/read/bars.rs). */
 const BROKEN_BAR = 3;
 
 /** White without force, red in tension, blue in compression; `share` of the largest force, -1 to 1. */
 export function boltColour(share: number, out: THREE.Color): THREE.Color {
   const size = Math.min(1, Math.abs(share));
-  return out.set("#f4f0ea").lerp(new THREE.Color(share < 0 ? "#1d5fd0" : "#d01c1c"), size);
+  return out.set("#f4f0ea").lerp(new THREE.Color(share < 0 ? PRESSED : PULLED), size);
 }
 
 /** What is to be added to the present place of something on a block, to have it where the block is drawn. */

@@ -258,7 +258,8 @@ export class Panel {
     const contacts = held.every((h) => h.contacts);
     const missing = kinds.length > vectors.length || !contacts;
     const hint = missing ? [el("p.hint", {}, "Of arrows and contacts this report has what it had room for; riprap view shows all.")] : [];
-    if (vectors.length === 0 && !contacts) return hint;
+    const stress = this.runs.some((r) => r.hasStress);
+    if (vectors.length === 0 && !contacts && !stress) return hint;
     const rows: HTMLElement[] = [
       row(
         "Arrows",
@@ -270,8 +271,11 @@ export class Panel {
         ),
       ),
     ];
-    if (now.vectors) {
-      const size = el("input", { type: "range", min: "-1", max: "1", step: "0.05", value: String(Math.log10(now.vectorSize)), "aria-label": "length of arrows" });
+    if (stress) {
+      rows.push(el("div.checks", {}, check("stress", now.stress, (stress) => choices.set({ stress }), "Principal stresses as crosses: blue in compression, red in tension (a)")));
+    }
+    if (now.vectors || now.stress) {
+      const size = el("input", { type: "range", min: "-1", max: "1", step: "0.05", value: String(Math.log10(now.vectorSize)), "aria-label": "length of arrows and crosses" });
       size.addEventListener("input", () => choices.set({ vectorSize: 10 ** Number(size.value) }));
       rows.push(row("Length", size));
     }

@@ -56,7 +56,7 @@ export interface Summary {
   /** In a report: the fields that it holds. */
   names?: string[];
   /** The answers are in the page itself: vectors that it has, and whether it has contacts. */
-  held?: { vectors: string[]; contacts: boolean };
+  held?: { vectors: string[]; contacts: boolean; stress: boolean };
   note: { what: string; hint: string } | null;
   tables: [boolean, boolean];
   /** Whether frames have cracks of deformable blocks. */
@@ -80,6 +80,14 @@ export interface BoltInfo {
   /** Smallest, negative where bars are pressed. */
   smallest: number | null;
   unit: string;
+}
+
+export interface StressInfo {
+  unit: string;
+  /** Smallest and largest principal stress, tension positive; null: no blocks. */
+  range: [number, number] | null;
+  /** The size that is drawn longest: larger ones are too. Null: no stress. */
+  longest: number | null;
 }
 
 export interface MotionInfo {
@@ -194,6 +202,12 @@ export class Run {
     ]);
   }
 
+  /** Whether frames tell the stress of blocks; runs of earlier versions and some reports do not. */
+  get hasStress(): boolean {
+    const { held, fields } = this.summary;
+    return held ? held.stress : (fields ?? []).some((f) => f.name === "stress_shear");
+  }
+
   /** What a block is called: its name, or its number. */
   called(id: number): string {
     return nameOf(this.names, id) || `block ${id}`;
@@ -228,6 +242,11 @@ export class Run {
   /** Bars of bolts with their axial forces. */
   bolts(k: number): Promise<Packet<BoltInfo>> {
     return this.packet<BoltInfo>(`bolts/${k}`);
+  }
+
+  /** Principal stresses of the blocks. */
+  stress(k: number): Promise<Packet<StressInfo>> {
+    return this.packet<StressInfo>(`stress/${k}`);
   }
 
   block(k: number, id: number): Promise<BlockNumbers> {

@@ -34,6 +34,8 @@ export interface Settings {
   only: boolean;
   vectors: "" | "displacement" | "velocity" | "force" | "contact force";
   vectorSize: number;
+  /** Principal stresses of the blocks as crosses. */
+  stress: boolean;
   contacts: boolean;
   states: boolean[];
   cracks: boolean;
@@ -66,6 +68,7 @@ export const DEFAULTS: Settings = {
   only: false,
   vectors: "",
   vectorSize: 1,
+  stress: false,
   contacts: false,
   states: [false, true, true, true, true, true, true, true],
   cracks: false,

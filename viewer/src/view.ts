@@ -7,8 +7,8 @@ import { ConditionMarks, type Note } from "./conditions";
 import { quantity, short } from "./format";
 import { JointMarks } from "./joints";
 import { piecesAlong, Ruler, type Piece } from "./line";
-import { Arrows, Bolts, Contacts, Picked, contactPlaces } from "./marks";
-import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run } from "./run";
+import { Arrows, Bolts, Contacts, Crosses, Picked, contactPlaces } from "./marks";
+import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
@@ -24,6 +24,7 @@ interface Fetched {
   contacts: Packet<ContactInfo> | null;
   cracks: Packet<unknown> | null;
   bolts: Packet<BoltInfo> | null;
+  stress: Packet<StressInfo> | null;
   supports: Packet<FieldInfo> | null;
   materials: Packet<FieldInfo> | null;
 }
@@ -52,6 +53,7 @@ export class View {
   private readonly supportMark = new Picked("#2f7bd9", 3);
   private readonly drivenMark = new Picked("#e07b1a", 3);
   private readonly bolts = new Bolts();
+  private readonly crosses = new Crosses();
   private readonly conditions = new ConditionMarks();
   private readonly joints = new JointMarks();
   private readonly ruler = new Ruler();
@@ -65,6 +67,8 @@ export class View {
   driven = 0;
   /** Forces of the bolts that are drawn. */
   boltForces: BoltInfo | null = null;
+  /** Principal stresses that are drawn as crosses, with the number of blocks beyond the longest. */
+  stressShown: (StressInfo & { beyond: number }) | null = null;
   private readonly sources = new THREE.Group();
   private last: Fetched | null = null;
   private ticket = 0;
@@ -80,7 +84,7 @@ export class View {
     this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.bolts, this.conditions, this.joints, this.ruler]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.bolts, this.crosses, this.conditions, this.joints, this.ruler]) {
       this.stage.scene.add(one.object);
     }
     this.stage.scene.add(this.sources);
@@ -140,9 +144,10 @@ export class View {
     const withField = field !== "" && this.run.hasField(field);
     const needCracks = settings.cracks && this.run.summary.cracks;
     const needBolts = settings.bolts && this.run.summary.bolts === true;
+    const needStress = settings.stress && this.run.hasStress;
     const needSupports = settings.supports && this.run.hasField("held");
     const needMaterials = settings.joints === "interface" && this.run.hasField("material");
-    const [motion, values, range, arrows, contacts, cracks, bolts, supports, materials] = await Promise.all([
+    const [motion, values, range, arrows, contacts, cracks, bolts, stress, supports, materials] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
       withField && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
@@ -152,11 +157,12 @@ export class View {
       needCracks ? this.run.cracks(k).catch(() => null) : none,
       // Frames before the first bolt is put in have none.
       needBolts ? this.run.bolts(k).catch(() => null) : none,
+      needStress ? this.run.stress(k) : none,
       // A report may not hold them.
       needSupports ? this.run.field(k, "held").catch(() => null) : none,
       needMaterials ? this.run.field(k, "material").catch(() => null) : none,
     ]);
-    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, bolts, supports, materials };
+    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, bolts, stress, supports, materials };
   }
 
   /** Range of a field over all runs that are shown. */
@@ -223,6 +229,7 @@ export class View {
     this.drawArrows(settings);
     this.drawContacts(settings);
     this.drawBolts(settings);
+    this.drawStress(settings);
     this.drawPicked();
     this.drawSupports(settings);
     this.drawConditions(settings);
@@ -238,6 +245,30 @@ export class View {
     }
     const shift = (b: number, target: THREE.Vector3) => this.shiftOf(b, settings.exaggeration - 1, target);
     this.bolts.draw(bolts, this.blocks!, shift, this.modelSize() / 250);
+  }
+
+  /** Crosses of the blocks that are seen: behind a flat cut those that it goes through, or nothing could be told apart. */
+  private drawStress(settings: Settings): void {
+    const stress = settings.stress ? this.last!.stress : null;
+    const blocks = this.blocks!;
+    this.stressShown = null;
+    if (!stress) {
+      this.crosses.clear();
+      return;
+    }
+    const places = new Float32Array(3 * blocks.count);
+    const chosen: number[] = [];
+    const place = new THREE.Vector3();
+    for (let b = 0; b < blocks.count; b++) {
+      this.shiftOf(b, settings.exaggeration, place);
+      for (let k = 0; k < 3; k++) places[3 * b + k] = blocks.middles[3 * b + k]! + place.getComponent(k);
+      const seen = this.flat || blocks.cutBlocks === 0 ? !blocks.isAway(place.fromArray(places, 3 * b)) : blocks.isCut(b);
+      if (this.flat) places[3 * b + 2] = 0.5;
+      if (blocks.isShown(b) && seen && Number.isFinite(place.x)) chosen.push(b);
+    }
+    const length = 0.9 * blocks.size * settings.vectorSize;
+    const beyond = this.crosses.draw(stress, chosen, places, length, Math.min(length / 14, this.modelSize() / 250));
+    this.stressShown = { ...stress.info, beyond };
   }
 
   private drawSupports(settings: Settings): void {

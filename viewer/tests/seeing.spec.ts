@@ -5,6 +5,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "@playwright/test";
+import { ROOT } from "./runs";
 import { expect, frame, pixels, settled, shoot, stage, test } from "./serve";
 
 /** Two bricks on a held one; gravity along -y. */
@@ -377,4 +378,62 @@ test("the field along a line goes through the rock", async ({ view }) => {
   // The plot follows the frame.
   await page.keyboard.press("Home");
   await expect.poll(async () => (await read()).every((r) => r[3] === 0)).toBe(true);
+});
+
+/** Pixels of the picture that have one of the colours of crosses: compression, tension. */
+async function crossed(page: Page): Promise<[number, number]> {
+  return stage(page).evaluate((canvas) => {
+    const from = canvas as HTMLCanvasElement;
+    const copy = document.createElement("canvas");
+    copy.width = from.width;
+    copy.height = from.height;
+    const ctx = copy.getContext("2d", { willReadFrequently: true })!;
+    ctx.drawImage(from, 0, 0);
+    const { data } = ctx.getImageData(0, 0, copy.width, copy.height);
+    const found: [number, number] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const rgb = [data[i], data[i + 1], data[i + 2]].join(",");
+      if (rgb === "29,95,208") found[0]++;
+      if (rgb === "208,28,28") found[1]++;
+    }
+    return found;
+  });
+}
+
+test("principal stresses of the plane are crosses", async ({ view }) => {
+  // 8 and 3 MPa, turned by 20 degrees, before anything has moved.
+  const page = await view(join(ROOT, "scenes/verify/engineering/in_situ_inclined.toml"));
+  await page.getByLabel("field", { exact: true }).selectOption("");
+  await expect(page.locator(".legend")).not.toContainText("compression");
+  const plain = await settled(page);
+  expect(await crossed(page)).toEqual([0, 0]);
+  await page.keyboard.press("a");
+  await expect(page.locator(".legend")).toContainText("compression up to 8 MPa");
+  await expect(page.locator(".legend")).toContainText("longest cross 8 MPa");
+  await expect(page.locator(".legend")).not.toContainText("tension");
+  expect(await settled(page)).not.toBe(plain);
+  const [pressed, pulled] = await crossed(page);
+  expect(pressed).toBeGreaterThan(300);
+  expect(pulled).toBe(0);
+  await shoot(page, "stress-plane");
+  await page.keyboard.press("a");
+  await expect(page.locator(".legend")).not.toContainText("compression");
+  expect(await settled(page)).toBe(plain);
+});
+
+test("principal stresses in space are crosses on a cut, and bending has both colours", async ({ view }) => {
+  const page = await view("beam");
+  await page.getByLabel("field", { exact: true }).selectOption("");
+  await page.getByLabel("clipping plane").selectOption("y");
+  await page.keyboard.press("2");
+  await expect.poll(async () => Number(await stage(page).getAttribute("data-cut"))).toBeGreaterThan(0);
+  const plain = await settled(page);
+  await page.getByLabel("stress", { exact: true }).check();
+  await expect(page.locator(".legend")).toContainText("compression up to");
+  await expect(page.locator(".legend")).toContainText("tension up to");
+  expect(await settled(page)).not.toBe(plain);
+  const [pressed, pulled] = await crossed(page);
+  expect(pressed).toBeGreaterThan(20);
+  expect(pulled).toBeGreaterThan(20);
+  await shoot(page, "stress-space");
 });

@@ -10,6 +10,7 @@
 //! | `contacts/K` | places, states, areas and forces of contacts ([`crate::contacts`]) |
 //! | `cracks/K` | outlines of the broken parts of deformable blocks |
 //! | `bolts/K` | bars of bolts with their axial forces |
+//! | `stress/K` | principal stresses of the blocks ([`crate::crosses`]) |
 //! | `conditions` | JSON: boundaries, loads, supports, water tables, laws of interfaces ([`riprap_record::conditions`]); null in runs of earlier versions |
 //! | `names` | JSON: names of blocks and groups ([`riprap_record::names`]) |
 //! | `block/K/ID` | JSON: all numbers of one block |
@@ -25,7 +26,7 @@ use serde_json::{Value, json};
 
 use crate::run::{Problem, Run};
 use crate::wire::Wire;
-use crate::{contacts, motion};
+use crate::{contacts, crosses, motion};
 
 /// Frames read for one question at most; a page asks again for more.
 pub(crate) const FRAMES_AT_ONCE: usize = 64;
@@ -76,6 +77,7 @@ pub fn answer(run: &Run, path: &str, query: &Query<'_>) -> Result<Answer, Proble
         ["contacts", k] => Ok(binary(contacts::wire(&run.contacts(count(k)?)?))),
         ["cracks", k] => Ok(binary(contacts::cracks(run, count(k)?)?)),
         ["bolts", k] => Ok(binary(contacts::bolts(run, count(k)?)?)),
+        ["stress", k] => Ok(binary(crosses::wire(run, count(k)?)?)),
         ["conditions"] => Ok(json_answer(&json!(run.conditions()?))),
         ["names"] => Ok(json_answer(&json!(run.names()))),
         ["block", k, id] => block(run, count(k)?, count(id)?),

@@ -18,6 +18,7 @@
 
 pub mod answer;
 pub mod contacts;
+pub mod crosses;
 pub mod motion;
 mod problem;
 pub mod report;

@@ -3,6 +3,7 @@
 use base64::Engine as _;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use riprap_record::frame::stress;
 use serde_json::{Map, Value, json};
 use std::io::Write as _;
 
@@ -123,7 +124,10 @@ impl Book {
         let contacts = self.add(&room, "contacts", None);
         let cracks = told["cracks"] == true && contacts && self.add(&room, "cracks", None);
         let bolts = told["bolts"] == true && self.add(&room, "bolts", None);
-        for (name, _) in &rest {
+        let stress = self.add(&room, "stress", None);
+        // What the crosses show says little component by component.
+        let tensor = [stress::NORMAL, stress::SHEAR];
+        for (name, _) in rest.iter().filter(|c| !tensor.contains(&c.0.as_str())) {
             if self.field(&room, name)? {
                 fields.push(name);
             }
@@ -144,7 +148,7 @@ impl Book {
             told[key] = sound.iter().map(|k| told[key][*k].clone()).collect();
         }
         told["names"] = json!(fields);
-        told["held"] = json!({ "vectors": vectors, "contacts": contacts });
+        told["held"] = json!({ "vectors": vectors, "contacts": contacts, "stress": stress });
         told["cracks"] = json!(cracks);
         told["bolts"] = json!(bolts);
         told["live"] = json!(false);
