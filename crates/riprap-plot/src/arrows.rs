@@ -2,7 +2,7 @@
 
 use super::section::{Vectors, middle};
 use super::svg::Page;
-use riprap_record::frame::{Column, Frame};
+use riprap_record::frame::{Column, Frame, usual};
 use std::collections::BTreeSet;
 
 /// The longest arrow is not longer than this share of the mean of width and height of the picture,
@@ -18,20 +18,25 @@ fn column(frame: &Frame, vectors: Vectors) -> Option<&Column> {
     frame.column(vectors.column()).filter(|c| c.components >= 2)
 }
 
-/// Length in the picture plane of the longest vector of all frames; 0 without vectors.
-pub(super) fn longest(frames: &[Frame], vectors: Option<Vectors>) -> f64 {
-    let Some(vectors) = vectors else {
-        return 0.0;
-    };
-    frames
-        .iter()
-        .filter_map(|f| column(f, vectors))
-        .flat_map(|c| c.data.chunks(c.components).map(|v| v[0].hypot(v[1])))
-        .filter(|v| v.is_finite())
-        .fold(0.0, f64::max)
+/// Lengths in the picture plane of the vectors of all frames.
+fn lengths(frames: &[Frame], vectors: Vectors) -> Vec<f64> {
+    let columns = frames.iter().filter_map(|f| column(f, vectors));
+    let all = columns.flat_map(|c| c.data.chunks(c.components).map(|v| v[0].hypot(v[1])));
+    all.filter(|v| v.is_finite()).collect()
 }
 
-/// Draws arrows from the middles of the blocks; the longest of all frames has the same length everywhere.
+/// The length that is drawn longest: the largest of all frames, or what most vectors do not exceed. 0 without vectors.
+pub(super) fn longest(frames: &[Frame], vectors: Option<Vectors>) -> f64 {
+    vectors.map_or(0.0, |v| usual(&lengths(frames, v)))
+}
+
+/// Number of vectors that are longer than that.
+pub(super) fn beyond(frames: &[Frame], vectors: Vectors, longest: f64) -> usize {
+    let all = lengths(frames, vectors);
+    all.iter().filter(|v| **v > 1.001 * longest).count()
+}
+
+/// Draws arrows from the middles of the blocks; vectors of the length `longest` and above are equally long everywhere.
 pub(super) fn draw(
     page: &mut Page,
     frame: &Frame,
@@ -44,10 +49,11 @@ pub(super) fn draw(
         return;
     };
     let spacing = (size[0] * size[1] / frame.blocks().max(1) as f64).sqrt();
-    let reach = (LONGEST * 0.5 * (size[0] + size[1])).min((SPACINGS * spacing).max(20.0)) / longest;
+    let reach = (LONGEST * 0.5 * (size[0] + size[1])).min((SPACINGS * spacing).max(20.0));
     let mut taken = BTreeSet::new();
     for (i, v) in column.data.chunks(column.components).enumerate() {
-        let (dx, dy) = (v[0] * reach, -v[1] * reach);
+        let size = v[0].hypot(v[1]).max(longest);
+        let (dx, dy) = (v[0] * reach / size, -v[1] * reach / size);
         let [x, y] = pixel(middle(frame.outline(i)));
         let length = dx.hypot(dy);
         let cell = [x, y].map(|v| (v / CELL).floor() as i64);

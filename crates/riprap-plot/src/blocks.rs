@@ -3,6 +3,7 @@
 use super::arrows;
 use super::bolts;
 use super::colour::ColourMap;
+use super::crosses;
 use super::section::{Normal, Vectors};
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::ticks::{Scale, label};
@@ -24,6 +25,8 @@ pub struct BlockOptions {
     pub log: bool,
     /// Arrows on the blocks.
     pub vectors: Option<Vectors>,
+    /// Principal stresses as crosses, in space those in the plane of the cut.
+    pub stress: bool,
     /// Factor on displacements and rotations; `None` is 1: blocks where they are.
     pub exaggeration: Option<f64>,
     /// In space: direction that the cut is normal to.
@@ -234,6 +237,7 @@ pub(super) fn draw(
     let title = format!("{}{}", fitted(words.title, 15.0, room), words.suffix);
     page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
     let longest = arrows::longest(frames, options.vectors);
+    let stressed = crosses::longest(frames);
     for (i, (frame, field)) in frames.iter().zip(fields).enumerate() {
         let corner = [
             LEFT + step[0] * (i % columns) as f64,
@@ -261,6 +265,10 @@ pub(super) fn draw(
         if let Some(vectors) = options.vectors {
             let pixel = |p| window.pixel(p, corner);
             arrows::draw(&mut page, frame, vectors, longest, &pixel, [w, h]);
+        }
+        if options.stress {
+            let pixel = |p| window.pixel(p, corner);
+            crosses::draw(&mut page, frame, stressed, &pixel, [w, h]);
         }
         for place in &words.sources {
             star(&mut page, window.pixel(*place, corner));
@@ -311,10 +319,17 @@ fn notes(frames: &[Frame], options: BlockOptions) -> String {
     if let Some(vectors) = options.vectors {
         let longest = arrows::longest(frames, Some(vectors));
         let (name, unit) = (vectors.column(), vectors.unit());
+        let also = match arrows::beyond(frames, vectors, longest) {
+            0 => String::new(),
+            more => format!(" or more ({more})"),
+        };
         out.push(format!(
-            "longest arrow: {name} {} {unit}",
+            "longest arrow: {name} {} {unit}{also}",
             digits(longest, 3)
         ));
+    }
+    if options.stress {
+        out.push(crosses::note(frames));
     }
     out.join("; ")
 }

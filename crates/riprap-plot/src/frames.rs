@@ -5,7 +5,7 @@ use super::section::{self, middle};
 use super::{PlotError, suffix, write};
 use riprap_record::field::number;
 use riprap_record::field::with_unit;
-use riprap_record::frame::{Frame, Surfaces};
+use riprap_record::frame::{Frame, Surfaces, stress};
 use riprap_record::manifest::Manifest;
 use riprap_record::vtu::{self, PvdEntry};
 use std::path::{Path, PathBuf};
@@ -66,6 +66,11 @@ pub(super) fn drawn(
     if let Some(vectors) = options.vectors {
         for frame in &loaded {
             blocks::choose(frame, vectors.column())?;
+        }
+    }
+    if options.stress {
+        for frame in &loaded {
+            blocks::choose(frame, stress::SHEAR)?;
         }
     }
     let picture = section::flattened(loaded, fields, &manifest, options)?;

@@ -14,6 +14,7 @@ mod bolts;
 mod chart;
 mod colour;
 mod compare;
+mod crosses;
 pub mod fits;
 mod frames;
 mod lettering;

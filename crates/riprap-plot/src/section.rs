@@ -9,7 +9,7 @@ use super::frames::{Which, drawn, load_frames};
 use super::solid::{self, Body};
 use super::{PlotError, blocks::short};
 use riprap_geom::Vec3;
-use riprap_record::frame::{Column, Frame};
+use riprap_record::frame::{Column, Frame, stress};
 use riprap_record::manifest::Manifest;
 use std::path::{Path, PathBuf};
 
@@ -240,6 +240,15 @@ fn sliced(
         if let Some(column) = frame.column(name) {
             out.block_columns.push(picked(column, &kept, [h, v]));
         }
+    }
+    if let (Some(direct), Some(shear)) = (frame.column(stress::NORMAL), frame.column(stress::SHEAR))
+    {
+        out.block_columns.push(picked(direct, &kept, [h, v]));
+        // Of yz, zx, xy the one whose name lacks the normal.
+        let k = normal.index();
+        let data = kept.iter().map(|&i| shear.data[3 * i + k]).collect();
+        out.block_columns
+            .push(Column::scalar(stress::SHEAR, "Pa", data));
     }
     (out, kept)
 }

@@ -96,9 +96,35 @@ def test_pyvista(which, request):
     for grid in (ours, theirs):
         assert "velocity [m/s]" in grid.cell_data and "velocity" not in grid.cell_data
         assert "block" in grid.cell_data
+        assert np.allclose(grid["principal_stress_1 [Pa]"], frame.principal_stresses()[0][:, 0])
+        assert grid["principal_direction_1"].shape == (frame.n_blocks, 3)
     contacts = frame.contacts_to_pyvista()
     assert contacts.n_points == len(frame.contact_points)
     assert ("force_on_a [N]" if which == "blast" else "force_on_a [N/m]") in contacts.point_data
+
+
+@pytest.mark.parametrize("which", ["slide", "blast"])
+def test_principal_stresses_are_those_of_the_tensor(which, request):
+    frame = request.getfixturevalue(which).frame()
+    values, directions = frame.principal_stresses()
+    assert values.unit == "Pa" and np.all(np.diff(values, axis=1) <= 0)
+    normal, shear = np.asarray(frame.blocks["stress_normal"]), np.asarray(frame.blocks["stress_shear"])
+    # The traction across each principal direction is along it.
+    x, y, z = directions[..., 0], directions[..., 1], directions[..., 2]
+    if which == "blast":
+        n, s = normal[:, None, :], shear[:, None, :]
+        rows = [
+            n[..., 0] * x + s[..., 2] * y + s[..., 1] * z,
+            s[..., 2] * x + n[..., 1] * y + s[..., 0] * z,
+            s[..., 1] * x + s[..., 0] * y + n[..., 2] * z,
+        ]
+        compressed = frame.blocks["sigma1_compressive"]
+        assert np.allclose(-values[:, -1], compressed, rtol=1e-6, atol=1e-6 * np.abs(normal).max())
+    else:
+        n, s = normal[:, None, :], shear[:, None]
+        rows = [n[..., 0] * x + s * y, s * x + n[..., 1] * y, 0 * z]
+    assert np.allclose(np.stack(rows, axis=-1), values[..., None] * directions, atol=1e-9 * np.abs(normal).max())
+    assert np.abs(normal).max() > 0
 
 
 def test_pictures(slide, blast, tmp_path):
@@ -106,7 +132,7 @@ def test_pictures(slide, blast, tmp_path):
     assert picture.file(".svg") and picture._repr_svg_().lstrip().startswith("<")
     assert slide.plot("energy", out=tmp_path / "e.png")._repr_png_().startswith(b"\x89PNG")
     assert slide.plot("blocks", by="velocity.x", times=[0.0, 0.5]).file(".csv")
-    assert blast.plot("section", by="velocity", at="0.1 m", vectors="velocity").file(".svg")
+    assert blast.plot("section", by="velocity", at="0.1 m", vectors="velocity", stress=True).file(".svg")
     assert blast.plot("cavity").file(".svg")
     with pytest.raises(riprap.PlotError, match="velocity"):
         slide.plot("blocks", by="velocty")

@@ -30,6 +30,7 @@ Examples:
   riprap plot hill.run slip -o slip.svg
   riprap plot hill.run blocks --by velocity --time '0.5 s'
   riprap plot blast.run section --by displacement.z --vectors velocity
+  riprap plot hill.run blocks --by sigma1_compressive --stress
   riprap plot blast.run section --normal z --at '-0.5 m' --by peak_speed --log
   riprap plot blast.run section --time '5 ms' --time '20 ms' --exaggerate 20
   riprap plot blast.run ppv --surface
@@ -68,6 +69,9 @@ pub struct Plot {
     /// Arrows on the blocks
     #[arg(long, value_enum, value_name = "VECTOR")]
     pub vectors: Option<Arrows>,
+    /// Principal stresses of the blocks as crosses
+    #[arg(long)]
+    pub stress: bool,
     /// Multiply the displacements that are drawn
     #[arg(long, value_name = "FACTOR", value_parser = factor)]
     pub exaggerate: Option<f64>,

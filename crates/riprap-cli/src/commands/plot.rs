@@ -131,6 +131,7 @@ impl<'a> Asked<'a> {
                 Arrows::Displacement => Vectors::Displacement,
                 Arrows::Velocity => Vectors::Velocity,
             }),
+            stress: args.stress,
             exaggeration: args.exaggerate,
             normal: match args.normal {
                 Axis::X => Normal::X,

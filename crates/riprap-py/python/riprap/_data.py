@@ -194,8 +194,47 @@ class Frame:
         """The fields on blocks as a pandas table."""
         return self.blocks.to_pandas()
 
+    def principal_stresses(self) -> tuple[Field, NDArray[np.float64]]:
+        """Principal values of the average stress of each block, and their directions.
+
+        Returns:
+            Values [Pa], tension positive, largest first, shape (n_blocks, d), where d is 2 in the plane and 3 in space;
+            directions, unit vectors in space, shape (n_blocks, d, 3): ``directions[i, k]`` belongs to ``values[i, k]``.
+
+        Raises:
+            KeyError: the frame is of a version before blocks had stresses.
+        """
+        normal, shear = (np.asarray(self.blocks[f"stress_{part}"]) for part in ("normal", "shear"))
+        dimension = normal.shape[1]
+        tensor = np.zeros((len(normal), dimension, dimension))
+        tensor[:, range(dimension), range(dimension)] = normal
+        # In space yz, zx, xy; in the plane xy alone.
+        places = [(1, 2), (2, 0), (0, 1)] if dimension == 3 else [(0, 1)]
+        for (i, j), values in zip(places, shear.reshape(len(normal), -1).T, strict=True):
+            tensor[:, i, j] = tensor[:, j, i] = values
+        values, axes = np.linalg.eigh(tensor)
+        directions = np.zeros((len(normal), dimension, 3))
+        # Columns, and ascending.
+        directions[:, :, :dimension] = axes.transpose(0, 2, 1)[:, ::-1]
+        return Field(values[:, ::-1].copy(), "principal_stress", "Pa"), directions
+
+    def _principal_arrays(self) -> dict[str, NDArray[Any]]:
+        """Cell data of principal stresses; none where the frame has no stress."""
+        if "stress_normal" not in self.blocks:
+            return {}
+        values, directions = self.principal_stresses()
+        arrays: dict[str, NDArray[Any]] = {}
+        for k in range(directions.shape[1]):
+            arrays[f"principal_stress_{k + 1} [Pa]"] = np.asarray(values)[:, k].copy()
+            arrays[f"principal_direction_{k + 1}"] = directions[:, k].copy()
+        return arrays
+
     def to_pyvista(self) -> "pv.UnstructuredGrid":
-        """The blocks as a pyvista grid with cell data named ``name [unit]``: polygons, hexahedra or polyhedra."""
+        """The blocks as a pyvista grid with cell data named ``name [unit]``: polygons, hexahedra or polyhedra.
+
+        Besides the fields it has ``principal_stress_1 [Pa]`` (largest first, tension positive) and ``principal_direction_1``
+        and so on, see :meth:`principal_stresses`.
+        """
         import pyvista as pv
 
         cells: list[int] = []
@@ -219,6 +258,8 @@ class Frame:
         grid = pv.UnstructuredGrid(np.array(cells, np.int64), kinds, np.asarray(self.points))
         for field in self.blocks.values():
             grid.cell_data[field.label] = _in_space(field)
+        for name, values in self._principal_arrays().items():
+            grid.cell_data[name] = values
         grid.field_data["TimeValue"] = [self.time]
         return grid
 

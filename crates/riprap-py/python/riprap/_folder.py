@@ -141,15 +141,18 @@ class RunFolder:
         return [self.frame(i) for i in range(len(self))]
 
     def pyvista(self, index: int = -1, *, time: float | None = None) -> "pv.UnstructuredGrid":
-        """A frame as a pyvista grid, read from its file by VTK; cell data are named ``name [unit]``."""
+        """A frame as a pyvista grid, read from its file by VTK; cell data as in :meth:`Frame.to_pyvista`."""
         import pyvista as pv
 
         grid = pv.read(self._frame_file(index, time))
         assert isinstance(grid, pv.UnstructuredGrid)
         # The file keeps units beside the names, where VTK does not look.
-        for name, field in self.frame(index, time=time).blocks.items():
+        frame = self.frame(index, time=time)
+        for name, field in frame.blocks.items():
             if field.label != name:
                 grid.rename_array(name, field.label, "cell")
+        for name, values in frame._principal_arrays().items():
+            grid.cell_data[name] = values
         return grid
 
     def resume(

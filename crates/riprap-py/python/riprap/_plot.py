@@ -42,6 +42,7 @@ def plot(
     times: "float | list[float] | None" = None,
     log: bool = False,
     vectors: str | None = None,
+    stress: bool = False,
     exaggerate: float | None = None,
     normal: str = "y",
     at: "str | float | None" = None,
@@ -62,6 +63,7 @@ def plot(
         times: model times of frames [s]; by default the last frame.
         log: logarithmic colours.
         vectors: arrows of ``displacement`` or ``velocity`` on blocks.
+        stress: principal stresses of the blocks as crosses.
         exaggerate: factor on displacements.
         normal: axis across a section: ``x``, ``y`` or ``z``.
         at: place of a section along its normal, ``"2 m"`` or a number [m].
@@ -83,6 +85,7 @@ def plot(
         "names": list(names),
         "log": log,
         "vectors": vectors,
+        "stress": stress,
         "exaggerate": exaggerate,
         "normal": normal,
         "at": _metres(at),
