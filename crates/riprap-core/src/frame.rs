@@ -3,6 +3,7 @@
 use super::field::Part;
 use serde::{Deserialize, Serialize};
 
+pub mod bars;
 pub mod conditions;
 pub mod fragments;
 pub mod stress;

@@ -3,6 +3,7 @@
 
 use riprap_geom::Vec2;
 
+use super::bolts::read as bolts;
 use super::heap;
 use super::view::View;
 use crate::field::{FieldError, FieldInfo, Part, Shape, Site, find};
@@ -202,16 +203,27 @@ fields! {
     "model.joints" "-" Model Scalar true "Number of joints built." |v, _| one(v.world.bonds.len() as f64);
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by joints that have not failed." |v, _| one(v.fragments().list.len() as f64);
     "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
+    "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
+    "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
+    "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));
+    "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_slip()));
+    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
+    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
+    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
+    "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
+    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
     "energy.kinetic" "J/m" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J/m" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J/m" Energy Scalar true "Elastic energy in the normal direction of found contacts (exact for the distance potential, by path else)." |v, _| one(v.balance().contact_normal);
     "energy.contact_shear" "J/m" Energy Scalar true "Elastic energy of the shear springs of found contacts." |v, _| one(v.balance().contact_shear);
     "energy.joints" "J/m" Energy Scalar true "Elastic energy of joints." |v, _| one(v.balance().bond);
+    "energy.bolts" "J/m" Energy Scalar true "Elastic energy of bolts: bars, grout, plates and dowels." |v, _| one(v.world.bolt_energy());
     "energy.loads" "J/m" Energy Scalar true "Work of external loads." |v, _| one(v.world.works.loads);
     "energy.supports" "J/m" Energy Scalar true "Work of supports with prescribed motion." |v, _| one(v.world.works.supports);
     "energy.friction" "J/m" Energy Scalar true "Dissipated by friction." |v, _| one(v.world.works.friction);
     "energy.damping" "J/m" Energy Scalar true "Dissipated by contact, joint, mass and local damping." |v, _| one(v.world.works.damping);
     "energy.fracture" "J/m" Energy Scalar true "Released by the failure of joints." |v, _| one(v.world.works.fracture);
+    "energy.bolt_loss" "J/m" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.law_defect" "J/m" Energy Scalar true "Made (+) or lost (-) by a contact law without potential, or by shear springs whose contacts change their length." |v, _| one(v.world.works.law_defect);
     "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
     "energy.residual" "J/m" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());

@@ -49,6 +49,24 @@ impl World {
                 }
             }
         }
+        for bolt in &self.bolts {
+            hash.count(u64::from(bolt.number));
+            let chain = &bolt.chain;
+            for list in [
+                &chain.motion,
+                &chain.slip,
+                &chain.plastic,
+                &chain.path,
+                &chain.force,
+            ] {
+                hash.numbers(list);
+            }
+            for dowel in &bolt.dowels {
+                for v in [dowel.slip, dowel.force] {
+                    hash.numbers(&[v.x, v.y]);
+                }
+            }
+        }
         hash.finish()
     }
 }

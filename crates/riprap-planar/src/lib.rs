@@ -3,6 +3,7 @@
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
+pub mod bolts;
 pub mod bond;
 pub mod classify;
 pub mod conditions;
@@ -23,7 +24,7 @@ mod potential;
 pub mod removal;
 mod search;
 pub mod setup;
-mod shapes;
+pub mod shapes;
 pub mod stable;
 pub mod step;
 mod stress;

@@ -71,6 +71,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         let column = Column::scalar("pore_pressure", "Pa", pressures);
         frame.contact_columns.push(column);
     }
+    frame.bolts = crate::frame::bars::surfaces(&crate::bolts::read::bars(view));
     frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
     frame
 }

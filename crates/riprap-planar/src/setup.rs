@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
+pub use crate::laws::bolt::Design;
 pub use crate::laws::in_situ::InSitu;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondLaw, ContactLaw, FrictionLaw, NormalLaw, Reflex};
@@ -41,6 +42,23 @@ pub struct Setup {
     pub groups: Vec<Group>,
     /// Water tables, of which one at a time stands ([`World::water`](super::world::World::water)).
     pub water: Vec<WaterTable>,
+    /// Bolts; phases install them.
+    pub bolts: Vec<Bolt>,
+}
+
+/// A bolt, from its head into the rock.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bolt {
+    /// Name used in the scenario, with a number for those of a pattern.
+    pub name: String,
+    /// Head, m.
+    pub head: Vec2,
+    /// Toe, m.
+    pub toe: Vec2,
+    /// What it is made of, per metre of thickness.
+    pub design: Design,
+    /// Distance of such bolts out of the plane, m.
+    pub spacing: f64,
 }
 
 /// A named set of blocks.

@@ -1,6 +1,6 @@
 //! Stable time step: which block sets it, and why.
 //!
-//! Bound per block, over all candidate contacts at their largest possible length and all active joints:
+//! Bound per block, over all candidate contacts at their largest possible length, all active joints and bolts:
 //! `K = 2 sum k (1/m + (r² + L²/12)/I)` with `k = max(kn, ks) L`, and the same sum of the dashpots for `C`. The
 //! leapfrog with the velocity of half a step before in the dashpots is stable up to
 //! `dt = (sqrt(C² + 4 K) - C) / K`, which is `2/w (sqrt(1 + xi²) - xi)` for a single oscillator.
@@ -55,6 +55,9 @@ pub fn stable_step(
                 sums[block as usize].add(shapes, block as usize, place.length_squared(), k, dash);
             }
         }
+    }
+    for (block, reach, k) in world.bolt_springs() {
+        sums[block].add(shapes, block, reach, k, 0.0);
     }
     // A block may come into contact along its longest edge between two looks at the list.
     let laws = world.setup.interfaces.iter().map(|i| &i.contact);

@@ -8,6 +8,7 @@ mod kick;
 
 use riprap_geom::Vec2;
 
+use super::bolts;
 use super::bond;
 use super::contact::{self, Context, Workspace};
 use super::convex::Turned;
@@ -19,6 +20,7 @@ use super::shapes::Shapes;
 use super::water;
 use super::world::{Body, World, Wrench};
 use crate::exec::{Exec, piece};
+use crate::laws::bolt::Desk;
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
 use kick::kicks;
@@ -41,8 +43,12 @@ pub struct Scratch {
     pub candidates: Candidates,
     /// Edges at the present angles.
     pub turned: Vec<Turned>,
-    /// Wrench of each convex pair, then each general pair, then each bond.
+    /// Wrench of each convex pair, then each general pair, then each bond, then each tie of a bolt.
     pub slots: Vec<Wrench>,
+    /// Blocks that bolts tie together, one pair for each of their slots.
+    pub(super) ties: Vec<(u32, u32)>,
+    /// What bolts are solved with.
+    pub(super) bolts: Vec<Desk>,
     /// For block `b` the entries `incidence[first_entry[b]..first_entry[b + 1]]`.
     first_entry: Vec<u32>,
     /// Slot number times two, plus one for the second block of the pair.
@@ -137,6 +143,7 @@ impl World {
             pairs: Vec::new(),
             general: Vec::new(),
             bonds: Vec::new(),
+            bolts: Vec::new(),
             works: Works::default(),
             start_energy: None,
             setup,
@@ -184,6 +191,8 @@ impl Scratch {
                 .map(|e| Turned::new(e, 1.0, 0.0))
                 .collect(),
             slots: Vec::new(),
+            ties: Vec::new(),
+            bolts: Vec::new(),
             first_entry: Vec::new(),
             incidence: Vec::new(),
             changes: vec![Change::default(); n],
@@ -249,14 +258,17 @@ impl Scratch {
             self.candidates.general.len(),
             world.bonds.len(),
         );
-        self.slots = vec![Wrench::default(); c + g + b];
+        self.ties = world.bolt_ties();
+        self.bolts.clear();
+        self.slots = vec![Wrench::default(); c + g + b + self.ties.len()];
         let ends = self
             .candidates
             .convex
             .iter()
             .chain(&self.candidates.general)
             .map(|c| (c.i, c.j))
-            .chain(world.bonds.iter().map(|b| (b.i, b.j)));
+            .chain(world.bonds.iter().map(|b| (b.i, b.j)))
+            .chain(self.ties.iter().copied());
         (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
         let groups = [c, g, b, self.shapes.len()]
             .into_iter()
@@ -325,6 +337,11 @@ pub fn evaluate(
     profile.stage("search", || refresh(world, scratch));
     profile.stage("contacts", || found_contacts(world, scratch, damping));
     profile.stage("bonds", || bonds(world, scratch, damping));
+    if !world.bolts.is_empty() {
+        let first = world.pairs.len() + world.general.len() + world.bonds.len();
+        let slots = &mut scratch.slots[first..];
+        profile.stage("bolts", || bolts::act(world, &mut scratch.bolts, slots));
+    }
     let result = profile.stage("gather", || kicks(world, scratch, damping, dt));
     world.pending = 0.0;
     scratch.coming_dt = dt;
@@ -412,8 +429,8 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     let (bodies, setup) = (&world.bodies, &world.setup);
     let (elapsed, step) = (world.pending, world.step);
     let first = world.pairs.len() + world.general.len();
-    let slots = &mut scratch.slots[first..];
     let count = bonds.len();
+    let slots = &mut scratch.slots[first..first + count];
     scratch.partial.fill(Partial::default());
     scratch.exec.groups2(
         &mut bonds,

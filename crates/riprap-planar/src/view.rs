@@ -165,7 +165,7 @@ impl View<'_> {
             .max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Blocks of a slot: those of convex pairs come first, then general pairs, then bonds.
+    /// Blocks of a slot: those of convex pairs come first, then general pairs, then bonds, then ties of bolts.
     fn ends(&self, slot: usize) -> (u32, u32) {
         let world = self.world;
         let (convex, general) = (world.pairs.len(), world.general.len());
@@ -173,9 +173,10 @@ impl View<'_> {
             (pair.i, pair.j)
         } else if let Some(pair) = world.general.get(slot - convex) {
             (pair.i, pair.j)
-        } else {
-            let bond = &world.bonds[slot - convex - general];
+        } else if let Some(bond) = world.bonds.get(slot - convex - general) {
             (bond.i, bond.j)
+        } else {
+            self.scratch.ties[slot - convex - general - world.bonds.len()]
         }
     }
 
@@ -219,7 +220,8 @@ impl View<'_> {
     #[must_use]
     pub fn pair_wrench(&self, a: u32, b: u32) -> Wrench {
         let mut sum = Wrench::default();
-        for (k, slot) in self.scratch.slots.iter().enumerate() {
+        let contacts = self.scratch.slots.len() - self.scratch.ties.len();
+        for (k, slot) in self.scratch.slots[..contacts].iter().enumerate() {
             let (i, j) = self.ends(k);
             if (i, j) == (a, b) {
                 sum = sum.plus(slot);
@@ -252,6 +254,7 @@ impl View<'_> {
                 regions.iter().map(|r| shear(&r.contact)).sum()
             });
         out.bond = exec.sum(world.bonds.len(), |k| world.bonds[k].energy);
+        out.bolts = world.bolt_energy();
         let normal = |list: &[Candidate]| {
             exec.sum(list.len(), |k| candidate_energy(world, scratch, &list[k]))
         };

@@ -7,6 +7,7 @@ use riprap_geom::Vec2;
 use serde::{Deserialize, Serialize};
 
 use super::setup::{Motion, Setup};
+use crate::laws::bolt::Chain;
 use crate::ledger::Works;
 
 /// Whole state of a planar model.
@@ -44,6 +45,8 @@ pub struct World {
     pub general: Vec<GeneralState>,
     /// Built patches.
     pub bonds: Vec<Bond>,
+    /// Bolts in the rock.
+    pub bolts: Vec<Bolt>,
     /// Running sums of the energy ledger.
     pub works: Works,
     /// Kinetic and stored energy at the start, J/m; set by the first evaluation.
@@ -198,6 +201,53 @@ pub struct Region {
     pub edges: u64,
     /// The contact.
     pub contact: Contact,
+}
+
+/// A bolt in the rock.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bolt {
+    /// Index into `Setup::bolts`.
+    pub number: u32,
+    /// Bar, grout and plate with all that they remember, per metre of thickness.
+    pub chain: Chain,
+    /// Where each node of the chain sits in the rock.
+    pub pins: Vec<Pin>,
+    /// Shear springs where it crosses joints.
+    pub dowels: Vec<Dowel>,
+    /// Unit direction from the head to the toe when it was installed.
+    pub axis: Vec2,
+    /// Yield, slip and rupture so far, J/m.
+    pub lost: f64,
+    /// Bars that have broken.
+    pub breaks: u32,
+    /// The worst that was left of its equilibrium, over its largest force.
+    pub left: f64,
+}
+
+/// A point of the rock that a bolt holds on to.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pin {
+    /// The block.
+    pub block: u32,
+    /// From its centroid, body frame, m.
+    pub arm: Vec2,
+    /// Distance from the head, m.
+    pub along: f64,
+    /// Place when the bolt was installed, local, m.
+    pub place: Vec2,
+}
+
+/// A bolt as a dowel between the two sides of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Dowel {
+    /// The bar that crosses the joint.
+    pub bar: u32,
+    /// The same point on both sides.
+    pub sides: [Pin; 2],
+    /// What has slipped, m, across the axis.
+    pub slip: Vec2,
+    /// Force on the side ahead, N/m.
+    pub force: Vec2,
 }
 
 /// A joint between two blocks along one shared edge.

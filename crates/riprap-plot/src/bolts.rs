@@ -29,7 +29,7 @@ pub(super) fn note(frames: &[Frame]) -> Option<String> {
     any.then(|| {
         let most = 1e-3 * most(frames);
         format!(
-            "bolts as seen along the normal: red in tension, blue in compression, up to {} kN",
+            "bolts (in sections as seen along the normal): red in tension, blue in compression, up to {} kN",
             super::digits(most, 3)
         )
     })

@@ -17,7 +17,10 @@
 //! whatever its length; grout strength does not grow with confinement.
 
 mod closed;
+mod keep;
 mod lay;
+pub mod place;
+mod seen;
 mod solve;
 
 use serde::{Deserialize, Serialize};
@@ -25,7 +28,9 @@ use serde::{Deserialize, Serialize};
 pub use closed::{
     dowel_limit, dowel_stiffness, pull_out_load, pull_out_stiffness, transfer_length,
 };
+pub use keep::{Desk, Kept};
 pub use lay::{Design, Laid, bar, lay};
+pub use seen::BarState;
 pub use solve::{Chain, Factors, Losses};
 
 /// What holds a node of a bar in the rock: a spring that gives way.

@@ -21,8 +21,12 @@ pub struct Bolt {
     /// Repeats it: rows of it, and rows of these.
     #[serde(default)]
     pub repeat: Vec<Repeat>,
-    /// CSV file with columns `head_x`, `head_y`, `head_z`, `toe_x`, `toe_y`, `toe_z`, each with its unit behind an underscore.
+    /// CSV file with columns `head_x`, `head_y`, `head_z`, `toe_x`, `toe_y`, `toe_z` (no z in the plane), each with its unit behind an underscore.
     pub csv: Option<Name>,
+    /// Distance of such bolts out of the plane, m; all numbers are those of one bolt.
+    #[key(space = "planar")]
+    #[key(default = "1 m")]
+    pub spacing: Option<Quantity<PositiveLength>>,
     /// The bar.
     pub steel: Steel,
     /// What joins it to the rock.

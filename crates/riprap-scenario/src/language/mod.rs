@@ -99,7 +99,6 @@ pub struct Scenario {
     #[serde(default)]
     pub supports: Vec<Support>,
     /// Bolts, anchors, cables and dowels.
-    #[key(space = "spatial")]
     #[serde(default)]
     pub bolts: Vec<Bolt>,
     /// Named sets of blocks by place or by name.

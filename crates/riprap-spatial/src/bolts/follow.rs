@@ -1,7 +1,6 @@
 //! Bolts follow blocks that are split, cut or taken out.
 
 use crate::anchor::Anchor;
-use crate::laws::bolt::{Bar, Chain};
 use crate::region::holds;
 use crate::state::bolts::{Bolt, Pin};
 use crate::state::lineage::Origin;
@@ -23,14 +22,12 @@ pub fn follow(world: &mut World) {
 }
 
 fn hand_on(world: &World, bolt: &mut Bolt) {
-    let kept: Vec<Option<Pin>> = bolt.pins.iter().map(|pin| heir(world, pin)).collect();
-    let nodes: Vec<usize> = (0..kept.len()).filter(|k| kept[*k].is_some()).collect();
-    // Bar `k` becomes the one behind the last node that is left up to it.
-    let place = |k: usize| nodes.partition_point(|n| *n <= k).checked_sub(1);
+    let heirs: Vec<Option<Pin>> = bolt.pins.iter().map(|pin| heir(world, pin)).collect();
+    let stays: Vec<bool> = heirs.iter().map(Option::is_some).collect();
+    let kept = bolt.chain.keep(&stays);
     bolt.dowels.retain_mut(|dowel| {
-        let heirs = [0, 1].map(|s| heir(world, &dowel.sides[s]));
-        let bar = place(dowel.bar as usize).filter(|bar| bar + 1 < nodes.len());
-        match (heirs, bar) {
+        let sides = [0, 1].map(|s| heir(world, &dowel.sides[s]));
+        match (sides, kept.bar(dowel.bar as usize)) {
             ([Some(a), Some(b)], Some(bar)) => {
                 dowel.sides = [a, b];
                 dowel.bar = bar as u32;
@@ -39,33 +36,8 @@ fn hand_on(world: &World, bolt: &mut Bolt) {
             _ => false,
         }
     });
-    let old = std::mem::take(&mut bolt.chain);
-    let of = |list: &[f64]| nodes.iter().map(|k| list[*k]).collect::<Vec<f64>>();
-    let mut chain = Chain::new(nodes.iter().map(|k| old.holds[*k]).collect(), Vec::new());
-    (chain.motion, chain.slip) = (of(&old.motion), of(&old.slip));
-    for ends in nodes.windows(2) {
-        let bars = ends[0]..ends[1];
-        chain.bars.push(in_series(&old.bars[bars.clone()]));
-        chain.plastic.push(old.plastic[bars.clone()].iter().sum());
-        chain.path.push(old.path[bars.clone()].iter().sum());
-        chain.force.push(old.force[bars.start]);
-    }
-    bolt.chain = chain;
-    bolt.pins = kept.into_iter().flatten().collect();
-}
-
-/// Bars one behind the other as one.
-fn in_series(bars: &[Bar]) -> Bar {
-    let mut all = bars[0];
-    if bars.iter().any(|bar| bar.stiffness == 0.0) {
-        all.stiffness = 0.0;
-        return all;
-    }
-    all.stiffness = 1.0 / bars.iter().map(|bar| 1.0 / bar.stiffness).sum::<f64>();
-    if all.hardening > 0.0 {
-        all.hardening = 1.0 / bars.iter().map(|bar| 1.0 / bar.hardening).sum::<f64>();
-    }
-    all
+    bolt.chain = kept.chain;
+    bolt.pins = heirs.into_iter().flatten().collect();
 }
 
 /// The same point on a block that is there: on the part of a divided block that holds it.

@@ -2,9 +2,10 @@
 
 use riprap_geom::{Quat, Vec3};
 
-use super::place::{self, Misplaced};
+use super::place::span;
 use crate::anchor::Anchor;
 use crate::laws::bolt::lay;
+use crate::laws::bolt::place::{self, Misplaced};
 use crate::setup::Bolt as Spec;
 use crate::state::bolts::{Bolt, Dowel, Pin};
 use crate::state::world::World;
@@ -50,7 +51,7 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
         if !world.is_terrain(b) && (middle - centre).length_squared() <= reach * reach {
             let from = world.reference[b] + back * (spec.head - centre);
             let shape = &world.setup.blocks[b].shape;
-            let span = place::span(shape, from, back * axis, range);
+            let span = span(shape, from, back * axis, range);
             spans.extend(span.map(|span| (span, b as u32)));
         }
     }

@@ -12,9 +12,9 @@ pub mod stiffness;
 
 use crate::anchor::Freedoms;
 use crate::exec::Divide;
-use crate::laws::bolt::dowel;
+use crate::laws::bolt::{Desk, dowel};
 use crate::setup::Bolt as Spec;
-use crate::state::bolts::{Bolt, Desk, Pin, chord};
+use crate::state::bolts::{Bolt, Pin, chord};
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use riprap_geom::Vec3;
@@ -57,7 +57,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let freedoms = Freedoms::new(bodies, turned, deform.as_deref());
     if changes {
         if scratch.bolts.len() != bolts.len() {
-            scratch.bolts = bolts.iter().map(Desk::new).collect();
+            let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
+            scratch.bolts = bolts.iter().map(desk).collect();
         }
         let work = Piece {
             bolts: &mut *bolts,

@@ -5,7 +5,7 @@ use riprap_geom::{Quat, Vec3};
 use super::follow::follow;
 use super::install::install;
 use crate::exec::Exec;
-use crate::laws::bolt::{Design, pull_out_stiffness};
+use crate::laws::bolt::{BarState, Design, pull_out_stiffness};
 use crate::laws::parameters::{Dashpots, Failure, JointLaw, Points, Stiffness};
 use crate::setup::{BlockName, BlockSpec, Bolt, InterfaceLaw, Kinematics, Material, Setup, Shape};
 use crate::stable::stable_step;
@@ -258,4 +258,66 @@ fn a_block_that_is_taken_out_leaves_a_free_length() {
     let n = world.bolts[0].chain.force[39];
     let closed = 1e-4 / (2.0 / AXIAL + 2.0 / pull_out_stiffness(1e9, AXIAL, 2.0));
     assert!((n / closed - 1.0).abs() < 0.01, "{n} {closed}");
+}
+
+/// Bars as pictures and `bolts.csv` show them: every one between two nodes, at its place now, with its force and what has given way.
+#[test]
+fn bars_are_told_one_by_one() {
+    let weak = Design {
+        yields: 20e3,
+        breaks: 1e-4,
+        ..design()
+    };
+    let dowel = Some([5e7, 30e3]);
+    let bolts = [(-0.3, weak), (0.2, Design { dowel, ..design() })];
+    let (mut world, mut scratch) = world(stack(2, &bolts, Kinematics::Automatic), Exec::serial());
+    let told = |world: &World, scratch: &Scratch| {
+        let view = View { world, scratch };
+        let bars = crate::read::bars::bars(&view);
+        let name = |bolt: u32| world.setup.bolts[bolt as usize].name.as_str();
+        let text = crate::frame::bars::csv(&bars, name);
+        (bars, text.unwrap())
+    };
+    run(&mut world, &mut scratch, 1e-7, 1);
+    let (bars, text) = told(&world, &scratch);
+    let count: usize = world.bolts.iter().map(|b| b.chain.bars.len()).sum();
+    assert_eq!((bars.len(), text.lines().count()), (count, count + 1));
+    assert!(text.starts_with("name,element,x_m,") && text.contains("\nbolt.2,1,"));
+    assert!(text.lines().skip(1).all(|line| line.ends_with(",elastic")));
+    for pair in bars.windows(2).filter(|p| p[0].bolt == p[1].bolt) {
+        assert_eq!(
+            (pair[0].ends[1], pair[0].bar + 1),
+            (pair[1].ends[0], pair[1].bar)
+        );
+    }
+    // The upper block goes up and to the side: the weak bolt breaks at the joint, the other one slips and shears.
+    let v = Vec3::new(0.4, 0.0, 1.0);
+    world.bodies.set_velocity(1, v, Vec3::ZERO);
+    run(&mut world, &mut scratch, 1e-6, 700);
+    let (bars, text) = told(&world, &scratch);
+    let at_joint = |bolt: u32| {
+        let crossing = |b: &&crate::frame::bars::BoltBar| b.bolt == bolt && b.blocks == [1, 0];
+        *bars.iter().find(crossing).unwrap()
+    };
+    let (broken, slipped) = (at_joint(0), at_joint(1));
+    assert_eq!((broken.state, broken.force), (BarState::Broken, 0.0));
+    assert_eq!(slipped.state, BarState::Slipped);
+    assert!(slipped.slip > 0.0 && slipped.force > 50e3 && slipped.shear > 1e3);
+    assert_eq!(text.matches(",broken\n").count(), 1);
+    let line = text.lines().find(|l| l.ends_with(",broken")).unwrap();
+    let numbers: Vec<f64> = line
+        .split(',')
+        .skip(2)
+        .filter_map(|x| x.parse().ok())
+        .collect();
+    let [a, b] = broken.ends;
+    assert_eq!(numbers[..3], [0, 1, 2].map(|k| 0.5 * (a[k] + b[k])));
+    // The end in the upper block has gone with it.
+    let moved = world.bodies.displacement(1);
+    let pin = world.bolts[0].pins.iter().rfind(|p| p.block == 1).unwrap();
+    let place = pin.place + moved + world.setup.origin;
+    assert!(
+        (Vec3::from_array(a) - place).length() < 1e-6,
+        "{a:?} {place:?}"
+    );
 }

@@ -1,5 +1,6 @@
 //! What fields ask of bolts.
 
+use crate::laws::bolt::Design;
 use crate::read::view::View;
 use crate::state::bolts::Bolt;
 
@@ -19,51 +20,43 @@ pub fn largest(v: &View, numbers: &[u32], least: f64, get: impl Fn(&View, &Bolt)
     all.fold(least, f64::max)
 }
 
-fn over(list: impl Iterator<Item = f64>, least: f64) -> f64 {
-    list.fold(least, f64::max)
-}
-
 /// Largest axial force, N.
 #[must_use]
 pub fn force(_: &View, bolt: &Bolt) -> f64 {
-    over(bolt.chain.force.iter().copied(), f64::NEG_INFINITY)
+    bolt.chain.largest_force()
 }
 
 /// Force of the plate, N; not a number without one.
 #[must_use]
 pub fn plate(v: &View, bolt: &Bolt) -> f64 {
-    let has_one = bolt.chain.holds.first().is_some_and(|hold| hold.lifts);
-    let spec = &v.world.setup.bolts[bolt.number as usize];
-    match spec.design.plate {
-        Some(_) if has_one => bolt.chain.held(0),
-        Some(_) | None => f64::NAN,
-    }
+    bolt.chain.plate_force(design(v, bolt))
 }
 
 /// Largest shear force, N.
 #[must_use]
 pub fn shear(_: &View, bolt: &Bolt) -> f64 {
-    over(bolt.dowels.iter().map(|d| d.force.length()), 0.0)
+    let forces = bolt.dowels.iter().map(|d| d.force.length());
+    forces.fold(0.0, f64::max)
 }
 
 /// Largest slip of the grout, m.
 #[must_use]
 pub fn slip(_: &View, bolt: &Bolt) -> f64 {
-    let chain = &bolt.chain;
-    let nodes = chain.holds.iter().zip(&chain.slip);
-    let grout = nodes.filter(|(hold, _)| !hold.lifts);
-    over(grout.map(|(_, slip)| slip.abs()), 0.0)
+    bolt.chain.largest_slip()
 }
 
 /// Largest plastic elongation of a bar, m.
 #[must_use]
 pub fn yielded(_: &View, bolt: &Bolt) -> f64 {
-    over(bolt.chain.plastic.iter().map(|p| p.abs()), 0.0)
+    bolt.chain.largest_yield()
 }
 
 /// Largest axial force over that at which the bar yields.
 #[must_use]
 pub fn utilisation(v: &View, bolt: &Bolt) -> f64 {
-    let yields = v.world.setup.bolts[bolt.number as usize].design.yields;
-    over(bolt.chain.force.iter().map(|n| n.abs() / yields), 0.0)
+    bolt.chain.utilisation(design(v, bolt))
+}
+
+fn design<'a>(v: &View<'a>, bolt: &Bolt) -> &'a Design {
+    &v.world.setup.bolts[bolt.number as usize].design
 }

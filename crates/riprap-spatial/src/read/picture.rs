@@ -49,7 +49,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         frame.contact_columns.push(column);
     }
     frame.cracks = crate::read::cracks::surfaces(view);
-    frame.bolts = crate::read::bars::surfaces(view);
+    frame.bolts = crate::frame::bars::surfaces(&crate::read::bars::bars(view));
     frame
 }
 

@@ -4,7 +4,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::anchor::{Anchor, Freedoms};
-use crate::laws::bolt::{Chain, Factors, Losses};
+use crate::laws::bolt::Chain;
 
 /// A bolt in the rock.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -53,38 +53,6 @@ pub struct Dowel {
     pub slip: Vec3,
     /// Force on the side ahead, N.
     pub force: Vec3,
-}
-
-/// What the solution of one bolt works with.
-#[derive(Clone, Debug, Default)]
-pub struct Desk {
-    /// Room and factors for the chain.
-    pub factors: Factors,
-    /// Bars whose ends can part.
-    pub stretching: Vec<u32>,
-    /// Parting of the rock along each bar, m.
-    pub apart: Vec<f64>,
-    /// What the last step has cost.
-    pub losses: Losses,
-    /// The same of its dowels, J.
-    pub sheared: f64,
-}
-
-impl Desk {
-    /// Room for a bolt as it is now.
-    #[must_use]
-    pub fn new(bolt: &Bolt) -> Self {
-        let bars = bolt.chain.bars.len();
-        Self {
-            factors: bolt.chain.factors(),
-            stretching: (0..bars as u32)
-                .filter(|k| bolt.stretches(*k as usize))
-                .collect(),
-            apart: vec![0.0; bars],
-            losses: Losses::default(),
-            sheared: 0.0,
-        }
-    }
 }
 
 impl Pin {

@@ -1,6 +1,5 @@
 //! Everything of a spatial model that can be dropped and laid out anew without changing a result.
 
-use super::bolts::Desk as BoltDesk;
 use super::push::Pushes;
 use super::sums::Sums;
 use super::workspace::Workspace;
@@ -9,6 +8,7 @@ use crate::exec::Exec;
 use crate::found::cells::CellDesk;
 use crate::found::desk::Desk;
 use crate::lanes::Width;
+use crate::laws::bolt::Desk as BoltDesk;
 use crate::ledger::Works;
 use crate::profile::Profile;
 use crate::tiles::{Cut, Tiles};

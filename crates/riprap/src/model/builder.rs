@@ -195,6 +195,7 @@ impl Builder<'_> {
         self.interfaces();
         self.loads();
         self.in_situ();
+        self.bolts();
         true
     }
 

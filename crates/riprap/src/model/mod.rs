@@ -15,6 +15,7 @@
 mod assertions;
 mod behaviour;
 mod blocks;
+mod bolts;
 mod builder;
 mod drawn;
 mod fields;

@@ -442,7 +442,8 @@ impl Engine {
     pub fn edit(&mut self, phase: &Phase) -> Result<(), String> {
         match self {
             Self::Planar(e) => {
-                edit::planar(&mut e.world, phase);
+                edit::planar(&mut e.world, &e.scratch.shapes, phase)
+                    .map_err(|error| error.to_string())?;
                 e.scratch.invalidate(&mut e.world);
             }
             Self::Spatial(e) => {

@@ -12,7 +12,6 @@ use crate::plan::{Every, Plan};
 use crate::record::checkpoint::Packing;
 use crate::record::conditions::{self, Conditions};
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
-use crate::spatial::read::bars;
 
 /// Records written so far, per rhythm; part of a checkpoint.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -267,7 +266,7 @@ impl Recorder {
             self.folder
                 .write_file("fragments.csv", fragments.csv().as_bytes())?;
         }
-        if let Some(bolts) = view.spatial().as_ref().and_then(bars::csv) {
+        if let Some(bolts) = view.bolt_table() {
             self.folder.write_file("bolts.csv", bolts.as_bytes())?;
         }
         Ok(())

@@ -343,7 +343,6 @@ impl Simulation {
     /// The bolt whose equilibrium was missed by most, in words.
     fn unbalanced_bolt(&self) -> Option<String> {
         let view = self.view();
-        let view = view.spatial()?;
         let (name, left) = view.unbalanced_bolt()?;
         Some(format!(
             "the forces along bolt `{name}` did not come into equilibrium in some step: {left:.1e} of its largest force was left; a smaller \

@@ -37,6 +37,24 @@ pub struct Design {
     pub piece: f64,
 }
 
+impl Design {
+    /// What a metre of thickness has of bolts at a spacing (m) out of the plane.
+    #[must_use]
+    pub fn per_spacing(self, spacing: f64) -> Self {
+        Self {
+            axial: self.axial / spacing,
+            yields: self.yields / spacing,
+            hardening: self.hardening / spacing,
+            grout: self.grout / spacing,
+            bond: self.bond / spacing,
+            plate: self.plate.map(|capacity| capacity / spacing),
+            pretension: self.pretension / spacing,
+            dowel: self.dowel.map(|d| d.map(|x| x / spacing)),
+            ..self
+        }
+    }
+}
+
 /// A bolt in the rock.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Laid {

@@ -8,7 +8,6 @@
 //! Splitting, patches and free faces are the engine's: what is looked at here is the model as it is
 //! given, and the finest cells around charges.
 
-mod bolts;
 mod boundaries;
 mod cut;
 mod deform;

@@ -6,7 +6,14 @@ use crate::spatial::bolts::install::InstallError;
 use crate::{planar, spatial};
 
 /// In the plane.
-pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
+///
+/// # Errors
+/// A bolt that cannot be installed.
+pub(super) fn planar(
+    world: &mut planar::world::World,
+    shapes: &planar::shapes::Shapes,
+    phase: &Phase,
+) -> Result<(), planar::bolts::InstallError> {
     use planar::setup::Motion;
     planar::removal::take_out(world, &phase.remove);
     for &b in &phase.fix {
@@ -40,6 +47,8 @@ pub(super) fn planar(world: &mut planar::world::World, phase: &Phase) {
         world.last_dt = 0.0;
     }
     planar::step::hold_driven(world);
+    planar::bolts::follow(world);
+    planar::bolts::install(world, shapes, &phase.install)
 }
 
 /// In space.

@@ -3,6 +3,7 @@
 use super::{Kind, Who, notes};
 use crate::ledger::Balance;
 use crate::record::conditions::Conditions;
+use crate::record::frame::bars;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::Source;
@@ -323,12 +324,40 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn bolts(&self) -> Vec<String> {
         match self {
-            Self::Planar(_) => Vec::new(),
+            Self::Planar(v) => {
+                let bolts = v.world.setup.bolts.iter();
+                bolts.map(|bolt| bolt.name.clone()).collect()
+            }
             Self::Spatial(v) => {
                 let bolts = v.world.setup.bolts.iter();
                 bolts.map(|bolt| bolt.name.clone()).collect()
             }
         }
+    }
+
+    /// The table of the bars of all bolts; `None` where none is in the rock.
+    #[must_use]
+    pub fn bolt_table(&self) -> Option<String> {
+        match self {
+            Self::Planar(v) => {
+                let name = |bolt: u32| v.world.setup.bolts[bolt as usize].name.as_str();
+                bars::csv(&planar::bolts::read::bars(v), name)
+            }
+            Self::Spatial(v) => {
+                let name = |bolt: u32| v.world.setup.bolts[bolt as usize].name.as_str();
+                bars::csv(&spatial::read::bars::bars(v), name)
+            }
+        }
+    }
+
+    /// The bolt whose equilibrium was missed by most so far: its name, and the force that was left over its largest one.
+    #[must_use]
+    pub fn unbalanced_bolt(&self) -> Option<(String, f64)> {
+        let found = match self {
+            Self::Planar(v) => v.unbalanced_bolt(),
+            Self::Spatial(v) => v.unbalanced_bolt(),
+        };
+        found.map(|(name, left)| (name.to_owned(), left))
     }
 
     /// Fragments now; `None` where no joints hold blocks together.

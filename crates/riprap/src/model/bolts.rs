@@ -1,18 +1,19 @@
-//! Bolts in space: patterns, files, and whether they are in rock.
+//! Bolts: patterns, files, and whether they are in rock. In the plane z is 0, and a metre of thickness has its share of a bolt.
 
 use std::f64::consts::PI;
 
-use riprap_geom::Vec3;
+use riprap_geom::{Vec2, Vec3};
 
 use crate::laws::bolt::Design;
+use crate::laws::bolt::place::{self, Misplaced};
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::csv_quantities;
 use crate::scenario::language::{self, Dowel, Plate};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Quantity, Span};
-use crate::spatial::bolts::place::{self, Misplaced};
-use crate::spatial::setup::Bolt;
+use crate::{planar, spatial};
 
 /// Most bolts of one table.
 const MOST: usize = 100_000;
@@ -27,6 +28,14 @@ const COLUMNS: [(&str, Dim); 6] = [
     ("toe_z", Dim::LENGTH),
 ];
 
+/// Columns of a file of bolts in the plane.
+const IN_THE_PLANE: [(&str, Dim); 4] = [
+    ("head_x", Dim::LENGTH),
+    ("head_y", Dim::LENGTH),
+    ("toe_x", Dim::LENGTH),
+    ("toe_y", Dim::LENGTH),
+];
+
 /// A bolt with the place in the text that says where it is.
 struct Line {
     head: Vec3,
@@ -36,12 +45,12 @@ struct Line {
 
 impl Builder<'_> {
     /// Reads all bolts; phases install them.
-    pub(super) fn bolts(&mut self) {
+    pub(in crate::model) fn bolts(&mut self) {
         for (k, said) in self.parsed.scenario.bolts.iter().enumerate() {
             let Some(lines) = self.bolt_lines(said) else {
                 continue;
             };
-            let design = self.design(k, said);
+            let (design, spacing) = self.design(k, said);
             let many = lines.len() > 1 || said.csv.is_some();
             for (number, line) in (1..).zip(lines) {
                 let name = if many {
@@ -51,12 +60,22 @@ impl Builder<'_> {
                 };
                 self.bolt_in_rock(said, &name, &line, &design);
                 self.directory.bolts.push(name.clone());
-                self.spatial.bolts.push(Bolt {
-                    name,
-                    head: line.head - self.spatial.origin,
-                    toe: line.toe - self.spatial.origin,
-                    design,
-                });
+                let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
+                match self.space {
+                    InSpace::Planar => self.setup.bolts.push(planar::setup::Bolt {
+                        name,
+                        head: flat(head),
+                        toe: flat(toe),
+                        design,
+                        spacing,
+                    }),
+                    InSpace::Spatial => self.spatial.bolts.push(spatial::setup::Bolt {
+                        name,
+                        head,
+                        toe,
+                        design,
+                    }),
+                }
             }
         }
     }
@@ -77,11 +96,22 @@ impl Builder<'_> {
         all
     }
 
-    fn design(&mut self, k: usize, said: &language::Bolt) -> Design {
+    /// A place of the file in local coordinates.
+    fn near(&self, place: Vec3) -> Vec3 {
+        match self.space {
+            InSpace::Planar => place - Vec3::new(self.origin.x, self.origin.y, 0.0),
+            InSpace::Spatial => place - self.spatial.origin,
+        }
+    }
+
+    /// What a bolt is made of, in the plane per metre of thickness, and the spacing there, m.
+    fn design(&mut self, k: usize, said: &language::Bolt) -> (Design, f64) {
         let steel = &said.steel;
+        let flat = self.space == InSpace::Planar;
         let mut read = self.reading(format!("bolts.{k}"), said);
         let piece = read.piece();
         let pretension = read.pretension().unwrap_or(0.0);
+        let spacing = if flat { read.spacing() } else { 1.0 };
         let mut read = read.within("steel", steel);
         let (young, share) = (read.young(), read.hardening());
         let area = match (&steel.diameter, &steel.area) {
@@ -99,7 +129,7 @@ impl Builder<'_> {
         let si = |limit: &Option<Quantity<_>>| or_none(limit.as_ref().map(Quantity::si));
         let capacity = |plate: &Plate| si(&plate.capacity);
         let dowel = |dowel: &Dowel| [dowel.stiffness.si(), si(&dowel.strength)];
-        Design {
+        let one = Design {
             axial,
             yields: si(&steel.yield_force),
             hardening: share * axial,
@@ -111,7 +141,8 @@ impl Builder<'_> {
             pretension,
             dowel: said.dowel.as_ref().map(dowel),
             piece,
-        }
+        };
+        (one.per_spacing(spacing), spacing)
     }
 
     /// Ends of all bolts of a table, in the coordinates of the file; `None` after an error.
@@ -148,7 +179,11 @@ impl Builder<'_> {
 
     fn bolts_of_file(&mut self, csv: &Name) -> Option<Vec<Line>> {
         let path = self.parsed.folder.join(csv.as_str());
-        let columns = match csv_quantities(&path, &COLUMNS, &[]) {
+        let columns = match self.space {
+            InSpace::Planar => csv_quantities(&path, &IN_THE_PLANE, &[]),
+            InSpace::Spatial => csv_quantities(&path, &COLUMNS, &[]),
+        };
+        let columns = match columns {
             Ok(columns) => columns,
             Err(error) => {
                 let mut found = Diagnostic::error("file.csv", error.message);
@@ -158,15 +193,18 @@ impl Builder<'_> {
             }
         };
         let columns: Vec<Vec<f64>> = columns.into_iter().flatten().collect();
-        let [hx, hy, hz, tx, ty, tz] = &columns[..] else {
-            return None; // the reader answers for all needed columns
-        };
+        let count = columns.first().map_or(0, Vec::len);
         let mut lines = Vec::new();
-        for k in 0..hx.len() {
-            let (head, toe) = (
-                Vec3::new(hx[k], hy[k], hz[k]),
-                Vec3::new(tx[k], ty[k], tz[k]),
-            );
+        for k in 0..count {
+            let end = |first: usize, of: usize| {
+                let mut place = [0.0; 3];
+                for (x, column) in place.iter_mut().zip(&columns[first..first + of]) {
+                    *x = column[k];
+                }
+                Vec3::from(place)
+            };
+            let of = columns.len() / 2;
+            let (head, toe) = (end(0, of), end(of, of));
             if head == toe {
                 let message = format!("`{csv}`, bolt {}: it has no length", k + 1);
                 self.error_at("file.csv", csv, message, "head and toe must differ");
@@ -183,10 +221,10 @@ impl Builder<'_> {
 
     /// Whether a bolt is in the rock of the blocks as they are given, without those that are removed by then.
     fn bolt_in_rock(&mut self, said: &language::Bolt, name: &str, line: &Line, design: &Design) {
-        let [head, toe] = [line.head, line.toe].map(|p| p - self.spatial.origin);
+        let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
         let length = head.distance(toe);
         let axis = (toe - head) / length;
-        let mut gone = vec![false; self.spatial.blocks.len()];
+        let mut gone = vec![false; self.spatial.blocks.len().max(self.setup.blocks.len())];
         for (k, phase) in self.parsed.scenario.phases.iter().enumerate() {
             let names = self.directory.all(&phase.remove);
             for b in names.unwrap_or_default() {
@@ -200,14 +238,18 @@ impl Builder<'_> {
                 break;
             }
         }
-        let blocks = (0u32..).zip(&self.spatial.blocks);
-        let spans = blocks
-            .filter(|(b, _)| !gone[*b as usize])
-            .filter_map(|(b, block)| {
-                let span = place::span(&block.shape, head, axis, place::range(length))?;
-                Some((span, b))
-            })
-            .collect();
+        let range = place::range(length);
+        let solids = (0u32..).zip(&self.spatial.blocks).filter_map(|(b, block)| {
+            let span = spatial::bolts::place::span(&block.shape, head, axis, range)?;
+            Some((span, b))
+        });
+        let polygons = (0u32..).zip(&self.setup.blocks).flat_map(|(b, block)| {
+            let (from, along) = (flat(head), flat(axis));
+            let spans = planar::bolts::place::spans(&block.vertices, from, along, range);
+            spans.into_iter().map(move |span| (span, b))
+        });
+        let here = |(_, b): &([f64; 2], u32)| !gone[*b as usize];
+        let spans = solids.chain(polygons).filter(here).collect();
         let plate = design.plate.is_some();
         let sets = &self.spatial.deform.sets;
         let deforms = |b: u32| sets.iter().any(|s| s.blocks.binary_search(&b).is_ok());
@@ -228,4 +270,9 @@ impl Builder<'_> {
         let error = Diagnostic::error("bolt.place", message).at(line.span.clone());
         self.found.push(error.help(help));
     }
+}
+
+/// A place or direction in the plane.
+fn flat(v: Vec3) -> Vec2 {
+    Vec2::new(v.x, v.y)
 }

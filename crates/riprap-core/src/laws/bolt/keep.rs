@@ -1,0 +1,87 @@
+//! What is left of a chain when nodes of it go, and what the solution of a bolt works with.
+
+use super::{Bar, Chain, Factors, Losses};
+
+/// A chain of which nodes have gone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kept {
+    /// The chain.
+    pub chain: Chain,
+    /// Its nodes, by their numbers before.
+    nodes: Vec<usize>,
+}
+
+impl Kept {
+    /// The bar that has become of bar `k`: the one behind the last node that is left up to it.
+    #[must_use]
+    pub fn bar(&self, k: usize) -> Option<usize> {
+        let bar = self.nodes.partition_point(|n| *n <= k).checked_sub(1);
+        bar.filter(|bar| bar + 1 < self.nodes.len())
+    }
+}
+
+impl Chain {
+    /// The chain of the nodes that stay, with bars one behind the other as one.
+    #[must_use]
+    pub fn keep(&self, stays: &[bool]) -> Kept {
+        let nodes: Vec<usize> = (0..stays.len()).filter(|k| stays[*k]).collect();
+        let of = |list: &[f64]| nodes.iter().map(|k| list[*k]).collect::<Vec<f64>>();
+        let holds = nodes.iter().map(|k| self.holds[*k]).collect();
+        let mut chain = Chain::new(holds, Vec::new());
+        (chain.motion, chain.slip) = (of(&self.motion), of(&self.slip));
+        for ends in nodes.windows(2) {
+            let bars = ends[0]..ends[1];
+            chain.bars.push(in_series(&self.bars[bars.clone()]));
+            chain.plastic.push(self.plastic[bars.clone()].iter().sum());
+            chain.path.push(self.path[bars.clone()].iter().sum());
+            chain.force.push(self.force[bars.start]);
+        }
+        Kept { chain, nodes }
+    }
+}
+
+/// Bars one behind the other as one.
+fn in_series(bars: &[Bar]) -> Bar {
+    let mut all = bars[0];
+    if bars.iter().any(|bar| bar.stiffness == 0.0) {
+        all.stiffness = 0.0;
+        return all;
+    }
+    all.stiffness = 1.0 / bars.iter().map(|bar| 1.0 / bar.stiffness).sum::<f64>();
+    if all.hardening > 0.0 {
+        all.hardening = 1.0 / bars.iter().map(|bar| 1.0 / bar.hardening).sum::<f64>();
+    }
+    all
+}
+
+/// What the solution of one bolt works with.
+#[derive(Clone, Debug, Default)]
+pub struct Desk {
+    /// Room and factors for the chain.
+    pub factors: Factors,
+    /// Bars whose ends can part.
+    pub stretching: Vec<u32>,
+    /// Parting of the rock along each bar, m.
+    pub apart: Vec<f64>,
+    /// What the last step has cost.
+    pub losses: Losses,
+    /// The same of its dowels, J.
+    pub sheared: f64,
+}
+
+impl Desk {
+    /// Room for a chain; `stretches` says whether the rock at the ends of a bar can part.
+    #[must_use]
+    pub fn new(chain: &Chain, stretches: impl Fn(usize) -> bool) -> Self {
+        let bars = chain.bars.len();
+        Self {
+            factors: chain.factors(),
+            stretching: (0..bars as u32)
+                .filter(|k| stretches(*k as usize))
+                .collect(),
+            apart: vec![0.0; bars],
+            losses: Losses::default(),
+            sheared: 0.0,
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! Bolts, cables and dowels in the plane: writers of slots that tie blocks together.
+//!
+//! As in space a bolt is a chain without masses ([`crate::laws::bolt`]) between points of the rock. In each evaluation the points part or
+//! close along the bars, the chain finds its equilibrium, and every bar between two blocks pulls the points at its ends together, along the line
+//! between them. A bar and a dowel have a slot each, so that blocks sum them with their contacts, in a fixed order. Everything is per metre of
+//! thickness: a bolt stands for its spacing out of the plane.
+
+mod install;
+pub mod place;
+pub mod read;
+mod stiffness;
+
+use riprap_geom::Vec2;
+
+use crate::laws::bolt::{Desk, dowel};
+use crate::setup::Bolt as Spec;
+use crate::world::{Bolt, Pin, World, Wrench};
+
+pub use install::{InstallError, follow, install};
+
+impl Pin {
+    /// Displacement since the bolt was installed, m.
+    #[must_use]
+    pub fn moved(&self, world: &World) -> Vec2 {
+        world.on_body(self.block, self.arm) - self.place
+    }
+}
+
+/// Present chord (m) from one pin to another, and by how much it is longer than when the bolt was installed, m.
+fn chord(from: &Pin, to: &Pin, world: &World) -> (Vec2, f64) {
+    let start = to.place - from.place;
+    let moved = to.moved(world) - from.moved(world);
+    let now = start + moved;
+    // Without the difference of two lengths.
+    let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
+    (now, apart)
+}
+
+impl Bolt {
+    /// Energy in bar, grout, plate and dowels, J/m; `dowel` is the stiffness of the dowels, N/m per metre.
+    #[must_use]
+    pub fn stored(&self, dowel: f64) -> f64 {
+        let sheared: f64 = self.dowels.iter().map(|d| d.force.length_squared()).sum();
+        let sheared = if dowel > 0.0 {
+            0.5 * sheared / dowel
+        } else {
+            0.0
+        };
+        self.chain.stored() + sheared
+    }
+
+    /// Whether the rock at the ends of bar `k` can move apart: it lies in two blocks.
+    #[must_use]
+    pub fn stretches(&self, k: usize) -> bool {
+        self.pins[k].block != self.pins[k + 1].block
+    }
+
+    /// Blocks that its bars and dowels tie together, in the order of their slots.
+    fn ties(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
+        let bars = (0..self.chain.bars.len()).filter(|k| self.stretches(*k));
+        let bars = bars.map(|k| (self.pins[k].block, self.pins[k + 1].block));
+        let dowels = self.dowels.iter().map(|d| &d.sides);
+        bars.chain(dowels.map(|[a, b]| (a.block, b.block)))
+    }
+}
+
+impl World {
+    /// Pairs of blocks that bolts tie together, one for each slot of a bolt, in their order.
+    pub(crate) fn bolt_ties(&self) -> Vec<(u32, u32)> {
+        self.bolts.iter().flat_map(Bolt::ties).collect()
+    }
+
+    /// Energy in bolts, J/m.
+    #[must_use]
+    pub fn bolt_energy(&self) -> f64 {
+        let stored = |bolt: &Bolt| {
+            let dowel = self.setup.bolts[bolt.number as usize].design.dowel;
+            bolt.stored(dowel.map_or(0.0, |d| d[0]))
+        };
+        self.bolts.iter().map(stored).sum()
+    }
+}
+
+/// Finds the forces of all bolts at the present positions and writes their slots; `desks` is room for them.
+///
+/// Calling it again without moving changes nothing.
+pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]) {
+    let mut bolts = std::mem::take(&mut world.bolts);
+    if desks.len() != bolts.len() {
+        let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
+        *desks = bolts.iter().map(desk).collect();
+    }
+    let mut slots = slots.iter_mut();
+    for (bolt, desk) in bolts.iter_mut().zip(desks) {
+        if world.pending > 0.0 {
+            solve(bolt, desk, &world.setup.bolts[bolt.number as usize], world);
+            let lost = desk.losses.all() + desk.sheared;
+            bolt.lost += lost;
+            bolt.breaks += desk.losses.breaks as u32;
+            bolt.left = bolt.left.max(desk.losses.left);
+            world.works.bolts += lost;
+        }
+        let mut tie = |from: &Pin, to: &Pin, force: Vec2| {
+            let arm = |pin: &Pin| {
+                let at = world.on_body(pin.block, pin.arm);
+                at - world.bodies[pin.block as usize].position
+            };
+            if let Some(slot) = slots.next() {
+                *slot = Wrench::at(force, arm(from), arm(to));
+            }
+        };
+        for k in (0..bolt.chain.bars.len()).filter(|k| bolt.stretches(*k)) {
+            let (from, to) = (&bolt.pins[k], &bolt.pins[k + 1]);
+            let (now, _) = chord(from, to, world);
+            tie(from, to, bolt.chain.force[k] / now.length() * now);
+        }
+        for dowel in &bolt.dowels {
+            let [behind, ahead] = &dowel.sides;
+            tie(behind, ahead, dowel.force);
+        }
+    }
+    world.bolts = bolts;
+}
+
+/// Equilibrium of one bolt and forces of its dowels.
+fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, world: &World) {
+    for &k in &desk.stretching {
+        let k = k as usize;
+        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], world).1;
+    }
+    desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
+    desk.sheared = 0.0;
+    let Some([stiffness, limit]) = spec.design.dowel else {
+        return;
+    };
+    for one in &mut bolt.dowels {
+        let [behind, ahead] = &one.sides;
+        let jump = ahead.moved(world) - behind.moved(world);
+        let across = jump - jump.dot(bolt.axis) * bolt.axis;
+        // A dowel ends with its bar.
+        let limit = if bolt.chain.bars[one.bar as usize].stiffness > 0.0 {
+            limit
+        } else {
+            0.0
+        };
+        let before = 0.5 * one.force.length_squared() / stiffness;
+        let (force, slip) = dowel(stiffness, limit, across.into(), one.slip.into());
+        let (force, slip) = (Vec2::from(force), Vec2::from(slip));
+        desk.sheared += if limit > 0.0 {
+            force.dot(slip - one.slip)
+        } else {
+            before
+        };
+        (one.force, one.slip) = (force, slip);
+    }
+}
+
+#[cfg(test)]
+mod tests;
