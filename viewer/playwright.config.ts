@@ -7,10 +7,11 @@ const executablePath = browsers.find((path) => path && existsSync(path));
 
 export default defineConfig({
   testDir: "tests",
-  // Speed is measured when somebody asks for it.
-  testIgnore: process.env.RIPRAP_LARGE ? [] : ["speed.spec.ts"],
+  // Speed is measured, and pictures for the book are made, when somebody asks for it.
+  testIgnore: [...(process.env.RIPRAP_LARGE ? [] : ["speed.spec.ts"]), ...(process.env.RIPRAP_TEMPLATES ? [] : ["templates.spec.ts"])],
   outputDir: "test-results",
-  globalSetup: "./tests/runs.ts",
+  // Pictures of templates need no runs.
+  ...(process.env.RIPRAP_TEMPLATES ? {} : { globalSetup: "./tests/runs.ts" }),
   reporter: [["list"], ["./tests/tally.ts"]],
   timeout: 60_000,
   workers: 1,
