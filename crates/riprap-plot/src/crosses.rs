@@ -134,7 +134,7 @@ mod tests {
         // From end to end 80 pixels, through the middle of the block.
         let on = |name: &str, v: &str| line.contains(&format!("{name}=\"{v}\""));
         assert!(on("x1", "50.00") && on("x2", "50.00"), "{line}");
-        assert!(on("y1", "10.00") && on("y2", "90.00"), "{line}");
+        assert!(on("y1", "90.00") && on("y2", "10.00"), "{line}");
     }
 
     #[test]
