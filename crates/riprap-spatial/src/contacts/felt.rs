@@ -19,12 +19,16 @@ pub(super) struct Spread {
 }
 
 impl Facing {
-    /// The whole smaller face, turned into space, seen from a block from which it is `way` (m) to the centroid of its own.
+    /// The smaller face, turned into space, seen from a block from which it is `way` (m) to the centroid of its own; a share of it where
+    /// no more than a small part can be in touch.
+    ///
+    /// Springs of the area a at a place r from the centre of a face of the area A and the radius of gyration i answer a motion u of the
+    /// centre and a turn t by `a (u + t r)² <= a (1 + r²/i²) (u² + t² i²)`: nowhere are they stiffer than `(1 + r²/i²) a/A` of the whole face.
     pub(super) fn spread(&self, turn: Mat3, way: Vec3) -> Spread {
         Spread {
             normal: turn * self.normal,
             arm: turn * self.centre + way,
-            area: self.face,
+            area: self.face.min((1.0 + self.corner / self.polar) * self.area),
             polar: self.polar,
         }
     }
@@ -71,11 +75,14 @@ impl Facing {
         } else {
             Vec3::ZERO
         };
+        let centre_at = start + centre;
+        let corner = (corners.iter()).map(|v| (*v - centre_at).length_squared());
         Self {
             area,
             side,
             normal,
-            centre: start + centre,
+            corner: corner.fold(0.0, f64::max),
+            centre: centre_at,
             face: shape.areas[face],
             square: 0.0,
             polar: if whole > 0.0 {
@@ -195,6 +202,39 @@ mod tests {
         let exact = (0.5 * (along + tilt) + root).max(2.0);
         let bound = felt.bound();
         assert!(bound >= exact && bound < 1.25 * exact, "{bound} {exact}");
+    }
+
+    /// A small part of a face, wherever it lies, and the share of the face that stands for it.
+    #[test]
+    fn a_small_part_of_a_face_is_no_stiffer_than_its_share() {
+        let (shape, ease) = cube();
+        let area = 0.01;
+        let face = Facing::new(area, 0, &shape, 0);
+        let whole = face.spread(Mat3::IDENTITY, Vec3::ZERO);
+        assert!((whole.area - 4.0 * area).abs() < 1e-12);
+        let mut share = Felt::default();
+        share.add(&ease, &LAW, &whole);
+        let [_, e, h] = riprap_geom::polyhedron::frame(face.normal);
+        for (s, t) in [
+            (0.45, 0.45),
+            (0.45, 0.0),
+            (0.0, -0.45),
+            (-0.45, 0.45),
+            (0.0, 0.0),
+        ] {
+            let mut part = Felt::default();
+            let spread = Spread {
+                normal: face.normal,
+                arm: face.centre + s * e + t * h,
+                area,
+                polar: area / 6.0,
+            };
+            part.add(&ease, &LAW, &spread);
+            assert!(part.bound() <= share.bound(), "{s} {t}");
+            for k in 0..6 {
+                assert!(part.rows[k][k] <= share.rows[k][k], "{s} {t}: {k}");
+            }
+        }
     }
 
     #[test]

@@ -136,6 +136,8 @@ pub struct Facing {
     pub face: f64,
     /// Its polar second moment about the centroid over its area, m².
     pub polar: f64,
+    /// Square of the distance of its farthest corner from its centroid, m².
+    pub corner: f64,
     /// Bound of the squared frequency of the slower of both blocks on this face, 1/s²; 0 where nothing holds them.
     pub square: f64,
 }

@@ -215,12 +215,13 @@ impl Cutter {
     fn cut(&mut self, a: f64, b: f64, c: f64, label: u16) -> bool {
         let n = self.polygon.len();
         self.beyond.clear();
+        let corners = self.polygon.s.iter().zip(&self.polygon.t);
+        self.beyond
+            .extend(corners.map(|(s, t)| (a * s + b * t) - c));
         let (mut inside, mut outside) = (false, false);
-        for (s, t) in self.polygon.s.iter().zip(&self.polygon.t) {
-            let q = (a * s + b * t) - c;
+        for &q in &self.beyond {
             inside |= q <= 0.0;
             outside |= q > 0.0;
-            self.beyond.push(q);
         }
         if !outside {
             return inside;
