@@ -4,7 +4,6 @@
 //! signal, leaves with a code that the manual does not have, or gives a wrong answer in silence (attack by attack, see [`ATTACKS`]).
 //! Each attack has a seed of its own, so that a failure comes again; the input that failed is kept in `target/attack`.
 
-pub mod damage;
 mod faults;
 mod files;
 mod process;
@@ -14,8 +13,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use crate::verify;
-use damage::Chance;
 use process::Program;
+use riprap_fuzz::damage::Chance;
 
 /// Tries of each attack on files, when nothing else is asked for: about ten minutes in all.
 const TRIES: usize = 1500;

@@ -13,7 +13,7 @@ use crate::source_tree::shown;
 use source::{Crate, Words};
 
 /// Crate of the library, the crates of the library it may use, and why not more.
-const ARROWS: [(&str, &[&str], &str); 11] = [
+const ARROWS: [(&str, &[&str], &str); 12] = [
     (
         "riprap-keys-derive",
         &[],
@@ -64,6 +64,11 @@ const ARROWS: [(&str, &[&str], &str); 11] = [
         "riprap-testkit",
         &["riprap-core"],
         "samples for tests of all",
+    ),
+    (
+        "riprap-fuzz",
+        &["riprap"],
+        "targets go in by the doors that everybody has",
     ),
 ];
 

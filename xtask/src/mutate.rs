@@ -11,8 +11,8 @@ use std::time::Instant;
 
 use serde_json::Value;
 
-use crate::attack::damage::numbers;
 use crate::verify;
+use riprap_fuzz::damage::numbers;
 
 /// What is changed: a name, the keys, and the factor on the numbers behind them.
 const CHANGES: [(&str, &[&str], f64); 10] = [

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::damage::{Chance, without_checks};
 use super::process::Ended;
 use super::{Field, Found};
+use riprap_fuzz::damage::{Chance, without_checks};
 
 /// Longest that a run of these attacks may take: more than that is a failure.
 const LONG: Duration = Duration::from_secs(300);

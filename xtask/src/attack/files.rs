@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::damage::{self, Chance, SILLY};
 use super::process::Ended;
 use super::{Field, Found};
 use crate::source_tree;
+use riprap_fuzz::damage::{self, Chance};
 
 /// Largest scene of the corpus, bytes, and how many there are.
 const SMALL: u64 = 4000;
@@ -103,17 +103,10 @@ pub fn scenes(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
     Ok(found)
 }
 
-/// A scene with one number replaced.
+/// A scene with one number replaced, but that of the version of the language, which is the first.
 fn silly(corpus: &[String], chance: &mut Chance) -> String {
-    let mut text = chance.of(corpus).clone();
-    let places = damage::numbers(&text);
-    // The first number is the version of the language.
-    if places.len() > 1 {
-        let (begin, end) = places[1 + chance.below(places.len() - 1)];
-        let number: &&str = chance.of(&SILLY);
-        text.replace_range(begin..end, number);
-    }
-    text
+    let text = chance.of(corpus).clone();
+    damage::number(&text, 1, chance)
 }
 
 pub fn numbers(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {

@@ -5,6 +5,8 @@
 pub struct Chance(u64);
 
 impl Chance {
+    /// The stream of a seed.
+    #[must_use]
     pub fn new(seed: u64) -> Self {
         let mut chance = Self(seed);
         chance.below(2);
@@ -79,7 +81,10 @@ pub fn text(original: &str, chance: &mut Chance) -> Vec<u8> {
         match chance.below(8) {
             0 => {
                 let now = String::from_utf8_lossy(&bytes).into_owned();
-                if let Some((begin, end)) = pick(&numbers(&now), chance) {
+                let places = numbers(&now);
+                // What was no text has other places than the text made of it.
+                bytes = now.into_bytes();
+                if let Some((begin, end)) = pick(&places, chance) {
                     bytes.splice(begin..end, chance.of(&SILLY).bytes());
                 }
             }
@@ -92,6 +97,17 @@ pub fn text(original: &str, chance: &mut Chance) -> Vec<u8> {
         }
     }
     bytes
+}
+
+/// A text with one number replaced, the first `keep` of them apart.
+pub fn number(original: &str, keep: usize, chance: &mut Chance) -> String {
+    let mut text = original.to_owned();
+    let places = numbers(original);
+    if let Some((begin, end)) = pick(places.get(keep..).unwrap_or_default(), chance) {
+        let put: &&str = chance.of(&SILLY);
+        text.replace_range(begin..end, put);
+    }
+    text
 }
 
 /// Bytes with one to three changes; never the same as before.

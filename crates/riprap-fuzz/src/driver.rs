@@ -1,0 +1,179 @@
+//! Runs a target over its corpus and over damaged copies of it.
+
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+use std::{fs, io};
+
+use crate::Target;
+use crate::damage::{self, Chance};
+
+/// A try that takes longer is a failure: what is large must be refused, or cost no more than it says.
+const LIMIT: Duration = Duration::from_secs(20);
+/// Largest input, bytes.
+const LARGEST: usize = 1 << 16;
+
+/// What became of one input.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It was taken.
+    Taken,
+    /// It was refused with an error.
+    Refused,
+    /// A panic, with its message, or too long a time.
+    Failed(String),
+}
+
+/// The files that damage starts from.
+#[derive(Clone, Debug, Default)]
+pub struct Seeds {
+    /// Paths and bytes, by name.
+    pub files: Vec<(PathBuf, Vec<u8>)>,
+}
+
+/// What a campaign has found.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// Inputs tried.
+    pub tries: u64,
+    /// Those that were taken.
+    pub taken: u64,
+    /// What failed: where it lies, and why.
+    pub failures: Vec<(PathBuf, String)>,
+}
+
+/// Files that the tests of the readers have: those with the name of a target as their extension belong to its corpus too.
+const DATA: [&str; 2] = [
+    "../riprap-scenario/tests/data/msh",
+    "../riprap-scenario/tests/data/shapes",
+];
+
+/// The corpus of a target.
+///
+/// # Errors
+/// A folder cannot be read.
+pub fn seeds(target: &Target) -> io::Result<Seeds> {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let own = here.join("corpus").join(target.name);
+    let mut paths = if own.exists() {
+        listed(&own)?
+    } else {
+        Vec::new()
+    };
+    for folder in DATA {
+        let all = listed(&here.join(folder))?;
+        let own = |path: &PathBuf| path.extension().is_some_and(|e| e == target.name);
+        paths.extend(all.into_iter().filter(own));
+    }
+    paths.sort();
+    let files = paths
+        .into_iter()
+        .map(|path| fs::read(&path).map(|bytes| (path, bytes)));
+    let mut files = files.collect::<io::Result<Vec<_>>>()?;
+    let made = (target.made)().into_iter().enumerate();
+    files.extend(made.map(|(k, bytes)| (format!("made {k}").into(), bytes)));
+    Ok(Seeds { files })
+}
+
+fn listed(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    entries.collect()
+}
+
+/// Tries one input. The message of a panic is caught, not printed.
+#[must_use]
+pub fn attempt(target: &Target, input: &[u8]) -> Outcome {
+    // One at a time: the hook belongs to the process.
+    static HOOK: Mutex<()> = Mutex::new(());
+    let _alone = HOOK.lock();
+    let said = Arc::new(Mutex::new(String::new()));
+    let heard = Arc::clone(&said);
+    let before = take_hook();
+    set_hook(Box::new(move |panic| {
+        let message = panic.payload_as_str().unwrap_or("a panic without words");
+        if let Ok(mut said) = heard.lock() {
+            message.clone_into(&mut said);
+        }
+    }));
+    let begin = Instant::now();
+    let done = catch_unwind(AssertUnwindSafe(|| (target.run)(input)));
+    set_hook(before);
+    let message = said.lock().map(|said| said.clone()).unwrap_or_default();
+    match done {
+        Ok(_) if begin.elapsed() > LIMIT => {
+            Outcome::Failed(format!("it took {:.0} s", begin.elapsed().as_secs_f64()))
+        }
+        Ok(true) => Outcome::Taken,
+        Ok(false) => Outcome::Refused,
+        Err(_) => Outcome::Failed(message),
+    }
+}
+
+/// Tries damaged copies of the corpus, and what was taken of these again; the same tries for the same seed. What fails is kept in
+/// `target/fuzz/TARGET`.
+#[must_use]
+pub fn campaign(target: &Target, seeds: &Seeds, seed: u64, tries: u64) -> Tally {
+    let mut chance = Chance::new(seed);
+    let mut pool: Vec<Vec<u8>> = seeds.files.iter().map(|(_, bytes)| bytes.clone()).collect();
+    let own = pool.len();
+    let mut tally = Tally::default();
+    for _ in 0..tries {
+        let input = damaged(target, &pool, &mut chance);
+        tally.tries += 1;
+        match attempt(target, &input) {
+            Outcome::Refused => {}
+            Outcome::Taken if target.sealed && !pool.contains(&input) => {
+                let place = keep(target, tally.failures.len(), &input);
+                tally
+                    .failures
+                    .push((place, "a damaged one was taken".to_owned()));
+            }
+            Outcome::Taken => {
+                tally.taken += 1;
+                // Damage upon damage goes where one change does not; the pool stays small and its beginning the corpus.
+                if pool.len() < own + 64 {
+                    pool.push(input);
+                } else {
+                    let at = own + chance.below(64);
+                    pool[at] = input;
+                }
+            }
+            Outcome::Failed(why) => {
+                let place = keep(target, tally.failures.len(), &input);
+                tally.failures.push((place, why));
+                if tally.failures.len() == 20 {
+                    break;
+                }
+            }
+        }
+    }
+    tally
+}
+
+fn damaged(target: &Target, pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
+    let Some(original) = pool.get(chance.below(pool.len())) else {
+        return Vec::new();
+    };
+    let mut input = match std::str::from_utf8(original) {
+        // Most changes of a text are refused at once; a number goes far.
+        Ok(text) if target.text && chance.below(2) == 0 => {
+            damage::number(text, 0, chance).into_bytes()
+        }
+        Ok(text) if target.text || chance.below(3) > 0 => damage::text(text, chance),
+        Ok(_) | Err(_) => damage::bytes(original, chance),
+    };
+    input.truncate(LARGEST);
+    input
+}
+
+/// Writes an input that failed; where it lies, or would.
+fn keep(target: &Target, number: usize, input: &[u8]) -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let folder = root.join("target/fuzz").join(target.name);
+    let place = folder.join(format!("failure-{number}"));
+    if let Err(error) = fs::create_dir_all(&folder).and_then(|()| fs::write(&place, input)) {
+        eprintln!("{} cannot be written: {error}", place.display());
+    }
+    place
+}
