@@ -35,12 +35,29 @@ fn digits(value: f64) -> String {
         v if v < 99.95 => 1,
         _ => 0,
     };
+    decimal(value, decimals)
+}
+
+/// At most so many decimals, without trailing zeros.
+fn decimal(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
     } else {
-        text
+        &text
+    };
+    if text == "-0" { "0" } else { text }.to_owned()
+}
+
+/// A coordinate, to a hundred-thousandth of the size of what it belongs to: `-1.10594`, `20`.
+pub fn coordinate(value: f64, size: f64) -> String {
+    let mut decimals = 0;
+    let mut last = 1.0;
+    while last > 1e-5 * size && decimals < 12 {
+        last *= 0.1;
+        decimals += 1;
     }
+    decimal(value, decimals)
 }
 
 /// A ratio: `3.1e-4`, `0.25`, `0`.
@@ -97,6 +114,20 @@ mod tests {
             (f64::NAN, "NaN J/m"),
         ] {
             assert_eq!(si(value, "J/m"), text);
+        }
+    }
+
+    #[test]
+    fn coordinates_have_the_digits_of_their_model() {
+        for (value, size, text) in [
+            (-1.105_940_262_464_515, 6.8, "-1.10594"),
+            (20.0, 20.0, "20"),
+            (0.1 + 0.2, 1.0, "0.3"),
+            (-1e-17, 1.0, "0"),
+            (4_500_000.257_8, 1000.0, "4500000.26"),
+            (1.25e-5, 2e-5, "0.0000125"),
+        ] {
+            assert_eq!(coordinate(value, size), text);
         }
     }
 

@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::args::Check;
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
-use crate::numbers::{duration, grouped, ratio, si};
+use crate::numbers::{coordinate, duration, grouped, ratio, si};
 use crate::{scenes, screen};
 
 /// Memory of a model in space, B: without blocks, and for each block with its patches. Measured: `check` of
@@ -64,10 +64,9 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
 }
 
 fn model_text(s: &Summary) -> String {
-    let [low, high] = s.bounds;
     let mut text = format!(
         "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  \
-         region     x {} to {} m, y {} to {} m; mass {}\n  \
+         region     {}; mass {}\n  \
          shortest   edge {} on block {}\n  near       {} pairs at the start (boxes that meet)",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
@@ -75,10 +74,7 @@ fn model_text(s: &Summary) -> String {
         si(s.size[0], "m"),
         si(s.size[1], "m"),
         si(s.size[2], "m"),
-        low[0],
-        high[0],
-        low[1],
-        high[1],
+        region(&["x", "y"], &s.bounds),
         mass(s.mass, "/m"),
         si(s.shortest_edge.0, "m"),
         s.shortest_edge.1,
@@ -100,13 +96,24 @@ fn model_text(s: &Summary) -> String {
     text
 }
 
+/// From where to where a model reaches along each axis.
+fn region<const N: usize>(axes: &[&str; N], [low, high]: &[[f64; N]; 2]) -> String {
+    let sides = low.iter().zip(high).map(|(low, high)| high - low);
+    let size = sides.fold(0.0, f64::max);
+    let along = |k: usize| {
+        let [from, to] = [low[k], high[k]].map(|x| coordinate(x, size));
+        format!("{} {from} to {to} m", axes[k])
+    };
+    let all: Vec<String> = (0..N).map(along).collect();
+    all.join(", ")
+}
+
 /// A model in space.
 fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) -> String {
-    let [low, high] = bounds;
     let memory = MEMORY_BASE + MEMORY_BLOCK * f.blocks as f64;
     let mut text = format!(
         "  blocks     {} as given ({} held), {} at the start, sizes {} / {} / {} (smallest, median, \
-         largest, as given)\n  patches    {}\n  region     x {} to {} m, y {} to {} m, z {} to {} m; \
+         largest, as given)\n  patches    {}\n  region     {}; \
          mass {}\n  memory     about {} MB\n",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
@@ -115,12 +122,7 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
         si(s.size[1], "m"),
         si(s.size[2], "m"),
         grouped(f.contacts as u64),
-        low[0],
-        high[0],
-        low[1],
-        high[1],
-        low[2],
-        high[2],
+        region(&["x", "y", "z"], bounds),
         mass(s.mass, ""),
         grouped((memory / 1e6).ceil() as u64),
     );
