@@ -9,8 +9,8 @@ use super::files::{Polygons, Traces};
 use super::joints::{JointPlanes, JointSet};
 use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron, Terrain};
 use crate::quantity::{
-    Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, PositiveLength, Quantity, Spin,
-    Vector, Velocity,
+    Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity,
+    Spin, Vector, Velocity,
 };
 
 /// Most blocks that one generator may make.
@@ -80,11 +80,7 @@ pub struct Block {
     pub mechanics: Option<Mechanics>,
     /// Repeats a single shape at equal steps.
     pub copies: Option<Copies>,
-    /// Turns the shape after it was made.
-    #[key(
-        space = "planar",
-        instead = "give the corners of a `polyhedron` in their final places"
-    )]
+    /// Turns the shape after it was made; in space before `cut`.
     pub rotate: Option<Rotate>,
     /// Moves the shape after it was made and turned, m. Default no shift.
     pub shift: Option<Vector<Length>>,
@@ -369,13 +365,18 @@ pub struct Copies {
     pub step: Vector<Length>,
 }
 
-/// Turns a shape.
+/// Turns a shape. In space exactly one of `axis` and `dip_direction`; a brick whose edges leave the axes is a polyhedron.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Rotate {
-    /// Angle, anticlockwise.
+    /// Angle: in the plane anticlockwise, in space right-handed about `axis`.
     pub angle: Quantity<Angle>,
-    /// Point that stays in place [x, y], m. Default: the centroid of the shape (of all blocks of
-    /// a generator).
-    pub about: Option<Point>,
+    /// Axis [x, y, z], of any length.
+    #[key(space = "spatial", instead = "leave it out: shapes turn in the plane")]
+    pub axis: Option<[Quantity<Plain>; 3]>,
+    /// Bearing, clockwise from north (y), to which what was level dips by `angle`.
+    #[key(space = "spatial", instead = "leave it out: shapes turn in the plane")]
+    pub dip_direction: Option<Quantity<Angle>>,
+    /// Point that stays in place, m. Default: the centroid of the shape (of all blocks of a generator).
+    pub about: Option<Vector<Length>>,
 }

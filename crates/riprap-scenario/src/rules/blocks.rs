@@ -44,6 +44,7 @@ impl Rules {
                 ("cut", block.cut.is_some()),
                 ("copies", block.copies.is_some()),
                 ("mechanics", block.mechanics.is_some()),
+                ("rotate", block.rotate.is_some()),
                 ("velocity", block.velocity.is_some()),
                 ("spin", block.spin.is_some()),
             ];
@@ -51,6 +52,16 @@ impl Rules {
                 let message = format!("{of} is terrain and has `{word}`");
                 let help = "terrain is one fixed body: leave it out";
                 self.error("key.forbidden", span, message, help);
+            }
+        }
+        if let (Some(rotate), InSpace::Spatial) = (&block.rotate, self.space) {
+            let about = [
+                ("axis", rotate.axis.is_some()),
+                ("dip_direction", rotate.dip_direction.is_some()),
+            ];
+            self.one_of(&rotate.angle.span, &format!("`rotate` of {of}"), &about);
+            if let Some(axis) = &rotate.axis {
+                self.normal(axis);
             }
         }
         if let Some(cut) = &block.cut {

@@ -143,7 +143,7 @@ impl Rules {
     pub(super) fn normal(&mut self, normal: &[Quantity<Plain>; 3]) {
         if self.values_sound && unit(normal).is_none() {
             let span = normal[0].span.start..normal[2].span.end;
-            let message = "this normal has no direction".to_owned();
+            let message = "this vector has no direction".to_owned();
             let help = "at least one component is not zero, for example [0, 0, 1]";
             self.error("value.direction", &span, message, help);
         }

@@ -174,10 +174,10 @@ impl Builder<'_> {
     /// Turns and moves.
     fn place(&self, block: &Block, outlines: &mut [Vec<Vec2>]) {
         if let Some(rotate) = &block.rotate {
-            let about = rotate
-                .about
-                .as_ref()
-                .map_or_else(|| common_centroid(outlines), |p| self.point(p));
+            let about = rotate.about.as_ref().map_or_else(
+                || common_centroid(outlines),
+                |p| Vec2::from(p.xy()) - self.origin,
+            );
             let (sin, cos) = (libm::sin(rotate.angle.si()), libm::cos(rotate.angle.si()));
             for v in outlines.iter_mut().flatten() {
                 let arm = *v - about;

@@ -93,7 +93,8 @@ impl Builder<'_> {
                     ),
                 );
                 let span = crate::scenario::language::span_of(centre);
-                let help = "move it into a grid, or write coupling = { scaled = 0.667 }";
+                let help =
+                    "move it into a grid without `rotate`, or write coupling = { scaled = 0.667 }";
                 self.found.push(error.at(span).help(help));
                 continue;
             };
@@ -237,9 +238,10 @@ fn cells_below(levels: u8) -> f64 {
     libm::exp2(3.0 * f64::from(levels))
 }
 
-/// Whether a point lies in the grid of a table, as given.
+/// Whether a point lies in the grid of a table, as given, whose cells can be fitted.
 fn holds(block: &Block, point: Vec3) -> bool {
-    grid_of(block).is_some_and(|grid| {
+    let grid = grid_of(block).filter(|_| block.rotate.is_none());
+    grid.is_some_and(|grid| {
         let corner = said_corner(block, grid);
         let slack = ON_SIDE * Vec3::from(grid.cell.xyz());
         let (low, high) = (corner - slack, corner + said_size(grid) + slack);

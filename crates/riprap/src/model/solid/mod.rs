@@ -22,6 +22,7 @@ mod shapes;
 mod sources;
 mod supports;
 mod terrain;
+mod turn;
 
 pub(super) use joints::{change_joint, reduce_joint};
 

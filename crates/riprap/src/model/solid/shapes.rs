@@ -8,6 +8,7 @@ use riprap_geom::polyhedron::{
 use super::global;
 use super::grid::{Grids, Lattice};
 use super::mesh::Made;
+use super::turn::{Turn, copies};
 use crate::model::builder::Builder;
 use crate::model::names::Entry;
 use crate::scenario::language::{self, Block, Brick, Geometry, Grid, GridCells, span_of};
@@ -41,6 +42,21 @@ fn box_of(said: &GridCells) -> (Vec3, Vec3) {
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
+    let mut places = unturned_corners(block, grids);
+    // About the centroid of the shape they stay near where they are.
+    if let Some((rotate, about)) = block
+        .rotate
+        .as_ref()
+        .and_then(|r| Some((r, r.about.as_ref()?)))
+    {
+        let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+        let turn = Turn::new(rotate, Vec3::from(about.xyz()) + shift);
+        places.iter_mut().for_each(|place| *place = turn.of(*place));
+    }
+    places
+}
+
+fn unturned_corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
     let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
     match block.geometry() {
         Some(Geometry::Brick(b)) => {
@@ -132,14 +148,19 @@ impl Builder<'_> {
                 )
                 | None => None,
             };
-            let made = made.map(|shapes| Made::of(copies(block, shapes)));
-            self.enter_made(block, made, shift);
+            self.enter_made(block, made.map(Made::of), shift);
         }
     }
 
-    /// Cuts the blocks of a table if that is wanted, and enters them with what is named among them.
+    /// Turns, copies and cuts the blocks of a table if that is wanted, and enters them with what is named among them.
     fn enter_made(&mut self, block: &Block, made: Option<Made>, shift: Vec3) {
         let Some(mut made) = made else { return };
+        if let Some(rotate) = &block.rotate {
+            let about = rotate.about.as_ref().map(|at| Vec3::from(at.xyz()) + shift);
+            let about = about.unwrap_or_else(|| common_centroid(&made.shapes));
+            made = Turn::new(rotate, about).of_all(made);
+        }
+        made = copies(block, made);
         if let Some(cut) = &block.cut {
             match self.divide(block, cut, made, shift) {
                 Some(divided) => made = divided,
@@ -391,35 +412,6 @@ fn bricks(lattice: &Lattice, origin: Vec3) -> Vec<Shape> {
     shapes
 }
 
-/// Repeats the shapes of a table.
-fn copies(block: &Block, shapes: Vec<Shape>) -> Vec<Shape> {
-    let Some(said) = &block.copies else {
-        return shapes;
-    };
-    let step = Vec3::from(said.step.xyz());
-    (0..said.count)
-        .flat_map(|k| {
-            let shift = f64::from(k) * step;
-            shapes.iter().map(move |shape| moved(shape, shift))
-        })
-        .collect()
-}
-
-fn moved(shape: &Shape, shift: Vec3) -> Shape {
-    match shape {
-        Shape::Brick { centre, half } => Shape::Brick {
-            centre: *centre + shift,
-            half: *half,
-        },
-        Shape::Polyhedron(solid) => Shape::Polyhedron(Box::new(Solid {
-            vertices: solid.vertices.iter().map(|v| *v + shift).collect(),
-            faces: solid.faces.clone(),
-        })),
-        // It has no copies.
-        Shape::Terrain(surface) => Shape::Terrain(surface.clone()),
-    }
-}
-
 /// The solid of a shape.
 pub(super) fn solid(shape: &Shape) -> Polyhedron {
     match shape {
@@ -464,6 +456,18 @@ fn centroid(shape: &Shape) -> Vec3 {
         Shape::Brick { centre, .. } => *centre,
         Shape::Polyhedron(_) | Shape::Terrain(_) => solid(shape).moments().centroid,
     }
+}
+
+/// Centroid of all shapes of a table.
+fn common_centroid(shapes: &[Shape]) -> Vec3 {
+    let mut volume_sum = 0.0;
+    let mut sum = Vec3::ZERO;
+    for shape in shapes {
+        let volume = volume(shape);
+        volume_sum += volume;
+        sum += volume * centroid(shape);
+    }
+    sum / volume_sum
 }
 
 /// Lines `v` and `f` of an OBJ text.

@@ -341,7 +341,7 @@ impl Builder<'_> {
             let name = self.directory.name(block);
             let message = format!("block `{name}` is a polyhedron and cannot be split into eight");
             let error = Diagnostic::error("refine.brick", message).at(span.clone());
-            let help = "only bricks can; choose a place that touches bricks only";
+            let help = "only bricks along the axes can, so not what `rotate` turned; choose a place that touches such bricks only";
             self.found.push(error.help(help));
             return false;
         }

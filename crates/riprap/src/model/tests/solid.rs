@@ -8,6 +8,8 @@ use crate::spatial::setup::{
 };
 use riprap_geom::Vec3;
 
+mod turn;
+
 const GRID: &str = r#"
 [[blocks]]
 name = "rock"

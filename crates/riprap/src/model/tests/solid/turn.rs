@@ -1,0 +1,169 @@
+//! `rotate` in space: where corners come to lie, bricks that stay bricks, what is refused, and that a lattice turned with its
+//! gravity moves as it did.
+
+use super::*;
+use crate::exec::Exec;
+use crate::run::simulation::Simulation;
+use crate::spatial::setup::Solid;
+use riprap_geom::polyhedron::Polyhedron;
+use riprap_geom::polyhedron::joints::normal_of_dip;
+
+const BRICK: &str = r#"
+[[blocks]]
+name = "stone"
+material = "rock"
+brick = { size = ["1 m", "2 m", "3 m"], corner = ["1 m", "0 m", "0 m"] }
+"#;
+
+fn polyhedron(solid: &Solid) -> Polyhedron {
+    Polyhedron {
+        vertices: solid.vertices.clone(),
+        faces: solid.faces.clone(),
+    }
+}
+
+fn only_solid(setup: &Setup) -> Polyhedron {
+    match &setup.blocks[0].shape {
+        Shape::Polyhedron(solid) => polyhedron(solid),
+        Shape::Brick { .. } | Shape::Terrain(_) => panic!("a polyhedron is expected"),
+    }
+}
+
+#[test]
+fn a_brick_leans_in_its_direction_of_dip() {
+    let dips = r#"rotate = { angle = "30 deg", dip_direction = "125 deg" }"#;
+    let (setup, _) = solid(&format!("{BRICK}{dips}"));
+    let stone = only_solid(&setup);
+    let radians = f64::to_radians;
+    let up = normal_of_dip(radians(30.0), radians(125.0));
+    let top = (0..6).any(|face| (stone.plane(face).0 - up).length() < 1e-14);
+    assert!(top, "no face dips by 30 deg to 125 deg: {stone:?}");
+    let moments = stone.moments();
+    assert!((moments.volume - 6.0).abs() < 1e-13);
+    let middle = Vec3::new(1.5, 1.0, 1.5);
+    assert!(
+        (moments.centroid - middle).length() < 1e-14,
+        "about its centroid"
+    );
+}
+
+#[test]
+fn turning_is_about_a_point_and_before_the_shift_and_the_copies() {
+    let quarter = r#"
+rotate = { angle = "90 deg", axis = [0, 0, 2], about = ["0 m", "0 m", "0 m"] }
+shift = ["0 m", "0 m", "10 m"]
+copies = { count = 2, step = ["5 m", "0 m", "0 m"] }
+"#;
+    let (setup, _) = solid(&format!("{BRICK}{quarter}"));
+    // A quarter turn keeps a brick one, to the last digit: it can be split.
+    let expected = (Vec3::new(-1.0, 1.5, 11.5), Vec3::new(1.0, 0.5, 1.5));
+    assert_eq!(brick(&setup.blocks[0].shape), expected);
+    assert_eq!(brick(&setup.blocks[1].shape).0, Vec3::new(4.0, 1.5, 11.5));
+}
+
+#[test]
+fn joints_cut_what_was_turned() {
+    let cut = r#"
+rotate = { angle = "30 deg", dip_direction = "90 deg" }
+cut.joint_sets = [{ dip = "30 deg", dip_direction = "90 deg", spacing = "1 m", origin = ["1.5 m", "1 m", "1.5 m"], offset = "0.5 m" }]
+"#;
+    let (setup, _) = solid(&format!("{BRICK}{cut}"));
+    // Parallel to its bedding: three slabs of 1 x 2 x 1 m.
+    assert_eq!(setup.blocks.len(), 3);
+    for block in &setup.blocks {
+        let Shape::Polyhedron(slab) = &block.shape else {
+            panic!("a polyhedron is expected");
+        };
+        assert!((polyhedron(slab).moments().volume - 2.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn what_cannot_be_turned_says_so() {
+    for (rotate, words) in [
+        (r#"rotate = { angle = "5 deg" }"#, "axis"),
+        (
+            r#"rotate = { angle = "5 deg", axis = [0, 0, 1], dip_direction = "3 deg" }"#,
+            "dip_direction",
+        ),
+        (
+            r#"rotate = { angle = "5 deg", axis = [0, 0, 0] }"#,
+            "no direction",
+        ),
+    ] {
+        let told = refused(&format!("{BRICK}{rotate}"));
+        assert!(told.contains(words), "{told}");
+    }
+    let split = r#"
+rotate = { angle = "5 deg", axis = [0, 0, 1] }
+[[refine]]
+octree = { around = ["1.5 m", "1 m", "1.5 m"], levels = 1 }
+"#;
+    let told = refused(&format!("{BRICK}{split}"));
+    assert!(
+        told.contains("cannot be split") && told.contains("rotate"),
+        "{told}"
+    );
+}
+
+/// Displacement of every block of a lattice that is held at one corner, under gravity along a direction, m.
+fn swung(rotate: &str, gravity: Vec3) -> Vec<Vec3> {
+    let text = format!(
+        r#"
+riprap = 1
+title = "a lattice"
+space.spatial.gravity = ["{} m/s2", "{} m/s2", "{} m/s2"]
+[materials.rock]
+density = "2500 kg/m3"
+young = "1 GPa"
+poisson = 0.25
+[interfaces.default]
+friction_angle = "30 deg"
+cohesion = "10 MPa"
+tension = "10 MPa"
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = {{ size = ["3 m", "2 m", "2 m"], cell = "1 m" }}
+{rotate}
+[[supports]]
+on.block = "rock.1"
+fixed = {{}}
+[[phases]]
+name = "swing"
+until = {{ steps = 400 }}
+time_step = "50 us"
+"#,
+        gravity.x, gravity.y, gravity.z
+    );
+    let model = try_solid(&text).unwrap_or_else(|error| panic!("{error}"));
+    let exec = Exec::new(1).unwrap();
+    let mut simulation = Simulation::new(model.setup.clone(), model.plan, exec).unwrap();
+    simulation.run().unwrap();
+    let along = |axis: char, block: usize| {
+        let field = format!("block.displacement.{axis}");
+        simulation
+            .field(&field, &[format!("rock.{block}")])
+            .unwrap()
+    };
+    let of = |block| Vec3::new(along('x', block), along('y', block), along('z', block));
+    (1..=12).map(of).collect()
+}
+
+#[test]
+fn a_lattice_turned_with_its_gravity_moves_as_it_did() {
+    let gravity = Vec3::new(1.0, -2.0, -9.0);
+    let still = swung("", gravity);
+    let most = still.iter().map(|d| d.length()).fold(0.0, f64::max);
+    assert!(most > 1e-5, "it moves: {most} m");
+    // About [1, 2, 2] by 40 deg, the formula of Rodrigues once more.
+    let axis = Vec3::new(1.0, 2.0, 2.0) / 3.0;
+    let (sin, cos) = 40.0_f64.to_radians().sin_cos();
+    let turned = |v: Vec3| cos * v + sin * axis.cross(v) + (1.0 - cos) * axis.dot(v) * axis;
+    let rotate = r#"rotate = { angle = "40 deg", axis = [1, 2, 2] }"#;
+    let moved = swung(rotate, turned(gravity));
+    for (block, (a, b)) in still.iter().zip(&moved).enumerate() {
+        let off = (turned(*a) - *b).length();
+        assert!(off < 1e-9 * most, "block {block}: {off} of {most} m");
+    }
+}
