@@ -169,7 +169,7 @@ impl Bar {
 ///
 /// An elastic spring of `stiffness` (N/m) up to `limit` (N) in any direction.
 #[must_use]
-pub fn dowel<const N: usize>(
+fn dowel<const N: usize>(
     stiffness: f64,
     limit: f64,
     jump: [f64; N],
@@ -183,6 +183,39 @@ pub fn dowel<const N: usize>(
     let force = trial.map(|f| f * (limit / size));
     let slip = std::array::from_fn(|k| jump[k] - force[k] / stiffness);
     (force, slip)
+}
+
+/// What a dowel remembers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sheared<const N: usize> {
+    /// What has slipped, m, across the axis.
+    pub slip: [f64; N],
+    /// Force on the side ahead, N.
+    pub force: [f64; N],
+}
+
+impl<const N: usize> Sheared<N> {
+    /// A [`dowel`] of `[stiffness, limit]` (N/m, N) after the sides of its joint have parted by `jump` (m), of which what is along the unit
+    /// direction `axis` does not count; a `broken` one, whose bar is gone, loses what it holds. Then the energy lost, J.
+    #[must_use]
+    pub fn after(
+        &self,
+        [stiffness, limit]: [f64; 2],
+        broken: bool,
+        axis: [f64; N],
+        jump: [f64; N],
+    ) -> (Self, f64) {
+        let along: f64 = (0..N).map(|k| jump[k] * axis[k]).sum();
+        let across = std::array::from_fn(|k| jump[k] - along * axis[k]);
+        let limit = if broken { 0.0 } else { limit };
+        let (force, slip) = dowel(stiffness, limit, across, self.slip);
+        let lost = if limit > 0.0 {
+            (0..N).map(|k| force[k] * (slip[k] - self.slip[k])).sum()
+        } else {
+            0.5 * self.force.iter().map(|f| f * f).sum::<f64>() / stiffness
+        };
+        (Self { slip, force }, lost)
+    }
 }
 
 #[cfg(test)]

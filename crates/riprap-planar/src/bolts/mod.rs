@@ -12,7 +12,7 @@ mod stiffness;
 
 use riprap_geom::Vec2;
 
-use crate::laws::bolt::{Desk, dowel};
+use crate::laws::bolt::{Desk, Sheared};
 use crate::setup::Bolt as Spec;
 use crate::world::{Bolt, Pin, World, Wrench};
 
@@ -130,28 +130,20 @@ fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, world: &World) {
     }
     desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
     desk.sheared = 0.0;
-    let Some([stiffness, limit]) = spec.design.dowel else {
+    let Some(dowel) = spec.design.dowel else {
         return;
     };
     for one in &mut bolt.dowels {
         let [behind, ahead] = &one.sides;
         let jump = ahead.moved(world) - behind.moved(world);
-        let across = jump - jump.dot(bolt.axis) * bolt.axis;
-        // A dowel ends with its bar.
-        let limit = if bolt.chain.bars[one.bar as usize].stiffness > 0.0 {
-            limit
-        } else {
-            0.0
+        let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
+        let before = Sheared {
+            slip: one.slip.to_array(),
+            force: one.force.to_array(),
         };
-        let before = 0.5 * one.force.length_squared() / stiffness;
-        let (force, slip) = dowel(stiffness, limit, across.into(), one.slip.into());
-        let (force, slip) = (Vec2::from(force), Vec2::from(slip));
-        desk.sheared += if limit > 0.0 {
-            force.dot(slip - one.slip)
-        } else {
-            before
-        };
-        (one.force, one.slip) = (force, slip);
+        let (now, lost) = before.after(dowel, broken, bolt.axis.to_array(), jump.to_array());
+        (one.slip, one.force) = (now.slip.into(), now.force.into());
+        desk.sheared += lost;
     }
 }
 

@@ -234,6 +234,16 @@ fn a_dowel_holds_up_to_its_limit_in_any_direction() {
     let (force, slip) = dowel(1e8, 1e5, [3e-3, 4e-3], [0.0; 2]);
     assert!((force[0] / 6e4 - 1.0).abs() < 1e-12 && (force[1] / 8e4 - 1.0).abs() < 1e-12);
     assert!((slip[0] / (3e-3 - 6e-4) - 1.0).abs() < 1e-12);
+    // Parting along the bolt is none of its business, and with its bar it loses what it holds.
+    let held = Sheared {
+        slip: [0.0; 2],
+        force: [6e4, 0.0],
+    };
+    let (now, lost) = held.after([1e8, 1e5], false, [0.0, 1.0], [3e-3, 7.0]);
+    assert!((now.force[0] / 1e5 - 1.0).abs() < 1e-12 && now.force[1] == 0.0);
+    assert!((lost / (1e5 * 2e-3) - 1.0).abs() < 1e-12);
+    let (now, lost) = held.after([1e8, 1e5], true, [0.0, 1.0], [6e-4, 0.0]);
+    assert!(now.force == [0.0; 2] && (lost / 18.0 - 1.0).abs() < 1e-12);
     assert!((dowel_limit(0.025, 500e6, 50e6) / 66.21e3 - 1.0).abs() < 1e-3);
     let k = dowel_stiffness(20e9, 200e9, 0.025, 0.040);
     assert!((5e7..5e8).contains(&k), "{k}");
