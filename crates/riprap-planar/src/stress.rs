@@ -7,7 +7,7 @@ use super::view::View;
 use super::world::Contact;
 
 impl View<'_> {
-    /// Average stress xx, yy, xy of every block, Pa, tension positive: `(1/A) sum r (x) f` over found contacts, joint points, loads
+    /// Average stress xx, yy, xy of every block, Pa, tension positive: `(1/A) sum r (x) f` over found contacts, joint points, bolts, loads
     /// and faces under tractions, without dashpots, symmetrised. Weight and inertia act at the centroid and count for nothing, and
     /// so does the force of a support. Standing water is left out: where there is some, the stress is the effective one.
     #[must_use]
@@ -64,6 +64,12 @@ impl View<'_> {
                 put(bond.i as usize, arm, pull);
                 put(bond.j as usize, arm + (i.position - j.position), -pull);
             }
+        }
+        for bolt in &world.bolts {
+            bolt.pulls(world, &mut |from, to, force| {
+                put(from.block as usize, from.lever(world), force);
+                put(to.block as usize, to.lever(world), -force);
+            });
         }
         loads::pushes(world, &self.scratch.shapes, put);
     }

@@ -19,6 +19,11 @@ use crate::world::{Bolt, Pin, World, Wrench};
 pub use install::{InstallError, follow, install};
 
 impl Pin {
+    /// Its present place from the centroid of its block, m, global axes.
+    pub(crate) fn lever(&self, world: &World) -> Vec2 {
+        world.on_body(self.block, self.arm) - world.bodies[self.block as usize].position
+    }
+
     /// Displacement since the bolt was installed, m.
     #[must_use]
     pub fn moved(&self, world: &World) -> Vec2 {
@@ -64,6 +69,21 @@ impl Bolt {
     }
 }
 
+impl Bolt {
+    /// Hands over the forces (N/m) of bars and dowels on the first of two pins, in the order of the slots; the second gets the opposite.
+    pub(crate) fn pulls(&self, world: &World, put: &mut dyn FnMut(&Pin, &Pin, Vec2)) {
+        for k in (0..self.chain.bars.len()).filter(|k| self.stretches(*k)) {
+            let (from, to) = (&self.pins[k], &self.pins[k + 1]);
+            let (now, _) = chord(from, to, world);
+            put(from, to, self.chain.force[k] / now.length() * now);
+        }
+        for dowel in &self.dowels {
+            let [behind, ahead] = &dowel.sides;
+            put(behind, ahead, dowel.force);
+        }
+    }
+}
+
 impl World {
     /// Pairs of blocks that bolts tie together, one for each slot of a bolt, in their order.
     pub(crate) fn bolt_ties(&self) -> Vec<(u32, u32)> {
@@ -100,24 +120,12 @@ pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]
             bolt.left = bolt.left.max(desk.losses.left);
             world.works.bolts += lost;
         }
-        let mut tie = |from: &Pin, to: &Pin, force: Vec2| {
-            let arm = |pin: &Pin| {
-                let at = world.on_body(pin.block, pin.arm);
-                at - world.bodies[pin.block as usize].position
-            };
+        bolt.pulls(world, &mut |from, to, force| {
+            let arm = |pin: &Pin| pin.lever(world);
             if let Some(slot) = slots.next() {
                 *slot = Wrench::at(force, arm(from), arm(to));
             }
-        };
-        for k in (0..bolt.chain.bars.len()).filter(|k| bolt.stretches(*k)) {
-            let (from, to) = (&bolt.pins[k], &bolt.pins[k + 1]);
-            let (now, _) = chord(from, to, world);
-            tie(from, to, bolt.chain.force[k] / now.length() * now);
-        }
-        for dowel in &bolt.dowels {
-            let [behind, ahead] = &dowel.sides;
-            tie(behind, ahead, dowel.force);
-        }
+        });
     }
     world.bolts = bolts;
 }
