@@ -12,6 +12,7 @@ use crate::run::{Problem, Run};
 mod book;
 mod html;
 mod sections;
+mod words;
 
 use book::Book;
 use html::escape;
@@ -21,6 +22,9 @@ const SCRIPT: &str = include_str!("../assets/app.js");
 const STYLE: &str = include_str!("../assets/app.css");
 const LAYOUT: &str = include_str!("report.css");
 
+/// File name, without its ending, of the picture of the model before it moved.
+pub const SETUP: &str = "setup";
+
 /// How large a report may become.
 #[derive(Debug, Clone, Copy)]
 pub struct Limits {
@@ -28,6 +32,15 @@ pub struct Limits {
     pub frames: usize,
     /// Bytes of the replay in the file.
     pub bytes: usize,
+}
+
+/// What the report says that is in no run: who made it, and for what.
+#[derive(Debug, Clone, Default)]
+pub struct Signature {
+    /// Who is to be asked; empty for nobody.
+    pub author: String,
+    /// What the run belongs to; empty for nothing.
+    pub project: String,
 }
 
 impl Default for Limits {
@@ -39,11 +52,17 @@ impl Default for Limits {
     }
 }
 
-/// The report as an HTML file, with the pictures in `plots` (SVG or PNG) in their order.
+/// The report as an HTML file, with the pictures in `plots` (SVG or PNG) in their order; one called `setup` comes first, under a
+/// head of its own.
 ///
 /// # Errors
 /// A folder that is no run; damaged frames are left out of the replay and named.
-pub fn report(run: &Run, plots: &[PathBuf], limits: Limits) -> Result<String, Problem> {
+pub fn report(
+    run: &Run,
+    plots: &[PathBuf],
+    signature: &Signature,
+    limits: Limits,
+) -> Result<String, Problem> {
     let manifest = run.manifest()?;
     let mut out = String::new();
     let title = if manifest.title.is_empty() {
@@ -58,14 +77,19 @@ pub fn report(run: &Run, plots: &[PathBuf], limits: Limits) -> Result<String, Pr
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
          <style>{STYLE}</style>\n<style>{LAYOUT}</style>\n</head>\n<body>\n<article>\n<h1>{title}</h1>\n"
     );
-    facts(&mut out, &manifest);
+    facts(&mut out, &manifest, signature);
+    let (setup, plots): (Vec<_>, Vec<_>) = plots
+        .iter()
+        .partition(|p| p.file_stem().is_some_and(|s| s == SETUP));
+    pictures(&mut out, "Set-up", &setup);
+    words::materials(&mut out, run);
     groups(&mut out, &run.names());
     for warning in &manifest.warnings {
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(warning));
     }
     checks(&mut out, run);
     replay(&mut out, run, limits);
-    pictures(&mut out, plots);
+    pictures(&mut out, "Plots", &plots);
     energy(&mut out, run);
     events(&mut out, run);
     scene(&mut out, run, &manifest);

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use riprap_view::report::{self, Limits};
+use riprap::plot::{self as drawn, BlockOptions, Which};
+use riprap_view::report::{self, Limits, SETUP, Signature};
 use riprap_view::run::Run;
 
 use crate::args::Report;
@@ -15,6 +16,7 @@ pub fn run(args: &Report) -> Result<(), Failure> {
     let run = Run::new(&args.run);
     run.manifest()
         .map_err(|problem| Failure::Input(format!("{}; {}", problem.what, problem.hint)))?;
+    set_up(&args.run)?;
     // A picture that cannot be drawn, as of a run without frames, does not stop the report.
     if let Err(error) = plot::all(&args.run) {
         match error {
@@ -26,7 +28,11 @@ pub fn run(args: &Report) -> Result<(), Failure> {
         frames: usize::from(args.frames),
         ..Limits::default()
     };
-    let html = report::report(&run, &pictures(&args.run), limits)
+    let signature = Signature {
+        author: args.author.clone(),
+        project: args.project.clone(),
+    };
+    let html = report::report(&run, &pictures(&args.run), &signature, limits)
         .map_err(|problem| Failure::Input(format!("{}; {}", problem.what, problem.hint)))?;
     let out = args
         .output
@@ -37,6 +43,23 @@ pub fn run(args: &Report) -> Result<(), Failure> {
     let size = html.len() as f64 / 1e6;
     screen::line(&format!("{}  ({size:.1} MB)", out.display()));
     Ok(())
+}
+
+/// Draws the model at its first frame, coloured by material; in space a section. What cannot be drawn is told and left out.
+fn set_up(run: &Path) -> Result<(), Failure> {
+    let plots = run.join("plots");
+    std::fs::create_dir_all(&plots)
+        .map_err(|e| Failure::Output(format!("could not make {}: {e}", plots.display())))?;
+    let out = plots.join(SETUP).with_extension("svg");
+    let first = Which::Index(1);
+    match drawn::blocks(run, first, "material", BlockOptions::default(), &out) {
+        Ok(_) => Ok(()),
+        Err(error @ drawn::PlotError::Output(_)) => Err(error.into()),
+        Err(error) => {
+            diagnostics::print_line("note", &format!("no picture of the set-up: {error}"));
+            Ok(())
+        }
+    }
 }
 
 /// `hill.run` gives `hill.html` in the working folder.

@@ -342,11 +342,31 @@ fn a_report_is_one_file() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q"]).expect(0);
     bench
-        .run(&["report", "fall.run"])
+        .run(&[
+            "report",
+            "fall.run",
+            "--author",
+            "A. Stone",
+            "--project",
+            "Pit <3>",
+        ])
         .expect(0)
         .says(&["fall.html", "MB"]);
     let page = bench.read("fall.html");
+    // The model as it was before it moved.
+    let setup = bench.read("fall.run/plots/setup.svg");
+    assert!(
+        setup.contains(">rock<") && setup.contains("t = 0 s"),
+        "{setup}"
+    );
     for part in [
+        "<th>author</th><td>A. Stone</td>",
+        "<th>project</th><td>Pit &lt;3&gt;</td>",
+        "<h2>Set-up</h2>",
+        "<h2>Materials</h2>",
+        "<td>rock</td><td>density ",
+        "kg/m³",
+        "<td>all other pairs</td><td>",
         "a block falls",
         "free fall",
         "id=\"riprap-run\"",
@@ -356,6 +376,17 @@ fn a_report_is_one_file() {
     ] {
         assert!(page.contains(part), "{part}");
     }
+    // Energies have four digits.
+    let ledger = page.split("Energy ledger</h2>").nth(1).unwrap();
+    let ledger = ledger.split("</table>").next().unwrap();
+    let digits = |cell: &str| cell.chars().filter(char::is_ascii_digit).count();
+    let cells = ledger
+        .split("<td>")
+        .filter(|c| c.starts_with(|x: char| x == '-' || x.is_ascii_digit()));
+    assert!(
+        cells.clone().count() > 4 && cells.clone().all(|c| digits(c) < 9),
+        "{ledger}"
+    );
     // Of the script only the two ends of its element.
     assert_eq!(page.matches("</script").count(), 2);
     bench

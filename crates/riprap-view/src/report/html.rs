@@ -41,6 +41,31 @@ pub(super) fn short(v: f64) -> String {
     }
 }
 
+/// Shares of the largest number below which nothing but round-off is told.
+const ROUND_OFF: f64 = 1e-12;
+
+/// A number with four digits; 0 where it is nothing beside `largest`.
+pub(super) fn rounded(v: f64, largest: f64) -> String {
+    if v.abs() <= ROUND_OFF * largest || v == 0.0 {
+        return "0".to_owned();
+    }
+    let power = v.abs().log10().floor();
+    if !power.is_finite() || !(-3.0..6.0).contains(&power) {
+        return format!("{v:.3e}");
+    }
+    let unit = 10_f64.powf(power - 3.0);
+    let text = format!(
+        "{:.*}",
+        (3.0 - power).max(0.0) as usize,
+        (v / unit).round() * unit
+    );
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
 pub(super) fn text_of(value: &Value, key: &str) -> String {
     match &value[key] {
         Value::Null => String::new(),
@@ -53,6 +78,36 @@ pub(super) fn text_of(value: &Value, key: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn energies_have_four_digits() {
+        let all = [
+            12345.678901,
+            -0.0123456,
+            123456.7,
+            2.0,
+            9999.9,
+            5e-10,
+            4e9,
+            1e-20,
+        ];
+        let said: Vec<String> = all.iter().map(|v| rounded(*v, 1e-4)).collect();
+        assert_eq!(
+            said,
+            [
+                "12350",
+                "-0.01235",
+                "123500",
+                "2",
+                "10000",
+                "5.000e-10",
+                "4.000e9",
+                "0"
+            ]
+        );
+        assert_eq!(rounded(1e-3, 1e10), "0");
+        assert_eq!(rounded(f64::NAN, 1.0), "NaN");
+    }
 
     #[test]
     fn text_of_a_run_cannot_become_html() {

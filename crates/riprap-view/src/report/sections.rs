@@ -6,7 +6,8 @@ use riprap_record::names::Names;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use super::html::{escape, short, table, text_of};
+use super::Signature;
+use super::html::{escape, rounded, short, table, text_of};
 use crate::run::Run;
 
 /// Groups of blocks, with what is in them.
@@ -37,7 +38,7 @@ pub(super) fn groups(out: &mut String, names: &Names) {
     out.push_str("</table>\n");
 }
 
-pub(super) fn facts(out: &mut String, m: &Manifest) {
+pub(super) fn facts(out: &mut String, m: &Manifest, signature: &Signature) {
     let ended = serde_json::to_value(m.ended).unwrap_or_default();
     let ended = ended.as_str().unwrap_or_default();
     let mut how = ended.to_owned();
@@ -60,6 +61,8 @@ pub(super) fn facts(out: &mut String, m: &Manifest) {
         out,
         "facts",
         [
+            ("project", signature.project.clone()),
+            ("author", signature.author.clone()),
             ("ended", how),
             ("scene", m.scenario.clone()),
             ("case", case),
@@ -125,7 +128,7 @@ pub(super) fn checks(out: &mut String, run: &Run) {
     out.push_str("</table>\n");
 }
 
-pub(super) fn pictures(out: &mut String, plots: &[PathBuf]) {
+pub(super) fn pictures(out: &mut String, head: &str, plots: &[&PathBuf]) {
     let mut headed = false;
     for path in plots {
         let kind = match path.extension().and_then(|e| e.to_str()) {
@@ -137,7 +140,7 @@ pub(super) fn pictures(out: &mut String, plots: &[PathBuf]) {
             continue;
         };
         if !headed {
-            out.push_str("<h2>Plots</h2>\n");
+            let _ = writeln!(out, "<h2>{head}</h2>");
             headed = true;
         }
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -164,13 +167,17 @@ pub(super) fn energy(out: &mut String, run: &Run) {
         return;
     }
     out.push_str("<h2>Energy ledger</h2>\n<table class=\"grid\"><tr><th>term</th><th>at the start</th><th>at the end</th><th>unit</th></tr>\n");
+    let largest = terms.iter().flat_map(|(_, a, b)| [a.abs(), b.abs()]);
+    let largest = largest.filter(|v| v.is_finite()).fold(0.0, f64::max);
     for (column, first, last) in terms {
+        // A ratio, as the residual over the largest energy, is none of the energies.
+        let whole = if column.unit == "-" { 0.0 } else { largest };
         let _ = writeln!(
             out,
             "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escape(&column.name),
-            short(first),
-            short(last),
+            rounded(first, whole),
+            rounded(last, whole),
             escape(&column.unit)
         );
     }

@@ -1,0 +1,127 @@
+//! Materials and interfaces of the scene in words.
+
+use std::fmt::Write as _;
+
+use toml::{Table, Value};
+
+use super::html::escape;
+use crate::run::Run;
+
+/// Keys that have a name of their own.
+const NAMES: [(&str, &str); 5] = [
+    ("young", "Young's modulus"),
+    ("poisson", "Poisson's ratio"),
+    ("p_wave_speed", "speed of P-waves"),
+    ("s_wave_speed", "speed of S-waves"),
+    ("bond", "joint"),
+];
+
+/// The tables of materials and interfaces, from the scene as it was run.
+pub(super) fn materials(out: &mut String, run: &Run) {
+    let bytes = run.file("scenario.resolved.toml").unwrap_or_default();
+    let scene: Table = match toml::from_str(&String::from_utf8_lossy(&bytes)) {
+        Ok(scene) => scene,
+        // The run may be of a later version, or cut off; the text itself stands below.
+        Err(_) => return,
+    };
+    let tables = [
+        ("Materials", "material", "materials"),
+        ("Interfaces", "between", "interfaces"),
+    ];
+    for (title, head, key) in tables {
+        let Some(Value::Table(all)) = scene
+            .get(key)
+            .filter(|t| t.as_table().is_some_and(|t| !t.is_empty()))
+        else {
+            continue;
+        };
+        let _ = writeln!(
+            out,
+            "<h2>{title}</h2>\n<table class=\"grid\"><tr><th>{head}</th><th>properties</th></tr>"
+        );
+        for (name, value) in all {
+            let who = match key {
+                "interfaces" => between(name, value),
+                _ => name.clone(),
+            };
+            let _ = writeln!(
+                out,
+                "<tr><td>{}</td><td>{}</td></tr>",
+                escape(&who),
+                escape(&properties(value))
+            );
+        }
+        out.push_str("</table>\n");
+    }
+}
+
+/// Which materials an interface lies between.
+fn between(name: &str, value: &Value) -> String {
+    let pair = value.get("between").and_then(Value::as_array);
+    let names: Vec<&str> = pair
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_str)
+        .collect();
+    match names[..] {
+        [a, b] => format!("{a} and {b} ({name})"),
+        _ if name == "default" => "all other pairs".to_owned(),
+        _ => name.to_owned(),
+    }
+}
+
+/// `density 2600 kg/m³, Young's modulus 20 GPa`; tables within in parentheses.
+fn properties(value: &Value) -> String {
+    let Value::Table(table) = value else {
+        return text(value);
+    };
+    let named = table.iter().filter(|(key, _)| *key != "between");
+    let words = named.map(|(key, value)| match value {
+        Value::Table(_) => format!("{} ({})", spoken(key), properties(value)),
+        Value::Boolean(true) => spoken(key),
+        Value::Boolean(false) => format!("no {}", spoken(key)),
+        _ => format!("{} {}", spoken(key), text(value)),
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+fn spoken(key: &str) -> String {
+    let known = NAMES.iter().find(|(k, _)| *k == key);
+    known.map_or_else(|| key.replace('_', " "), |(_, name)| (*name).to_owned())
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text
+            .replace("m3", "m³")
+            .replace("m2", "m²")
+            .replace("s2", "s²"),
+        Value::Array(all) => all.iter().map(text).collect::<Vec<_>>().join(", "),
+        Value::Table(_) => properties(value),
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_become_words() {
+        let table: Table = toml::from_str(
+            "between = [\"rock\", \"steel\"]\nfriction_angle = \"30 deg\"\n\
+             [bond]\ntension = \"1 MPa\"\nelastic = true\n[softening]\nslip = 0.5\nbrittle = false\n",
+        )
+        .unwrap();
+        let value = Value::Table(table);
+        assert_eq!(between("smooth", &value), "rock and steel (smooth)");
+        assert_eq!(
+            properties(&value),
+            "friction angle 30 deg, joint (tension 1 MPa, elastic), softening (slip 0.5, no brittle)"
+                .to_owned()
+        );
+        assert_eq!(between("default", &Value::Integer(1)), "all other pairs");
+        assert_eq!(text(&Value::String("2600 kg/m3".to_owned())), "2600 kg/m³");
+        assert_eq!(spoken("young"), "Young's modulus");
+    }
+}
