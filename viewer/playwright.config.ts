@@ -10,8 +10,8 @@ export default defineConfig({
   // Speed is measured, and pictures for the book are made, when somebody asks for it.
   testIgnore: [...(process.env.RIPRAP_LARGE ? [] : ["speed.spec.ts"]), ...(process.env.RIPRAP_TEMPLATES ? [] : ["templates.spec.ts"])],
   outputDir: "test-results",
-  // Pictures of templates need no runs.
-  ...(process.env.RIPRAP_TEMPLATES ? {} : { globalSetup: "./tests/runs.ts" }),
+  // Neither needs runs.
+  ...(process.env.RIPRAP_TEMPLATES || process.env.RIPRAP_LARGE ? {} : { globalSetup: "./tests/runs.ts" }),
   reporter: [["list"], ["./tests/tally.ts"]],
   timeout: 60_000,
   workers: 1,

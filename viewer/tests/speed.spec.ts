@@ -35,6 +35,13 @@ test("a large run opens and plays", async ({ view, page }) => {
   await page.keyboard.press(" ");
   const first = await played(5);
   const again = await played(10);
+  // And with a point at each contact.
+  await page.keyboard.press("c");
+  await page.getByLabel("touching", { exact: true }).check();
+  const dotted = await played(5);
+  const between = (await page.locator(".legend").textContent()) ?? "";
+  const contacts = [...between.matchAll(/(?:touching|sliding) (\d+)/g)].reduce((sum, m) => sum + Number(m[1]), 0);
+  await page.keyboard.press("c");
   await page.keyboard.press(" ");
   await page.keyboard.press("End");
   await expect.poll(() => frame(page)).toBeGreaterThan(2);
@@ -43,7 +50,7 @@ test("a large run opens and plays", async ({ view, page }) => {
   const perFrame = ((bytes.get("frame") ?? 0) + (bytes.get("field") ?? 0)) / 1e6;
   process.stdout.write(
     `${data.blocks} blocks, ${data.faces} faces drawn: opened in ${opened.toFixed(2)} s, shape ${((bytes.get("shape") ?? 0) / 1e6).toFixed(1)} MB, ` +
-      `${perFrame.toFixed(2)} MB a frame, ${first.toFixed(1)} then ${again.toFixed(1)} frames/s\n`,
+      `${perFrame.toFixed(2)} MB a frame, ${first.toFixed(1)} then ${again.toFixed(1)} frames/s, ${dotted.toFixed(1)} with contacts (${contacts} touch)\n`,
   );
   expect(perFrame).toBeLessThan(2.5);
 });
