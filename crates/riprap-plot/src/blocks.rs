@@ -2,7 +2,7 @@
 
 use super::arrows;
 use super::bolts;
-use super::colour::ColourMap;
+use super::colour::{self, ColourMap};
 use super::crosses;
 use super::section::{Normal, Vectors};
 use super::svg::{Anchor, Page, fitted, text_width};
@@ -25,6 +25,10 @@ pub struct BlockOptions {
     pub log: bool,
     /// Arrows on the blocks.
     pub vectors: Option<Vectors>,
+    /// What is shown: left, bottom, right and top in the axes of the picture, m; `None` is all of the model.
+    pub window: Option<[f64; 4]>,
+    /// In space: marks of the faces that have broken where the cut meets them.
+    pub cracks: bool,
     /// Principal stresses as crosses, in space those in the plane of the cut.
     pub stress: bool,
     /// Factor on displacements and rotations; `None` is 1: blocks where they are.
@@ -45,6 +49,8 @@ pub(super) struct Words<'a> {
     pub(super) moments: &'a [String],
     /// Names of the axes.
     pub(super) axes: [&'static str; 2],
+    /// Names of the kinds that values count, where they are kinds and not amounts.
+    pub(super) kinds: Option<&'a [String]>,
     /// Places of sources in the picture, m.
     pub(super) sources: Vec<[f64; 2]>,
 }
@@ -109,7 +115,7 @@ pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
 fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
     if log {
         return (
-            ColourMap::Viridis,
+            ColourMap::Light,
             Scale::log_covering(values.iter().copied()),
         );
     }
@@ -117,7 +123,7 @@ fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
     let all_zero = values.iter().all(|v| *v == 0.0 || v.is_nan());
     if all_zero {
         (
-            ColourMap::Viridis,
+            ColourMap::Light,
             Scale {
                 low: 0.0,
                 high: 1.0,
@@ -127,7 +133,7 @@ fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
     } else if s.low < 0.0 && s.high > 0.0 {
         let size = s.high.max(-s.low);
         (
-            ColourMap::CoolWarm,
+            ColourMap::BlueRed,
             Scale {
                 low: -size,
                 high: size,
@@ -135,11 +141,11 @@ fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
             },
         )
     } else if s.low > 0.0 && s.low < 0.3 * s.high {
-        (ColourMap::Viridis, Scale { low: 0.0, ..s })
+        (ColourMap::Light, Scale { low: 0.0, ..s })
     } else if s.high < 0.0 && s.high > 0.3 * s.low {
-        (ColourMap::Viridis, Scale { high: 0.0, ..s })
+        (ColourMap::Light, Scale { high: 0.0, ..s })
     } else {
-        (ColourMap::Viridis, s)
+        (ColourMap::Light, s)
     }
 }
 
@@ -151,7 +157,7 @@ struct Window {
 }
 
 impl Window {
-    fn around(frames: &[Frame], columns: usize, arrows: bool) -> Self {
+    fn around(frames: &[Frame], columns: usize, arrows: bool, given: Option<[f64; 4]>) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in frames
             .iter()
@@ -166,11 +172,18 @@ impl Window {
         if low[0] > high[0] {
             (low, high) = ([0.0; 2], [1.0; 2]);
         }
+        if let Some([left, bottom, right, top]) = given {
+            (low, high) = ([left, bottom], [right, top]);
+        }
         let largest = (high[0] - low[0])
             .max(high[1] - low[1])
             .max(1e-9 * low[0].abs().max(1e-6));
         // Arrows of blocks at the rim reach beyond it.
-        let margin = if arrows { 0.08 } else { 0.03 } * largest;
+        let margin = match (given, arrows) {
+            (Some(_), _) => 0.0,
+            (None, true) => 0.08 * largest,
+            (None, false) => 0.03 * largest,
+        };
         let size = [0, 1].map(|k| high[k] - low[k] + 2.0 * margin);
         let wide = if columns == 1 {
             720.0
@@ -195,8 +208,8 @@ impl Window {
 }
 
 /// Panels side by side: wide scenes are stacked, tall ones stand beside each other.
-fn columns_for(frames: &[Frame]) -> usize {
-    let one = Window::around(frames, 1, false);
+fn columns_for(frames: &[Frame], given: Option<[f64; 4]>) -> usize {
+    let one = Window::around(frames, 1, false, given);
     let aspect = one.size[0] / one.size[1];
     let columns =
         ((1.6 * frames.len() as f64 / aspect).sqrt().ceil() as usize).clamp(1, frames.len());
@@ -220,9 +233,9 @@ pub(super) fn draw(
         .flat_map(|f| f.values.iter().copied())
         .collect();
     let (map, scale) = colours(&all, options.log);
-    let columns = columns_for(frames);
+    let columns = columns_for(frames, options.window);
     let rows = frames.len().div_ceil(columns);
-    let window = Window::around(frames, columns, options.vectors.is_some());
+    let window = Window::around(frames, columns, options.vectors.is_some(), options.window);
     let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
     let step = [w + LEFT + 10.0, h + 72.0];
     let right = LEFT + step[0] * (columns - 1) as f64 + w;
@@ -255,7 +268,14 @@ pub(super) fn draw(
         }
         axes(&mut page, &window, corner, words.axes);
         page.begin_clip(&format!("frame{i}"), corner[0], corner[1], w, h);
-        outlines(&mut page, frame, field, (map, &scale), &window, corner);
+        let paint = |v: f64| match words.kinds {
+            Some(_) => colour::kind(v).to_owned(),
+            None => map.at(scale.share(v)),
+        };
+        outlines(&mut page, frame, field, &paint, &window, corner);
+        if options.cracks {
+            cracks(&mut page, frame, &window, corner);
+        }
         bolts::draw(&mut page, frame, bolts::most(frames), &|p| {
             window.pixel(p, corner)
         });
@@ -286,13 +306,11 @@ pub(super) fn draw(
         let at = [LEFT, page.height - 10.0];
         page.text(at, 11.0, Anchor::Start, &note);
     }
-    bar(
-        &mut page,
-        (map, &scale),
-        first,
-        [right + 18.0, head],
-        bar_height,
-    );
+    let at = [right + 18.0, head];
+    match words.kinds {
+        Some(names) => chips(&mut page, names, &all, at),
+        None => bar(&mut page, (map, &scale), first, at, bar_height),
+    }
     Ok(page)
 }
 
@@ -330,6 +348,10 @@ fn notes(frames: &[Frame], options: BlockOptions) -> String {
     }
     if options.stress {
         out.push(crosses::note(frames));
+    }
+    if options.cracks {
+        let count: usize = frames.iter().map(|f| traces(f).len()).sum();
+        out.push(format!("red: {count} broken faces"));
     }
     out.join("; ")
 }
@@ -383,7 +405,7 @@ fn outlines(
     page: &mut Page,
     frame: &Frame,
     field: &Chosen,
-    (map, scale): (ColourMap, &Scale),
+    paint: &dyn Fn(f64) -> String,
     window: &Window,
     corner: [f64; 2],
 ) {
@@ -401,14 +423,43 @@ fn outlines(
         };
         let lines: Vec<Vec<[f64; 2]>> = (from..to).map(line).collect();
         if lines.iter().flatten().flatten().all(|v| v.is_finite()) {
-            let colour = map.at(scale.share(field.values[from]));
+            let colour = paint(field.values[from]);
+            // Black edges are lost on dark blocks.
+            let edge = if colour::is_dark(&colour) {
+                "#c9d3e3"
+            } else {
+                "#1a1a1a"
+            };
             let style = format!(
-                "fill=\"{colour}\" stroke=\"#1a1a1a\" stroke-width=\"{stroke}\" stroke-linejoin=\"round\""
+                "fill=\"{colour}\" stroke=\"{edge}\" stroke-width=\"{stroke}\" stroke-linejoin=\"round\""
             );
             page.rings(&lines, &style);
         }
         from = to;
     }
+}
+
+/// Faces that have broken, where the cut meets them: the columns `trace` of the frame are their ends.
+fn cracks(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
+    for [a, b] in traces(frame) {
+        let (a, b) = (window.pixel(a, corner), window.pixel(b, corner));
+        if a.iter().chain(&b).all(|v| v.is_finite()) {
+            page.line(a, b, "stroke=\"#ffffff\" stroke-width=\"3.4\" stroke-linecap=\"round\" stroke-opacity=\"0.8\"");
+            page.line(
+                a,
+                b,
+                "stroke=\"#d62728\" stroke-width=\"1.8\" stroke-linecap=\"round\"",
+            );
+        }
+    }
+}
+
+/// Ends of the traces of broken faces, m, in the axes of the picture.
+fn traces(frame: &Frame) -> Vec<[[f64; 2]; 2]> {
+    let lines = frame.cracks.as_ref().map_or(&[][..], |c| &c.points);
+    let ends = lines.chunks_exact(2);
+    ends.map(|e| [[e[0][0], e[0][1]], [e[1][0], e[1][1]]])
+        .collect()
 }
 
 fn force_column(frame: &Frame) -> Option<&Column> {
@@ -457,6 +508,24 @@ fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
             [x, y],
             1.1 * thick,
             "fill=\"#d00060\" stroke=\"#ffffff\" stroke-width=\"0.5\"",
+        );
+    }
+}
+
+/// Names of kinds beside their colours, those that occur.
+fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
+    let there = |k: usize| values.iter().any(|v| *v == k as f64);
+    let shown = names.iter().enumerate().filter(|(k, _)| there(*k));
+    for (row, (k, name)) in shown.enumerate() {
+        let top = y + 22.0 * row as f64;
+        let style = format!("fill=\"{}\" stroke=\"#1a1a1a\"", colour::kind(k as f64));
+        page.rect(x, top, 14.0, 14.0, &style);
+        let room = page.width - x - 22.0;
+        page.text(
+            [x + 20.0, top + 11.5],
+            SIZE,
+            Anchor::Start,
+            &fitted(name, SIZE, room),
         );
     }
 }

@@ -3,31 +3,54 @@
 /// A map from 0..1 to colours, by equidistant samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColourMap {
-    /// viridis (matplotlib, CC0): dark to bright, for amounts.
-    Viridis,
-    /// Cool to warm through grey (Moreland 2009): for signed values, grey at zero.
-    CoolWarm,
+    /// Yellow to blue (ColorBrewer YlGnBu without its palest part): for amounts. Most blocks of most runs have low values, whose light
+    /// colours leave edges to be seen. The viewer's default.
+    Light,
+    /// Blue to red through white (ColorBrewer RdBu): for signed values, white at zero. The viewer's default for these.
+    BlueRed,
 }
 
 #[rustfmt::skip]
-const VIRIDIS: [[u8; 3]; 33] = [
-    [68, 1, 84], [71, 13, 96], [72, 24, 106], [72, 35, 116], [71, 45, 123], [69, 55, 129], [66, 64, 134],
-    [62, 73, 137], [59, 82, 139], [55, 91, 141], [51, 99, 141], [47, 107, 142], [44, 114, 142], [41, 122, 142],
-    [38, 130, 142], [35, 137, 142], [33, 145, 140], [31, 152, 139], [31, 160, 136], [34, 167, 133],
-    [40, 174, 128], [50, 182, 122], [63, 188, 115], [78, 195, 107], [94, 201, 98], [112, 207, 87],
-    [132, 212, 75], [152, 216, 62], [173, 220, 48], [194, 223, 35], [216, 226, 25], [236, 229, 27],
-    [253, 231, 37],
+const LIGHT: [[u8; 3]; 33] = [
+    [235, 247, 185], [228, 245, 181], [221, 242, 180], [212, 238, 179], [202, 234, 180], [190, 230, 181],
+    [177, 224, 182], [163, 219, 184], [148, 213, 185], [133, 207, 187], [118, 202, 189], [104, 196, 190],
+    [91, 191, 192], [79, 185, 193], [67, 178, 194], [58, 171, 194], [49, 164, 193], [42, 155, 192],
+    [37, 146, 190], [34, 136, 187], [33, 126, 183], [32, 116, 178], [33, 105, 173], [34, 95, 168],
+    [34, 85, 163], [35, 75, 158], [34, 66, 152], [33, 59, 145], [30, 51, 136], [26, 45, 126], [20, 39, 114],
+    [14, 34, 101], [8, 29, 88],
 ];
 
 #[rustfmt::skip]
-const COOL_WARM: [[u8; 3]; 33] = [
-    [59, 76, 192], [68, 90, 204], [78, 104, 216], [88, 117, 225], [98, 130, 234], [108, 143, 241],
-    [119, 154, 247], [130, 166, 251], [141, 176, 254], [152, 185, 255], [163, 194, 254], [174, 201, 252],
-    [185, 208, 249], [195, 213, 244], [204, 217, 237], [213, 219, 229], [221, 220, 220], [229, 216, 209],
-    [236, 211, 197], [241, 204, 184], [245, 196, 172], [247, 186, 159], [247, 176, 147], [246, 165, 134],
-    [244, 152, 122], [240, 139, 110], [235, 125, 98], [228, 110, 86], [221, 95, 75], [212, 78, 65],
-    [202, 59, 55], [190, 36, 46], [180, 4, 38],
+const BLUE_RED: [[u8; 3]; 33] = [
+    [5, 48, 97], [14, 65, 120], [23, 81, 142], [32, 97, 160], [42, 113, 174], [54, 127, 184],
+    [68, 142, 193], [86, 157, 200], [107, 172, 208], [130, 186, 216], [152, 199, 223], [173, 210, 229],
+    [191, 220, 235], [208, 228, 239], [222, 235, 242], [233, 239, 242], [242, 239, 238], [247, 236, 229],
+    [250, 228, 216], [251, 217, 199], [250, 204, 180], [247, 188, 160], [243, 170, 140], [236, 151, 122],
+    [228, 130, 104], [219, 109, 89], [209, 87, 75], [198, 65, 63], [184, 45, 53], [168, 29, 45],
+    [148, 17, 39], [126, 8, 35], [103, 0, 31],
 ];
+
+/// Colours of kinds (Tableau 10), as in the viewer.
+const KINDS: [&str; 10] = [
+    "#4e79a7", "#f28e2c", "#e15759", "#76b7b2", "#59a14f", "#edc949", "#af7aa1", "#ff9da7",
+    "#9c755f", "#bab0ab",
+];
+
+/// Colour of a kind by its number.
+pub(super) fn kind(number: f64) -> &'static str {
+    if number >= 0.0 {
+        KINDS[number.round() as usize % KINDS.len()]
+    } else {
+        "#ffffff"
+    }
+}
+
+/// Whether a colour `#rrggbb` is so dark that black lines are lost on it.
+pub(super) fn is_dark(colour: &str) -> bool {
+    let part = |k: usize| u8::from_str_radix(colour.get(k..k + 2).unwrap_or("ff"), 16);
+    let [r, g, b] = [1, 3, 5].map(|k| f64::from(part(k).unwrap_or(255)));
+    0.299 * r + 0.587 * g + 0.114 * b < 105.0
+}
 
 /// Okabe and Ito's colours, told apart by colour-blind readers too; black first.
 pub(super) const LINES: [&str; 8] = [
@@ -38,8 +61,8 @@ impl ColourMap {
     /// Colour at `share` (clamped to 0..1; not-a-number is white) as `#rrggbb`.
     pub fn at(self, share: f64) -> String {
         let samples = match self {
-            ColourMap::Viridis => &VIRIDIS,
-            ColourMap::CoolWarm => &COOL_WARM,
+            ColourMap::Light => &LIGHT,
+            ColourMap::BlueRed => &BLUE_RED,
         };
         if share.is_nan() {
             return "#ffffff".to_owned();
@@ -61,9 +84,22 @@ mod tests {
 
     #[test]
     fn ends_and_middle() {
-        assert_eq!(ColourMap::Viridis.at(0.0), "#440154");
-        assert_eq!(ColourMap::Viridis.at(7.0), "#fde725");
-        assert_eq!(ColourMap::CoolWarm.at(0.5), "#dddcdc");
-        assert_eq!(ColourMap::CoolWarm.at(f64::NAN), "#ffffff");
+        assert_eq!(ColourMap::Light.at(0.0), "#ebf7b9");
+        assert_eq!(ColourMap::Light.at(7.0), "#081d58");
+        assert_eq!(ColourMap::BlueRed.at(0.5), "#f2efee");
+        assert_eq!(ColourMap::BlueRed.at(f64::NAN), "#ffffff");
+        assert_eq!(
+            [kind(0.0), kind(12.0), kind(-1.0)],
+            ["#4e79a7", "#e15759", "#ffffff"]
+        );
+    }
+
+    #[test]
+    fn lines_can_be_told_from_what_they_lie_on() {
+        let dark: Vec<bool> = (0..=10)
+            .map(|k| is_dark(&ColourMap::Light.at(0.1 * f64::from(k))))
+            .collect();
+        assert!(!dark[0] && !dark[5] && dark[9] && dark[10], "{dark:?}");
+        assert!(is_dark(&ColourMap::BlueRed.at(0.0)) && is_dark(&ColourMap::BlueRed.at(1.0)));
     }
 }

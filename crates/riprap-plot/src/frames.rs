@@ -87,7 +87,10 @@ pub(super) fn drawn(
         said.push(only.clone());
     }
     let suffix = suffix(&manifest, &said.join(", "));
+    // Runs of earlier versions do not name their materials.
+    let kinds = ["material", "block.material"].contains(&field) && !manifest.materials.is_empty();
     let words = Words {
+        kinds: kinds.then_some(&manifest.materials[..]),
         title: &manifest.title,
         suffix: &suffix,
         moments: &moments,

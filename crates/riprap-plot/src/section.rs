@@ -9,7 +9,7 @@ use super::frames::{Which, drawn, load_frames};
 use super::solid::{self, Body};
 use super::{PlotError, blocks::short};
 use riprap_geom::Vec3;
-use riprap_record::frame::{Column, Frame, stress};
+use riprap_record::frame::{Column, Frame, Surfaces, stress};
 use riprap_record::manifest::Manifest;
 use std::path::{Path, PathBuf};
 
@@ -236,6 +236,7 @@ fn sliced(
             bars.points = bars.points.iter().map(|p| [p[h], p[v], 0.0]).collect();
             bars
         });
+    out.cracks = (factor == 1.0).then(|| traces(frame, normal, at));
     for name in ["block", "displacement", "velocity"] {
         if let Some(column) = frame.column(name) {
             out.block_columns.push(picked(column, &kept, [h, v]));
@@ -251,6 +252,39 @@ fn sliced(
             .push(Column::scalar(stress::SHEAR, "Pa", data));
     }
     (out, kept)
+}
+
+/// Where the plane meets faces that have broken: two points a line, in the axes of the picture. A face counts as a square of its area.
+fn traces(frame: &Frame, normal: Normal, at: f64) -> Surfaces {
+    let column = |name: &str, components: usize| {
+        let all = frame.contact_columns.iter();
+        let mut found = all.filter(|c| c.name == name && c.components == components);
+        found.next().map(|c| &c.data[..])
+    };
+    let mut out = Surfaces::default();
+    let (Some(broken), Some(area), Some(directions)) = (
+        column("broken_points", 1),
+        column("area", 1),
+        column("normal", 3),
+    ) else {
+        return out;
+    };
+    let ([h, v], k) = (normal.across(), normal.index());
+    for (i, place) in frame.contact_points.iter().enumerate() {
+        let [nh, nv] = [directions[3 * i + h], directions[3 * i + v]];
+        let flat = nh.hypot(nv);
+        let half = 0.5 * area[i].sqrt();
+        // How far the face reaches to either side of the plane; one that lies in it has no trace.
+        if broken[i] > 0.0 && (place[k] - at).abs() <= half * flat && flat > 1e-6 {
+            let along = [-nv / flat * half, nh / flat * half];
+            for sign in [-1.0, 1.0] {
+                let end = [place[h] + sign * along[0], place[v] + sign * along[1], 0.0];
+                out.points.push(end);
+            }
+            out.ends.push(out.points.len() as u32);
+        }
+    }
+    out
 }
 
 /// A column of the blocks of the cut; of vectors the two parts in its plane.
@@ -308,5 +342,49 @@ pub(super) fn middle(outline: &[[f64; 3]]) -> [f64; 2] {
         [ox, oy]
     } else {
         [ox + x / area, oy + y / area]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn broken_faces_have_traces_where_the_plane_meets_them() {
+        // Upright, broken and whole; lying in the plane; beyond it.
+        let frame = Frame {
+            contact_points: vec![
+                [0.2, 0.05, 0.3],
+                [1.2, 0.0, 0.3],
+                [2.0, 0.0, 0.0],
+                [3.0, 0.2, 0.0],
+            ],
+            contact_columns: vec![
+                Column::scalar("broken_points", "-", vec![4.0, 0.0, 4.0, 4.0]),
+                Column::scalar("area", "m2", vec![0.04; 4]),
+                Column::vector3(
+                    "normal",
+                    "-",
+                    &[
+                        [1.0, 0.0, 0.0],
+                        [1.0, 0.0, 0.0],
+                        [0.0, 1.0, 0.0],
+                        [1.0, 0.0, 0.0],
+                    ],
+                ),
+            ],
+            ..Frame::default()
+        };
+        let found = traces(&frame, Normal::Y, 0.0);
+        assert_eq!(found.ends, [2]);
+        let [a, b] = found.points[..] else {
+            panic!("{found:?}")
+        };
+        assert!((a[0] - 0.2).abs() < 1e-12 && (b[0] - 0.2).abs() < 1e-12);
+        assert!(
+            (a[1] - 0.2).abs() < 1e-12 && (b[1] - 0.4).abs() < 1e-12,
+            "{a:?} {b:?}"
+        );
+        assert!(traces(&Frame::default(), Normal::X, 0.0).points.is_empty());
     }
 }

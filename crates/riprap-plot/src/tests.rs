@@ -195,3 +195,107 @@ fn comparison_interpolates_the_reference() {
     };
     assert!(compare(&none, &reference, &labels, &dir.path().join("c")).is_err());
 }
+
+#[test]
+fn a_window_shows_a_part() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = run(dir.path());
+    let options = BlockOptions {
+        window: Some([0.0, 0.0, 0.5, 0.25]),
+        ..BlockOptions::default()
+    };
+    let out = dir.path().join("w.svg");
+    let files = blocks(&folder, Which::Last, "rotation", options, &out).unwrap();
+    let text = svg(&files[0]);
+    // Twice as wide as high, and larger than the whole: two metres were 2 x 1 of it.
+    let clip = text.lines().find(|l| l.contains("clipPath")).unwrap();
+    let size = |name: &str| -> f64 {
+        let rest = clip.split(&format!(" {name}=\"")).nth(1).unwrap();
+        rest.split('"').next().unwrap().parse().unwrap()
+    };
+    assert!(
+        (size("width") / size("height") - 2.0).abs() < 1e-2,
+        "{clip}"
+    );
+    let polygon = text.lines().find(|l| l.starts_with("<polygon")).unwrap();
+    let first = polygon.split('"').nth(1).unwrap();
+    let x: Vec<f64> = first
+        .split(' ')
+        .map(|p| p.split(',').next().unwrap().parse().unwrap())
+        .collect();
+    assert!((x[1] - x[0]).abs() > 3.9 * size("width"), "{first}");
+}
+
+#[test]
+fn a_time_outside_the_run_is_an_error() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = run(dir.path());
+    let draw = |t: f64| {
+        let out = dir.path().join("t.svg");
+        blocks(
+            &folder,
+            Which::Time(t),
+            "rotation",
+            BlockOptions::default(),
+            &out,
+        )
+    };
+    // Frames from 0 to 0.4 s; half a frame beyond the end still means the last one.
+    assert!(draw(0.44).is_ok() && draw(0.0).is_ok());
+    for t in [0.46, -0.06, 9.0, f64::NAN] {
+        let said = draw(t).unwrap_err().to_string();
+        assert!(said.contains("from t = 0 s to 0.4 s"), "{said}");
+    }
+}
+
+#[test]
+fn one_block_that_flies_off_does_not_shorten_the_other_arrows() {
+    let mut frame = Frame {
+        offsets: vec![0],
+        ..Frame::default()
+    };
+    let mut speeds = vec![[1.0, 0.0]; 200];
+    speeds[7] = [0.0, 500.0];
+    for k in 0..200 {
+        let (x, y) = (f64::from(k % 20), f64::from(k / 20));
+        let corners = [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
+        frame.points.extend(corners.map(|[x, y]| [x, y, 0.0]));
+        frame.offsets.push(frame.points.len() as u32);
+    }
+    frame.block_columns = vec![riprap_record::frame::Column::vector(
+        "velocity", "m/s", &speeds,
+    )];
+    let frames = [frame];
+    let longest = arrows::longest(&frames, Some(Vectors::Velocity));
+    assert_eq!(longest, 1.0);
+    assert_eq!(arrows::beyond(&frames, Vectors::Velocity, longest), 1);
+    let mut page = Page::new(400.0, 200.0);
+    let pixel = |p: [f64; 2]| [20.0 * p[0], 200.0 - 20.0 * p[1]];
+    arrows::draw(
+        &mut page,
+        &frames[0],
+        Vectors::Velocity,
+        longest,
+        &pixel,
+        [400.0, 200.0],
+    );
+    // Each block has its arrow, and none leaves the picture: the stray one is as long as the others.
+    let svg = page.svg();
+    assert_eq!(svg.matches("<polygon").count(), 200);
+    let ends = svg.lines().filter(|l| l.starts_with("<line"));
+    let size = |l: &str| -> f64 {
+        let v: Vec<f64> = l
+            .split('"')
+            .skip(1)
+            .step_by(2)
+            .take(4)
+            .map(|v| v.parse().unwrap())
+            .collect();
+        (v[2] - v[0]).hypot(v[3] - v[1])
+    };
+    let sizes: Vec<f64> = ends.map(size).collect();
+    let (least, most) = sizes
+        .iter()
+        .fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(*v), b.max(*v)));
+    assert!(least > 0.9 * most, "{least} {most}");
+}

@@ -31,6 +31,7 @@ Examples:
   riprap plot hill.run blocks --by velocity --time '0.5 s'
   riprap plot blast.run section --by displacement.z --vectors velocity
   riprap plot hill.run blocks --by sigma1_compressive --stress
+  riprap plot hill.run blocks --window '2 m' '0 m' '6 m' '3 m'
   riprap plot blast.run section --normal z --at '-0.5 m' --by peak_speed --log
   riprap plot blast.run section --time '5 ms' --time '20 ms' --exaggerate 20
   riprap plot blast.run ppv --surface
@@ -72,6 +73,12 @@ pub struct Plot {
     /// Principal stresses of the blocks as crosses
     #[arg(long)]
     pub stress: bool,
+    /// Faces that have broken, on sections
+    #[arg(long)]
+    pub cracks: bool,
+    /// What is shown: left, bottom, right, top
+    #[arg(long, num_args = 4, value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], allow_hyphen_values = true)]
+    pub window: Option<Vec<String>>,
     /// Multiply the displacements that are drawn
     #[arg(long, value_name = "FACTOR", value_parser = factor)]
     pub exaggerate: Option<f64>,

@@ -98,6 +98,26 @@ fn everything(folder: &Path, asked: &Asked) -> Result<Vec<PathBuf>, Failure> {
     Ok(all)
 }
 
+/// Left, bottom, right and top of a picture, m.
+fn window(given: Option<&[String]>) -> Result<Option<[f64; 4]>, Failure> {
+    let Some(texts) = given else { return Ok(None) };
+    let mut ends = [0.0; 4];
+    for (end, text) in ends.iter_mut().zip(texts) {
+        *end = quantity(
+            text,
+            Dim::LENGTH,
+            "window",
+            "--window '0 m' '0 m' '5 m' '3 m'",
+        )?;
+    }
+    if ends[0] < ends[2] && ends[1] < ends[3] {
+        return Ok(Some(ends));
+    }
+    Err(Failure::Input(
+        "--window takes left, bottom, right and top, so the first must be less than the third, and the second less than the fourth".to_owned(),
+    ))
+}
+
 /// The arguments, read.
 struct Asked<'a> {
     args: &'a Plot,
@@ -132,6 +152,8 @@ impl<'a> Asked<'a> {
                 Arrows::Velocity => Vectors::Velocity,
             }),
             stress: args.stress,
+            cracks: args.cracks,
+            window: window(args.window.as_deref())?,
             exaggeration: args.exaggerate,
             normal: match args.normal {
                 Axis::X => Normal::X,

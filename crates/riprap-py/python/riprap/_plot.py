@@ -43,6 +43,8 @@ def plot(
     log: bool = False,
     vectors: str | None = None,
     stress: bool = False,
+    cracks: bool = False,
+    window: "tuple[str | float, str | float, str | float, str | float] | None" = None,
     exaggerate: float | None = None,
     normal: str = "y",
     at: "str | float | None" = None,
@@ -64,6 +66,8 @@ def plot(
         log: logarithmic colours.
         vectors: arrows of ``displacement`` or ``velocity`` on blocks.
         stress: principal stresses of the blocks as crosses.
+        cracks: faces that have broken, on sections.
+        window: left, bottom, right and top of the picture, with units or in m.
         exaggerate: factor on displacements.
         normal: axis across a section: ``x``, ``y`` or ``z``.
         at: place of a section along its normal, ``"2 m"`` or a number [m].
@@ -86,6 +90,8 @@ def plot(
         "log": log,
         "vectors": vectors,
         "stress": stress,
+        "cracks": cracks,
+        "window": None if window is None else [_metres(end) for end in window],
         "exaggerate": exaggerate,
         "normal": normal,
         "at": _metres(at),
