@@ -70,7 +70,7 @@ fn between(name: &str, value: &Value) -> String {
     }
 }
 
-/// `density 2600 kg/m³, Young's modulus 20 GPa`; tables within in parentheses.
+/// `density 2600 kg/m³, Young's modulus 20 GPa`; tables within in parentheses; keys in the order of the alphabet.
 fn properties(value: &Value) -> String {
     let Value::Table(table) = value else {
         return text(value);
@@ -117,7 +117,7 @@ mod tests {
         assert_eq!(between("smooth", &value), "rock and steel (smooth)");
         assert_eq!(
             properties(&value),
-            "friction angle 30 deg, joint (tension 1 MPa, elastic), softening (slip 0.5, no brittle)"
+            "joint (elastic, tension 1 MPa), friction angle 30 deg, softening (no brittle, slip 0.5)"
                 .to_owned()
         );
         assert_eq!(between("default", &Value::Integer(1)), "all other pairs");
