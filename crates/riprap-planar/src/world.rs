@@ -246,7 +246,7 @@ pub struct Dowel {
     pub sides: [Pin; 2],
     /// What has slipped, m, across the axis.
     pub slip: Vec2,
-    /// Force on the side ahead, N/m.
+    /// Force on the side behind, N/m.
     pub force: Vec2,
 }
 

@@ -165,7 +165,7 @@ impl Bar {
     }
 }
 
-/// Force (N) of a dowel on the side ahead against a jump (m) across the bolt, and what it has slipped by then.
+/// Force (N) of a dowel on the side behind against a jump (m) across the bolt, and what it has slipped by then.
 ///
 /// An elastic spring of `stiffness` (N/m) up to `limit` (N) in any direction.
 #[must_use]
@@ -190,7 +190,7 @@ fn dowel<const N: usize>(
 pub struct Sheared<const N: usize> {
     /// What has slipped, m, across the axis.
     pub slip: [f64; N],
-    /// Force on the side ahead, N.
+    /// Force on the side behind, N.
     pub force: [f64; N],
 }
 

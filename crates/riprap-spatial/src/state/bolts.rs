@@ -51,7 +51,7 @@ pub struct Dowel {
     pub sides: [Pin; 2],
     /// What has slipped, m, across the axis.
     pub slip: Vec3,
-    /// Force on the side ahead, N.
+    /// Force on the side behind, N.
     pub force: Vec3,
 }
 
