@@ -103,7 +103,9 @@ fn pore_pressure(v: &View<'_>, of: &[u32]) -> f64 {
     let found = found.map(|(i, _, c)| v.world.bodies[i as usize].position + c.centre);
     let bonds = v.world.bonds.iter().filter(|k| (k.i, k.j) == key);
     let points = bonds.flat_map(|k| k.points.iter().map(|p| v.world.on_body(k.i, p.on_i)));
-    let pressures = found.chain(points).map(|at| v.world.pore_pressure(at));
+    let pressures = found
+        .chain(points)
+        .map(|at| v.world.pressure_between(key, at));
     pressures.fold(0.0, f64::max)
 }
 
@@ -147,7 +149,7 @@ fields! {
     "block.angular_acceleration" "rad/s2" Block Scalar false "Angular acceleration, anticlockwise." |v, of| one(v.acceleration(first(of)).1);
     "block.force" "N/m" Block Vector false "Sum of all forces on the block, weight included, supports and damping excluded." |v, of| v.scratch.net[first(of)].force.into();
     "block.moment" "N" Block Scalar false "Sum of all moments about the centroid (N m per m)." |v, of| one(v.scratch.net[first(of)].moment);
-    "block.water_force" "N/m" Block Vector false "Push of the standing water on all faces of the block." |v, of| v.water_force(first(of)).into();
+    "block.water_force" "N/m" Block Vector false "Push of the water on all faces of the block." |v, of| v.water_force(first(of)).into();
     "block.kinetic" "J/m" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
     "block.area" "m2" Block Scalar false "Area: volume per metre of thickness." |v, of| one(area(v, first(of)));
     "block.mass" "kg/m" Block Scalar false "Mass." |v, of| one(v.scratch.shapes.mass[first(of)]);
@@ -171,7 +173,8 @@ fields! {
     "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
     "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
     "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
-    "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of contacts and at the joint points between the two." |v, of| one(pore_pressure(v, of));
+    "pair.seepage_rate" "m2/s" Pair Scalar true "Largest rate of flow in the joints between the two, for each metre of thickness." |v, of| one(v.world.seepage_between(pair(of)));
+    "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the water at the centres of contacts and at the joint points between the two." |v, of| one(pore_pressure(v, of));
     "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
     "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
@@ -188,6 +191,7 @@ fields! {
     "model.steps" "-" Model Scalar false "Steps done." |v, _| one(v.world.step as f64);
     "model.time_step" "s" Model Scalar false "Length of the last step." |v, _| one(v.world.last_dt);
     "model.kinetic" "J/m" Model Scalar true "Kinetic energy of all blocks." |v, _| one(v.living().map(|b| v.kinetic(b)).sum());
+    "model.seepage_inflow" "m2/s" Model Scalar true "Rate at which water comes in through open faces, for each metre of thickness." |v, _| one(v.world.seepage_inflow());
     "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
     "model.contacts" "-" Model Scalar true "Number of found contacts." |v, _| one(v.contacts().count() as f64);
     "model.slipping" "-" Model Scalar true "Number of found contacts that slid in the last step." |v, _| one(v.contacts().filter(|(_, _, c)| c.slipping).count() as f64);

@@ -67,6 +67,11 @@ impl World {
                 }
             }
         }
+        if let Some(found) = &self.seepage {
+            for ends in &found.ends {
+                hash.numbers(ends);
+            }
+        }
         hash.finish()
     }
 }

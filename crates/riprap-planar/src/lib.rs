@@ -23,6 +23,7 @@ mod pieces;
 mod potential;
 pub mod removal;
 mod search;
+mod seepage;
 pub mod setup;
 pub mod shapes;
 pub mod stable;

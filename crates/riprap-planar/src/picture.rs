@@ -67,9 +67,17 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     rows.extend(joints(view));
     frame.contact_columns = contact_columns(&rows);
     if world.water.is_some() {
-        let pressures = rows.iter().map(|r| world.pore_pressure(r.place)).collect();
-        let column = Column::scalar("pore_pressure", "Pa", pressures);
+        let between = |r: &Row| (r.blocks[0], r.blocks[1]);
+        let pressures = rows
+            .iter()
+            .map(|r| world.pressure_between(between(r), r.place));
+        let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
+        if world.seepage.is_some() {
+            let rates = rows.iter().map(|r| world.seepage_between(between(r)));
+            let column = Column::scalar("seepage_rate", "m2/s", rates.collect());
+            frame.contact_columns.push(column);
+        }
     }
     frame.bolts = crate::frame::bars::surfaces(&crate::bolts::read::bars(view));
     frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();

@@ -14,6 +14,10 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Removes blocks and their joints; candidate lists must be built anew afterwards.
 pub fn take_out(world: &mut World, blocks: &[u32]) {
+    if !blocks.is_empty() {
+        // Their joints are open faces now.
+        world.seepage = None;
+    }
     for &b in blocks {
         world.alive[b as usize] = false;
     }

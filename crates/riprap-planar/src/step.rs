@@ -15,6 +15,7 @@ use super::convex::Turned;
 use super::handover;
 use super::loads::{self, Applied};
 use super::search::{self, Candidates};
+use super::seepage;
 use super::setup::{ContactLaw, Setup};
 use super::shapes::Shapes;
 use super::water;
@@ -130,6 +131,7 @@ impl World {
         let mut world = Self {
             gravity: Vec2::from(setup.gravity),
             water: None,
+            seepage: None,
             time: 0.0,
             step: 0,
             last_dt: 0.0,
@@ -327,6 +329,9 @@ pub fn evaluate(
     dt: f64,
 ) -> Result<(), NonFinite> {
     let mut profile = std::mem::take(&mut scratch.profile);
+    if !world.setup.water.is_empty() {
+        profile.stage("seepage", || seepage::update(world, &scratch.shapes));
+    }
     profile.stage("loads", || {
         // A table that no longer stands leaves nothing behind.
         if !world.setup.loads.is_empty() || !world.setup.water.is_empty() {

@@ -4,6 +4,7 @@ use riprap_geom::Vec2;
 
 use super::convex::Turned;
 use super::loads::Applied;
+use super::seepage;
 use super::setup::WaterTable;
 use super::shapes::Shapes;
 use super::step::Scratch;
@@ -30,6 +31,9 @@ pub(crate) fn on_block(world: &World, shapes: &Shapes, turned: &[Turned], b: usi
     let Some(table) = world.table() else {
         return Applied::default();
     };
+    if table.seepage.is_some() {
+        return seepage::on_block(world, b);
+    }
     let edges = &turned[shapes.range(b)];
     let (force, moment) = table.on_polygon(
         -world.gravity.y,
@@ -45,6 +49,10 @@ pub(crate) fn on_block(world: &World, shapes: &Shapes, turned: &[Turned], b: usi
 /// Adds the push of the water to what is applied to the blocks; its work counts as that of loads.
 pub(super) fn apply(world: &World, scratch: &mut Scratch) {
     if world.water.is_none() {
+        return;
+    }
+    if world.seeping().is_some() {
+        seepage::apply(world, &mut scratch.applied);
         return;
     }
     let (shapes, turned) = (&scratch.shapes, &scratch.turned);

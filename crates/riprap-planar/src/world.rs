@@ -6,6 +6,7 @@
 use riprap_geom::Vec2;
 use serde::{Deserialize, Serialize};
 
+use super::seepage::state::Seepage;
 use super::setup::{Motion, Setup};
 use crate::laws::bolt::Chain;
 use crate::ledger::Works;
@@ -37,6 +38,8 @@ pub struct World {
     pub gravity: Vec2,
     /// The water table that stands now, an index into `setup.water`.
     pub water: Option<u16>,
+    /// The network of joints through which it seeps; `None` before the first evaluation, and where water stands.
+    pub seepage: Option<Box<Seepage>>,
     /// Poses at the last rebuild of the candidate list: the list is a function of these alone.
     pub search_pose: Vec<(Vec2, f64)>,
     /// State of found contacts between convex blocks, in candidate order.

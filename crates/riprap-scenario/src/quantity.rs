@@ -258,6 +258,8 @@ kinds! {
     Modulus: Some(Dim::PRESSURE), POSITIVE, "a modulus", "10 GPa";
     /// A stress, traction or pressure, Pa.
     Pressure: Some(Dim::PRESSURE), ALL, "a pressure", "1 MPa";
+    /// A dynamic viscosity > 0, Pa s.
+    Viscosity: Some(Dim::VISCOSITY), POSITIVE, "a viscosity", "1e-3 Pa s";
     /// A strength >= 0, Pa.
     Strength: Some(Dim::PRESSURE), NOT_NEGATIVE, "a strength (force per area)", "2 MPa";
     /// A joint or contact stiffness per area, Pa/m.

@@ -152,9 +152,17 @@ until = { steps = 1000 }
 water = "low"
 "#;
 
+/// The heap with water that seeps through its joints while they open.
+fn seeping() -> String {
+    let rules = "\n[water.high.seepage]\naperture = \"1 mm\"\nevery = 40\ndrains = [{ from = [\"9 m\", \"0.5 m\"], to = [\"9 m\", \"3 m\"] }]\n";
+    let table = "[\"15 m\", \"0 m\"]]\n";
+    assert!(PLANE.contains(table));
+    PLANE.replace(table, &format!("{table}{rules}"))
+}
+
 #[test]
 fn same_bits_for_any_number_of_threads() {
-    for text in [PLANE, SPACE] {
+    for text in [PLANE, SPACE, &seeping()] {
         let hash = |threads| {
             let mut simulation = simulation(text, threads);
             run(&mut simulation, 300);
@@ -169,7 +177,8 @@ fn same_bits_for_any_number_of_threads() {
 
 #[test]
 fn a_checkpoint_changes_nothing() {
-    for (text, engine) in [(PLANE, "planar"), (SPACE, "spatial")] {
+    let seeping = seeping();
+    for (text, engine) in [(PLANE, "planar"), (SPACE, "spatial"), (&seeping, "planar")] {
         let mut straight = simulation(text, 1);
         run(&mut straight, 300);
         let folder = tempfile::tempdir().unwrap();
@@ -217,6 +226,28 @@ fn what_is_wrong_with_water_is_told() {
             format!("{high}[water.low]\nlevel = \"-2 m\"\n"),
             "water.low has no effect: it lies below all blocks",
         ),
+        (
+            format!("{high}[water.low]\nlevel = \"-2 m\"\nseepage.aperture = \"1 mm\"\n"),
+            "water.low has no effect: it lies below all blocks",
+        ),
+        (
+            format!("{low}{high}seepage.aperture = \"0 mm\"\n"),
+            "aperture",
+        ),
+        (
+            format!("{low}{high}seepage = {{ aperture = \"1 mm\", aperture_min = \"2 mm\" }}\n"),
+            "lies outside of its limits",
+        ),
+        (
+            format!("{low}{high}seepage = {{ aperture = \"1 mm\", closed = [\"z-min\"] }}\n"),
+            "names a side of space",
+        ),
+        (
+            format!(
+                "{low}{high}seepage = {{ aperture = \"1 mm\", drains = [{{ from = [\"1 m\", \"1 m\"], to = [\"1 m\", \"1 m\"] }}] }}\n"
+            ),
+            "has no length",
+        ),
         (format!("{high}density = \"0 kg/m3\"\n{low}"), "density"),
         (
             format!("{high}azimuth = \"0 deg\"\n{low}"),
@@ -228,6 +259,8 @@ fn what_is_wrong_with_water_is_told() {
     }
     let silent = PLANE.replace("water = \"high\"\n", "");
     assert!(told(&silent).contains("does not say which water table stands"));
+    let spatial = SPACE.replace("azimuth = \"70 deg\"\n", "seepage.aperture = \"1 mm\"\n");
+    assert!(told(&spatial).contains("seepage"), "{}", told(&spatial));
     let tilted = PLANE.replace(
         "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]",
         "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]\ntilt = \"5 deg\"",

@@ -14,6 +14,7 @@ pub mod joint_point;
 pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;
+pub mod seepage;
 pub mod tetrahedron;
 pub mod transfer;
 pub mod water;

@@ -19,6 +19,8 @@
 use riprap_geom::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 
+use super::seepage::Steady;
+
 /// A water table: its height over the distance along one horizontal direction.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct WaterTable {
@@ -30,6 +32,8 @@ pub struct WaterTable {
     pub along: [f64; 2],
     /// Distance and height of each corner, m; at least one, distances strictly ascending. The table goes on level beyond both ends.
     pub points: Vec<[f64; 2]>,
+    /// Rules of seepage: the table is then the head on open faces alone. `None` where water stands.
+    pub seepage: Option<Steady>,
 }
 
 /// A stretch of a water table that is a straight line.
@@ -120,6 +124,9 @@ impl WaterTable {
     /// Largest change of pressure over a length in any direction, Pa/m: stiffness of what floats over the area that the table cuts.
     #[must_use]
     pub fn stiffness(&self, gravity: f64) -> f64 {
+        if self.seepage.is_some() {
+            return self.density * gravity;
+        }
         let slopes = (0..=self.points.len()).map(|k| self.strip(k).slope.abs());
         let steepest = slopes.fold(0.0, f64::max);
         self.density * gravity * (1.0 + steepest * steepest).sqrt()

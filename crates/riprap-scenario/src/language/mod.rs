@@ -56,7 +56,7 @@ pub use sources::{
     PressureCavity, Refine, Source, Venting, VentingTime,
 };
 pub use space::{Group, Material, Planar, Space, Spatial};
-pub use water::Water;
+pub use water::{Drain, Seepage, Water};
 
 use super::quantity::{Length, PositivePlain, Quantity, Table};
 

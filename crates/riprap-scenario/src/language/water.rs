@@ -3,7 +3,9 @@
 use riprap_keys::Keys;
 use serde::Deserialize;
 
-use crate::quantity::{Angle, Density, Length, Quantity};
+use super::Point;
+use super::ground::Side;
+use crate::quantity::{Angle, Density, Length, PositiveLength, Quantity, Viscosity};
 
 /// Standing water: below the table all faces of blocks are pressed by `density` times gravity times depth, in joints and
 /// in the open. Exactly one of `level` and `points`.
@@ -20,4 +22,42 @@ pub struct Water {
     /// Density of the water, kg/m3.
     #[key(default = "1000 kg/m3")]
     pub density: Option<Quantity<Density>>,
+    /// Steady flow through the joints: the table is then the head on open faces, and pressures inside follow from the flow.
+    #[key(space = "planar")]
+    pub seepage: Option<Seepage>,
+}
+
+/// Steady seepage through the joints of the start, laminar in each of them; part of it dry where the pressure is nothing.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Seepage {
+    /// Hydraulic aperture of joints at the start, m; their opening adds to it.
+    pub aperture: Quantity<PositiveLength>,
+    /// Smallest hydraulic aperture, m. Default a tenth of `aperture`.
+    pub aperture_min: Option<Quantity<PositiveLength>>,
+    /// Largest hydraulic aperture, m. Default ten times `aperture`.
+    pub aperture_max: Option<Quantity<PositiveLength>>,
+    /// Dynamic viscosity of the water, Pa s.
+    #[key(default = "1e-3 Pa s")]
+    pub viscosity: Option<Quantity<Viscosity>>,
+    /// Sides of the model through which no water goes. Default `["y-min"]`.
+    pub closed: Option<Vec<Side>>,
+    /// Steps after which heads are found anew with the apertures of the moment.
+    #[key(default = 100, min = 1)]
+    pub every: Option<u64>,
+    /// Drains.
+    #[serde(default)]
+    pub drains: Vec<Drain>,
+}
+
+/// A line of drain holes: it takes water out of the joints that it crosses.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Drain {
+    /// One end [x, y], m.
+    pub from: Point,
+    /// The other end [x, y], m.
+    pub to: Point,
+    /// Head that it holds, m. Default none: there is no pressure at the drain.
+    pub head: Option<Quantity<Length>>,
 }

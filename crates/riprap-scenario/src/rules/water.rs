@@ -1,7 +1,7 @@
 //! Rules of water tables.
 
 use super::Rules;
-use crate::language::Scenario;
+use crate::language::{Point, Scenario, Seepage, Side};
 use crate::references::NO_WATER;
 
 impl Rules {
@@ -19,6 +19,9 @@ impl Rules {
                 ("points", water.points.is_some()),
             ];
             self.one_of(&name.span, &of, &keys);
+            if let Some(seepage) = &water.seepage {
+                self.seepage(&of, seepage);
+            }
             let Some(points) = &water.points else {
                 if let Some(azimuth) = &water.azimuth {
                     let message = format!("`azimuth` of {of} has no effect");
@@ -49,6 +52,33 @@ impl Rules {
             );
             let help = "there are several: give it `water` with the name of one, or \"none\"";
             self.error("key.missing", &first.name.span, message, help);
+        }
+    }
+
+    fn seepage(&mut self, of: &str, said: &Seepage) {
+        let least = said.aperture_min.as_ref();
+        let most = said.aperture_max.as_ref();
+        let aperture = said.aperture.si();
+        let wrong = least.filter(|q| q.si() > aperture);
+        if let Some(wrong) = wrong.or(most.filter(|q| q.si() < aperture)) {
+            let message = format!("`aperture` of {of}.seepage lies outside of its limits");
+            let help = "aperture_min <= aperture <= aperture_max";
+            self.error("value.range", &wrong.span, message, help);
+        }
+        for side in said.closed.iter().flatten() {
+            if matches!(side, Side::ZMin | Side::ZMax) {
+                let message = format!("`closed` of {of}.seepage names a side of space");
+                let help = "in the plane sides are x-min, x-max, y-min, y-max";
+                self.error("value.word", &said.aperture.span, message, help);
+            }
+        }
+        for drain in &said.drains {
+            let place = |point: &Point| [point[0].si(), point[1].si()];
+            if place(&drain.from) == place(&drain.to) {
+                let message = format!("a drain of {of}.seepage has no length");
+                let help = "give the two ends of the line of holes";
+                self.error("value.range", &drain.from[0].span, message, help);
+            }
         }
     }
 }

@@ -25,6 +25,8 @@ impl Dim {
     pub const DENSITY: Dim = Dim([1, -3, 0, 0]);
     /// Pa
     pub const PRESSURE: Dim = Dim([1, -1, -2, 0]);
+    /// Pa s
+    pub const VISCOSITY: Dim = Dim([1, -1, -1, 0]);
     /// Pa/m
     pub const STIFFNESS_PER_AREA: Dim = Dim([1, -2, -2, 0]);
     /// s
@@ -67,6 +69,7 @@ impl Dim {
                 Dim::STIFFNESS_PER_AREA,
                 "a pressure per length (or unit weight)",
             ),
+            (Dim::VISCOSITY, "a viscosity (pressure times time)"),
             (Dim::TIME, "a time"),
             (Dim::VELOCITY, "a velocity"),
             (Dim::ACCELERATION, "an acceleration"),
@@ -92,6 +95,7 @@ impl Dim {
             (Dim::NONE, ""),
             (Dim::DENSITY, "kg/m3"),
             (Dim::PRESSURE, "Pa"),
+            (Dim::VISCOSITY, "Pa s"),
             (Dim::STIFFNESS_PER_AREA, "Pa/m"),
             (Dim::VELOCITY, "m/s"),
             (Dim::ACCELERATION, "m/s2"),

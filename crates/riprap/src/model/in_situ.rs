@@ -56,7 +56,7 @@ impl Builder<'_> {
     }
 
     /// Lowest and highest corner of the model, local, m; flat in the plane.
-    fn extent(&self) -> (Vec3, Vec3) {
+    pub(super) fn extent(&self) -> (Vec3, Vec3) {
         match self.space {
             InSpace::Planar => {
                 let corners = self.setup.blocks.iter().flat_map(|b| &b.vertices);

@@ -1,8 +1,9 @@
 //! Water tables, and which of them stands in a phase.
 
 use super::builder::Builder;
+use crate::laws::seepage::{self, Steady};
 use crate::laws::water::WaterTable;
-use crate::scenario::language::{Phase, Space, Water};
+use crate::scenario::language::{self, Phase, Seepage, Side, Space, Water};
 use crate::scenario::read::Provenance;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, NO_WATER, Quantity, Span};
@@ -38,6 +39,10 @@ impl Builder<'_> {
                 // Reported by the rules of the language.
                 (None, None) => continue,
             };
+            let seepage = said
+                .seepage
+                .as_ref()
+                .map(|s| self.seepage(name.as_str(), s));
             let tables = match self.space {
                 InSpace::Planar => &mut self.setup.water,
                 InSpace::Spatial => &mut self.spatial.water,
@@ -47,7 +52,44 @@ impl Builder<'_> {
                 density,
                 along,
                 points,
+                seepage,
             });
+        }
+    }
+
+    /// Rules of seepage in the plane.
+    fn seepage(&mut self, name: &str, said: &Seepage) -> Steady {
+        let mut read = self.reading(format!("water.{name}.seepage"), said);
+        let aperture = said.aperture.si();
+        let (from, why) = (Provenance::Derived, "of `aperture`");
+        let least = read.aperture_min_or(0.1 * aperture, from, why);
+        let most = read.aperture_max_or(10.0 * aperture, from, why);
+        let (viscosity, every) = (read.viscosity(), read.every());
+        let (low, high) = self.extent();
+        let side = |word: &Side| {
+            let (axis, at) = match word {
+                Side::XMin => (0, low.x),
+                Side::XMax => (0, high.x),
+                Side::YMin => (1, low.y),
+                Side::YMax => (1, high.y),
+                // Refused by the rules of the language.
+                Side::ZMin | Side::ZMax => return None,
+            };
+            Some(seepage::Side { axis, at })
+        };
+        let closed = said.closed.as_deref().unwrap_or(&[Side::YMin]);
+        let drain = |said: &language::Drain| seepage::Drain {
+            from: self.point(&said.from).into(),
+            to: self.point(&said.to).into(),
+            head: said.head.as_ref().map(|h| h.si() - self.origin.y),
+        };
+        Steady {
+            viscosity,
+            aperture,
+            limits: [least, most],
+            every,
+            closed: closed.iter().filter_map(side).collect(),
+            drains: said.drains.iter().map(drain).collect(),
         }
     }
 
@@ -110,7 +152,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Warns of tables below which there is nothing.
+    /// Warns of tables below which there is nothing; one that seeps there is an error.
     pub(super) fn dry_tables(&mut self) {
         let corners = self.corners();
         let tables = match self.space {
@@ -121,19 +163,27 @@ impl Builder<'_> {
             let below = |c: &Vec3| t.height(t.distance(c.x, c.y)) > c.z;
             !corners.iter().any(below)
         };
-        let spans: Vec<(String, Span)> = tables
+        let spans: Vec<(String, Span, bool)> = tables
             .iter()
             .filter(|t| dry(t))
             .filter_map(|t| {
                 let said = self.parsed.scenario.water.iter();
                 let mut named = said.filter(|(name, _)| name.as_str() == t.name);
-                Some((t.name.clone(), named.next()?.0.span.clone()))
+                Some((
+                    t.name.clone(),
+                    named.next()?.0.span.clone(),
+                    t.seepage.is_some(),
+                ))
             })
             .collect();
-        for (name, span) in spans {
+        for (name, span, seeps) in spans {
             let message = format!("water.{name} has no effect: it lies below all blocks");
             let help = "heights are along y in the plane and along z in space; check the units";
-            let note = Diagnostic::warning("water.dry", message);
+            let note = if seeps {
+                Diagnostic::error("water.dry", message)
+            } else {
+                Diagnostic::warning("water.dry", message)
+            };
             self.found.push(note.at(span).help(help));
         }
     }

@@ -8,6 +8,7 @@ fn table(points: &[[f64; 2]]) -> WaterTable {
         density: 1000.0,
         along: [1.0, 0.0],
         points: points.to_vec(),
+        seepage: None,
     }
 }
 

@@ -28,6 +28,7 @@ pub(super) fn planar(
     }
     if let Some(table) = phase.water {
         world.water = table;
+        world.seepage = None;
     }
     for (row, law) in &phase.contacts {
         world.setup.interfaces[*row as usize].contact = *law;

@@ -50,6 +50,19 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// Steady seepage has not been found.
+    #[error(
+        "the wet part of the joints was not found at step {step} (t = {time:.6e} s): rates miss each other by {left:.0e} of the largest possible one; \
+         make apertures less unlike (`water.*.seepage.aperture_min`, `aperture_max`), or move the table off the corners of blocks"
+    )]
+    NoFlow {
+        /// What does not add up.
+        left: f64,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// The ledger does not explain where energy has come from or gone to.
     #[error(
         "the energy residual is {percent:.1} % of the largest energy that moved ({energy:.3e} {unit}) at step {step} \
@@ -180,7 +193,7 @@ impl RunError {
                 words.push_str("; ");
                 words.push_str(found);
             }
-            Self::NoStep { .. } | Self::Edit { .. } | Self::Phase { .. } => {}
+            Self::NoStep { .. } | Self::NoFlow { .. } | Self::Edit { .. } | Self::Phase { .. } => {}
         }
     }
 
@@ -189,6 +202,7 @@ impl RunError {
         match self {
             Self::NonFinite { .. } | Self::NoNumber { .. } => "something is not finite",
             Self::NoStep { .. } => "there is no time step",
+            Self::NoFlow { .. } => "seepage was not found",
             Self::Residual { .. } => "the energy residual",
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
             Self::Edit { .. } => "a block cannot be split or cut",
@@ -206,7 +220,9 @@ impl RunError {
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
             | Self::BlowUp { .. } => true,
-            Self::NoStep { .. } | Self::Edit { .. } | Self::Phase { .. } => false,
+            Self::NoStep { .. } | Self::NoFlow { .. } | Self::Edit { .. } | Self::Phase { .. } => {
+                false
+            }
         }
     }
 
@@ -217,6 +233,7 @@ impl RunError {
             Self::NonFinite { formula, .. } => formula.as_deref(),
             Self::NoNumber { .. }
             | Self::NoStep { .. }
+            | Self::NoFlow { .. }
             | Self::Residual { .. }
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }

@@ -86,6 +86,7 @@ impl Simulation {
     pub(super) fn guard(&mut self, over: bool) -> Result<(), RunError> {
         let step = self.steps();
         self.look_at_depth()?;
+        self.look_at_seepage()?;
         let due = over || due(step, LOOK, 2);
         if due || self.cursor.crossed >= CROSSED {
             self.cursor.crossed = 0.0;
@@ -98,6 +99,19 @@ impl Simulation {
             self.look_at_ledger(over)?;
         }
         Ok(())
+    }
+
+    /// Stops a run whose seepage was not found.
+    fn look_at_seepage(&self) -> Result<(), RunError> {
+        let view = self.view();
+        match view.planar().and_then(|v| v.world.seepage.as_deref()) {
+            Some(found) if !found.is_found() => Err(RunError::NoFlow {
+                left: found.left,
+                step: self.steps(),
+                time: self.time(),
+            }),
+            Some(_) | None => Ok(()),
+        }
     }
 
     /// Notes how deep found contacts are, and stops a run in which two blocks would come out on each other's far side; at every step,
