@@ -40,7 +40,7 @@ Tasks:
                    --seconds S (3): only scenes as quick as that; --binary FILE
   arrows CRATE     print each module of a crate with the modules it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
-  wheel            build the Python package: a release wheel in target/wheels
+  wheel [portable] build the Python package: a release wheel in target/wheels; portable: for Linux from glibc 2.17 on
   docs             build the API documentation (and the book, where mdbook is installed)
 
 Examples:
@@ -71,7 +71,7 @@ fn main() -> ExitCode {
             }
         },
         ["bench"] => bench::run(&root),
-        ["wheel"] => match python::wheel(&root) {
+        ["wheel"] | ["wheel", "portable"] => match python::wheel(&root, words.len() == 2) {
             Ok(path) => {
                 println!("pip install {}", path.display());
                 ExitCode::SUCCESS

@@ -14,6 +14,10 @@ use crate::steps::Outcome;
 use crate::{venv, verify};
 
 const CRATE: &str = "crates/riprap-py";
+/// The C library that a portable wheel is linked against: that of every Linux of the last ten years.
+const OLD_LINUX: &str = "manylinux_2_17";
+/// The linker that knows old C libraries, as a Python wheel.
+const ZIG: &str = "ziglang==0.17.1";
 
 /// The `python` step of `cargo xtask test`.
 pub fn step(root: &Path) -> Result<Outcome, String> {
@@ -26,10 +30,30 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
     }
 }
 
-/// `cargo xtask wheel`: a release wheel in `target/wheels`.
-pub fn wheel(root: &Path) -> Result<PathBuf, String> {
+/// `cargo xtask wheel`: a release wheel in `target/wheels`; a portable one runs on Linux with an old C library too.
+pub fn wheel(root: &Path, portable: bool) -> Result<PathBuf, String> {
+    if portable && !cfg!(target_os = "linux") {
+        return Err("a portable wheel is one for Linux: build it there".to_owned());
+    }
     let python = tools(root).map_err(Failed::text)?;
-    build(root, &python, &root.join("target/wheels"), true).map_err(Failed::text)
+    let how = if portable {
+        pip(&python, &[ZIG])?;
+        How::Portable
+    } else {
+        How::Release
+    };
+    build(root, &python, &root.join("target/wheels"), how).map_err(Failed::text)
+}
+
+/// How a wheel is built.
+#[derive(Clone, Copy)]
+enum How {
+    /// With the profile of the tests.
+    Tests,
+    /// For this machine.
+    Release,
+    /// For Linux with an old C library too.
+    Portable,
 }
 
 enum Failed {
@@ -57,7 +81,7 @@ fn tested(root: &Path) -> Result<Outcome, Failed> {
     }
     let python = tools(root)?;
     let folder = root.join("target/python");
-    let wheel = build(root, &python, &folder.join("wheels"), false)?;
+    let wheel = build(root, &python, &folder.join("wheels"), How::Tests)?;
     clean_install(root, &wheel, &folder.join("clean"))?;
     pip(
         &python,
@@ -156,7 +180,7 @@ fn compiled_twice(root: &Path) -> Result<Vec<String>, String> {
 }
 
 /// Builds the wheel into `out`, which holds nothing else afterwards.
-fn build(root: &Path, python: &Path, out: &Path, release: bool) -> Result<PathBuf, Failed> {
+fn build(root: &Path, python: &Path, out: &Path, how: How) -> Result<PathBuf, Failed> {
     let _ = std::fs::remove_dir_all(out);
     let mut maturin = Command::new(python);
     maturin
@@ -167,11 +191,18 @@ fn build(root: &Path, python: &Path, out: &Path, release: bool) -> Result<PathBu
         .arg("--out")
         .arg(out)
         .env("CARGO_TARGET_DIR", root.join("target"));
-    if release {
-        maturin.args(["--release", "--strip"]);
-    } else {
-        maturin.args(["--profile", "ci"]);
-    }
+    match how {
+        How::Tests => maturin.args(["--profile", "ci"]),
+        How::Release => maturin.args(["--release", "--strip"]),
+        // maturin refuses a wheel that wants more of the system than its name says.
+        How::Portable => maturin.args([
+            "--release",
+            "--strip",
+            "--zig",
+            "--compatibility",
+            OLD_LINUX,
+        ]),
+    };
     if !shell::run(root, &mut maturin)
         .map_err(Failed::Broken)?
         .success
