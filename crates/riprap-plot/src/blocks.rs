@@ -514,7 +514,7 @@ fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
 
 /// Names of kinds beside their colours, those that occur.
 fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
-    let there = |k: usize| values.iter().any(|v| *v == k as f64);
+    let there = |k: usize| values.contains(&(k as f64));
     let shown = names.iter().enumerate().filter(|(k, _)| there(*k));
     for (row, (k, name)) in shown.enumerate() {
         let top = y + 22.0 * row as f64;
