@@ -53,7 +53,9 @@ fn decimal(value: f64, decimals: usize) -> String {
 pub fn coordinate(value: f64, size: f64) -> String {
     let mut decimals = 0;
     let mut last = 1.0;
-    while last > 1e-5 * size && decimals < 12 {
+    // A power of ten is off by round-off.
+    let enough = 1e-5 * size * (1.0 + 1e-9);
+    while last > enough && decimals < 12 {
         last *= 0.1;
         decimals += 1;
     }
