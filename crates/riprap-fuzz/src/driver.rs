@@ -114,6 +114,17 @@ pub fn attempt(target: &Target, input: &[u8]) -> Outcome {
 /// `target/fuzz/TARGET`.
 #[must_use]
 pub fn campaign(target: &Target, seeds: &Seeds, seed: u64, tries: u64) -> Tally {
+    campaign_after(target, seeds, seed, tries, |_| {})
+}
+
+/// As [`campaign`], with something done with each input before it is tried: one that ends the process is kept by it.
+pub fn campaign_after(
+    target: &Target,
+    seeds: &Seeds,
+    seed: u64,
+    tries: u64,
+    mut before: impl FnMut(&[u8]),
+) -> Tally {
     let mut chance = Chance::new(seed);
     let mut pool: Vec<Vec<u8>> = seeds.files.iter().map(|(_, bytes)| bytes.clone()).collect();
     let own = pool.len();
@@ -121,6 +132,7 @@ pub fn campaign(target: &Target, seeds: &Seeds, seed: u64, tries: u64) -> Tally 
     for _ in 0..tries {
         let input = damaged(target, &pool, &mut chance);
         tally.tries += 1;
+        before(&input);
         match attempt(target, &input) {
             Outcome::Refused => {}
             Outcome::Taken if target.sealed && !pool.contains(&input) => {

@@ -15,7 +15,7 @@ mod readers;
 mod scenes;
 
 #[cfg(feature = "targets")]
-pub use driver::{Outcome, Seeds, Tally, attempt, campaign, seeds};
+pub use driver::{Outcome, Seeds, Tally, attempt, campaign, campaign_after, seeds};
 
 /// One way into the program.
 #[cfg(feature = "targets")]

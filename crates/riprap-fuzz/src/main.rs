@@ -1,16 +1,18 @@
-//! `cargo run --profile ci -p riprap-fuzz -- [--target NAME] [--tries N] [--seed K] [FILE ...]`: fuzzing on a stable toolchain.
+//! `cargo run --profile ci -p riprap-fuzz -- [--target NAME] [--tries N] [--seed K] [--last FILE] [FILE ...]`: fuzzing on a stable toolchain.
 //!
+//! `--last` writes each input to a file before it is tried, so that one that ends the process is there afterwards (`ulimit -v` finds what eats memory).
 //! With files, tries these. Otherwise tries N damaged inputs (a million) of each target, or of one, and prints a table. Exit code 1 if anything failed.
 
 use std::process::ExitCode;
 use std::time::Instant;
 
-use riprap_fuzz::{Outcome, TARGETS, Target, attempt, campaign, seeds, target};
+use riprap_fuzz::{Outcome, TARGETS, Target, attempt, campaign_after, seeds, target};
 
 struct Asked {
     targets: Vec<&'static Target>,
     tries: Option<u64>,
     seed: u64,
+    last: Option<String>,
     files: Vec<String>,
 }
 
@@ -19,6 +21,7 @@ fn asked() -> Result<Asked, String> {
         targets: TARGETS.iter().collect(),
         tries: None,
         seed: 1,
+        last: None,
         files: Vec::new(),
     };
     let mut words = std::env::args().skip(1);
@@ -39,6 +42,7 @@ fn asked() -> Result<Asked, String> {
                 asked.targets = vec![found];
             }
             "--tries" => asked.tries = Some(number(value()?)?),
+            "--last" => asked.last = Some(value()?),
             "--seed" => asked.seed = number(value()?)?,
             _ => asked.files.push(word),
         }
@@ -60,8 +64,8 @@ fn main() -> ExitCode {
     let mut sound = true;
     if asked.files.is_empty() {
         println!("| target | tries | taken | failures | s |\n|---|---|---|---|---|");
-        for target in asked.targets {
-            sound &= try_target(target, &asked.tries, asked.seed);
+        for target in &asked.targets {
+            sound &= try_target(target, &asked);
         }
     } else {
         for file in &asked.files {
@@ -71,7 +75,7 @@ fn main() -> ExitCode {
     ExitCode::from(u8::from(!sound))
 }
 
-fn try_target(target: &Target, tries: &Option<u64>, seed: u64) -> bool {
+fn try_target(target: &Target, asked: &Asked) -> bool {
     let seeds = match seeds(target) {
         Ok(seeds) => seeds,
         Err(error) => {
@@ -80,7 +84,21 @@ fn try_target(target: &Target, tries: &Option<u64>, seed: u64) -> bool {
         }
     };
     let begin = Instant::now();
-    let tally = campaign(target, &seeds, seed, tries.unwrap_or(1_000_000));
+    let mut unwritten = None;
+    let tally = campaign_after(
+        target,
+        &seeds,
+        asked.seed,
+        asked.tries.unwrap_or(1_000_000),
+        |input| {
+            if let Some(last) = &asked.last {
+                unwritten = std::fs::write(last, input).err();
+            }
+        },
+    );
+    if let Some(error) = unwritten {
+        eprintln!("--last: {error}");
+    }
     println!(
         "| {} | {} | {} | {} | {:.0} |",
         target.name,
