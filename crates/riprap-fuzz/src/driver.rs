@@ -11,6 +11,8 @@ use crate::damage::{self, Chance};
 
 /// A try that takes longer is a failure: what is large must be refused, or cost no more than it says.
 const LIMIT: Duration = Duration::from_secs(20);
+/// Address space of the process, bytes: what takes more ends it. Models that need as much are refused by name.
+const MEMORY: u64 = 1 << 29;
 /// Largest input, bytes.
 const LARGEST: usize = 1 << 16;
 
@@ -41,6 +43,15 @@ pub struct Tally {
     pub taken: u64,
     /// What failed: where it lies, and why.
     pub failures: Vec<(PathBuf, String)>,
+}
+
+/// Bounds the memory of this process, so that what takes it without bound ends it and not the machine.
+///
+/// # Errors
+/// The system does not do it.
+pub fn bound_memory() -> Result<(), String> {
+    use nix::sys::resource::{Resource, setrlimit};
+    setrlimit(Resource::RLIMIT_AS, MEMORY, MEMORY).map_err(|e| format!("no bound on memory: {e}"))
 }
 
 /// Files that the tests of the readers have: those with the name of a target as their extension belong to its corpus too.

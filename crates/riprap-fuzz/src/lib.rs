@@ -15,7 +15,7 @@ mod readers;
 mod scenes;
 
 #[cfg(feature = "targets")]
-pub use driver::{Outcome, Seeds, Tally, attempt, campaign, campaign_after, seeds};
+pub use driver::{Outcome, Seeds, Tally, attempt, bound_memory, campaign, campaign_after, seeds};
 
 /// One way into the program.
 #[cfg(feature = "targets")]
@@ -146,6 +146,7 @@ mod tests {
     /// The same damage in every run: a failure comes again with `cargo run -p riprap-fuzz -- --target NAME FILE`.
     #[test]
     fn no_target_fails_in_a_short_run() {
+        bound_memory().unwrap();
         for target in TARGETS {
             let seeds = seeds(target).unwrap();
             assert!(!seeds.files.is_empty(), "{}: no corpus", target.name);

@@ -1,12 +1,12 @@
 //! `cargo run --profile ci -p riprap-fuzz -- [--target NAME] [--tries N] [--seed K] [--last FILE] [FILE ...]`: fuzzing on a stable toolchain.
 //!
-//! `--last` writes each input to a file before it is tried, so that one that ends the process is there afterwards (`ulimit -v` finds what eats memory).
+//! `--last` writes each input to a file before it is tried, so that one that ends the process is there afterwards (half a gigabyte of memory is all that the process gets).
 //! With files, tries these. Otherwise tries N damaged inputs (a million) of each target, or of one, and prints a table. Exit code 1 if anything failed.
 
 use std::process::ExitCode;
 use std::time::Instant;
 
-use riprap_fuzz::{Outcome, TARGETS, Target, attempt, campaign_after, seeds, target};
+use riprap_fuzz::{Outcome, TARGETS, Target, attempt, bound_memory, campaign_after, seeds, target};
 
 struct Asked {
     targets: Vec<&'static Target>,
@@ -61,6 +61,10 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    if let Err(why) = bound_memory() {
+        eprintln!("{why}");
+        return ExitCode::FAILURE;
+    }
     let mut sound = true;
     if asked.files.is_empty() {
         println!("| target | tries | taken | failures | s |\n|---|---|---|---|---|");

@@ -15,6 +15,8 @@ use crate::{scenes, screen};
 /// 64 x 64 x 64 bricks takes 291 MB at its peak.
 const MEMORY_BASE: f64 = 2e7;
 const MEMORY_BLOCK: f64 = 1050.0;
+/// For each deformable block, B: `check` of 30,000 bricks in a bar takes 211 MB at its peak, a run of them 208 MB.
+const MEMORY_DEFORMABLE: f64 = 6300.0;
 
 pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, false)?;
@@ -110,7 +112,12 @@ fn region<const N: usize>(axes: &[&str; N], [low, high]: &[[f64; N]; 2]) -> Stri
 
 /// A model in space.
 fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) -> String {
-    let memory = MEMORY_BASE + MEMORY_BLOCK * f.blocks as f64;
+    let deformable = match setup {
+        Setup::Spatial(setup) => setup.deform.sets.iter().map(|set| set.blocks.len()).sum(),
+        Setup::Planar(_) => 0,
+    };
+    let rigid = f.blocks.saturating_sub(deformable);
+    let memory = MEMORY_BASE + MEMORY_BLOCK * rigid as f64 + MEMORY_DEFORMABLE * deformable as f64;
     let mut text = format!(
         "  blocks     {} as given ({} held), {} at the start, sizes {} / {} / {} (smallest, median, \
          largest, as given)\n  patches    {}\n  region     {}; \

@@ -202,7 +202,7 @@ impl Builder<'_> {
             self.geometry_error(block, &error, None);
             return;
         }
-        if !self.has_memory(total as f64, &copies.step.span) {
+        if !self.has_memory(block, total as f64, &copies.step.span) {
             return;
         }
         let step = Vec2::from(copies.step.xy());

@@ -1,17 +1,27 @@
 //! Memory that a model needs, before it is made.
 
 use super::builder::Builder;
+use crate::scenario::language::{Block, Mechanics};
 use crate::scenario::{Diagnostic, Span};
 
 /// Bytes of a rigid block in a run: a lower bound, so that what fits is never refused (a lattice of a million bricks takes
 /// 1,650 in `check` and more in a run).
 const PER_BLOCK: f64 = 1500.0;
+/// The same of a deformable block, whose nodes, tetrahedra and bonds count: bricks take 6,300 in `check` and in a run.
+const PER_DEFORMABLE: f64 = 6000.0;
 
 impl Builder<'_> {
-    /// Whether the machine can hold that many blocks more; an error at `span` if not.
-    pub(super) fn has_memory(&mut self, blocks: f64, span: &Span) -> bool {
-        let before = self.spatial.blocks.len() + self.setup.blocks.len();
-        let Some(refusal) = refusal(blocks + before as f64, available()) else {
+    /// Whether the machine can hold that many blocks of a table more; an error at `span` if not.
+    pub(super) fn has_memory(&mut self, block: &Block, count: f64, span: &Span) -> bool {
+        let sets = self.spatial.deform.sets.iter();
+        let deformable: usize = sets.map(|set| set.blocks.len()).sum();
+        let rigid = self.spatial.blocks.len() + self.setup.blocks.len() - deformable;
+        let per = match &block.mechanics {
+            Some(Mechanics::Deformable(_)) => PER_DEFORMABLE,
+            Some(Mechanics::Rigid(_)) | None => PER_BLOCK,
+        };
+        let before = PER_BLOCK * rigid as f64 + PER_DEFORMABLE * deformable as f64;
+        let Some(refusal) = refusal(count, before + per * count, available()) else {
             return true;
         };
         let help = "make the blocks larger or the model smaller, or use a machine with more memory; in space [[refine]] \
@@ -22,12 +32,11 @@ impl Builder<'_> {
     }
 }
 
-/// Why so many blocks are too many for so many free bytes.
-fn refusal(blocks: f64, available: Option<f64>) -> Option<String> {
-    let needed = PER_BLOCK * blocks;
+/// Why so many blocks more are too many where that many bytes are needed for them and those before, and so many are free.
+fn refusal(blocks: f64, needed: f64, available: Option<f64>) -> Option<String> {
     let free = available.filter(|free| needed > *free)?;
     Some(format!(
-        "{blocks:.0} blocks need at least {:.1} GB of memory, {:.1} GB are free",
+        "with these {blocks:.0} blocks the model needs at least {:.1} GB of memory, {:.1} GB are free",
         1e-9 * needed,
         1e-9 * free
     ))
@@ -75,13 +84,13 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_refused_with_numbers() {
-        let text = refusal(15_625_000.0, Some(4e9)).unwrap();
+        let text = refusal(15_625_000.0, 23.4e9, Some(4e9)).unwrap();
         assert_eq!(
             text,
-            "15625000 blocks need at least 23.4 GB of memory, 4.0 GB are free"
+            "with these 15625000 blocks the model needs at least 23.4 GB of memory, 4.0 GB are free"
         );
-        assert_eq!(refusal(1e6, Some(4e9)), None);
-        assert_eq!(refusal(1e12, None), None);
+        assert_eq!(refusal(1e6, 1.5e9, Some(4e9)), None);
+        assert_eq!(refusal(1e12, 1.5e15, None), None);
     }
 
     #[test]

@@ -146,6 +146,6 @@ impl Builder<'_> {
             return None;
         }
         let span = grid_of(block).map_or(&block.name.span, |grid| &grid.cell.span);
-        self.has_memory(total, span).then_some(lattice)
+        self.has_memory(block, total, span).then_some(lattice)
     }
 }

@@ -191,7 +191,7 @@ impl Builder<'_> {
                 .push(error.help("at most 1 million cells; use a larger `cell`, or `grid.box`"));
             return None;
         }
-        if !self.has_memory(count, &said.cell.span) {
+        if !self.has_memory(block, count, &said.cell.span) {
             return None;
         }
         let lattice = said.turned.is_some() || said.site.is_some();
