@@ -195,7 +195,7 @@ pub struct Sheared<const N: usize> {
 }
 
 impl<const N: usize> Sheared<N> {
-    /// A [`dowel`] of `[stiffness, limit]` (N/m, N) after the sides of its joint have parted by `jump` (m), of which what is along the unit
+    /// A dowel of `[stiffness, limit]` (N/m, N) after the sides of its joint have parted by `jump` (m), of which what is along the unit
     /// direction `axis` does not count; a `broken` one, whose bar is gone, loses what it holds. Then the energy lost, J.
     #[must_use]
     pub fn after(

@@ -15,8 +15,8 @@
 //!
 //! Where water can leave, the pressure is nothing as long as it does; where it would have to come in, nothing flows (seepage face). Which nodes are full,
 //! which pipes carry films and which outlets run is an active set: the equations of a set are linear, the answer says which set comes next, until it stays.
-//! From turn [`PATIENCE`] on only half of the changes is made, drawn by a fixed rule: sets that come again in a circle leave it. If none stays within
-//! [`TURNS`] the flow is not found ([`Flow::is_found`]), and it is for the caller to say so.
+//! From turn `PATIENCE` on only half of the changes is made, drawn by a fixed rule: sets that come again in a circle leave it. If none stays within
+//! `TURNS` the flow is not found ([`Flow::is_found`]), and it is for the caller to say so.
 //!
 //! Deviation: a millionth of a pipe conducts as if films and pressures did not hinder each other, `s_u d - p_l`. Without it the water that stands in a
 //! bowl above which nothing flows would be any amount.
