@@ -191,6 +191,13 @@ fn build(root: &Path, python: &Path, out: &Path, how: How) -> Result<PathBuf, Fa
         .arg("--out")
         .arg(out)
         .env("CARGO_TARGET_DIR", root.join("target"));
+    if let (How::Portable, Some(tools)) = (how, python.parent()) {
+        // zig is found as a module of the first Python on the path.
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        let places = std::iter::once(tools.to_owned()).chain(std::env::split_paths(&path));
+        let path = std::env::join_paths(places).map_err(|e| Failed::Broken(e.to_string()))?;
+        maturin.env("PATH", path);
+    }
     match how {
         How::Tests => maturin.args(["--profile", "ci"]),
         How::Release => maturin.args(["--release", "--strip"]),
