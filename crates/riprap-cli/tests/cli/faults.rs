@@ -91,7 +91,7 @@ fn kills_at_any_instant_change_nothing_in_the_plane() {
 fn kills_at_any_instant_change_nothing_with_rigid_blocks_in_space() {
     let end = (
         "until = { unbalanced = 1e-9, steps = 20000 }",
-        "until = { steps = 60000 }",
+        "until = { steps = 200000 }",
     );
     survives_kills(&kept(RIGID, &[end]), 2);
 }
