@@ -215,6 +215,8 @@ pub struct Context<'a> {
     pub in_situ: Option<&'a super::setup::InSitu>,
     /// Centroids at the start, m.
     pub reference: &'a [Vec3],
+    /// Where the local origin lies, m (global).
+    pub origin: Vec3,
     /// Present time, s.
     pub time: f64,
     /// Time moved since the last evaluation, s.
@@ -233,6 +235,7 @@ impl<'a> Context<'a> {
             boundaries: &world.setup.boundaries,
             in_situ: world.setup.in_situ.as_ref(),
             reference: &world.reference,
+            origin: world.setup.origin,
             time: world.time,
             pending: world.pending,
         }
@@ -254,7 +257,7 @@ impl<'a> Context<'a> {
         for p in 0..4 {
             let motion = self.motion(face, p);
             let before = face.anchor[p];
-            let after = self.anchor(boundary, face, before, creep, &motion);
+            let after = self.anchor(boundary, face, p, creep, &motion);
             let pull = face.spring(boundary, motion.u - after);
             if after != before {
                 let old = face.spring(boundary, motion.u - self.pending * motion.v - before);
@@ -352,17 +355,18 @@ impl<'a> Context<'a> {
         sum
     }
 
-    /// Present place of the far end of the spring at a point, from that `before`. `creep`: half the way, along the normal
+    /// Present place of the far end of the spring at point `p`, from that before. `creep`: half the way, along the normal
     /// and across it, that a dashpot goes in the pending time for each metre its spring is stretched.
     #[inline]
     fn anchor(
         &self,
         boundary: &Boundary,
         face: &Face,
-        before: Vec3,
+        p: usize,
         creep: [f64; 2],
         motion: &PointMotion,
     ) -> Vec3 {
+        let before = face.anchor[p];
         match &boundary.kind {
             BoundaryKind::Viscous { .. } => {
                 if self.pending == 0.0 {
@@ -375,10 +379,12 @@ impl<'a> Context<'a> {
             }
             BoundaryKind::Moved { velocity } => {
                 let middle = self.time - 0.5 * self.pending;
+                let start = self.reference[face.block as usize] + face.place(p);
+                let at = (self.origin + start).to_array();
                 let mut after = before;
                 for k in 0..3 {
                     if let Some(f) = &velocity[k] {
-                        after[k] += self.pending * f.at(middle);
+                        after[k] += self.pending * f.at_place(middle, at);
                     }
                 }
                 after

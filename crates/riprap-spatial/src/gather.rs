@@ -72,6 +72,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             poses: Poses { bodies, turned },
             boundaries: &world.setup.boundaries,
             in_situ: world.setup.in_situ.as_ref(),
+            origin: world.setup.origin,
             reference: &world.reference,
             time: world.time,
             pending: world.pending,

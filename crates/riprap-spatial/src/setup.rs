@@ -352,7 +352,8 @@ pub enum BoundaryKind {
         /// Against motion along the face.
         shear: bool,
     },
-    /// Face moved with a velocity (m/s along x, y, z) through the same half-block stiffness.
+    /// Face moved with a velocity (m/s along x, y, z) through the same half-block stiffness; formulas know the place of each
+    /// point of it at the start.
     Moved {
         /// Along x, y, z; `None` leaves that direction free.
         velocity: [Option<TimeFunction>; 3],

@@ -51,7 +51,7 @@ pub enum TimeFunction {
         /// Values.
         v: Vec<f64>,
     },
-    /// A formula in `t`.
+    /// A formula in `t`; where a motion is prescribed point by point in x, y, z too ([`TimeFunction::at_place`]).
     Formula(Formula),
     /// `amplitude (exp(-decay t) - exp(-rise t))` from time 0, before that 0 (Duvall 1953); see
     /// [`TimeFunction::duvall`].
@@ -120,6 +120,30 @@ impl TimeFunction {
                     0.0
                 }
             }
+        }
+    }
+
+    /// Value at time `t` (s) for a point that was at `place` (m, global) at the start.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap_core::dynamics::{Formula, TimeFunction};
+    ///
+    /// let shear = TimeFunction::Formula(Formula::new("0.1*z*t", &["t", "x", "y", "z"])?);
+    /// assert_eq!(shear.at_place(2.0, [0.0, 0.0, 5.0]), 1.0);
+    /// # Ok::<(), riprap_core::dynamics::formula::FormulaError>(())
+    /// ```
+    #[must_use]
+    pub fn at_place(&self, t: f64, [x, y, z]: [f64; 3]) -> f64 {
+        match self {
+            Self::Formula(formula) => formula.value(&[("t", t), ("x", x), ("y", y), ("z", z)]),
+            Self::Constant(_)
+            | Self::Ramp { .. }
+            | Self::Sine { .. }
+            | Self::Pulse { .. }
+            | Self::Table { .. }
+            | Self::Duvall { .. } => self.at(t),
         }
     }
 

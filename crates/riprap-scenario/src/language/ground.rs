@@ -108,7 +108,7 @@ pub struct FacePlane {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Moved {
-    /// Velocity along x, y, z over time; a direction that is not given is free.
+    /// Velocity along x, y, z over time; a direction that is not given is free. Formulas know x, y, z, the place at the start.
     pub velocity: MotionComponents<Velocity, Spin>,
 }
 

@@ -25,7 +25,7 @@ pub enum Target {
     /// The blocks whose centroid lies in a box at the start.
     Box(BoxRegion),
     /// The nodes of deformable blocks that lie in a box at the start, its surface included: corners of the blocks,
-    /// centres of their faces, their centroids. For supports in `[space.spatial]` only.
+    /// centres of their faces, their centroids. For supports in space only; formulas of velocities know x, y, z (the place at the start).
     Nodes(BoxRegion),
 }
 

@@ -6,6 +6,7 @@ use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
 use crate::language::{Boundary, InSitu, Scenario, Side, Space};
 use crate::quantity::{Plain, Quantity, Span};
+use crate::time_function::OF_PLACE_AND_TIME;
 use crate::vectors::unit;
 use crate::words::WordOr;
 
@@ -121,11 +122,9 @@ impl Rules {
     fn boundary_functions(&mut self, boundary: &Boundary, span: &Span) {
         if let Some(moved) = &boundary.moved {
             let velocity = &moved.velocity;
-            let turns = [&velocity.spin_x, &velocity.spin_y, &velocity.spin_z];
-            if turns.iter().any(|spin| spin.is_some()) {
-                let message = "faces are moved along x, y, z and do not turn".to_owned();
-                self.error("key.forbidden", span, message, "leave out the spins");
-            } else if !self.components(span, velocity) {
+            if self.turns(span, "faces", velocity) {
+                // Reported.
+            } else if !self.components(span, velocity, &OF_PLACE_AND_TIME) {
                 let message = "a motion needs at least one of `x`, `y`, `z`".to_owned();
                 let help = "write for example x = { constant = \"0.1 m/s\" }";
                 self.error("key.one_of", span, message, help);

@@ -6,7 +6,7 @@ use super::{Rules, target_span};
 use crate::diagnostic::Diagnostic;
 use crate::language::{EdgeLoad, Load, Motion, MotionComponents, Phase, Support, Target};
 use crate::quantity::{Kind, NotNegativeTime, Quantity, Span};
-use crate::time_function::TimeFunction;
+use crate::time_function::{OF_PLACE_AND_TIME, OF_TIME, TimeFunction};
 use crate::values::short;
 use crate::vectors::InSpace;
 
@@ -23,7 +23,11 @@ impl Rules {
         }
         self.nodes(support);
         let any = match &support.motion {
-            Some(Motion::Velocity(motion)) => self.components(&span, motion),
+            Some(Motion::Velocity(motion)) if matches!(support.on, Target::Nodes(_)) => {
+                self.turns(&span, "nodes", motion)
+                    || self.components(&span, motion, &OF_PLACE_AND_TIME)
+            }
+            Some(Motion::Velocity(motion)) => self.components(&span, motion, &OF_TIME),
             Some(Motion::Acceleration(motion)) => {
                 let turns = [&motion.spin_x, &motion.spin_y, &motion.spin_z];
                 if turns.iter().any(|spin| spin.is_some()) {
@@ -31,7 +35,7 @@ impl Rules {
                     let help = "prescribe the spin by a `velocity`, or leave it out";
                     self.error("key.forbidden", &span, message, help);
                 }
-                self.components(&span, motion)
+                self.components(&span, motion, &OF_TIME)
             }
             None => true,
         };
@@ -46,16 +50,35 @@ impl Rules {
         }
     }
 
-    /// Looks at all components of a motion; whether there are any.
+    /// Whether points are told to turn, which is reported.
+    pub(super) fn turns<L: Kind, R: Kind>(
+        &mut self,
+        span: &Span,
+        points: &str,
+        motion: &MotionComponents<L, R>,
+    ) -> bool {
+        let spins = [&motion.spin_x, &motion.spin_y, &motion.spin_z];
+        let turns = spins.iter().any(|spin| spin.is_some());
+        if turns {
+            let message = format!("{points} are moved along x, y, z and do not turn");
+            let help = "leave out the spins: formulas of x, y, z turn them, for example \
+                        x = { formula = \"0.1*(z - 2)\" }";
+            self.error("key.forbidden", span, message, help);
+        }
+        turns
+    }
+
+    /// Looks at all components of a motion, whose formulas use the names `known`; whether there are any.
     pub(super) fn components<L: Kind, R: Kind>(
         &mut self,
         span: &Span,
         motion: &MotionComponents<L, R>,
+        known: &[&str],
     ) -> bool {
         let linear = [&motion.x, &motion.y, &motion.z];
         let turning = [&motion.spin, &motion.spin_x, &motion.spin_y, &motion.spin_z];
         for function in linear {
-            self.time_function(span, function.as_ref());
+            self.function_of(span, function.as_ref(), known);
         }
         for function in turning {
             self.time_function(span, function.as_ref());
@@ -68,8 +91,17 @@ impl Rules {
         span: &Span,
         function: Option<&TimeFunction<K>>,
     ) {
+        self.function_of(span, function, &OF_TIME);
+    }
+
+    fn function_of<K: Kind>(
+        &mut self,
+        span: &Span,
+        function: Option<&TimeFunction<K>>,
+        known: &[&str],
+    ) {
         match function {
-            Some(TimeFunction::Formula(formula)) => self.formula(formula, &["t"]),
+            Some(TimeFunction::Formula(formula)) => self.formula(formula, known),
             Some(TimeFunction::Ramp(ramp)) => {
                 let start = ramp.start.as_ref().map_or(0.0, Quantity::si);
                 self.end_after(start, ramp.end.si(), &ramp.end.span);

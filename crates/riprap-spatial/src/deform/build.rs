@@ -307,7 +307,7 @@ pub fn conditions(
         }
     }
     deform.holds = holds(world, deform);
-    hold_now(deform, world.time);
+    hold_now(deform, world.time, world.setup.origin);
     Ok(())
 }
 
@@ -475,13 +475,13 @@ fn inside(world: &World, deform: &Deform, hold: &NodeHold) -> Vec<u32> {
     nodes.filter(there).map(|node| node as u32).collect()
 }
 
-/// Gives held nodes their prescribed velocities at time `t` (s).
-pub fn hold_now(deform: &mut Deform, t: f64) {
+/// Gives held nodes their prescribed velocities at time `t` (s); `origin` is where the local one lies, m.
+pub fn hold_now(deform: &mut Deform, t: f64, origin: Vec3) {
     let dynamic = deform.relax.is_none();
     for hold in &deform.holds {
         let v = Vec3::from_array(deform.nodes.velocity[hold.node as usize]);
         let target = if dynamic {
-            hold.velocity(t)
+            hold.velocity(t, deform.nodes.place[hold.node as usize] + origin)
         } else {
             Vec3::ZERO
         };

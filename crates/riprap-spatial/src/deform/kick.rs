@@ -36,6 +36,8 @@ pub struct Kick<'a> {
     pub pushes: &'a [[f64; 3]],
     /// Prescribed motion, by node.
     pub holds: &'a [Hold],
+    /// Places of the nodes at the start, m (local), and of the local origin, m.
+    pub places: (&'a [Vec3], Vec3),
     /// Dashpots, by node.
     pub dashpots: &'a [Dashpot],
     /// Instruction set.
@@ -235,7 +237,8 @@ impl Kick<'_> {
         match hold {
             None => *of_free += node.net.length_squared(),
             Some(hold) => {
-                let target = self.drive.1 * hold.velocity(self.drive.0);
+                let place = self.places.0[node.node] + self.places.1;
+                let target = self.drive.1 * hold.velocity(self.drive.0, place);
                 change = hold.free * free + (target - (v - hold.free * v));
                 if self.span > 0.0 {
                     let gap = change - free;
@@ -318,6 +321,7 @@ mod tests {
             loads: if loaded { &loads } else { &[] },
             pushes: if loaded { &pushes } else { &[] },
             holds: &[hold],
+            places: (&vec![Vec3::ZERO; count], Vec3::ZERO),
             dashpots: &[dashpot],
             width: width.unwrap_or(Width::Plain),
         };

@@ -1,5 +1,7 @@
 //! Entering phases: which masses, whether it relaxes, whether bonds may break.
 
+use riprap_geom::Vec3;
+
 use super::relax::{Relax, Relaxation};
 use super::store::{Deform, Masses};
 use crate::laws::tetrahedron::Strain;
@@ -17,8 +19,8 @@ pub struct Rules {
 }
 
 /// Begins a phase; everything must be laid out anew afterwards. Nodes stop where it relaxes or has relaxed (then this
-/// returns true: the leapfrog starts again); the masses suit it.
-pub fn begin(deform: &mut Deform, rules: &Rules, time: f64) -> bool {
+/// returns true: the leapfrog starts again); the masses suit it. `origin` is where the local one lies, m.
+pub fn begin(deform: &mut Deform, rules: &Rules, time: f64, origin: Vec3) -> bool {
     deform.breaking = rules.breaking;
     let stops = deform.relax.is_some() || rules.relax.is_some();
     if stops {
@@ -34,7 +36,7 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64) -> bool {
             deform.masses = Masses::Inertia;
         }
     }
-    super::build::hold_now(deform, time);
+    super::build::hold_now(deform, time, origin);
     stops
 }
 
@@ -63,7 +65,7 @@ pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
     }
     super::build::hold_anew(world, &mut deform);
     if let Some(rules) = rules
-        && begin(&mut deform, rules, world.time)
+        && begin(&mut deform, rules, world.time, world.setup.origin)
     {
         world.last_dt = 0.0;
     }

@@ -94,6 +94,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         loads: &scratch.pushes.loads.nodes,
         pushes: &scratch.pushes.own.nodes,
         holds: &deform.holds,
+        places: (&deform.nodes.place, world.setup.origin),
         dashpots: &work.dashpots,
         width: scratch.width,
     };

@@ -50,7 +50,7 @@ pub struct NodeHold {
     pub min: Vec3,
     /// Highest corner, m.
     pub max: Vec3,
-    /// Velocity along x, y, z, m/s, 0 holds; `None` leaves a direction free.
+    /// Velocity along x, y, z, m/s, 0 holds; `None` leaves a direction free. Formulas know the place of each node at the start.
     pub velocity: [Option<TimeFunction>; 3],
 }
 

@@ -74,12 +74,16 @@ impl Hold {
         self.along.is_empty()
     }
 
-    /// Prescribed velocity at time `t`, m/s: the shortest with the prescribed parts.
+    /// Prescribed velocity at time `t` of the node that was at `place` (m, global) at the start, m/s: the shortest with the
+    /// prescribed parts.
     #[must_use]
-    pub fn velocity(&self, t: f64) -> Vec3 {
+    pub fn velocity(&self, t: f64, place: Vec3) -> Vec3 {
         let mut v = Vec3::ZERO;
         for a in &self.along {
-            let wanted = a.velocity.as_ref().map_or(0.0, |f| f.at(t));
+            let wanted = a
+                .velocity
+                .as_ref()
+                .map_or(0.0, |f| f.at_place(t, place.to_array()));
             v += (wanted - a.direction.dot(v)) / a.direction.dot(a.basis) * a.basis;
         }
         v
@@ -98,15 +102,16 @@ mod tests {
         hold.add(Vec3::new(0.6, 0.8, 0.0), two());
         let v = hold.free * Vec3::new(1.0, 2.0, 3.0);
         assert!((v - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-15);
-        let v = hold.velocity(0.0);
+        let now = |hold: &Hold| hold.velocity(0.0, Vec3::ZERO);
+        let v = now(&hold);
         assert!(v.x.abs() < 1e-15 && (Vec3::new(0.6, 0.8, 0.0).dot(v) - 2.0).abs() < 1e-15);
         // Follows from the two.
         hold.add(Vec3::Y, None);
-        assert_eq!(hold.velocity(0.0), v);
+        assert_eq!(now(&hold), v);
         hold.add(-Vec3::X, two());
-        assert!((hold.velocity(0.0).x + 2.0).abs() < 1e-15);
+        assert!((now(&hold).x + 2.0).abs() < 1e-15);
         hold.add(-Vec3::Z, two());
-        assert!((hold.velocity(0.0).z + 2.0).abs() < 1e-15);
+        assert!((now(&hold).z + 2.0).abs() < 1e-15);
         assert!((hold.free * Vec3::ONE).length() < 1e-15 && !hold.is_free());
     }
 }

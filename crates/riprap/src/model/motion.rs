@@ -6,9 +6,9 @@ use super::builder::Builder;
 use crate::dynamics::{Formula, TimeFunction};
 use crate::planar::setup::{Load, LoadKind, Motion, Support};
 use crate::scenario::language::{self, EdgeLoad, Point};
-use crate::scenario::quantity::{Kind, Length, Vector};
+use crate::scenario::quantity::{Kind, Length, Vector, Velocity};
 use crate::scenario::read::Given;
-use crate::scenario::time_function::CsvFunction;
+use crate::scenario::time_function::{CsvFunction, OF_PLACE_AND_TIME, OF_TIME};
 use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns};
 
 /// A point of a load lies on a boundary if it is nearer than this, times the size of the block.
@@ -58,10 +58,28 @@ impl Builder<'_> {
         f.and_then(|f| self.time_function(f))
     }
 
+    /// Velocities along x, y, z of points, over time and by place; `None` where a direction is free, or after an error.
+    pub(super) fn point_velocity<R: Kind>(
+        &mut self,
+        said: &language::MotionComponents<Velocity, R>,
+    ) -> [Option<TimeFunction>; 3] {
+        [&said.x, &said.y, &said.z]
+            .map(|f| (f.as_ref()).and_then(|f| self.function_of(f, &OF_PLACE_AND_TIME)))
+    }
+
     /// A function of time in SI; `None` after an error.
     pub(super) fn time_function<K: Kind>(
         &mut self,
         f: &scenario::TimeFunction<K>,
+    ) -> Option<TimeFunction> {
+        self.function_of(f, &OF_TIME)
+    }
+
+    /// A function in SI whose formula uses the names `known`; `None` after an error.
+    fn function_of<K: Kind>(
+        &mut self,
+        f: &scenario::TimeFunction<K>,
+        known: &[&str],
     ) -> Option<TimeFunction> {
         use scenario::TimeFunction as Said;
         Some(match f {
@@ -91,7 +109,7 @@ impl Builder<'_> {
                 let (t, v) = self.csv_function(csv)?;
                 TimeFunction::Table { t, v }
             }
-            Said::Formula(text) => TimeFunction::Formula(self.formula(text, &["t"])?),
+            Said::Formula(text) => TimeFunction::Formula(self.formula(text, known)?),
         })
     }
 

@@ -176,12 +176,7 @@ impl Builder<'_> {
             return Some((kind, true));
         }
         if let Some(moved) = &said.moved {
-            let v = &moved.velocity;
-            let velocity = [
-                self.maybe(v.x.as_ref()),
-                self.maybe(v.y.as_ref()),
-                self.maybe(v.z.as_ref()),
-            ];
+            let velocity = self.point_velocity(&moved.velocity);
             return Some((BoundaryKind::Moved { velocity }, true));
         }
         if let Some(viscous) = &said.viscous {

@@ -117,11 +117,7 @@ impl Builder<'_> {
         let still = || Some(TimeFunction::Constant(0.0));
         let velocity = match (&support.fixed, &support.motion) {
             (Some(fixed), _) => held_along(fixed).map(|held| held.then(still).flatten()),
-            (None, Some(language::Motion::Velocity(m))) => [
-                self.maybe(m.x.as_ref()),
-                self.maybe(m.y.as_ref()),
-                self.maybe(m.z.as_ref()),
-            ],
+            (None, Some(language::Motion::Velocity(m))) => self.point_velocity(m),
             (None, Some(language::Motion::Acceleration(_))) => {
                 let message = "nodes are driven by a velocity";
                 let error = Diagnostic::error("key.forbidden", message);
