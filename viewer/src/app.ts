@@ -66,13 +66,18 @@ export class App {
       this.timeline.following = true;
       this.news();
     }
-    // What a run has come to is what people look for first; the start is often a uniform box.
+    // What a run has come to is what people look for first; the start is often a uniform box. Its picture does not wait for the
+    // values of all the other frames.
+    for (const { view } of this.panes) view.hasty = true;
     await this.timeline.go(this.timeline.moments.length - 1);
     for (const pane of this.panes) this.refreshPane(pane);
     const [leader, ...others] = this.panes;
     if (leader) for (const other of others) other.view.stage.follow(leader.view.stage.standpoint());
     const flat = this.panes[0]?.view.flat ?? true;
     this.panel?.rebuild(flat ? 2 : 3);
+    document.documentElement.dataset.shown = "true";
+    for (const { view } of this.panes) view.hasty = false;
+    await this.timeline.go(this.timeline.at);
     document.documentElement.dataset.ready = "true";
   }
 

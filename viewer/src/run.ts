@@ -103,6 +103,8 @@ export interface MotionInfo {
 export interface FieldInfo {
   unit: string;
   range: [number, number] | null;
+  /** Of most blocks. */
+  most: [number, number] | null;
 }
 
 /** Values over all frames: smallest and largest, and those of most blocks. */
@@ -162,7 +164,7 @@ export class Run {
   private readonly memory = new Map<string, { answer: Promise<Packet<unknown>>; bytes: number }>();
   private held = 0;
   /** Values over all frames, by field. */
-  private readonly ranges = new Map<string, Range>();
+  private readonly ranges = new Map<string, Promise<Range>>();
   /** What holds, moves and loads the model; null in runs of earlier versions. */
   conditions: Conditions | null = null;
   /** Names of its blocks and groups; those of later parts of blocks come when they are there. */
@@ -274,9 +276,16 @@ export class Run {
   }
 
   /** Range of a field over the whole run. */
-  async range(name: string): Promise<Range> {
+  range(name: string): Promise<Range> {
     const known = this.ranges.get(name);
     if (known !== undefined) return known;
+    const found = this.readRange(name);
+    this.ranges.set(name, found);
+    found.catch(() => this.ranges.delete(name));
+    return found;
+  }
+
+  private async readRange(name: string): Promise<Range> {
     const all: Range = { range: null, most: null };
     const at = 24;
     const held = this.summary.held !== undefined;
@@ -286,7 +295,6 @@ export class Run {
       all.range = wider(all.range, found.range);
       all.most = wider(all.most, found.most ?? found.range);
     }
-    this.ranges.set(name, all);
     return all;
   }
 

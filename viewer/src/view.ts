@@ -73,6 +73,8 @@ export class View {
   private last: Fetched | null = null;
   private ticket = 0;
   private ink = "#000000";
+  /** Colours span the values of the frame alone where those of the run are not known: these need all frames to be read. */
+  hasty = false;
   /** Runs shown with this one: their colours mean the same. */
   others: Run[] = [];
 
@@ -150,7 +152,7 @@ export class View {
     const [motion, values, range, arrows, contacts, cracks, bolts, stress, supports, materials] = await Promise.all([
       this.run.motion(k),
       withField ? this.run.field(k, field) : none,
-      withField && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
+      withField && !this.hasty && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
       needVectors ? this.run.vectors(k, vectors) : none,
       needContacts ? this.run.contacts(k) : none,
       // A frame whose cracks are missing shows the faces that its contacts tell of.
@@ -362,7 +364,9 @@ export class View {
       scale.plain("#b9a88c");
       return;
     }
-    let [low, high] = (settings.rangeMode === "frame" ? last?.field?.info.range : last?.range) ?? [0, 1];
+    const own = last?.field?.info;
+    const ofFrame = settings.rangeMode === "most" ? (own?.most ?? own?.range) : own?.range;
+    let [low, high] = (settings.rangeMode === "frame" ? ofFrame : (last?.range ?? ofFrame)) ?? [0, 1];
     if (settings.rangeMode === "fixed") [low, high] = [settings.low, settings.high];
     else if (settings.map === "blue-red" && low < 0 && high > 0 && !settings.log) {
       // White means zero.
