@@ -369,6 +369,7 @@ export class App {
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
       { keys: ["r"], label: "r", what: "bolts: rods, red in tension, blue in compression", act: () => choices.set({ bolts: !choices.now.bolts }) },
+      { keys: ["i"], label: "i", what: "charges: stars where they are (in space)", act: () => choices.set({ charges: !choices.now.charges }) },
       { keys: ["a"], label: "a", what: "principal stresses as crosses", act: () => choices.set({ stress: !choices.now.stress }) },
       { keys: ["d"], label: "d", what: "distance, and the field along a line: click both ends (again: take it away)", act: () => this.toggleLine() },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },

@@ -4,7 +4,7 @@ import { kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
 import { RULER } from "./line";
-import { FACES, PRESSED, PULLED, STATES } from "./marks";
+import { CHARGES, FACES, PRESSED, PULLED, STATES } from "./marks";
 import type { Run } from "./run";
 import type { Settings } from "./settings";
 import type { View } from "./view";
@@ -39,6 +39,10 @@ export function legendOf(view: View, settings: Settings): LegendText {
   if (view.supports !== null) out.notes.push({ text: `${view.supports} held or moved`, colour: "#2f7bd9" });
   if (view.supports !== null && view.driven > 0) out.notes.push({ text: `${view.driven} of them driven`, colour: "#e07b1a" });
   out.notes.push(...view.conditionNotes);
+  const charges = (view.run.summary.manifest.sources ?? []).map((s) => s.name);
+  if (settings.charges && charges.length > 0) {
+    out.notes.push({ text: charges.length === 1 ? `charge ${charges[0]!}` : `${charges.length} charges`, colour: CHARGES });
+  }
   if (view.boltForces && view.boltForces.largest !== null) {
     const { largest, smallest, unit } = view.boltForces;
     out.notes.push({ text: `bolts up to ${quantity(largest, unit, 3)}`, colour: "#d01c1c" });

@@ -251,6 +251,43 @@ export class Bolts {
   }
 }
 
+/** Colour of charges. */
+export const CHARGES = "#ff7a00";
+
+/** A charge of a scene: a point, or a line from the first corner to the last (m, global axes). */
+export interface Charge {
+  name: string;
+  centre?: number[];
+  line?: number[][];
+}
+
+/** Charges as small stars, with rods along those that are lines; they show through the blocks. */
+export class Charges {
+  readonly object = new THREE.Group();
+  private readonly material = new THREE.MeshBasicMaterial({ color: CHARGES, depthTest: false, transparent: true, opacity: 0.85 });
+
+  /** Puts up stars of the radius `size`, in m; `origin` is what places are drawn less of. */
+  build(charges: Charge[], origin: readonly number[], size: number): void {
+    for (const charge of charges) {
+      const ends = (charge.centre ? [charge.centre] : (charge.line ?? [])).map((p) => new THREE.Vector3(p[0]! - origin[0]!, p[1]! - origin[1]!, p[2]! - origin[2]!));
+      for (const end of ends) this.add(new THREE.OctahedronGeometry(size)).position.copy(end);
+      for (let k = 0; k + 1 < ends.length; k++) {
+        const way = ends[k + 1]!.clone().sub(ends[k]!);
+        const rod = this.add(new THREE.CylinderGeometry(size / 5, size / 5, way.length(), 6).rotateZ(-Math.PI / 2));
+        rod.position.copy(ends[k]!).addScaledVector(way, 0.5);
+        rod.quaternion.setFromUnitVectors(AHEAD, way.normalize());
+      }
+    }
+  }
+
+  private add(geometry: THREE.BufferGeometry): THREE.Mesh {
+    const mesh = new THREE.Mesh(geometry, this.material);
+    mesh.renderOrder = 4;
+    this.object.add(mesh);
+    return mesh;
+  }
+}
+
 /** Colours of principal stresses: those of bolts. */
 export const PRESSED = "#1d5fd0";
 export const PULLED = "#d01c1c";

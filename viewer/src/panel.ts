@@ -291,6 +291,9 @@ export class Panel {
         this.runs.some((r) => r.summary.bolts)
           ? check("bolts", now.bolts, (bolts) => choices.set({ bolts }), "Bars of bolts, red in tension, blue in compression (r)")
           : null,
+        this.runs.some((r) => (r.summary.manifest?.sources ?? []).length > 0)
+          ? check("charges", now.charges, (charges) => choices.set({ charges }), "Stars where charges are (i)")
+          : null,
       ),
     );
     if (now.contacts) {

@@ -2,6 +2,7 @@
 
 import type { Conditions } from "./conditions";
 import { quantity } from "./format";
+import type { Charge } from "./marks";
 import { heldBlock, heldHistory, nameOf, type Names } from "./held";
 import type { Source } from "./source";
 import { Problem } from "./source";
@@ -34,7 +35,7 @@ export interface Manifest {
   message: string;
   warnings: string[];
   fields: { name: string; unit: string; meaning: string }[];
-  sources: { name: string; centre?: number[]; line?: number[][] }[];
+  sources: Charge[];
   /** Not in runs of earlier versions. */
   gravity?: [number, number, number];
   materials?: string[];

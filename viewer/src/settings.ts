@@ -40,6 +40,8 @@ export interface Settings {
   states: boolean[];
   cracks: boolean;
   bolts: boolean;
+  /** Stars at charges. */
+  charges: boolean;
   speed: number;
   loop: boolean;
 }
@@ -73,6 +75,7 @@ export const DEFAULTS: Settings = {
   states: [false, true, true, true, true, true, true, true],
   cracks: false,
   bolts: true,
+  charges: true,
   speed: 10,
   loop: true,
 };

@@ -7,7 +7,7 @@ import { ConditionMarks, type Note } from "./conditions";
 import { quantity, short } from "./format";
 import { JointMarks } from "./joints";
 import { piecesAlong, Ruler, type Piece } from "./line";
-import { Arrows, Bolts, Contacts, Crosses, Picked, contactPlaces } from "./marks";
+import { Arrows, Bolts, Charges, Contacts, Crosses, Picked, contactPlaces } from "./marks";
 import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
@@ -53,6 +53,7 @@ export class View {
   private readonly supportMark = new Picked("#2f7bd9", 3);
   private readonly drivenMark = new Picked("#e07b1a", 3);
   private readonly bolts = new Bolts();
+  private readonly charges = new Charges();
   private readonly crosses = new Crosses();
   private readonly conditions = new ConditionMarks();
   private readonly joints = new JointMarks();
@@ -69,7 +70,6 @@ export class View {
   boltForces: BoltInfo | null = null;
   /** Principal stresses that are drawn as crosses, with the number of blocks beyond the longest. */
   stressShown: (StressInfo & { beyond: number }) | null = null;
-  private readonly sources = new THREE.Group();
   private last: Fetched | null = null;
   private ticket = 0;
   private ink = "#000000";
@@ -86,10 +86,9 @@ export class View {
     this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.bolts, this.crosses, this.conditions, this.joints, this.ruler]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.bolts, this.charges, this.crosses, this.conditions, this.joints, this.ruler]) {
       this.stage.scene.add(one.object);
     }
-    this.stage.scene.add(this.sources);
   }
 
   get flat(): boolean {
@@ -188,28 +187,9 @@ export class View {
     this.stage.setDimension(blocks.dimension, up);
     this.stage.scene.add(blocks.object);
     if (first) {
-      this.markSources();
+      this.charges.build(this.run.summary.manifest.sources ?? [], blocks.shape.info.origin, 0.3 * blocks.size);
       this.stage.look(blocks.box());
     }
-  }
-
-  /** Charges as small stars. */
-  private markSources(): void {
-    const origin = this.blocks!.shape.info.origin;
-    const size = this.blocks!.size;
-    for (const source of this.run.summary.manifest.sources ?? []) {
-      const ends = source.centre ? [source.centre] : (source.line ?? []);
-      for (const end of ends) {
-        const star = new THREE.Mesh(
-          new THREE.OctahedronGeometry(0.3 * size),
-          new THREE.MeshBasicMaterial({ color: 0xff7a00, depthTest: false, transparent: true, opacity: 0.85 }),
-        );
-        star.position.set(end[0]! - origin[0], end[1]! - origin[1], end[2]! - origin[2]);
-        star.renderOrder = 4;
-        this.sources.add(star);
-      }
-    }
-    this.sources.visible = false;
   }
 
   /** Puts what was fetched on the stage. `moved`: the frame or the exaggeration is another. */
@@ -227,7 +207,7 @@ export class View {
     blocks.glass = (settings.cracks || settings.joints !== "") && !this.flat;
     const { planes } = blocks;
     for (const marks of Object.values(this.marks)) marks.end(planes);
-    this.sources.visible = settings.cracks || settings.clipAxis !== "";
+    this.charges.object.visible = settings.charges;
     this.drawArrows(settings);
     this.drawContacts(settings);
     this.drawBolts(settings);

@@ -414,13 +414,17 @@ impl Run {
         })
     }
 
-    /// Bars of bolts of frame `k`, two points each.
+    /// Bars of bolts of frame `k`, two points each; none before the first bolt is put in.
     ///
     /// # Errors
-    /// As [`Run::placed`]; a frame without bolts has none.
+    /// As [`Run::placed`]; a run without bolts.
     pub fn bolts(&self, k: usize) -> Result<Cracks, Problem> {
         let (number, [blocks, _]) = self.numbered(k)?;
-        let bolts = vtu::read(&self.inside(&bolt_file(number))?)?;
+        let bolts = match self.inside(&bolt_file(number)) {
+            Ok(file) => vtu::read(&file)?,
+            Err(_) if self.inside("bolts.pvd").is_ok() => vtu::Vtu::default(),
+            Err(problem) => return Err(problem),
+        };
         Ok(Cracks {
             points: self.less_origin(k, &bolts.points)?,
             ends: bolts.offsets,
