@@ -292,6 +292,13 @@ export class App {
       unpick: () => {
         for (const pane of this.panes) void this.pick(pane, null);
       },
+      goTo: (run, ids) => {
+        const pane = this.panes.find((p) => p.view.run === run);
+        if (!pane) return;
+        pane.view.goTo(ids);
+        for (const other of this.panes) if (other !== pane) other.view.stage.follow(pane.view.stage.standpoint());
+        void this.pick(pane, ids[0] ?? null);
+      },
       line: () => this.toggleLine(),
       history: () => {
         this.host.classList.add("with-plots");

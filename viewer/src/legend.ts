@@ -7,7 +7,7 @@ import { RULER } from "./line";
 import { CHARGES, FACES, PRESSED, PULLED, STATES } from "./marks";
 import type { Run } from "./run";
 import type { Settings } from "./settings";
-import type { View } from "./view";
+import { WARNED, type View } from "./view";
 
 export interface LegendText {
   title: string;
@@ -36,6 +36,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
       if (beyond > 0) out.notes.push({ text: `${beyond} block${beyond === 1 ? "" : "s"} beyond` });
     }
   }
+  if (view.warned > 0) out.notes.push({ text: `${view.warned} block${view.warned === 1 ? "" : "s"} with warnings`, colour: WARNED });
   if (view.supports !== null) out.notes.push({ text: `${view.supports} held or moved`, colour: "#2f7bd9" });
   if (view.supports !== null && view.driven > 0) out.notes.push({ text: `${view.driven} of them driven`, colour: "#e07b1a" });
   out.notes.push(...view.conditionNotes);

@@ -8,6 +8,7 @@ import { STATES } from "./marks";
 import { namesOf } from "./plots";
 import type { BlockNumbers, Run } from "./run";
 import type { Choices, Settings } from "./settings";
+import { blocksOf } from "./warnings";
 
 export interface Actions {
   fit: (side?: "default" | "x" | "y" | "z") => void;
@@ -16,6 +17,8 @@ export interface Actions {
   film: () => void;
   niceExaggeration: () => number;
   unpick: () => void;
+  /** Picks the first of some blocks of a run and looks at all of them. */
+  goTo: (run: Run, ids: number[]) => void;
   line: () => void;
   history: () => void;
   range: () => [number, number];
@@ -50,16 +53,29 @@ export class Panel {
   /** Everything anew: another kind of run, new fields. */
   rebuild(dimension = this.dimension): void {
     this.dimension = dimension;
+    // What is to be mended before a scene is run comes first.
+    const doubtful = this.runs.filter((r) => r.summary.manifest?.preview && r.summary.manifest.warnings.length > 0);
     this.object.replaceChildren(
+      ...doubtful.map((run) => section(`Warnings (${run.summary.manifest.warnings.length})`, true, ...this.warnings(run))),
       section("Colour", true, this.colourBox),
       section("Shape and view", true, this.moveBox),
       section("Vectors and contacts", true, this.marksBox),
       section("Block", true, this.blockBox),
       section("Save", false, this.saveBox()),
-      ...this.runs.map((run, i) => section(this.runs.length > 1 ? `Run ${i + 1}` : "Run", false, aboutRun(run))),
+      ...this.runs.map((run, i) => section(this.runs.length > 1 ? `Run ${i + 1}` : "Run", false, aboutRun(run, this.warnings(run)))),
     );
     this.refill();
     if (!this.blockBox.hasChildNodes()) this.showBlock(null);
+  }
+
+  /** Warnings of a run; those that name blocks lead there. */
+  private warnings(run: Run): HTMLElement[] {
+    return (run.summary.manifest?.warnings ?? []).map((text) => {
+      const ids = blocksOf(text, run.names);
+      if (ids.length === 0) return el("p.warning", {}, text);
+      const title = ids.length === 1 ? "Go to this block" : `Go to these ${ids.length} blocks`;
+      return el("button.warning", { type: "button", title, onclick: () => this.actions.goTo(run, ids) }, text);
+    });
   }
 
   /** The choices anew: they depend on what is shown. */
@@ -376,7 +392,7 @@ function section(title: string, open: boolean, ...children: HTMLElement[]): HTML
 }
 
 /** What ended how, with what. */
-function aboutRun(run: Run): HTMLElement {
+function aboutRun(run: Run, warnings: HTMLElement[]): HTMLElement {
   const { manifest: m, name } = run.summary;
   if (!m) return el("p.hint", {}, "This folder cannot be read.");
   const rows: [string, string][] = [
@@ -401,7 +417,7 @@ function aboutRun(run: Run): HTMLElement {
     "div",
     {},
     el("table", {}, ...rows.filter(([, v]) => v).map(([k, v]) => el("tr", {}, el("td", {}, k), el("td", {}, v)))),
-    ...m.warnings.map((w) => el("p.warning", {}, w)),
+    ...(m.preview ? [] : warnings),
     el("p.files", {}, ...links),
   );
 }

@@ -187,7 +187,9 @@ export class Run {
   /** Reads the summary again; whether another run has taken the folder. */
   async refresh(): Promise<boolean> {
     const next = await this.source.json<Summary>("summary");
-    const other = !next.problem && next.manifest.started !== this.summary.manifest?.started;
+    // A scene that is saved twice in a second starts twice at one time.
+    const before = this.summary.manifest;
+    const other = !next.problem && (next.manifest.started !== before?.started || next.manifest.input_hash !== before.input_hash);
     if (other) {
       this.memory.clear();
       this.held = 0;

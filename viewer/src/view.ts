@@ -12,6 +12,7 @@ import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type Moti
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
+import { blocksOf } from "./warnings";
 import type { Packet } from "./wire";
 
 /** What a frame needs, fetched. */
@@ -29,6 +30,9 @@ interface Fetched {
   materials: Packet<FieldInfo> | null;
 }
 
+/** Outline and dot of blocks that warnings name, and how many of them have these at most. */
+export const WARNED = "#e8a200";
+const WARNED_MOST = 2000;
 /** A corner nearer than this to the pointer is meant, pixels. */
 const SNAP = 9;
 
@@ -52,6 +56,11 @@ export class View {
   private readonly pickedMark = new Picked();
   private readonly supportMark = new Picked("#2f7bd9", 3);
   private readonly drivenMark = new Picked("#e07b1a", 3);
+  private readonly warnedMark = new Picked(WARNED, 4);
+  private readonly warnedDots = new THREE.Points(
+    new THREE.BufferGeometry(),
+    new THREE.PointsMaterial({ color: WARNED, size: 10, sizeAttenuation: false, depthTest: false, transparent: true }),
+  );
   private readonly bolts = new Bolts();
   private readonly charges = new Charges();
   private readonly crosses = new Crosses();
@@ -62,6 +71,8 @@ export class View {
   ends: THREE.Vector3[] = [];
   /** What the legend says of boundaries, loads, water and joints. */
   conditionNotes: Note[] = [];
+  /** Blocks that warnings of a scene name, where the scene is shown before it is run. */
+  warned = 0;
   /** Blocks that supports hold, where they are shown. */
   supports: number | null = null;
   /** Of these, blocks that are driven. */
@@ -86,7 +97,10 @@ export class View {
     this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.bolts, this.charges, this.crosses, this.conditions, this.joints, this.ruler]) {
+    this.warnedDots.frustumCulled = false;
+    this.warnedDots.renderOrder = 4;
+    this.stage.scene.add(this.warnedDots);
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.warnedMark, this.bolts, this.charges, this.crosses, this.conditions, this.joints, this.ruler]) {
       this.stage.scene.add(one.object);
     }
   }
@@ -213,6 +227,7 @@ export class View {
     this.drawBolts(settings);
     this.drawStress(settings);
     this.drawPicked();
+    this.drawWarned();
     this.drawSupports(settings);
     this.drawConditions(settings);
     this.stage.redraw();
@@ -430,6 +445,33 @@ export class View {
   private drawPicked(): void {
     const at = this.picked === null ? -1 : this.blocks!.placeOf(this.picked);
     this.pickedMark.draw(at < 0 ? null : this.blocks!.outline(at));
+  }
+
+  /** Outlines the blocks that warnings name; a run has moved on from what was said of its start. */
+  private drawWarned(): void {
+    const blocks = this.blocks!;
+    const { preview, warnings } = this.run.summary.manifest;
+    const named = preview ? new Set(warnings.flatMap((w) => blocksOf(w, this.run.names))) : new Set<number>();
+    this.warned = named.size;
+    const places = [...named].map((id) => blocks.placeOf(id)).filter((at) => at >= 0 && blocks.isShown(at));
+    const marked = places.slice(0, WARNED_MOST);
+    const lines = marked.flatMap((at) => [...blocks.outline(at)]);
+    this.warnedMark.draw(lines.length > 0 ? new Float32Array(lines) : null);
+    // A block that is too small to be seen has a dot.
+    const dots = marked.flatMap((at) => [...blocks.middles.subarray(3 * at, 3 * at + 2), this.flat ? 0.6 : blocks.middles[3 * at + 2]!]);
+    this.warnedDots.geometry.dispose();
+    this.warnedDots.geometry.setAttribute("position", new THREE.Float32BufferAttribute(dots, 3));
+    this.warnedDots.visible = dots.length > 0;
+  }
+
+  /** Looks at blocks from where the camera stands, with as much again around them. */
+  goTo(ids: number[]): void {
+    const { blocks } = this;
+    if (!blocks) return;
+    const box = new THREE.Box3();
+    for (const at of ids.map((id) => blocks.placeOf(id))) if (at >= 0) for (const corner of blocks.cornersOf(at)) box.expandByPoint(corner);
+    if (box.isEmpty()) return;
+    this.stage.look(box.expandByScalar(box.getSize(new THREE.Vector3()).length()));
   }
 
   /** Picks the block under a place of the screen; null: none there. */

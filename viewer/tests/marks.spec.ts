@@ -81,3 +81,48 @@ test("the charge of a run is named", async ({ view }) => {
   await page.keyboard.press("i");
   await expect(page.locator(".legend")).not.toContainText("charge");
 });
+
+/** A pile of which one stone is made too small to be meant, and nothing holds it. */
+const SLIVER = `
+riprap = 1
+title = "a sliver in a wall"
+[space.planar]
+gravity = ["0 m/s2", "-9.81 m/s2"]
+[materials.rock]
+density = "2600 kg/m3"
+[interfaces.default]
+normal_stiffness = "10 GPa/m"
+friction_angle = "30 deg"
+[[blocks]]
+name = "wall"
+material = "rock"
+wall = { corner = ["0 m", "0 m"], block = ["1 m", "0.5 m"], courses = 6, per_course = 6, bond = "running" }
+[[blocks]]
+name = "chip"
+material = "rock"
+rectangle = { size = ["0.5 m", "1 mm"], corner = ["2 m", "3.1 m"] }
+[[phases]]
+name = "fall"
+until = { time = "1 ms" }
+`;
+
+test("warnings of a scene are marked at their blocks and lead there, also when it was saved", async ({ view }) => {
+  const file = join(mkdtempSync(join(tmpdir(), "riprap-marks-")), "sliver.toml");
+  writeFileSync(file, SLIVER);
+  const page = await view(file);
+  const warnings = page.locator("details", { hasText: "Warnings (" });
+  await expect(warnings.locator("summary")).toHaveText("Warnings (2)");
+  await expect(page.locator(".legend")).toContainText("1 block with warnings");
+  // What names no block is told, too, and leads nowhere.
+  await expect(warnings.locator("p.warning")).toContainText("nothing is held or supported");
+  const far = await settled(page);
+  await shoot(page, "warned");
+  await warnings.getByRole("button", { name: /chip.*sliver/ }).click();
+  await expect(page.locator(".pickhead b")).toHaveText("chip");
+  expect(await settled(page)).not.toBe(far);
+  await shoot(page, "warned-block");
+  // Mended and saved: the picture is without marks, and what is left is listed.
+  writeFileSync(file, SLIVER.replace('"1 mm"', '"0.5 m"'));
+  await expect(warnings.locator("summary")).toHaveText("Warnings (1)", { timeout: 15_000 });
+  await expect(page.locator(".legend")).not.toContainText("with warnings");
+});

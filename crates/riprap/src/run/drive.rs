@@ -162,6 +162,11 @@ impl Drive {
         &self.simulation
     }
 
+    /// The stable time step of the present contacts, s; infinite where nothing bounds it.
+    pub(super) fn stable(&mut self) -> f64 {
+        self.simulation.stable().dt
+    }
+
     /// The simulation alone.
     #[must_use]
     pub fn into_simulation(self) -> Simulation {

@@ -165,14 +165,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     });
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
-    let mut warnings = doubts(&simulation, plan);
-    if timed && dt > stable.dt {
-        warnings.push(format!(
-            "the time step of the first phase is {:.1} times the stable one ({:.3e} s): leave `time_step` out or make it shorter",
-            dt / stable.dt,
-            stable.dt
-        ));
-    }
+    let warnings = doubts(&simulation, plan, stable.dt);
     let rate = rate(&mut simulation)?;
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
@@ -194,8 +187,9 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     })
 }
 
-/// What a scene holds that is probably not meant.
-fn doubts(simulation: &Simulation, plan: &Plan) -> Vec<String> {
+/// What a scene holds that is probably not meant, in words that name blocks in backticks. The first step must be prepared; `stable`
+/// is the stable step at the start, s, infinite where nothing bounds it.
+pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<String> {
     let view = simulation.view();
     let mut found = meeting::words(&view);
     let pulled = simulation.cursor().gravity_after != [0.0; 3];
@@ -214,6 +208,13 @@ fn doubts(simulation: &Simulation, plan: &Plan) -> Vec<String> {
             "block `{}` is moved while the static phase `{}` looks for rest: the time of such a phase is not physical, and it may not end",
             view.name(block),
             phase.name
+        ));
+    }
+    let dt = simulation.dt();
+    if stable.is_finite() && !simulation.relaxes() && dt > stable {
+        found.push(format!(
+            "the time step of the first phase is {:.1} times the stable one ({stable:.3e} s): leave `time_step` out or make it shorter",
+            dt / stable
         ));
     }
     found

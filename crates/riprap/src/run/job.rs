@@ -14,6 +14,7 @@ use thiserror::Error;
 use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
+use super::forecast::doubts;
 use super::given_step::{self, TooLong};
 use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
@@ -151,6 +152,14 @@ pub fn preview(mut job: Job, folder: &Path) -> Result<Live, JobError> {
         time: None,
     };
     live.advance(first, &mut |_| Control::Continue)?;
+    // The page lists what `riprap check` would say.
+    let stable = live.drive.stable();
+    let simulation = live.drive.simulation();
+    let doubts = doubts(simulation, simulation.plan(), stable);
+    live.manifest.warnings.extend(doubts);
+    if let Some(recorder) = live.drive.recorder() {
+        recorder.folder.write_manifest(&live.manifest)?;
+    }
     Ok(live)
 }
 
