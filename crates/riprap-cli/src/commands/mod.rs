@@ -10,6 +10,7 @@ pub mod probe;
 pub mod report;
 pub mod run;
 pub mod safety;
+pub mod scratch;
 pub mod shell;
 pub mod trials;
 pub mod verify;

@@ -8,6 +8,7 @@ use riprap::run::job::{self, Live};
 use riprap::run::scene::Scene;
 use riprap_view::{Server, ServerError};
 
+use super::scratch::Scratch;
 use crate::args::{Change, View};
 use crate::diagnostics::{self, Style};
 use crate::failure::Failure;
@@ -37,11 +38,14 @@ const LOOK: Duration = Duration::from_millis(300);
 
 /// Shows the model of a scene as it stands before its first step, and again when the file is saved.
 fn preview(args: &View, style: Style) -> Result<(), Failure> {
-    let scratch = std::env::temp_dir().join(format!("riprap-view-{}", std::process::id()));
-    let folder = scratch.join(args.run.file_stem().unwrap_or_default());
-    let gone = scratch.clone();
+    let scratch = Scratch::new()
+        .map_err(|e| Failure::Output(format!("could not make a temporary folder: {e}")))?;
+    let folder = scratch
+        .path()
+        .join(args.run.file_stem().unwrap_or_default());
+    let gone = scratch.path().to_owned();
     ctrlc::set_handler(move || {
-        // What stays behind lies among the temporary files of the system.
+        // What stays behind goes when the next preview begins.
         let _ = std::fs::remove_dir_all(&gone);
         std::process::exit(i32::from(crate::failure::INTERRUPTED));
     })
@@ -50,9 +54,7 @@ fn preview(args: &View, style: Style) -> Result<(), Failure> {
     let model = model(&scene, &change, &folder, style)?;
     let watched = folder.clone();
     std::thread::spawn(move || watch(&scene, &change, &watched, style, model));
-    let done = serve(&[folder], args);
-    let _ = std::fs::remove_dir_all(&scratch);
-    done
+    serve(&[folder], args)
 }
 
 /// Writes the model of a scene into `folder`.
