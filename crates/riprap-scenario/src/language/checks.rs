@@ -37,8 +37,8 @@ pub struct Criterion {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
-    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
-    /// axis; in space a vector such as `[0, 0, 1]`.
+    /// Direction in which a vector is measured: in the plane an angle from the x axis, in space a
+    /// vector such as `[0, 0, 1]`.
     pub along: Option<Direction>,
     /// How values over the whole run become one number. Default: the value at the end.
     pub reduce: Option<Reduce>,
@@ -61,8 +61,8 @@ pub struct Check {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
-    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
-    /// axis; in space a vector such as `[0, 0, 1]`.
+    /// Direction in which a vector is measured: in the plane an angle from the x axis, in space a
+    /// vector such as `[0, 0, 1]`.
     pub along: Option<Direction>,
     /// Name of a phase: `"start"`, `"end"` and the interval of `reduce` are then those of the phase. Not with `over`.
     pub phase: Option<Name>,

@@ -44,8 +44,8 @@ pub struct Boundary {
     /// A force per area with a fixed direction.
     #[key(space = "spatial", instead = "use [[supports]] and [[loads]]")]
     pub traction: Option<FaceTraction>,
-    /// Whether the in-situ stress acts on these faces from outside, so that the start is in
-    /// equilibrium. Default true for `held`, `roller`, `moved` and `viscous` if there is
+    /// Whether the in-situ stress acts on these faces from outside.
+    /// Default true for `held`, `roller`, `moved` and `viscous` if there is
     /// `[in_situ]`, else false.
     pub in_situ: Option<bool>,
 }
@@ -166,7 +166,7 @@ pub enum InSitu {
 pub struct GravityK0 {
     /// Height of the ground surface, m. Default the top of the model.
     pub surface: Option<Quantity<Length>>,
-    /// Horizontal over vertical stress; zero or more. 1/3 belongs to Poisson's ratio 0.25.
+    /// Horizontal over vertical stress. 1/3 belongs to Poisson's ratio 0.25.
     pub k0: Quantity<NotNegativePlain>,
     /// Density of the rock, kg/m3. Default that of the material; needed with several densities.
     pub density: Option<Quantity<Density>>,
@@ -194,7 +194,7 @@ pub struct Compressive {
     /// Its growth with depth, Pa/m. Default `k0` times `vertical_gradient`.
     #[key(space = "spatial", instead = "use `vertical_gradient`")]
     pub y_gradient: Option<Quantity<PressureGradient>>,
-    /// Horizontal over vertical stress where a horizontal one is not given; zero or more.
+    /// Horizontal over vertical stress where a horizontal one is not given.
     #[key(default = "0")]
     pub k0: Option<Quantity<NotNegativePlain>>,
     /// Bearing of `x`, clockwise from north (y); `y` is at right angles to it. Default 90 deg.

@@ -39,12 +39,12 @@ pub struct Interface {
     )]
     #[key(default)]
     pub stiffness: Option<StiffnessRule>,
-    /// Normal stiffness per area of contact, Pa/m; greater than zero. Default in `[space.planar]`
+    /// Normal stiffness per area of contact, Pa/m. Default in `[space.planar]`
     /// 10 (K + 4G/3)/L from `young` and `poisson` of the materials, L the median block size; in
     /// `[space.spatial]` by `stiffness`.
     #[key(changes)]
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
-    /// Shear stiffness per area of contact, Pa/m; greater than zero. Default half the normal one.
+    /// Shear stiffness per area of contact, Pa/m. Default half the normal one.
     #[key(changes)]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether joints neither open nor slide; found contacts do, by the friction given. Default false: Mohr-Coulomb, tension
@@ -55,13 +55,13 @@ pub struct Interface {
     /// Angle of friction. Give this or `friction_coefficient`.
     #[key(changes)]
     pub friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Tangent of the friction angle, zero or more. Give this or `friction_angle`.
+    /// Tangent of the friction angle. Give this or `friction_angle`.
     #[key(changes)]
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
-    /// Cohesion, Pa; zero or more.
+    /// Cohesion, Pa.
     #[key(default = "0 Pa", changes)]
     pub cohesion: Option<Quantity<Strength>>,
-    /// Tensile strength of joints, Pa; zero or more.
+    /// Tensile strength of joints, Pa.
     #[key(space = "spatial", instead = "it belongs into `bond`")]
     #[key(default = "0 Pa", changes)]
     pub tension: Option<Quantity<Strength>>,
@@ -69,7 +69,7 @@ pub struct Interface {
     #[key(space = "spatial", instead = "it belongs into `bond`")]
     #[key(changes)]
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Cohesion of joints that have failed, Pa; zero or more.
+    /// Cohesion of joints that have failed, Pa.
     #[key(space = "spatial", instead = "it belongs into `bond`")]
     #[key(default = "0 Pa", changes)]
     pub residual_cohesion: Option<Quantity<Strength>>,
@@ -100,7 +100,7 @@ pub struct Interface {
     #[key(space = "planar")]
     #[key(changes)]
     pub clip_speed: Option<Quantity<Speed>>,
-    /// Share of critical damping of found contacts, zero or more; of closed joints in `[space.spatial]` dashpots with the time
+    /// Share of critical damping of found contacts; of closed joints in `[space.spatial]` dashpots with the time
     /// constant `damping_ratio` times distance of the centroids over c_P (needs `young`, `poisson`).
     #[key(planar = "0.2", spatial = "0.1", changes)]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
@@ -213,9 +213,9 @@ pub struct Cohesive {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Bond {
-    /// Normal stiffness per area, Pa/m; greater than zero. Default that of the contact.
+    /// Normal stiffness per area, Pa/m. Default that of the contact.
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
-    /// Shear stiffness per area, Pa/m; greater than zero. Default that of the contact.
+    /// Shear stiffness per area, Pa/m. Default that of the contact.
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Tensile strength, Pa.
     pub tension: Quantity<Strength>,
@@ -228,7 +228,7 @@ pub struct Bond {
     /// Cohesion left once broken, Pa.
     #[key(default = "0 Pa")]
     pub residual_cohesion: Option<Quantity<Strength>>,
-    /// Damping as a share of critical damping; zero or more.
+    /// Damping as a share of critical damping.
     #[key(default = "0.2")]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Points along a shared edge at which the law is evaluated, 1 to 5.

@@ -80,7 +80,7 @@ pub struct Scenario {
     /// value needs its unit.
     pub units: Option<Units>,
     /// All strengths of interfaces and joints (cohesion, tension, tangents of friction angles) are
-    /// divided by this number, those of later phases too; greater than zero. The number at which
+    /// divided by this number, those of later phases too. The number at which
     /// the model fails, found by `riprap bisect`, is its factor of safety.
     #[key(default = "1")]
     pub strength_factor: Option<Quantity<PositivePlain>>,
@@ -137,8 +137,8 @@ pub struct Scenario {
     /// What is written to the run folder besides the energy table.
     #[serde(default)]
     pub outputs: Vec<Output>,
-    /// Values of keys to run through: the scene is run for every combination (`riprap sweep`).
-    /// Keys are written with dots and in quotes, values in a list, for example
+    /// Values of keys: the scene is run for every combination (`riprap sweep`).
+    /// Keys stand in quotes, values in a list, for example
     /// `"interfaces.default.friction_angle" = ["0 deg", "5 deg"]`.
     #[serde(default)]
     #[schemars(with = "std::collections::BTreeMap<String, Vec<serde_json::Value>>")]

@@ -32,8 +32,8 @@ pub struct History {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
-    /// Direction in which a vector is measured: in the plane an angle, anticlockwise from the x
-    /// axis; in space a vector such as `[0, 0, 1]`.
+    /// Direction in which a vector is measured: in the plane an angle from the x axis, in space a
+    /// vector such as `[0, 0, 1]`.
     pub along: Option<Direction>,
     /// How often, for example `"1 ms"` or `"10 steps"`.
     pub every: Every,

@@ -26,7 +26,7 @@ pub struct Phase {
     pub until: Until,
     /// Time step, s. Default automatic: `safety` times the stable one.
     pub time_step: Option<Quantity<TimeStep>>,
-    /// Share of the stable time step that is used when `time_step` is not given, greater than 0 and at most 1.
+    /// Share of the stable time step that is used when `time_step` is not given.
     #[key(planar = "0.2", spatial = "0.5")]
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
@@ -89,7 +89,7 @@ pub struct Phase {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Relaxation {
-    /// Constant damping c of `v' = ((2 - c) v + 2 r/m)/(2 + c)`, at least 0 and less than 1. Default adaptive.
+    /// Constant damping c of `v' = ((2 - c) v + 2 r/m)/(2 + c)`. Default adaptive.
     pub damping: Option<Quantity<ShareBelowOne>>,
     /// Equilibrium where the elastic energy changes by less than this share in 25 iterations, whatever the forces. Default:
     /// by the forces (`until.unbalanced`).
@@ -111,10 +111,10 @@ pub struct Cutting {
     /// What decides.
     #[key(default)]
     pub criterion: Option<Criterion>,
-    /// How much before the tensile strength a block is cut, Pa; zero or more.
+    /// How much before the tensile strength a block is cut, Pa.
     #[key(default = "0 Pa")]
     pub margin_tension: Option<Quantity<Strength>>,
-    /// How much before the shear strength a block is cut, Pa; zero or more.
+    /// How much before the shear strength a block is cut, Pa.
     #[key(default = "0 Pa")]
     pub margin_shear: Option<Quantity<Strength>>,
     /// How often a block and its parts may be cut: (planes + 1)^generations parts at most, which must not be above
@@ -132,14 +132,13 @@ pub struct Cutting {
     /// Axis that lies in all planes of cuts, for plane strain across it. Default: the direction of the middle principal
     /// stress.
     pub along: Option<CutAxis>,
-    /// Corners nearer than this share of the spacing of the planes to a plane are on it, at least 0 and less than 1.
+    /// Corners nearer than this share of the spacing of the planes to a plane are on it.
     #[key(default = "0.03")]
     pub snap: Option<Quantity<ShareBelowOne>>,
     /// Most times that blocks are cut in the phase. Default: no limit.
     #[key(min = 1)]
     pub stages: Option<u64>,
-    /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block,
-    /// at least 0 and less than 1.
+    /// In `dynamic` phases a block is not cut if a part would need a time step below this share of that of the block.
     #[key(default = "0.1")]
     pub step_floor: Option<Quantity<ShareBelowOne>>,
 }
@@ -161,7 +160,7 @@ pub enum CutAxis {
 pub struct Until {
     /// Duration of the phase in model time, s.
     pub time: Option<Quantity<PositiveTime>>,
-    /// Ratio of unbalanced to applied forces, for example 1e-5; greater than zero.
+    /// Ratio of unbalanced to applied forces, for example 1e-5.
     pub unbalanced: Option<Quantity<PositivePlain>>,
     /// Kinetic energy of all blocks, J; in the plane per metre of thickness, J/m.
     pub kinetic: Option<Quantity<EnergyPerLength>>,
@@ -174,17 +173,17 @@ pub struct Until {
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Damping {
-    /// Force against the velocity, proportional to mass, 1/s; zero or more.
+    /// Force against the velocity, proportional to mass, 1/s.
     #[key(default = "0 1/s")]
     pub mass: Option<Quantity<Rate>>,
     /// The same for turning: moment against the spin, proportional to inertia, 1/s. Default as
     /// `mass`.
     #[key(space = "spatial", instead = "`mass` damps turning too")]
     pub rotation: Option<Quantity<Rate>>,
-    /// Proportional to contact stiffness, s; zero or more.
+    /// Proportional to contact stiffness, s.
     #[key(default = "0 s")]
     pub stiffness: Option<Quantity<NotNegativeTime>>,
-    /// Share of the unbalanced force taken off, against the motion; at least 0, less than 1. For static questions.
+    /// Share of the unbalanced force taken off, against the motion. For static questions.
     #[key(default = "0")]
     pub local: Option<Quantity<ShareBelowOne>>,
 }

@@ -48,7 +48,7 @@ pub struct GridCells {
     /// Seed of the random points.
     #[key(default = 1)]
     pub seed: Option<u64>,
-    /// Lloyd iterations that make random cells more equal, at most 1000.
+    /// Lloyd iterations that make random cells more equal.
     #[key(default = 10, max = 1000)]
     pub relax: Option<u64>,
     /// Equal sides (3 to 1000) of a prism about z that touches the sides of the box and takes its place; many make a disk. One side is
@@ -136,10 +136,10 @@ pub struct Deformable {
     /// Measure of strain.
     #[key(default)]
     pub strain: Option<Strain>,
-    /// Displacement of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m), for
+    /// Displacement of the nodes at the start along x, y, z: formulas in x, y, z (m), for
     /// example `["1e-4*x", "0", "0"]`. Default none.
     pub displacement: Option<[Name; 3]>,
-    /// Velocity of the nodes at the start along x, y, z: formulas in x, y, z (coordinates in m, value in m/s), added
+    /// Velocity of the nodes at the start along x, y, z: formulas in x, y, z (m), m/s, added
     /// to `velocity` and `spin` of the block. Default none.
     pub velocity: Option<[Name; 3]>,
 }

@@ -79,7 +79,7 @@ pub struct Group {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
-    /// Mass per volume, kg/m3; greater than zero. Not the unit weight in kN/m3.
+    /// Mass per volume, kg/m3. Not the unit weight in kN/m3.
     pub density: Quantity<Density>,
     /// Young's modulus, Pa. Used for stiffnesses that are not given; in `[space.spatial]` also for
     /// held, moved and viscous boundaries and for the damping of joints.
