@@ -173,13 +173,23 @@ impl<'a> References<'a> {
                     self.block(name);
                 }
             }
-            Target::Group(name) => {
-                if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
-                    let known: Vec<&str> = self.groups.iter().copied().collect();
-                    self.unknown("group", name, known);
+            Target::Group(name) => self.group(name),
+            Target::Box(_) => {}
+            Target::Nodes(nodes) => {
+                if let Some(name) = &nodes.block {
+                    self.block(name);
+                }
+                if let Some(name) = &nodes.group {
+                    self.group(name);
                 }
             }
-            Target::Box(_) | Target::Nodes(_) => {}
+        }
+    }
+
+    fn group(&mut self, name: &Name) {
+        if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
+            let known: Vec<&str> = self.groups.iter().copied().collect();
+            self.unknown("group", name, known);
         }
     }
 

@@ -92,7 +92,10 @@ impl Setup {
             Place::Blocks { blocks } => Some(blocks),
             Place::Point { .. } | Place::Line { .. } => None,
         });
-        groups.chain(supports).chain(boundaries).chain(sources)
+        let holds = self.deform.holds.iter_mut();
+        let holds = holds.filter_map(|h| h.blocks.as_mut());
+        let lists = groups.chain(supports).chain(boundaries).chain(sources);
+        lists.chain(holds)
     }
 }
 

@@ -26,7 +26,21 @@ pub enum Target {
     Box(BoxRegion),
     /// The nodes of deformable blocks that lie in a box at the start, its surface included: corners of the blocks,
     /// centres of their faces, their centroids. For supports in space only; formulas of velocities know x, y, z (the place at the start).
-    Nodes(BoxRegion),
+    Nodes(Nodes),
+}
+
+/// Nodes in a box; at most one of `block` and `group`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Nodes {
+    /// Corner with the lowest coordinates, m.
+    pub min: Vector<Length>,
+    /// Corner with the highest coordinates, m.
+    pub max: Vector<Length>,
+    /// Only those of this block or generator: one side of a joint.
+    pub block: Option<Name>,
+    /// Only those of this group.
+    pub group: Option<Name>,
 }
 
 /// Blocks that are held or moved. Exactly one of `fixed` and `motion`.

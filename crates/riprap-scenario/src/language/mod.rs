@@ -43,7 +43,7 @@ pub use interfaces::{
 };
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{
-    BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, PointLoad, Support, Target,
+    BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support, Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};

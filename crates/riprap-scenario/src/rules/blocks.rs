@@ -4,7 +4,7 @@ use super::Rules;
 use crate::language::{
     Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, span_of,
 };
-use crate::quantity::Span;
+use crate::quantity::{Length, Span, Vector};
 use crate::values::short;
 use crate::vectors::InSpace;
 
@@ -253,7 +253,11 @@ impl Rules {
 
     /// A box whose corners must be in order.
     pub(super) fn region(&mut self, region: &BoxRegion) {
-        for (low, high) in region.min.items.iter().zip(&region.max.items) {
+        self.corners_of_box(&region.min, &region.max);
+    }
+
+    pub(super) fn corners_of_box(&mut self, min: &Vector<Length>, max: &Vector<Length>) {
+        for (low, high) in min.items.iter().zip(&max.items) {
             self.in_order(
                 low,
                 high,

@@ -173,17 +173,23 @@ impl Rules {
 
     /// Nodes can be held and driven, not loaded.
     pub(super) fn nodes(&mut self, support: &Support) {
-        if let Target::Nodes(region) = &support.on {
-            self.region(region);
+        let Target::Nodes(nodes) = &support.on else {
+            return;
+        };
+        self.corners_of_box(&nodes.min, &nodes.max);
+        if let (Some(_), Some(group)) = (&nodes.block, &nodes.group) {
+            let message = "nodes of a `block` and of a `group`".to_owned();
+            let help = "keep one of them; a group may name the block";
+            self.error("key.one_of", &group.span, message, help);
         }
     }
 
     /// See [`Rules::nodes`].
     pub(super) fn loaded(&mut self, load: &Load) {
-        if let Target::Nodes(region) = &load.on {
+        if let Target::Nodes(nodes) = &load.on {
             let message = "a load acts on blocks, not on single nodes".to_owned();
             let help = "use point = { force = [...], at = [...] } on the block: the nodes around the point take it";
-            self.error("key.forbidden", &region.min.span, message, help);
+            self.error("key.forbidden", &nodes.min.span, message, help);
         }
     }
 

@@ -275,6 +275,7 @@ pub fn target_span(target: &Target) -> Span {
     match target {
         Target::Block(name) | Target::Group(name) => name.span.clone(),
         Target::Blocks(names) => names.first().map_or(0..0, |name| name.span.clone()),
-        Target::Box(region) | Target::Nodes(region) => region.min.span.clone(),
+        Target::Box(region) => region.min.span.clone(),
+        Target::Nodes(nodes) => nodes.min.span.clone(),
     }
 }

@@ -50,7 +50,7 @@ pub enum BuildError {
     },
     /// A support for nodes finds none.
     #[error(
-        "a support finds no node of a deformable block in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
+        "a support finds no node of its deformable blocks in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
          corners, the face centres and the centroid of a block", .at[0], .at[1], .at[2]
     )]
     NoNode {

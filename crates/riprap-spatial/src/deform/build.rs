@@ -463,7 +463,7 @@ fn drive(hold: &mut Hold, velocity: &[Option<TimeFunction>; 3]) {
     }
 }
 
-/// Nodes of living blocks in the box of a support, its surface included.
+/// Nodes of the living blocks that a support means in its box, its surface included.
 fn inside(world: &World, deform: &Deform, hold: &NodeHold) -> Vec<u32> {
     let slack = Vec3::splat(1e-6 * world.finest());
     let (min, max) = (hold.min - slack, hold.max + slack);
@@ -471,7 +471,10 @@ fn inside(world: &World, deform: &Deform, hold: &NodeHold) -> Vec<u32> {
         let place = deform.nodes.place[*node];
         place.cmpge(min).all() && place.cmple(max).all()
     };
-    let nodes = deform.living().flat_map(Body::nodes);
+    let meant = |body: &&Body| {
+        (hold.blocks.as_ref()).is_none_or(|blocks| blocks.binary_search(&body.block).is_ok())
+    };
+    let nodes = deform.living().filter(meant).flat_map(Body::nodes);
     nodes.filter(there).map(|node| node as u32).collect()
 }
 

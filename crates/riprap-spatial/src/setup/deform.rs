@@ -50,6 +50,8 @@ pub struct NodeHold {
     pub min: Vec3,
     /// Highest corner, m.
     pub max: Vec3,
+    /// Indices of the blocks whose nodes are meant, ascending; `None` for all.
+    pub blocks: Option<Vec<u32>>,
     /// Velocity along x, y, z, m/s, 0 holds; `None` leaves a direction free. Formulas know the place of each node at the start.
     pub velocity: [Option<TimeFunction>; 3],
 }

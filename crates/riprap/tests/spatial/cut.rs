@@ -112,6 +112,7 @@ fn specimen() -> Run {
     let held = |min: Vec3, max: Vec3, velocity: [bool; 3]| NodeHold {
         min,
         max,
+        blocks: None,
         velocity: velocity.map(|v| v.then_some(riprap::dynamics::TimeFunction::Constant(0.0))),
     };
     setup.deform.holds = vec![held(

@@ -103,17 +103,26 @@ impl Builder<'_> {
 
     /// A support for nodes; whether it was one.
     pub(super) fn node_support(&mut self, support: &Support) -> bool {
-        let Target::Nodes(region) = &support.on else {
+        let Target::Nodes(nodes) = &support.on else {
             return false;
         };
         if self.spatial.deform.sets.is_empty() {
             let message = "there are no nodes: no block is deformable";
             let error = Diagnostic::error("target.empty", message);
             let help = "write mechanics.deformable = {} for blocks, or hold blocks by name";
-            self.found
-                .push(error.at(region.min.span.clone()).help(help));
+            self.found.push(error.at(nodes.min.span.clone()).help(help));
             return true;
         }
+        let names: Vec<Name> = nodes.block.iter().chain(&nodes.group).cloned().collect();
+        let blocks = if names.is_empty() {
+            None
+        } else {
+            let found = self.directory.all(&names);
+            match self.take(found) {
+                Some(blocks) => Some(blocks),
+                None => return true,
+            }
+        };
         let still = || Some(TimeFunction::Constant(0.0));
         let velocity = match (&support.fixed, &support.motion) {
             (Some(fixed), _) => held_along(fixed).map(|held| held.then(still).flatten()),
@@ -122,18 +131,19 @@ impl Builder<'_> {
                 let message = "nodes are driven by a velocity";
                 let error = Diagnostic::error("key.forbidden", message);
                 let help = "write motion.velocity = { x = ... }";
-                self.found
-                    .push(error.at(region.min.span.clone()).help(help));
+                self.found.push(error.at(nodes.min.span.clone()).help(help));
                 return true;
             }
             // Reported by the rules of the language.
             (None, None) => return true,
         };
-        let (min, max) = (self.local(region.min.xyz()), self.local(region.max.xyz()));
-        self.spatial
-            .deform
-            .holds
-            .push(NodeHold { min, max, velocity });
+        let (min, max) = (self.local(nodes.min.xyz()), self.local(nodes.max.xyz()));
+        self.spatial.deform.holds.push(NodeHold {
+            min,
+            max,
+            blocks,
+            velocity,
+        });
         true
     }
 }
