@@ -76,6 +76,21 @@ pub enum GeomError {
         /// Most allowed.
         cap: usize,
     },
+    /// Sites could not be moved so that all edges of their cells are long enough.
+    #[error(
+        "{count} edges of the cells are still shorter than {wanted} m after their sites were moved {rounds} times; the shortest is \
+         {shortest:.3e} m long"
+    )]
+    ShortEdges {
+        /// Edges that are too short.
+        count: usize,
+        /// The shortest, m.
+        shortest: f64,
+        /// What was asked for, m.
+        wanted: f64,
+        /// Rounds of moving.
+        rounds: usize,
+    },
     /// A packing does not fit.
     #[error(
         "{wanted} blocks of up to {size} m do not fit: the rectangle takes {capacity} without overlap"

@@ -3,6 +3,8 @@
 //! Each cell starts as the whole and is cut by the planes halfway to other sites, nearest first, until no site farther
 //! away can reach it. Faces of neighbours lie in one plane to round-off and have the same corners to round-off.
 
+mod edges;
+
 use super::{Polyhedron, Sliced, slice};
 use crate::error::demand;
 use crate::random::Chance;
@@ -32,6 +34,7 @@ pub fn voronoi(
         0.5 * (min + max),
         sites,
         relax,
+        0.0,
     )
 }
 
@@ -46,17 +49,19 @@ pub fn cells_around(
     relax: usize,
 ) -> Result<Vec<Polyhedron>, GeomError> {
     let half = half_extent(min, max)?;
-    cells_within(&Polyhedron::brick(0.5 * (min + max), half), sites, relax)
+    let whole = Polyhedron::brick(0.5 * (min + max), half);
+    cells_within(&whole, sites, relax, 0.0)
 }
 
 /// Cells of a convex solid around given sites (m); those outside are left out. `relax` Lloyd iterations make the cells
-/// more equal.
+/// more equal; after them the sites are moved until no edge of a cell is shorter than `smallest_edge` (m; 0 moves none).
 ///
-/// *Errors*: a solid without extent, no site in it, more than 1000 iterations, too many cells.
+/// *Errors*: a solid without extent, no site in it, more than 1000 iterations, too many cells, edges that stay shorter.
 pub fn cells_within(
     solid: &Polyhedron,
     sites: &[Vec3],
     relax: usize,
+    smallest_edge: f64,
 ) -> Result<Vec<Polyhedron>, GeomError> {
     let (min, max) = solid.bounds();
     half_extent(min, max)?;
@@ -74,7 +79,13 @@ pub fn cells_within(
         !sites.is_empty(),
         "above 0",
     )?;
-    relaxed(&whole, middle, sites, relax)
+    demand(
+        "smallest_edge",
+        smallest_edge,
+        smallest_edge >= 0.0,
+        "0 or more",
+    )?;
+    relaxed(&whole, middle, sites, relax, smallest_edge)
 }
 
 /// A right prism about z that is as high as the box from `min` to `max` (m) and has `sides` equal sides, which touch the circle
@@ -125,13 +136,17 @@ fn relaxed(
     middle: Vec3,
     mut sites: Vec<Vec3>,
     relax: usize,
+    smallest_edge: f64,
 ) -> Result<Vec<Polyhedron>, GeomError> {
     demand("relax", relax as f64, relax <= 1000, "at most 1000")?;
     for _ in 0..relax {
         let cells = cells(&sites, whole);
         sites = cells.iter().map(|c| c.moments().centroid).collect();
     }
-    let mut cells = cells(&sites, whole);
+    let mut cells = match smallest_edge > 0.0 {
+        true => edges::lengthened(whole, sites, smallest_edge)?,
+        false => cells(&sites, whole),
+    };
     for vertex in cells.iter_mut().flat_map(|c| &mut c.vertices) {
         *vertex += middle;
     }
@@ -198,7 +213,7 @@ pub fn lattice_sites(min: Vec3, max: Vec3, cell: f64, origin: Vec3, angle: f64) 
 /// The cell of each site.
 fn cells(sites: &[Vec3], whole: &Polyhedron) -> Vec<Polyhedron> {
     let bins = Bins::new(sites, whole);
-    (0..sites.len()).map(|k| bins.cell(sites, k)).collect()
+    (0..sites.len()).map(|k| bins.cell(sites, k).0).collect()
 }
 
 /// Sites in a grid of boxes, about one in each.
@@ -257,7 +272,9 @@ impl<'a> Bins<'a> {
         }
     }
 
-    fn cell(&self, sites: &[Vec3], k: usize) -> Polyhedron {
+    /// The cell of a site, and the sites whose planes have cut it.
+    fn cell(&self, sites: &[Vec3], k: usize) -> (Polyhedron, Vec<u32>) {
+        let mut cutters = Vec::new();
         let site = sites[k];
         let mut cell = self.whole.clone();
         let (home, mut near) = (self.place(site), Vec::new());
@@ -284,12 +301,15 @@ impl<'a> Bins<'a> {
                 let normal = away / length;
                 let offset = normal.dot(0.5 * (site + sites[other as usize]));
                 match slice(&cell, normal, offset) {
-                    Sliced::Part(part) => cell = part,
+                    Sliced::Part(part) => {
+                        cell = part;
+                        cutters.push(other);
+                    }
                     Sliced::Whole | Sliced::Nothing => {}
                 }
             }
         }
-        cell
+        (cell, cutters)
     }
 }
 
@@ -361,7 +381,7 @@ mod tests {
         let area = 36.0 * libm::tan(std::f64::consts::PI / 36.0);
         assert!((disk.moments().volume - 0.6 * area).abs() < 1e-12);
         let sites = random_sites(min, max, 0.25, 3);
-        let cells = cells_within(&disk, &sites, 5).unwrap();
+        let cells = cells_within(&disk, &sites, 5, 0.0).unwrap();
         assert!(cells.iter().all(|c| c.validate().is_ok()));
         let sum: f64 = cells.iter().map(|c| c.moments().volume).sum();
         assert!((sum - 0.6 * area).abs() < 1e-9, "{sum}");

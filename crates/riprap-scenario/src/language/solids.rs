@@ -5,7 +5,9 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::Point3;
-use crate::quantity::{Angle, Edges, Length, Name, Plain, PositiveLength, Quantity, Span, Vector};
+use crate::quantity::{
+    Angle, Edges, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity, Span, Vector,
+};
 use riprap_core::laws::tetrahedron::Strain;
 
 /// A box with faces normal to the axes. Give `corner` or `centre`.
@@ -51,6 +53,9 @@ pub struct GridCells {
     /// Lloyd iterations that make random cells more equal.
     #[key(default = 10, max = 1000)]
     pub relax: Option<u64>,
+    /// Shortest edge of random cells, m: after `relax` points are moved until none is shorter. A tenth of `cell` can be had.
+    #[key(default = "0 m")]
+    pub smallest_edge: Option<Quantity<NotNegativeLength>>,
     /// Equal sides (3 to 1000) of a prism about z that touches the sides of the box and takes its place; many make a disk. One side is
     /// `y-max`; x and y edges of the box are equal. Default the box.
     #[key(min = 3, max = 1000)]

@@ -104,13 +104,13 @@ impl Rules {
                 let random = [
                     ("seed", cells.seed.is_some()),
                     ("relax", cells.relax.is_some()),
+                    ("smallest_edge", cells.smallest_edge.is_some()),
                 ];
                 let lattice = cells.turned.is_some() || cells.site.is_some();
                 for (word, _) in random.into_iter().filter(|(_, given)| lattice && *given) {
                     let message =
                         format!("the cells of {of} have `turned` or `site`, and `{word}`");
-                    let help =
-                        "`turned` and `site` make a lattice, `seed` and `relax` random cells";
+                    let help = "`turned` and `site` make a lattice; the others are of random cells";
                     self.error("key.one_of", span, message, help);
                 }
                 if cells.sides.is_some() {

@@ -73,6 +73,12 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
     }
 }
 
+/// Code and help of cells whose edges stay too short.
+pub(super) const SHORT_EDGES: (&str, &str) = (
+    "geometry.edges",
+    "give a smaller `smallest_edge` (up to a tenth of `cell` can be had), or more rounds of `relax`",
+);
+
 impl Builder<'_> {
     /// The blocks of one table, turned, shifted and copied; `None` after an error.
     pub(super) fn generate(&mut self, block: &Block) -> Option<Generated> {
@@ -238,6 +244,7 @@ impl Builder<'_> {
                 | GeomError::BadNumber { .. }
                 | GeomError::TooMany { .. }
                 | GeomError::DoesNotFit { .. }
+                | GeomError::ShortEdges { .. }
                 | GeomError::Arrangement { .. } => None,
             };
             let at = corner.filter(|_| changes.repeated == 0).and_then(span);
@@ -408,6 +415,7 @@ impl Builder<'_> {
                 "geometry.fit",
                 "make the region larger, or `count` or `size` smaller",
             ),
+            GeomError::ShortEdges { .. } => SHORT_EDGES,
             GeomError::Arrangement { .. } => ("geometry.joints", "change the seed or a spacing"),
         };
         // Places are told in the coordinates of the file.
@@ -422,7 +430,8 @@ impl Builder<'_> {
             | GeomError::ZeroArea { .. }
             | GeomError::BadNumber { .. }
             | GeomError::TooMany { .. }
-            | GeomError::DoesNotFit { .. } => {}
+            | GeomError::DoesNotFit { .. }
+            | GeomError::ShortEdges { .. } => {}
         }
         let message = format!("block `{}`: {error}", block.name);
         let span = at.unwrap_or_else(|| block.name.span.clone());

@@ -1,14 +1,15 @@
 //! Blocks in space: bricks, grids, polyhedra.
 
-use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{
     Polyhedron, SolidError, cells_within, hull, lattice_sites, random_sites, regular_prism,
 };
+use riprap_geom::{GeomError, Vec3};
 
 use super::global;
 use super::grid::{Grids, Lattice};
 use super::mesh::Made;
 use super::turn::{Turn, copies};
+use crate::model::blocks::SHORT_EDGES;
 use crate::model::builder::Builder;
 use crate::model::names::Entry;
 use crate::scenario::language::{self, Block, Brick, Geometry, Grid, GridCells, span_of};
@@ -204,20 +205,22 @@ impl Builder<'_> {
                 .push(error.help("use a larger `cell`, or `grid.box`"));
             return None;
         }
-        let (sites, relax) = if lattice {
+        let (sites, relax, smallest) = if lattice {
             let angle = said.turned.as_ref().map_or(0.0, Quantity::si);
             let site = said.site.as_ref().map_or(0.5 * (min + max), global);
-            (lattice_sites(min, max, cell, site, angle), 0)
+            (lattice_sites(min, max, cell, site, angle), 0, 0.0)
         } else {
             let mut read = self.reading(format!("blocks.{}.grid.cells", block.name), said);
             let (seed, relax) = (read.seed(), read.relax());
-            (random_sites(min, max, cell, seed), relax as usize)
+            let smallest = read.smallest_edge();
+            let sites = random_sites(min, max, cell, seed);
+            (sites, relax as usize, smallest)
         };
         let whole = match said.sides {
             None => Ok(Polyhedron::brick(0.5 * (min + max), 0.5 * extent)),
             Some(sides) => regular_prism(min, max, sides as u32),
         };
-        match whole.and_then(|whole| cells_within(&whole, &sites, relax)) {
+        match whole.and_then(|whole| cells_within(&whole, &sites, relax, smallest)) {
             Ok(cells) => Some(
                 cells
                     .into_iter()
@@ -232,8 +235,13 @@ impl Builder<'_> {
             ),
             Err(error) => {
                 let message = format!("the cells of `{}`: {error}", block.name);
-                let help = "check size, cell and units; `site` must lie near the box";
-                self.error_at("geometry.cells", &block.name, message, help);
+                let (code, help) = if matches!(error, GeomError::ShortEdges { .. }) {
+                    SHORT_EDGES
+                } else {
+                    let help = "check size, cell and units; `site` must lie near the box";
+                    ("geometry.cells", help)
+                };
+                self.error_at(code, &block.name, message, help);
                 None
             }
         }
