@@ -198,16 +198,20 @@ fn phase_end(end: &PhaseEnd) -> String {
     )
 }
 
-/// The energies at the end, one line, with the residual.
+/// A term of the ledger below this share of the largest that any of them has been is round-off.
+const ROUND_OFF: f64 = 1e-13;
+
+/// The energies at the end, one line, with the residual; what is round-off of the largest that has moved is left out.
 fn ledger(folder: &Path) -> String {
     let Ok(table) = Table::read(&folder.join("energy.csv")) else {
         return String::new();
     };
-    let terms: Vec<String> = table
-        .columns
-        .iter()
-        .filter(|c| c.name != "step" && c.name != "time")
+    let energies = (table.columns.iter()).filter(|c| c.name != "step" && c.name != "time");
+    let all = energies.clone().flat_map(|c| &c.values);
+    let round_off = ROUND_OFF * all.fold(0.0_f64, |most, value| most.max(value.abs()));
+    let terms: Vec<String> = energies
         .filter_map(|c| c.values.last().map(|v| (c, *v)))
+        .map(|(c, value)| (c, if value.abs() > round_off { value } else { 0.0 }))
         .filter(|(c, value)| *value != 0.0 || c.name == "residual")
         .map(|(c, value)| format!("{} {}", c.name.replace('_', " "), si(value, &c.unit)))
         .collect();
