@@ -32,6 +32,11 @@ pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
     let names_a_file = path.exists() || what.contains('/') || what.ends_with(".toml");
     if !names_a_file {
         let text = match scenario::explain_key(&what) {
+            // A word that is a key too is looked up everywhere.
+            Ok(text) if !what.contains('.') => match concepts::find(&what) {
+                Some(found) => format!("{}\n\n{found}", text.trim_end()),
+                None => text,
+            },
             Ok(text) => text,
             // A path with dots was meant as a key, and its slip is told.
             Err(why) if what.contains('.') => return Err(Failure::Input(why)),
