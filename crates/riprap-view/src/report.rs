@@ -34,13 +34,30 @@ pub struct Limits {
     pub bytes: usize,
 }
 
-/// What the report says that is in no run: who made it, and for what.
+/// Who made the run, and for what: before what the scene says.
 #[derive(Debug, Clone, Default)]
 pub struct Signature {
-    /// Who is to be asked; empty for nobody.
+    /// Who is to be asked; empty takes `author` of the scene.
     pub author: String,
-    /// What the run belongs to; empty for nothing.
+    /// What the run belongs to; empty takes `project` of the scene.
     pub project: String,
+}
+
+impl Signature {
+    /// What is not given as the scene says it.
+    fn or_of(&self, scene: &toml::Table) -> Self {
+        let or = |given: &str, key: &str| {
+            let said = || scene.get(key).and_then(toml::Value::as_str);
+            match given {
+                "" => said().unwrap_or_default().to_owned(),
+                given => given.to_owned(),
+            }
+        };
+        Self {
+            author: or(&self.author, "author"),
+            project: or(&self.project, "project"),
+        }
+    }
 }
 
 impl Default for Limits {
@@ -77,12 +94,13 @@ pub fn report(
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
          <style>{STYLE}</style>\n<style>{LAYOUT}</style>\n</head>\n<body>\n<article>\n<h1>{title}</h1>\n"
     );
-    facts(&mut out, &manifest, signature);
+    let scene_table = words::scene(run);
+    facts(&mut out, &manifest, &signature.or_of(&scene_table));
     let (setup, plots): (Vec<_>, Vec<_>) = plots
         .iter()
         .partition(|p| p.file_stem().is_some_and(|s| s == SETUP));
     pictures(&mut out, "Set-up", &setup);
-    words::materials(&mut out, run);
+    words::materials(&mut out, &scene_table);
     groups(&mut out, &run.names());
     for warning in &manifest.warnings {
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(warning));

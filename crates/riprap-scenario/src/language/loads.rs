@@ -24,8 +24,8 @@ pub enum Target {
     Blocks(Vec<Name>),
     /// The blocks whose centroid lies in a box at the start.
     Box(BoxRegion),
-    /// The nodes of deformable blocks that lie in a box at the start, its surface included: corners of the blocks,
-    /// centres of their faces, their centroids. For supports in space only; formulas of velocities know x, y, z (the place at the start).
+    /// Nodes of deformable blocks in a box at the start, its surface included: corners, centres of faces, centroids.
+    /// For supports in space; formulas of velocities know x, y, z, the place at the start.
     Nodes(Nodes),
 }
 

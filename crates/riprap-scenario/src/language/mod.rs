@@ -76,6 +76,10 @@ pub struct Scenario {
     pub title: String,
     /// Longer text about the scene.
     pub description: Option<String>,
+    /// Who made it; stands in reports.
+    pub author: Option<String>,
+    /// What it belongs to; stands in reports.
+    pub project: Option<String>,
     /// `"SI"`: bare numbers are allowed and are SI (m, kg, s, N, Pa, rad). Without this key every
     /// value needs its unit.
     pub units: Option<Units>,

@@ -52,7 +52,7 @@ pub struct Schedule {
 #[serde(deny_unknown_fields)]
 pub struct Pictures {
     /// How often besides the first and the last state of each phase, for example `"50 ms"`, `"10 steps"` or `"1 phase"`;
-    /// `"never"` writes none at all.
+    /// `"never"` writes none.
     pub every: Every,
     /// Whether the tetrahedra of deformable blocks are written too, with their stresses and strains. Default false.
     #[serde(default)]

@@ -16,14 +16,14 @@ const NAMES: [(&str, &str); 5] = [
     ("bond", "joint"),
 ];
 
-/// The tables of materials and interfaces, from the scene as it was run.
-pub(super) fn materials(out: &mut String, run: &Run) {
+/// The scene as it was run; empty where it cannot be read: the run may be of a later version, or cut off.
+pub(super) fn scene(run: &Run) -> Table {
     let bytes = run.file("scenario.resolved.toml").unwrap_or_default();
-    let scene: Table = match toml::from_str(&String::from_utf8_lossy(&bytes)) {
-        Ok(scene) => scene,
-        // The run may be of a later version, or cut off; the text itself stands below.
-        Err(_) => return,
-    };
+    toml::from_str(&String::from_utf8_lossy(&bytes)).unwrap_or_default()
+}
+
+/// The tables of materials and interfaces of a scene.
+pub(super) fn materials(out: &mut String, scene: &Table) {
     let tables = [
         ("Materials", "material", "materials"),
         ("Interfaces", "between", "interfaces"),
