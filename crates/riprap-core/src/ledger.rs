@@ -89,6 +89,26 @@ impl Works {
             + self.edit_defect.abs()
     }
 
+    /// All sums times a factor.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            gravity: factor * self.gravity,
+            loads: factor * self.loads,
+            supports: factor * self.supports,
+            contact_path: factor * self.contact_path,
+            friction: factor * self.friction,
+            damping: factor * self.damping,
+            fracture: factor * self.fracture,
+            absorbed: factor * self.absorbed,
+            bolts: factor * self.bolts,
+            gas: factor * self.gas,
+            law_defect: factor * self.law_defect,
+            edit_defect: factor * self.edit_defect,
+            peak: factor * self.peak,
+        }
+    }
+
     /// Adds another set of sums.
     pub fn add(&mut self, other: &Self) {
         self.gravity += other.gravity;
@@ -137,6 +157,21 @@ impl Balance {
             + self.contact_shear
             + self.bond
             + self.bolts
+    }
+
+    /// All energies times a factor: those of a slice of that thickness from those per metre.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            kinetic: factor * self.kinetic,
+            gravity: factor * self.gravity,
+            contact_normal: factor * self.contact_normal,
+            contact_shear: factor * self.contact_shear,
+            bond: factor * self.bond,
+            bolts: factor * self.bolts,
+            works: self.works.times(factor),
+            start: factor * self.start,
+        }
     }
 
     /// What the ledger does not explain: positive means energy came from nowhere.

@@ -1,6 +1,8 @@
 //! The field table of the planar engine: name, unit, meaning and getter of every number that frames,
 //! histories, checks, `riprap fields` and the documentation can ask for.
 
+use std::sync::LazyLock;
+
 use riprap_geom::Vec2;
 
 use super::bolts::read as bolts;
@@ -138,6 +140,34 @@ fn blocks(v: &View<'_>, of: &[u32]) -> f64 {
         .count() as f64
 }
 
+/// Unit of a quantity of a slice of given thickness, from that for each metre of thickness; `None` for what is no such quantity.
+#[must_use]
+pub fn unit_of_slice(site: Site, unit: &str) -> Option<&'static str> {
+    let units = [
+        ("N/m", "N"),
+        ("N", "N m"),
+        ("J/m", "J"),
+        ("kg/m", "kg"),
+        ("N s/m", "N s"),
+        ("N s", "N m s"),
+        ("m2/s", "m3/s"),
+    ];
+    // Numbers of bolts are those of one bolt.
+    let found = units.iter().find(|(per_metre, _)| *per_metre == unit);
+    found
+        .filter(|_| site != Site::Bolt)
+        .map(|(_, of_slice)| *of_slice)
+}
+
+/// [`INFOS`] of a model whose thickness is given.
+pub static INFOS_OF_SLICE: LazyLock<Vec<FieldInfo>> = LazyLock::new(|| {
+    let of_slice = |f: &FieldInfo| FieldInfo {
+        unit: unit_of_slice(f.site, f.unit).unwrap_or(f.unit),
+        ..*f
+    };
+    INFOS.iter().map(of_slice).collect()
+});
+
 fields! {
     "block.position" "m" Block Vector false "Position of the centroid." |v, of| (v.world.bodies[first(of)].position + Vec2::from(v.world.setup.origin)).into();
     "block.displacement" "m" Block Vector false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of)).into();
@@ -241,6 +271,8 @@ pub struct Reading {
     part: Part,
     of: Vec<u32>,
     along: Option<[f64; 2]>,
+    /// Whether the thickness of the model is given.
+    slice: bool,
 }
 
 impl Reading {
@@ -256,13 +288,26 @@ impl Reading {
             part,
             of: of.to_vec(),
             along,
+            slice: false,
         })
+    }
+
+    /// The same of a model whose thickness is given.
+    #[must_use]
+    pub fn of_slice(self) -> Self {
+        Self {
+            slice: true,
+            ..self
+        }
     }
 
     /// Table entry.
     #[must_use]
     pub fn info(&self) -> &'static FieldInfo {
-        &INFOS[self.index]
+        match self.slice {
+            true => &INFOS_OF_SLICE[self.index],
+            false => &INFOS[self.index],
+        }
     }
 
     /// Whether reading it costs as much as a step.
@@ -274,7 +319,12 @@ impl Reading {
     /// The number; a vector without part or direction gives its magnitude.
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
-        let [x, y] = (FIELDS[self.index].get)(view, &self.of);
+        let per_metre = (FIELDS[self.index].get)(view, &self.of);
+        let info = &INFOS[self.index];
+        let [x, y] = match unit_of_slice(info.site, info.unit) {
+            Some(_) => per_metre.map(|value| value * view.world.setup.slice()),
+            None => per_metre,
+        };
         match (self.info().shape, self.part, self.along) {
             // The table has no vectors in space.
             (Shape::Scalar | Shape::Vector3, _, _) | (_, Part::Z, _) => x,

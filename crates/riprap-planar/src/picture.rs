@@ -3,8 +3,10 @@
 use riprap_geom::Vec2;
 
 use super::bond::Bond;
+use super::fields::unit_of_slice;
 use super::view::View;
 use super::world::Contact;
+use crate::field::Site;
 use crate::frame::{Column, Frame, stress};
 
 /// Joints beyond which a frame holds only those of which a point has failed.
@@ -43,6 +45,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         let data: Vec<[f64; 2]> = living.iter().map(|&b| get(b).into()).collect();
         Column::vector(name, unit, &data)
     };
+    let (slice, unit) = forces(view);
     frame.block_columns = vec![
         scalar("block", "-", &|b| b as f64),
         scalar("material", "-", &|b| {
@@ -52,7 +55,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         scalar("rotation", "rad", &|b| view.rotation(b)),
         vector("velocity", "m/s", &|b| view.velocity(b)),
         scalar("spin", "rad/s", &|b| view.spin(b)),
-        vector("force", "N/m", &|b| scratch.net[b].force),
+        vector("force", unit, &|b| slice * scratch.net[b].force),
         scalar("held", "-", &|b| {
             f64::from(u8::from(world.motion[b].is_some()))
         }),
@@ -65,7 +68,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         .map(|(i, j, contact)| found(view, [i, j], contact))
         .collect();
     rows.extend(joints(view));
-    frame.contact_columns = contact_columns(&rows);
+    frame.contact_columns = contact_columns(&rows, slice, unit);
     if world.water.is_some() {
         let between = |r: &Row| (r.blocks[0], r.blocks[1]);
         let pressures = rows
@@ -74,14 +77,29 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
         if world.seepage.is_some() {
-            let rates = rows.iter().map(|r| world.seepage_between(between(r)));
-            let column = Column::scalar("seepage_rate", "m2/s", rates.collect());
+            let rates = rows
+                .iter()
+                .map(|r| slice * world.seepage_between(between(r)));
+            let unit = told(view, "m2/s");
+            let column = Column::scalar("seepage_rate", unit, rates.collect());
             frame.contact_columns.push(column);
         }
     }
     frame.bolts = crate::frame::bars::surfaces(&crate::bolts::read::bars(view));
     frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
     frame
+}
+
+/// What forces per metre of thickness are multiplied by, and the unit they then have.
+fn forces(view: &View<'_>) -> (f64, &'static str) {
+    (view.world.setup.slice(), told(view, "N/m"))
+}
+
+/// The unit in which a quantity per metre of thickness is told.
+fn told(view: &View<'_>, per_metre: &'static str) -> &'static str {
+    let of_slice = || unit_of_slice(Site::Block, per_metre);
+    let thickness = view.world.setup.thickness;
+    thickness.and_then(|_| of_slice()).unwrap_or(per_metre)
 }
 
 /// One line of the contacts of a frame.
@@ -169,17 +187,18 @@ fn joint(view: &View<'_>, bond: &Bond) -> Row {
     }
 }
 
-fn contact_columns(rows: &[Row]) -> Vec<Column> {
+/// `slice` and `unit` as of [`forces`].
+fn contact_columns(rows: &[Row], slice: f64, unit: &str) -> Vec<Column> {
     let column = |name: &str, unit: &str, get: &dyn Fn(&Row) -> f64| {
         Column::scalar(name, unit, rows.iter().map(get).collect())
     };
-    let forces: Vec<[f64; 2]> = rows.iter().map(|r| r.force.into()).collect();
+    let forces: Vec<[f64; 2]> = rows.iter().map(|r| (slice * r.force).into()).collect();
     vec![
         column("block_a", "-", &|r| f64::from(r.blocks[0])),
         column("block_b", "-", &|r| f64::from(r.blocks[1])),
-        Column::vector("force_on_a", "N/m", &forces),
-        column("normal_force", "N/m", &|r| r.normal),
-        column("shear_force", "N/m", &|r| r.shear),
+        Column::vector("force_on_a", unit, &forces),
+        column("normal_force", unit, &|r| slice * r.normal),
+        column("shear_force", unit, &|r| slice * r.shear),
         column("length", "m", &|r| r.length),
         column("overlap", "m", &|r| r.overlap),
         column("slipping", "-", &|r| f64::from(u8::from(r.slipping))),

@@ -1,7 +1,7 @@
 //! What the 2D engine is built from: plain SI data, no behaviour.
 //!
 //! Written by `model`, kept in checkpoints. Everything is per metre of thickness, so a force is in
-//! N/m, a moment in N (N m per m), an energy in J/m. x points right, y up; angles are radians,
+//! N/m, a moment in N (N m per m), an energy in J/m; `thickness` alone says of how thick a slice results are told. x points right, y up; angles are radians,
 //! anticlockwise.
 
 use riprap_geom::Vec2;
@@ -44,6 +44,16 @@ pub struct Setup {
     pub water: Vec<WaterTable>,
     /// Bolts; phases install them.
     pub bolts: Vec<Bolt>,
+    /// Thickness of the slice that results are of, m; `None` tells them per metre.
+    pub thickness: Option<f64>,
+}
+
+impl Setup {
+    /// What results per metre of thickness are multiplied by when they are told.
+    #[must_use]
+    pub fn slice(&self) -> f64 {
+        self.thickness.unwrap_or(1.0)
+    }
 }
 
 /// A bolt, from its head into the rock.

@@ -482,7 +482,10 @@ fn contact_note(frames: &[Frame]) -> String {
     let count = frames.last().map_or(0, |f| f.contact_points.len());
     match frames.iter().map(largest_force).fold(0.0, f64::max) {
         0.0 => format!("{count} contacts"),
-        f => format!("{count} contacts, longest force line {f:.2e} N/m"),
+        f => {
+            let unit = frames.iter().find_map(force_column).map_or("", |c| &c.unit);
+            format!("{count} contacts, longest force line {f:.2e} {unit}")
+        }
     }
 }
 

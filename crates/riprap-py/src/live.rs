@@ -176,7 +176,7 @@ impl Simulation {
     fn energy(&self, py: Python<'_>) -> PyResult<(Vec<(&'static str, f64)>, &'static str)> {
         self.read(py, |live| {
             let s = live.simulation();
-            let balance = s.view().balance();
+            let balance = s.view().balance().times(s.view().slice());
             let all = ledger::COLUMNS
                 .iter()
                 .map(|(name, get)| (*name, get(&balance)));

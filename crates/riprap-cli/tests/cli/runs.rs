@@ -2,6 +2,32 @@
 
 use crate::bench::{Bench, FALL};
 
+/// Forces, masses and energies are those of the slice, with its units; the motion is the same to the bit.
+#[test]
+fn a_thickness_scales_what_is_told_and_not_the_motion() {
+    let bench = Bench::with_scene();
+    let run = |out: &str, more: &[&str]| {
+        let words = [&["run", "fall.toml", "--out", out][..], more].concat();
+        bench.run(&words).expect(0);
+        let table = bench.read(&format!("{out}/energy.csv"));
+        let last = table.lines().last().unwrap_or_default().to_owned();
+        let kinetic: f64 = last.split(',').nth(2).unwrap_or_default().parse().unwrap();
+        let hash = bench.run(&["hash", out]).expect(0).out;
+        (table, kinetic, hash)
+    };
+    let (plain, one, hash) = run("one.run", &[]);
+    let (slice, thick, same) = run("thick.run", &["--set", "space.planar.thickness=2.5 m"]);
+    assert!(plain.contains("kinetic [J/m]") && slice.contains("kinetic [J]"));
+    assert!(one > 0.0 && thick == 2.5 * one, "{one} {thick}");
+    assert_eq!(hash, same);
+    let manifest = bench.read("thick.run/manifest.json");
+    assert!(manifest.contains("\"N\"") && !manifest.contains("\"N/m\""));
+    bench
+        .run(&["check", "fall.toml", "--set", "space.planar.thickness=0 m"])
+        .expect(2)
+        .warns(&["thickness"]);
+}
+
 #[test]
 fn a_run_leaves_everything_behind_and_says_what_next() {
     let bench = Bench::with_scene();

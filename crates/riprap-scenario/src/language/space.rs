@@ -9,7 +9,7 @@ use super::outputs::Period;
 use super::solids::BoxRegion;
 use crate::quantity::{
     Acceleration, Angle, Density, Down, Modulus, Name, NotNegativeLength, Poisson, PositiveAngle,
-    Quantity,
+    PositiveLength, Quantity,
 };
 
 /// The space in which the blocks move. Exactly one form.
@@ -32,6 +32,9 @@ pub struct Planar {
     /// The gravity vector is turned clockwise by this angle: a tilting table.
     #[key(default = "0 deg")]
     pub tilt: Option<Quantity<Angle>>,
+    /// Thickness of the slice that results are of, m: forces, masses and energies are then in N, kg and J. Inputs stay per metre.
+    /// Default: results per metre.
+    pub thickness: Option<Quantity<PositiveLength>>,
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
     /// block, or what the weight of the whole model could press in (up to 1 % of the block).
     pub allow_overlap: Option<Quantity<NotNegativeLength>>,

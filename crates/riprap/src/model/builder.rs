@@ -177,6 +177,7 @@ impl Builder<'_> {
     /// Everything of the plane up to the loads; whether names and sizes are known.
     fn planar(&mut self, space: &Planar) -> bool {
         self.planar_gravity(space);
+        self.setup.thickness = space.thickness.as_ref().map(Quantity::si);
         self.draw();
         self.find_origin();
         self.blocks();

@@ -27,8 +27,10 @@ const TRANSIT: f64 = 0.2;
 /// Which engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
-    /// Polygons in the plane.
+    /// Polygons in the plane, results for each metre of thickness.
     Planar,
+    /// Polygons in the plane, results of a slice of given thickness.
+    Slice,
     /// Blocks in space.
     Spatial,
 }
@@ -38,8 +40,15 @@ impl Kind {
     #[must_use]
     pub fn of(setup: &Setup) -> Self {
         match setup {
-            Setup::Planar(_) => Kind::Planar,
+            Setup::Planar(setup) => Kind::in_plane(setup),
             Setup::Spatial(_) => Kind::Spatial,
+        }
+    }
+
+    fn in_plane(setup: &planar::setup::Setup) -> Self {
+        match setup.thickness {
+            None => Kind::Planar,
+            Some(_) => Kind::Slice,
         }
     }
 
@@ -48,16 +57,17 @@ impl Kind {
     pub fn fields(self) -> &'static [FieldInfo] {
         match self {
             Kind::Planar => planar::fields::INFOS,
+            Kind::Slice => &planar::fields::INFOS_OF_SLICE,
             Kind::Spatial => spatial::fields::INFOS,
         }
     }
 
-    /// Unit of energies: J per metre of thickness in the plane.
+    /// Unit of energies: J per metre of thickness in the plane without a thickness.
     #[must_use]
     pub fn energy_unit(self) -> &'static str {
         match self {
             Kind::Planar => "J/m",
-            Kind::Spatial => "J",
+            Kind::Slice | Kind::Spatial => "J",
         }
     }
 }
@@ -197,7 +207,7 @@ impl Engine {
     #[must_use]
     pub fn kind(&self) -> Kind {
         match self {
-            Self::Planar(_) => Kind::Planar,
+            Self::Planar(e) => Kind::in_plane(&e.world.setup),
             Self::Spatial(_) => Kind::Spatial,
         }
     }

@@ -273,6 +273,7 @@ impl Simulation {
 /// Field table of the engine that the scene needs.
 fn fields(parsed: &Parsed) -> &'static [FieldInfo] {
     match parsed.scenario.space {
+        Space::Planar(ref plane) if plane.thickness.is_some() => Kind::Slice.fields(),
         Space::Planar(_) => Kind::Planar.fields(),
         Space::Spatial(_) => Kind::Spatial.fields(),
     }

@@ -170,9 +170,9 @@ impl Simulation {
         self.engine.relaxing().is_some()
     }
 
-    /// The energy ledger at the present, prepared state. Costs as much as some steps.
+    /// The energy ledger at the present, prepared state, in the unit of energies of its kind. Costs as much as some steps.
     pub fn balance(&mut self) -> Balance {
-        let balance = self.view().balance();
+        let balance = self.view().balance().times(self.view().slice());
         self.residual = Some(balance.residual_relative());
         balance
     }

@@ -64,7 +64,7 @@ impl Measured {
     fn of(simulation: &Simulation) -> Self {
         let view = simulation.view();
         Self {
-            kinetic: view.kinetic(),
+            kinetic: view.kinetic() * view.slice(),
             residual: simulation.residual(),
             unbalanced: view.unbalanced(),
             contacts: view.contacts(),

@@ -21,10 +21,13 @@ impl Reading {
     /// Unknown names and parts of scalars.
     pub fn new(kind: Kind, gauge: &Gauge) -> Result<Self, FieldError> {
         match kind {
-            Kind::Planar => {
+            Kind::Planar | Kind::Slice => {
                 let along = gauge.along.map(|[x, y, _z]| [x, y]);
                 let reading = planar::fields::Reading::new(&gauge.field, &gauge.of, along)?;
-                Ok(Self::Planar(reading))
+                Ok(Self::Planar(match kind {
+                    Kind::Slice => reading.of_slice(),
+                    Kind::Planar | Kind::Spatial => reading,
+                }))
             }
             Kind::Spatial => {
                 let (at, along) = (gauge.at.map(Vec3::from), gauge.along.map(Vec3::from));

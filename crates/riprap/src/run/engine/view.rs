@@ -58,7 +58,7 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn kind(&self) -> Kind {
         match self {
-            Self::Planar(_) => Kind::Planar,
+            Self::Planar(v) => Kind::in_plane(&v.world.setup),
             Self::Spatial(_) => Kind::Spatial,
         }
     }
@@ -240,7 +240,16 @@ impl<'a> View<'a> {
         Some((self.name(b), ratio))
     }
 
-    /// The energy ledger.
+    /// What energies are multiplied by when they are told: the thickness of a slice in m, else 1.
+    #[must_use]
+    pub fn slice(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.world.setup.slice(),
+            Self::Spatial(_) => 1.0,
+        }
+    }
+
+    /// The energy ledger, in the plane for each metre of thickness.
     #[must_use]
     pub fn balance(&self) -> Balance {
         match self {
