@@ -448,9 +448,9 @@ mod tests {
             );
         }
         let text = of("Interface", "cohesion")["description"].clone();
-        assert_eq!(text, "Cohesion, Pa; zero or more. Default 0 Pa.");
+        assert_eq!(text, "Cohesion, Pa. Default 0 Pa.");
         let text = of("InterfaceChange", "cohesion")["description"].clone();
-        assert_eq!(text, "Cohesion, Pa; zero or more.");
+        assert_eq!(text, "Cohesion, Pa.");
     }
 
     #[test]
