@@ -3,11 +3,11 @@
 import * as THREE from "three";
 import { surfaces } from "./between";
 import type { Blocks } from "./blocks";
-import type { BoltInfo, ContactInfo, StressInfo } from "./run";
+import type { BoltInfo, ContactInfo } from "./run";
 import type { Packet } from "./wire";
 
 /** Arrows drawn at most; of more, every second, third, ... is. */
-const ARROWS = 4000;
+export const ARROWS = 4000;
 
 /** States of contacts, as the server numbers them (crates/riprap-view/src/contacts.rs). */
 export const STATES = [
@@ -45,7 +45,7 @@ function arrowShape(flat: boolean): THREE.BufferGeometry {
   return merged.rotateZ(-Math.PI / 2);
 }
 
-const AHEAD = new THREE.Vector3(1, 0, 0);
+export const AHEAD = new THREE.Vector3(1, 0, 0);
 
 /** Arrows of one kind. */
 export class Arrows {
@@ -291,59 +291,6 @@ export class Charges {
 /** Colours of principal stresses: those of bolts. */
 export const PRESSED = "#1d5fd0";
 export const PULLED = "#d01c1c";
-
-/** Principal stresses of blocks as crosses through their middles; they show through the blocks. */
-export class Crosses {
-  private mesh: THREE.InstancedMesh | null = null;
-  readonly object = new THREE.Group();
-  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
-
-  clear(): void {
-    if (!this.mesh) return;
-    this.object.remove(this.mesh);
-    this.mesh.geometry.dispose();
-    this.mesh.dispose();
-    this.mesh = null;
-  }
-
-  /**
-   * Draws the crosses of the chosen blocks at their places (three numbers each). An arm of the size `longest` is `length` long from end
-   * to end and `thick` thick, and none is longer. Returns how many blocks have a longer one.
-   */
-  draw(stress: Packet<StressInfo>, chosen: number[], places: Float32Array, length: number, thick: number): number {
-    this.clear();
-    const { longest } = stress.info;
-    if (longest === null) return 0;
-    const arms = stress.f32("arms");
-    const tension = stress.u8("tension");
-    const step = Math.max(1, Math.ceil(chosen.length / ARROWS));
-    const drawn = chosen.filter((_, i) => i % step === 0);
-    const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(1, 1, 1), this.material, 3 * drawn.length);
-    const one = new THREE.Object3D();
-    const way = new THREE.Vector3();
-    const colour = new THREE.Color();
-    let n = 0;
-    for (const b of drawn) {
-      for (let k = 0; k < 3; k++) {
-        const size = way.fromArray(arms, 9 * b + 3 * k).length();
-        if (!(size > 0.01 * longest)) continue;
-        one.position.fromArray(places, 3 * b);
-        one.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(size));
-        one.scale.set(length * Math.min(1, size / longest), thick, thick);
-        one.updateMatrix();
-        mesh.setMatrixAt(n, one.matrix);
-        mesh.setColorAt(n++, colour.set(tension[3 * b + k] ? PULLED : PRESSED));
-      }
-    }
-    mesh.count = n;
-    mesh.frustumCulled = false;
-    mesh.renderOrder = 4;
-    this.mesh = mesh;
-    this.object.add(mesh);
-    const beyond = (b: number) => [0, 1, 2].some((k) => way.fromArray(arms, 9 * b + 3 * k).length() > 1.001 * longest);
-    return chosen.filter(beyond).length;
-  }
-}
 
 /** State of a bar that has broken, as the server numbers them (crates/riprap-spatial/src/read/bars.rs). */
 const BROKEN_BAR = 3;

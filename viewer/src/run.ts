@@ -89,6 +89,8 @@ export interface StressInfo {
   range: [number, number] | null;
   /** The size that is drawn longest: larger ones are too. Null: no stress. */
   longest: number | null;
+  /** Edge of a usual tetrahedron, m; null: none have stresses of their own. */
+  tetSize: number | null;
 }
 
 export interface MotionInfo {

@@ -7,11 +7,12 @@ import { ConditionMarks, type Note } from "./conditions";
 import { quantity, short } from "./format";
 import { JointMarks } from "./joints";
 import { piecesAlong, Ruler, type Piece } from "./line";
-import { Arrows, Bolts, Charges, Contacts, Crosses, Picked, contactPlaces } from "./marks";
+import { Arrows, Bolts, Charges, Contacts, Picked, contactPlaces } from "./marks";
 import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
+import { StressMarks, type StressShown } from "./stress";
 import { blocksOf } from "./warnings";
 import type { Packet } from "./wire";
 
@@ -63,7 +64,7 @@ export class View {
   );
   private readonly bolts = new Bolts();
   private readonly charges = new Charges();
-  private readonly crosses = new Crosses();
+  private readonly stress = new StressMarks();
   private readonly conditions = new ConditionMarks();
   private readonly joints = new JointMarks();
   private readonly ruler = new Ruler();
@@ -80,7 +81,7 @@ export class View {
   /** Forces of the bolts that are drawn. */
   boltForces: BoltInfo | null = null;
   /** Principal stresses that are drawn as crosses, with the number of blocks beyond the longest. */
-  stressShown: (StressInfo & { beyond: number }) | null = null;
+  stressShown: StressShown | null = null;
   private last: Fetched | null = null;
   private ticket = 0;
   private ink = "#000000";
@@ -100,7 +101,7 @@ export class View {
     this.warnedDots.frustumCulled = false;
     this.warnedDots.renderOrder = 4;
     this.stage.scene.add(this.warnedDots);
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.warnedMark, this.bolts, this.charges, this.crosses, this.conditions, this.joints, this.ruler]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.warnedMark, this.bolts, this.charges, this.stress, this.conditions, this.joints, this.ruler]) {
       this.stage.scene.add(one.object);
     }
   }
@@ -225,7 +226,8 @@ export class View {
     this.drawArrows(settings);
     this.drawContacts(settings);
     this.drawBolts(settings);
-    this.drawStress(settings);
+    const stress = settings.stress ? last.stress : null;
+    this.stressShown = this.stress.draw(stress, blocks, (b, target) => this.shiftOf(b, 1, target), settings, this.modelSize() / 250);
     this.drawPicked();
     this.drawWarned();
     this.drawSupports(settings);
@@ -242,30 +244,6 @@ export class View {
     }
     const shift = (b: number, target: THREE.Vector3) => this.shiftOf(b, settings.exaggeration - 1, target);
     this.bolts.draw(bolts, this.blocks!, shift, this.modelSize() / 250);
-  }
-
-  /** Crosses of the blocks that are seen: behind a flat cut those that it goes through, or nothing could be told apart. */
-  private drawStress(settings: Settings): void {
-    const stress = settings.stress ? this.last!.stress : null;
-    const blocks = this.blocks!;
-    this.stressShown = null;
-    if (!stress) {
-      this.crosses.clear();
-      return;
-    }
-    const places = new Float32Array(3 * blocks.count);
-    const chosen: number[] = [];
-    const place = new THREE.Vector3();
-    for (let b = 0; b < blocks.count; b++) {
-      this.shiftOf(b, settings.exaggeration, place);
-      for (let k = 0; k < 3; k++) places[3 * b + k] = blocks.middles[3 * b + k]! + place.getComponent(k);
-      const seen = this.flat || blocks.cutBlocks === 0 ? !blocks.isAway(place.fromArray(places, 3 * b)) : blocks.isCut(b);
-      if (this.flat) places[3 * b + 2] = 0.5;
-      if (blocks.isShown(b) && seen && Number.isFinite(place.x)) chosen.push(b);
-    }
-    const length = 0.9 * blocks.size * settings.vectorSize;
-    const beyond = this.crosses.draw(stress, chosen, places, length, Math.min(length / 14, this.modelSize() / 250));
-    this.stressShown = { ...stress.info, beyond };
   }
 
   private drawSupports(settings: Settings): void {

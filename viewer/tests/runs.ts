@@ -16,7 +16,7 @@ const SCENES: [string, string, string[]][] = [
   ["beam", "scenes/spatial/beam.toml", []],
   ["blast", "scenes/spatial/blast.toml", ["outputs.0.frames.every=0.4 ms"]],
   ["hybrid", "scenes/spatial/hybrid.toml", []],
-  ["soft", "scenes/spatial/beam.toml", ["interfaces.default.brittle_bond.cohesive={ mode_1 = \"3 kJ/m2\", mode_2 = \"3 kJ/m2\" }"]],
+  ["soft", "scenes/spatial/beam.toml", ["interfaces.default.brittle_bond.cohesive={ mode_1 = \"3 kJ/m2\", mode_2 = \"3 kJ/m2\" }", "outputs.0.frames.tetrahedra=true"]],
   ["bolts", "scenes/verify/engineering/bolt_roof_block.toml", []],
   ["joints", "scenes/planar/voronoi.toml", []],
 ];

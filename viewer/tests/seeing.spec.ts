@@ -437,3 +437,17 @@ test("principal stresses in space are crosses on a cut, and bending has both col
   expect(pulled).toBeGreaterThan(20);
   await shoot(page, "stress-space");
 });
+
+test("deformable blocks have crosses in their tetrahedra where the run has written these", async ({ view }) => {
+  const page = await view("soft");
+  await page.getByLabel("field", { exact: true }).selectOption("");
+  await page.getByLabel("clipping plane").selectOption("y");
+  await page.keyboard.press("2");
+  await expect.poll(async () => Number(await stage(page).getAttribute("data-cut"))).toBeGreaterThan(0);
+  await page.keyboard.press("a");
+  await expect(page.locator(".legend")).toContainText("tension up to");
+  const [pressed, pulled] = await crossed(page);
+  expect(pressed).toBeGreaterThan(20);
+  expect(pulled).toBeGreaterThan(20);
+  await shoot(page, "stress-tetrahedra");
+});

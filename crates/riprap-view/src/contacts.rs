@@ -94,17 +94,17 @@ pub fn wire(touches: &Touches) -> Vec<u8> {
 }
 
 /// Places of blocks in a frame by their numbers.
-struct Places(Vec<(u32, u32)>);
+pub(crate) struct Places(Vec<(u32, u32)>);
 
 impl Places {
-    fn of(ids: &[u32]) -> Self {
+    pub(crate) fn of(ids: &[u32]) -> Self {
         let mut order: Vec<(u32, u32)> = ids.iter().zip(0..).map(|(id, at)| (*id, at)).collect();
         order.sort_unstable();
         Places(order)
     }
 
     /// `u32::MAX`: not in the frame.
-    fn find(&self, id: f64) -> u32 {
+    pub(crate) fn find(&self, id: f64) -> u32 {
         let found = self.0.binary_search_by_key(&(id as u32), |o| o.0);
         found.map_or(u32::MAX, |at| self.0[at].1)
     }

@@ -5,7 +5,9 @@
 
 use riprap_geom::Vec3;
 use riprap_record::conditions::{self, Conditions};
-use riprap_record::folder::{block_file, bolt_file, contact_file, crack_file, in_use};
+use riprap_record::folder::{
+    block_file, bolt_file, contact_file, crack_file, in_use, tetrahedron_file,
+};
 use riprap_record::names::Names;
 use riprap_record::table::Table;
 use riprap_record::vtu::{self, Moment, PvdEntry, Wanted};
@@ -433,6 +435,24 @@ impl Run {
         })
     }
 
+    /// Tetrahedra of deformable blocks of frame `k`, four corners each; `None` where the scene did not ask for them.
+    ///
+    /// # Errors
+    /// As [`Run::placed`].
+    pub fn tetrahedra(&self, k: usize) -> Result<Option<Cracks>, Problem> {
+        let (number, [blocks, _]) = self.numbered(k)?;
+        let Ok(file) = self.inside(&tetrahedron_file(number)) else {
+            return Ok(None);
+        };
+        let read = vtu::read(&file)?;
+        Ok(Some(Cracks {
+            points: self.less_origin(k, &read.points)?,
+            ends: read.offsets,
+            columns: read.cell_columns,
+            ids: numbers_of(&blocks)?,
+        }))
+    }
+
     fn less_origin(&self, k: usize, points: &[[f64; 3]]) -> Result<Vec<Vec3>, Problem> {
         let origin = self.memory().origin;
         let origin = match origin {
@@ -481,7 +501,7 @@ pub struct Touches {
     pub ids: Vec<u32>,
 }
 
-/// Cracks of a frame.
+/// Cracks of a frame, bars of its bolts, or its tetrahedra.
 #[derive(Debug)]
 pub struct Cracks {
     /// Corners less the origin, m.
