@@ -5,6 +5,7 @@
 
 mod attack;
 mod bench;
+mod book;
 mod browser;
 mod licences;
 mod modules;

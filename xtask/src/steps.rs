@@ -6,7 +6,7 @@ use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
 use crate::shell::{Counts, cargo};
-use crate::{attack, browser, licences, modules, python, shell, tidy, verify, vtk};
+use crate::{attack, book, browser, licences, modules, python, shell, tidy, verify, vtk};
 
 /// How a step ended, if it could run at all.
 pub enum Outcome {
@@ -419,15 +419,7 @@ fn docs_step(root: &Path) -> Result<Outcome, String> {
         "--document-private-items",
     ];
     let api = cargo_check(root, &words, &[("RUSTDOCFLAGS", "-D warnings")])?;
-    let has_book = root.join("docs/book.toml").exists();
-    let mdbook = Command::new("mdbook").arg("--version").output();
-    if has_book && mdbook.is_ok_and(|o| o.status.success()) {
-        let mut command = Command::new("mdbook");
-        command.args(["build", "docs", "--dest-dir", "../target/book"]);
-        if !shell::run(root, &mut command)?.success {
-            return Err("mdbook build docs failed".to_owned());
-        }
-    }
+    book::build(root)?;
     Ok(api)
 }
 

@@ -322,7 +322,7 @@ pub fn page(rows: &[Row], now: &Now) -> String {
         "# Verification\n\nEvery scene with checks, one line each; written by `cargo xtask verify-all`. Every check with what was measured and expected, when, at which\n\
          commit and on what it rests is a row of [verification.csv](verification.csv). `riprap verify SCENE` runs a scene again, `cargo xtask verify-all SCENE` renews\n\
          its rows. Skipped = known failures, run and listed below with their reason. Stale = not run since the scene changed or, for scenes in a folder `long`, since\n\
-         the [changelog](../../CHANGELOG.md) got another *Numerics* entry: such a row says what came out then and counts for nothing. What fast scenes give is held\n\
+         `CHANGELOG.md` got another *Numerics* entry: such a row says what came out then and counts for nothing. What fast scenes give is held\n\
          against their rows in every test run.\n\n{}\n\n| scene | what it shows | passed | failed | skipped | stale | last run |\n|---|---|---|---|---|---|---|\n",
         totals(rows, now)
     );
