@@ -1,7 +1,8 @@
 //! From the words on the command line to a scene and one of its cases.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use riprap::record::field::nearest;
 use riprap::run::scene::{Prepared, Scene};
 use riprap::scenario::{Case, Diagnostics};
 
@@ -14,6 +15,37 @@ pub fn prepare(scene: &args::Scene, style: Style, quiet: bool) -> Result<Prepare
     prepare_file(&scene.file, &scene.change, style, quiet)
 }
 
+/// Reads a scene. A file that is not there is answered with the one beside it that was meant, if there is one.
+pub fn load(file: &Path, change: &Change) -> Result<Scene, Failure> {
+    Scene::load(file, &change.set).map_err(|error| match meant(file) {
+        Some(meant) => Failure::Input(format!(
+            "{} does not exist; did you mean {}?",
+            file.display(),
+            meant.display()
+        )),
+        None => Failure::from(error),
+    })
+}
+
+/// The scene whose name is nearest to that of a file which does not exist.
+fn meant(file: &Path) -> Option<PathBuf> {
+    if file.exists() {
+        return None;
+    }
+    let folder = file.parent().filter(|p| !p.as_os_str().is_empty());
+    let entries = std::fs::read_dir(folder.unwrap_or(Path::new("."))).ok()?;
+    let mut names: Vec<String> = entries
+        .flatten()
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .filter(|name| name.ends_with(".toml"))
+        .collect();
+    names.sort();
+    let name = file.file_name()?.to_string_lossy();
+    let with_end = format!("{}.toml", name.trim_end_matches(".toml"));
+    let near = nearest(&with_end, names.iter().map(String::as_str))?;
+    Some(folder.map_or_else(|| PathBuf::from(near), |f| f.join(near)))
+}
+
 /// As [`prepare`], for a file and changes.
 pub fn prepare_file(
     file: &Path,
@@ -21,7 +53,7 @@ pub fn prepare_file(
     style: Style,
     quiet: bool,
 ) -> Result<Prepared, Failure> {
-    let scene = Scene::load(file, &change.set)?;
+    let scene = load(file, change)?;
     let case = case(&scene, change)?;
     let prepared = scene.prepare(&case)?;
     if !quiet {

@@ -59,7 +59,12 @@ pub struct Plot {
     #[arg(long)]
     pub png: bool,
     /// Field that colours the blocks
-    #[arg(long, value_name = "FIELD", default_value = "displacement")]
+    #[arg(
+        long,
+        alias = "field",
+        value_name = "FIELD",
+        default_value = "displacement"
+    )]
     pub by: String,
     /// Time of the frame that is drawn; repeatable for blocks, sections and heave [default: the last]
     #[arg(long, value_name = "TIME")]

@@ -22,6 +22,7 @@ use riprap::run::checks::{CheckResult, Status};
 use riprap::run::verify::Tally;
 
 use crate::args::How;
+use crate::failure::Failure;
 use crate::screen;
 
 /// Where results of `scene` go when the user does not say: `hill.toml` gives `hill.run` in the
@@ -79,4 +80,30 @@ pub fn check_line(check: &CheckResult, with_scene: bool) -> String {
         line.push_str(&format!("; {}", check.note.replace('\n', "\n        ")));
     }
     line
+}
+
+/// Refuses what is no folder, and says what to write for `verb` instead: a scene is run, its run folder is looked at.
+///
+/// # Errors
+/// A path that does not exist or is a file.
+pub fn run_folder(path: &Path, verb: &str) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Ok(());
+    }
+    let (shown, folder) = (path.display(), default_folder(path, "run"));
+    let made = folder.join("manifest.json").exists();
+    let scene = path.extension().is_some_and(|e| e == "toml");
+    let next = match (made, scene && path.is_file()) {
+        (true, _) => format!("write riprap {verb} {}", folder.display()),
+        (false, true) => format!("write riprap run {shown}"),
+        (false, false) => format!("for example riprap {verb} hill.run"),
+    };
+    let what = match (path.is_file(), scene) {
+        (true, true) => "is a scene",
+        (true, false) => "is a file",
+        (false, _) => "does not exist",
+    };
+    Err(Failure::Input(format!(
+        "{shown} {what}, and `{verb}` takes a run: the folder that `riprap run` made; {next}"
+    )))
 }

@@ -8,6 +8,7 @@ use riprap::plot::{
 };
 use riprap::scenario::units::{self, Dim};
 
+use super::run_folder;
 use crate::args::{Arrows, Axis, Cli, Net, Plot, Verb};
 use crate::diagnostics;
 use crate::failure::Failure;
@@ -44,6 +45,7 @@ pub fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 
 fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
     let folder = &args.run;
+    run_folder(folder, "plot")?;
     if args.output.is_none() && folder.join("manifest.json").exists() {
         let plots = folder.join("plots");
         std::fs::create_dir_all(&plots)
@@ -61,8 +63,12 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
             return Err(Failure::Input(text.to_owned()));
         }
         (Some(what), Some(history)) => {
+            let other = match what {
+                "blocks" | "section" => format!("a field is named with --by {history}"),
+                _ => "only spectrum does".to_owned(),
+            };
             return Err(Failure::Input(format!(
-                "`{what}` takes no second name, but `{history}` was given; only spectrum does"
+                "`{what}` takes no second name, but `{history}` was given; {other}"
             )));
         }
         (Some(what), None) => asked.picture(what)?,

@@ -7,12 +7,13 @@ use riprap_view::report::{self, Limits, SETUP, Signature};
 use riprap_view::run::Run;
 
 use crate::args::Report;
-use crate::commands::plot;
+use crate::commands::{plot, run_folder};
 use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
 
 pub fn run(args: &Report) -> Result<(), Failure> {
+    run_folder(&args.run, "report")?;
     let run = Run::new(&args.run);
     run.manifest()
         .map_err(|problem| Failure::Input(format!("{}; {}", problem.what, problem.hint)))?;

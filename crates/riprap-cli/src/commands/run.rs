@@ -11,7 +11,7 @@ use riprap::run::job::{self, Live, Outcome};
 use riprap::run::simulation::PhaseEnd;
 
 use crate::args::{How, Resume, Run};
-use crate::commands::{check_lines, default_folder, threads};
+use crate::commands::{check_lines, default_folder, run_folder, threads};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -45,9 +45,7 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
 
 /// `riprap resume`.
 pub fn resume(args: &Resume) -> Result<(), Failure> {
-    if let Some(wrong) = not_a_folder(&args.run) {
-        return Err(Failure::Input(wrong));
-    }
+    run_folder(&args.run, "resume")?;
     let head = format!(
         "riprap {}  resuming {}",
         env!("CARGO_PKG_VERSION"),
@@ -60,27 +58,6 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
             print_line("warning", note);
         }
         Ok(live.finish(look)?)
-    })
-}
-
-/// What to write instead when `path` is a file: a scene is run, its run folder is gone on with.
-fn not_a_folder(path: &Path) -> Option<String> {
-    if !path.is_file() {
-        return None;
-    }
-    let (shown, folder) = (path.display(), default_folder(path, "run"));
-    let made = folder.join("manifest.json").exists();
-    Some(if path.extension().is_some_and(|e| e == "toml") {
-        let next = if made {
-            format!("riprap resume {}", folder.display())
-        } else {
-            format!("riprap run {shown}")
-        };
-        format!(
-            "{shown} is a scene, and `resume` goes on with a run: the folder that `riprap run` made; write {next}"
-        )
-    } else {
-        format!("{shown} is a file; `resume` goes on in a run folder, for example hill.run")
     })
 }
 

@@ -6,7 +6,6 @@ use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending};
 use riprap::run::job::{self, Job};
 use riprap::run::safety::{self, Answer, Quantity, Rules, SafetyError, Trial};
-use riprap::run::scene::Scene;
 use riprap::scenario::units::{self, Dim};
 
 use crate::args::Safety;
@@ -71,7 +70,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
     };
     let threads = threads(&args.how);
     let (answer, job) = if let Some(quantity) = &over {
-        let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+        let scene = scenes::load(&args.scene.file, &args.scene.change)?;
         let case = scenes::case(&scene, &args.scene.change)?;
         let answer =
             safety::over_quantity(&scene, &case, quantity, &rules, threads, &stop, &mut report)?;

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending};
-use riprap::run::scene::Scene;
 use riprap::run::sweep::{self, Row};
 use riprap::run::trials::{self, TrialError};
 
@@ -19,7 +18,7 @@ use crate::{scenes, screen};
 
 /// `riprap sweep`.
 pub fn sweep(args: &Sweep) -> Result<(), Failure> {
-    let mut scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    let mut scene = scenes::load(&args.scene.file, &args.scene.change)?;
     if args.scene.change.case.is_some() {
         scene.cases = vec![scenes::case(&scene, &args.scene.change)?];
     }
@@ -96,7 +95,7 @@ pub fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
 
 /// `riprap bisect`.
 pub fn bisect(args: &Bisect) -> Result<(), Failure> {
-    let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    let scene = scenes::load(&args.scene.file, &args.scene.change)?;
     let case = scenes::case(&scene, &args.scene.change)?;
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(args.how.quiet || args.json);
@@ -152,7 +151,7 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
 
 /// `riprap compare`.
 pub fn compare(args: &Compare) -> Result<(), Failure> {
-    let scene = Scene::load(&args.scene.file, &args.scene.change.set)?;
+    let scene = scenes::load(&args.scene.file, &args.scene.change)?;
     trials::comparable(&scene)?;
     scenes::case(&scene, &args.scene.change)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "compare", args.force);

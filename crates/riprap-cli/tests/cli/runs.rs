@@ -300,5 +300,5 @@ fn nothing_to_resume_is_bad_input() {
     bench
         .run(&["resume", "nowhere"])
         .expect(2)
-        .warns(&["nowhere", "is this a run folder?"]);
+        .warns(&["nowhere does not exist", "takes a run"]);
 }

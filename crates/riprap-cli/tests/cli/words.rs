@@ -110,6 +110,35 @@ fn resume_says_what_it_wanted() {
 }
 
 #[test]
+fn a_name_that_is_nearly_right_is_answered_with_the_right_one() {
+    let bench = Bench::with_scene();
+    for (words, meant) in [
+        (vec!["check", "fall"], "did you mean fall.toml?"),
+        (vec!["run", "fal.toml"], "did you mean fall.toml?"),
+        (vec!["sweep", "fall"], "did you mean fall.toml?"),
+        (vec!["plot", "fall.toml"], "write riprap run fall.toml"),
+        (vec!["report", "fall"], "for example riprap report hill.run"),
+    ] {
+        bench.run(&words).expect(2).warns(&[meant]);
+    }
+    bench.run(&["run", "fall.toml", "-q"]).expect(0);
+    for (words, meant) in [
+        (
+            vec!["plot", "fall.run", "blocks", "velocity"],
+            "--by velocity",
+        ),
+        (vec!["plot", "fall"], "write riprap plot fall.run"),
+        (vec!["report", "fall.toml"], "write riprap report fall.run"),
+        (
+            vec!["paraview", "fall.toml"],
+            "write riprap paraview fall.run",
+        ),
+    ] {
+        bench.run(&words).expect(2).warns(&[meant]);
+    }
+}
+
+#[test]
 fn doctor_looks_at_all_that_riprap_meets() {
     let bench = Bench::new();
     let said = bench.run(&["doctor"]).expect(0);
