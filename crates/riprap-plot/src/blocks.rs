@@ -4,6 +4,7 @@ use super::arrows;
 use super::bolts;
 use super::colour::{self, ColourMap};
 use super::crosses;
+use super::isolines;
 use super::section::{Normal, Vectors};
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::ticks::{Scale, label};
@@ -31,6 +32,8 @@ pub struct BlockOptions {
     pub cracks: bool,
     /// Principal stresses as crosses, in space those in the plane of the cut.
     pub stress: bool,
+    /// About so many lines of equal value over the blocks, at round values; 0 is none.
+    pub isolines: usize,
     /// Factor on displacements and rotations; `None` is 1: blocks where they are.
     pub exaggeration: Option<f64>,
     /// In space: direction that the cut is normal to.
@@ -228,6 +231,13 @@ pub(super) fn draw(
             what: "no frames were chosen".to_owned(),
         });
     };
+    if options.isolines > 0 && words.kinds.is_some() {
+        return Err(PlotError::Unsuitable {
+            picture: "a picture with lines of equal value",
+            reason: "materials are kinds, not amounts; take another field or leave the lines out"
+                .to_owned(),
+        });
+    }
     let all: Vec<f64> = fields
         .iter()
         .flat_map(|f| f.values.iter().copied())
@@ -273,6 +283,11 @@ pub(super) fn draw(
             None => map.at(scale.share(v)),
         };
         outlines(&mut page, frame, field, &paint, &window, corner);
+        if options.isolines > 0 {
+            let pixel = |p| window.pixel(p, corner);
+            let lines = (&scale, options.isolines);
+            isolines::draw(&mut page, frame, &field.values, lines, &pixel);
+        }
         if options.cracks {
             cracks(&mut page, frame, &window, corner);
         }

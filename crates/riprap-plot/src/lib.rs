@@ -17,6 +17,7 @@ mod compare;
 mod crosses;
 pub mod fits;
 mod frames;
+mod isolines;
 mod lettering;
 mod lines;
 mod net;

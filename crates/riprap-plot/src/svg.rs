@@ -200,6 +200,18 @@ impl Page {
         put!(self, "<{tag} points=\"{}\" {style}/>", list.trim_end());
     }
 
+    /// Straight pieces of lines as one path.
+    pub(super) fn pieces(&mut self, pieces: &[[[f64; 2]; 2]], style: &str) {
+        if pieces.is_empty() {
+            return;
+        }
+        let mut path = String::new();
+        for [a, b] in pieces {
+            let _ = write!(path, "M{:.2} {:.2}L{:.2} {:.2}", a[0], a[1], b[0], b[1]);
+        }
+        put!(self, "<path d=\"{path}\" {style}/>");
+    }
+
     pub(super) fn text(&mut self, at: [f64; 2], size: f64, anchor: Anchor, text: &str) {
         self.write(at, false, size, anchor, text);
     }

@@ -31,6 +31,7 @@ Examples:
   riprap plot hill.run blocks --by velocity --time '0.5 s'
   riprap plot blast.run section --by displacement.z --vectors velocity
   riprap plot hill.run blocks --by sigma1_compressive --stress
+  riprap plot hill.run blocks --by displacement --isolines 8
   riprap plot hill.run blocks --window '2 m' '0 m' '6 m' '3 m'
   riprap plot blast.run section --normal z --at '-0.5 m' --by peak_speed --log
   riprap plot blast.run section --time '5 ms' --time '20 ms' --exaggerate 20
@@ -78,6 +79,9 @@ pub struct Plot {
     /// Principal stresses of the blocks as crosses
     #[arg(long)]
     pub stress: bool,
+    /// About so many lines of equal value over the blocks, with their numbers
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=50))]
+    pub isolines: Option<u8>,
     /// Faces that have broken, on sections
     #[arg(long)]
     pub cracks: bool,

@@ -159,6 +159,7 @@ impl<'a> Asked<'a> {
             }),
             stress: args.stress,
             cracks: args.cracks,
+            isolines: args.isolines.map_or(0, usize::from),
             window: window(args.window.as_deref())?,
             exaggeration: args.exaggerate,
             normal: match args.normal {

@@ -44,6 +44,7 @@ def plot(
     vectors: str | None = None,
     stress: bool = False,
     cracks: bool = False,
+    isolines: int = 0,
     window: "tuple[str | float, str | float, str | float, str | float] | None" = None,
     exaggerate: float | None = None,
     normal: str = "y",
@@ -67,6 +68,7 @@ def plot(
         vectors: arrows of ``displacement`` or ``velocity`` on blocks.
         stress: principal stresses of the blocks as crosses.
         cracks: faces that have broken, on sections.
+        isolines: about so many lines of equal value over blocks, at round values.
         window: left, bottom, right and top of the picture, with units or in m.
         exaggerate: factor on displacements.
         normal: axis across a section: ``x``, ``y`` or ``z``.
@@ -91,6 +93,7 @@ def plot(
         "vectors": vectors,
         "stress": stress,
         "cracks": cracks,
+        "isolines": isolines,
         "window": None if window is None else [_metres(end) for end in window],
         "exaggerate": exaggerate,
         "normal": normal,
