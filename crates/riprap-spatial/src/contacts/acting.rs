@@ -132,8 +132,10 @@ impl Evaluation<'_> {
 
     fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, workspace: &mut Workspace) {
         let candidate = &self.candidates.pairs[k];
+        let nearing = self.speeds.nearing(pair.ends);
+        slot.nearing = nearing;
         if pair.gap > 0.0 {
-            pair.gap -= self.speeds.nearing(pair.ends) * self.dt;
+            pair.gap -= nearing * self.dt;
             if pair.gap > 0.0 {
                 return;
             }
@@ -169,12 +171,18 @@ impl Evaluation<'_> {
                     in_place: pair.in_place && gap <= IN_PLACE * self.constants[k].inradius,
                     ..FoundPair::default()
                 };
-                *slot = Slot::default();
+                *slot = Slot {
+                    nearing,
+                    ..Slot::default()
+                };
                 return;
             }
             Found::Swallowed(radius) => {
                 // No force can be given: not a number stops the run, and the deepest contact is to blame.
-                *slot = Slot::default();
+                *slot = Slot {
+                    nearing,
+                    ..Slot::default()
+                };
                 slot.elastic.force = Vec3::NAN;
                 pair.depth = 2.0 * radius;
                 workspace.deepest = Some(Deepest {
@@ -231,6 +239,7 @@ impl Evaluation<'_> {
             drag: reply.drag,
             touching: true,
             area: reply.area,
+            nearing,
         };
     }
 }

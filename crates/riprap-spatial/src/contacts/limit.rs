@@ -52,7 +52,7 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
     let gravity = world.gravity.length();
     let speeds = Speeds::of(world);
     let mut longest = transit(world, desk);
-    let slight = impacts(world, desk, &speeds) <= SLIGHT * world.works.peak;
+    let slight = impacts(world, desk) <= SLIGHT * world.works.peak;
     let share = if slight { BOUNDED } else { SAFETY };
     for (at, &b) in desk.blocks.iter().enumerate() {
         let b = b as usize;
@@ -63,8 +63,12 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
             let k = k as usize;
             let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
             let (pair, law) = (&world.found.pairs[k], &constants.law);
+            let change = until_change(pair, slot, gravity);
+            if !slot.touching && change >= longest {
+                // Most of what is near: whatever it allows is longer than this.
+                continue;
+            }
             let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
-            let nearing = speeds.nearing(pair.ends);
             let flat = constants.facing.as_ref();
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
             let as_joint = pair.in_place || slight;
@@ -75,7 +79,6 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
                     SAFETY * 2.0 * loss / (stiffness * flat.area * ease.of_area(flat.area)).sqrt()
                 }
             });
-            let change = until_change(pair, slot, nearing, gravity);
             longest = longest.min(if slot.touching && !as_joint {
                 alone
             } else {
@@ -119,8 +122,10 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
                 continue;
             }
             // An edge: its area is its length times the way; dt² K v dt = (2 f)².
-            let rate =
-                stiffness * constants.largest.sqrt() * nearing * ease.of_area(constants.largest);
+            let rate = stiffness
+                * constants.largest.sqrt()
+                * slot.nearing
+                * ease.of_area(constants.largest);
             if rate > 0.0 {
                 let allowed = 2.0 * share * loss;
                 longest = longest.min(change + libm::cbrt(allowed * allowed / rate));
@@ -136,18 +141,18 @@ pub(super) fn longest_step(world: &World, desk: &Desk) -> f64 {
 }
 
 /// Step that a pair may make before it meets or parts, s.
-fn until_change(pair: &FoundPair, slot: &Slot, nearing: f64, gravity: f64) -> f64 {
+fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
     let way = if slot.touching {
         pair.depth
     } else {
         pair.gap.max(0.0)
     };
-    APPROACH * time_for(way, nearing, gravity)
+    APPROACH * time_for(way, slot.nearing, gravity)
 }
 
 /// Energy with which blocks hit each other now, or will in a step that is as long as joints allow, J: that of the approach, by its bound, and
 /// of the pressure. Pairs that lie in place are left out.
-fn impacts(world: &World, desk: &Desk, speeds: &Speeds) -> f64 {
+fn impacts(world: &World, desk: &Desk) -> f64 {
     let gravity = world.gravity.length();
     let mut energy = 0.0;
     for (k, pair) in world.found.pairs.iter().enumerate() {
@@ -157,15 +162,14 @@ fn impacts(world: &World, desk: &Desk, speeds: &Speeds) -> f64 {
         let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
         let kn = constants.law.normal_stiffness;
         let ease: f64 = constants.inverse_masses.iter().sum();
-        let nearing = speeds.nearing(pair.ends);
         let flat = constants.facing.as_ref();
         let square = flat.map_or(2.0 * kn * constants.largest * ease, |flat| flat.square);
         if slot.touching {
             energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
-        } else if until_change(pair, slot, nearing, gravity) > BOUNDED * 2.0 / square.sqrt() {
+        } else if until_change(pair, slot, gravity) > BOUNDED * 2.0 / square.sqrt() {
             continue;
         }
-        energy += 0.5 * nearing * nearing / ease;
+        energy += 0.5 * slot.nearing * slot.nearing / ease;
     }
     energy
 }
@@ -233,12 +237,16 @@ fn time_for(way: f64, v: f64, g: f64) -> f64 {
 /// Longest step in which no pair can pass through each other, s.
 fn transit(world: &World, desk: &Desk) -> f64 {
     let g = world.gravity.length();
-    let speeds = Speeds::of(world);
     let mut longest = f64::INFINITY;
-    for (pair, constants) in world.found.pairs.iter().zip(&desk.constants) {
+    for ((pair, slot), constants) in
+        (world.found.pairs.iter().zip(&desk.slots)).zip(&desk.constants)
+    {
         let gap = pair.gap.max(0.0);
-        let speed = speeds.nearing(pair.ends);
-        longest = longest.min(time_for(gap + TRANSIT * constants.inradius, speed, g));
+        longest = longest.min(time_for(
+            gap + TRANSIT * constants.inradius,
+            slot.nearing,
+            g,
+        ));
     }
     longest
 }

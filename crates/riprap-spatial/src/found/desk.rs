@@ -155,6 +155,8 @@ pub struct Slot {
     pub touching: bool,
     /// Area across the normal, m².
     pub area: f64,
+    /// Bound of the speed at which points of the two blocks come nearer to each other, m/s.
+    pub nearing: f64,
 }
 
 /// Force (N) and moment about the centroid (N m).

@@ -71,52 +71,95 @@ impl Frame {
 }
 
 /// A convex polygon in the plane of a piece. Edge `i` runs from corner `i` to the next one.
+///
+/// The lists keep more places than there are corners, so that cutting only writes into them: it is the innermost loop of all contact
+/// in space.
 #[derive(Clone, Debug, Default)]
 pub struct Polygon {
-    /// First coordinate of each corner, m.
-    pub s: Vec<f64>,
-    /// Second coordinate, m.
-    pub t: Vec<f64>,
-    /// Depth at each corner, m.
-    pub depth: Vec<f64>,
-    /// Plane that made the edge which starts at each corner.
-    pub label: Vec<u16>,
+    len: usize,
+    s: Vec<f64>,
+    t: Vec<f64>,
+    depth: Vec<f64>,
+    label: Vec<u16>,
     /// The depth is `p[0] - p[1] s - p[2] t`.
     pub slope: [f64; 3],
 }
 
 impl Polygon {
-    fn clear(&mut self) {
-        self.s.clear();
-        self.t.clear();
-        self.label.clear();
+    /// The square with half the side `r` (m) that every piece is cut from.
+    fn square(&mut self, r: f64) {
+        self.make_room(4);
+        self.len = 4;
+        self.s[..4].copy_from_slice(&[-r, r, r, -r]);
+        self.t[..4].copy_from_slice(&[-r, -r, r, r]);
+        self.label[..4].fill(OPEN);
     }
 
-    #[inline]
-    fn push(&mut self, s: f64, t: f64, label: u16) {
-        self.s.push(s);
-        self.t.push(t);
-        self.label.push(label);
+    fn make_room(&mut self, corners: usize) {
+        if self.s.len() < corners {
+            self.s.resize(corners, 0.0);
+            self.t.resize(corners, 0.0);
+            self.depth.resize(corners, 0.0);
+            self.label.resize(corners, OPEN);
+        }
     }
 
     /// Number of corners.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.s.len()
+        self.len
     }
 
     /// Whether nothing is left of it.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.s.is_empty()
+        self.len == 0
+    }
+
+    /// First coordinate of each corner, m.
+    #[must_use]
+    pub fn s(&self) -> &[f64] {
+        &self.s[..self.len]
+    }
+
+    /// Second coordinate, m.
+    #[must_use]
+    pub fn t(&self) -> &[f64] {
+        &self.t[..self.len]
+    }
+
+    /// Depth at each corner, m.
+    #[must_use]
+    pub fn depth(&self) -> &[f64] {
+        &self.depth[..self.len]
+    }
+
+    /// Plane that made the edge which starts at each corner.
+    #[must_use]
+    pub fn label(&self) -> &[u16] {
+        &self.label[..self.len]
+    }
+
+    /// Finds the depths of all corners; whether there is a polygon.
+    fn find_depths(&mut self, slope: [f64; 3]) -> bool {
+        self.slope = slope;
+        let (n, [w, u, v]) = (self.len, slope);
+        let corners = self.s[..n].iter().zip(&self.t[..n]);
+        for (depth, (s, t)) in self.depth[..n].iter_mut().zip(corners) {
+            *depth = w - u * s - v * t;
+        }
+        n >= 3
     }
 
     /// Takes over the corners of another one.
     pub fn copy(&mut self, other: &Self) {
-        self.s.clone_from(&other.s);
-        self.t.clone_from(&other.t);
-        self.depth.clone_from(&other.depth);
-        self.label.clone_from(&other.label);
+        let n = other.len;
+        self.make_room(n);
+        self.len = n;
+        self.s[..n].copy_from_slice(other.s());
+        self.t[..n].copy_from_slice(other.t());
+        self.depth[..n].copy_from_slice(other.depth());
+        self.label[..n].copy_from_slice(other.label());
         self.slope = other.slope;
     }
 }
@@ -144,12 +187,9 @@ impl Cutter {
         tied: impl Fn(usize) -> bool,
     ) -> bool {
         self.project(planes, frame);
-        let r = SQUARE * radius;
-        self.polygon.clear();
-        for (s, t) in [(-r, -r), (r, -r), (r, r), (-r, r)] {
-            self.polygon.push(s, t, OPEN);
-        }
-        if !self.cut(self.u[f], self.v[f], self.w[f], BOUNDARY) {
+        self.polygon.square(SQUARE * radius);
+        let [u, v, w] = [self.u[f], self.v[f], self.w[f]];
+        if !self.cut(u, v, w, BOUNDARY) {
             return false;
         }
         for k in 0..planes.len() {
@@ -162,14 +202,7 @@ impl Cutter {
                 return false;
             }
         }
-        let (u, v, w) = (self.u[f], self.v[f], self.w[f]);
-        let polygon = &mut self.polygon;
-        polygon.slope = [w, u, v];
-        polygon.depth.clear();
-        for (s, t) in polygon.s.iter().zip(&polygon.t) {
-            polygon.depth.push(w - u * s - v * t);
-        }
-        polygon.len() >= 3
+        self.polygon.find_depths([w, u, v])
     }
 
     /// Cuts the piece made last by a further plane, `normal . x <= offset`, beyond which nothing is looked for; whether
@@ -177,17 +210,7 @@ impl Cutter {
     pub fn clip(&mut self, frame: &Frame, normal: Vec3, offset: f64) -> bool {
         let slope = self.polygon.slope;
         let [a, b] = frame.axes.map(|axis| normal.dot(axis));
-        if !self.cut(a, b, offset - normal.dot(frame.foot), BOUNDARY) {
-            return false;
-        }
-        let [w, u, v] = slope;
-        let polygon = &mut self.polygon;
-        polygon.slope = slope;
-        polygon.depth.clear();
-        for (s, t) in polygon.s.iter().zip(&polygon.t) {
-            polygon.depth.push(w - u * s - v * t);
-        }
-        polygon.len() >= 3
+        self.cut(a, b, offset - normal.dot(frame.foot), BOUNDARY) && self.polygon.find_depths(slope)
     }
 
     /// All planes in the coordinates of the frame: `u s + v t <= w`.
@@ -212,16 +235,19 @@ impl Cutter {
     }
 
     /// Keeps what lies where `a s + b t <= c`; whether anything does.
+    #[inline]
     fn cut(&mut self, a: f64, b: f64, c: f64, label: u16) -> bool {
-        let n = self.polygon.len();
-        self.beyond.clear();
-        let corners = self.polygon.s.iter().zip(&self.polygon.t);
-        self.beyond
-            .extend(corners.map(|(s, t)| (a * s + b * t) - c));
+        let n = self.polygon.len;
+        if self.beyond.len() < n {
+            self.beyond.resize(2 * n, 0.0);
+        }
+        let (s, t) = (&self.polygon.s[..n], &self.polygon.t[..n]);
+        let q = &mut self.beyond[..n];
         let (mut inside, mut outside) = (false, false);
-        for &q in &self.beyond {
-            inside |= q <= 0.0;
-            outside |= q > 0.0;
+        for i in 0..n {
+            q[i] = (a * s[i] + b * t[i]) - c;
+            inside |= q[i] <= 0.0;
+            outside |= q[i] > 0.0;
         }
         if !outside {
             return inside;
@@ -229,23 +255,35 @@ impl Cutter {
         if !inside {
             return false;
         }
-        let (from, to, q) = (&self.polygon, &mut self.spare, &self.beyond);
-        to.clear();
+        let labels = &self.polygon.label[..n];
+        // Every edge can leave two corners at most.
+        self.spare.make_room(2 * n);
+        let to = &mut self.spare;
+        let (to_s, to_t, to_label) = (
+            &mut to.s[..2 * n],
+            &mut to.t[..2 * n],
+            &mut to.label[..2 * n],
+        );
+        let mut m = 0;
         for i in 0..n {
             let next = if i + 1 < n { i + 1 } else { 0 };
-            if q[i] <= 0.0 {
-                to.push(from.s[i], from.t[i], from.label[i]);
+            let (here, there) = (q[i] <= 0.0, q[next] <= 0.0);
+            if here {
+                (to_s[m], to_t[m], to_label[m]) = (s[i], t[i], labels[i]);
+                m += 1;
             }
-            if (q[i] <= 0.0) != (q[next] <= 0.0) {
+            if here != there {
                 // From the start of the edge, so that every width of the kernel finds the same bits.
                 let share = q[i] / (q[i] - q[next]);
-                let s = from.s[i] + share * (from.s[next] - from.s[i]);
-                let t = from.t[i] + share * (from.t[next] - from.t[i]);
-                to.push(s, t, if q[i] <= 0.0 { label } else { from.label[i] });
+                to_s[m] = s[i] + share * (s[next] - s[i]);
+                to_t[m] = t[i] + share * (t[next] - t[i]);
+                to_label[m] = if here { label } else { labels[i] };
+                m += 1;
             }
         }
+        to.len = m;
         std::mem::swap(&mut self.polygon, &mut self.spare);
-        self.polygon.len() >= 3
+        m >= 3
     }
 }
 
@@ -270,9 +308,11 @@ pub struct Integrals {
 #[must_use]
 pub fn integrate(polygon: &Polygon) -> Integrals {
     let mut sum = Integrals::default();
-    let corner = |i: usize| (polygon.s[i], polygon.t[i], polygon.depth[i]);
+    let n = polygon.len;
+    let (s, t, depth) = (&polygon.s[..n], &polygon.t[..n], &polygon.depth[..n]);
+    let corner = |i: usize| (s[i], t[i], depth[i]);
     let (s0, t0, p0) = corner(0);
-    for i in 1..polygon.len() - 1 {
+    for i in 1..n - 1 {
         let ((s1, t1, p1), (s2, t2, p2)) = (corner(i), corner(i + 1));
         let twice = (s1 - s0) * (t2 - t0) - (s2 - s0) * (t1 - t0);
         let (sp, ss, st) = (p0 + p1 + p2, s0 + s1 + s2, t0 + t1 + t2);
@@ -355,6 +395,7 @@ mod tests {
     #[test]
     fn integrals_of_a_square() {
         let polygon = Polygon {
+            len: 4,
             s: vec![0.0, 1.0, 1.0, 0.0],
             t: vec![0.0, 0.0, 1.0, 1.0],
             depth: vec![1.0, 3.0, 6.0, 4.0],
@@ -380,6 +421,7 @@ mod tests {
     fn mean_radius_of_rectangles() {
         for (a, exact) in [(1.0, 0.9372), (2.0, 0.9190), (10.0, 0.8727)] {
             let polygon = Polygon {
+                len: 4,
                 s: vec![0.0, a, a, 0.0],
                 t: vec![0.0, 0.0, 1.0, 1.0],
                 depth: vec![1.0; 4],
@@ -396,6 +438,7 @@ mod tests {
     #[test]
     fn mean_radius_under_a_slope() {
         let polygon = Polygon {
+            len: 4,
             s: vec![0.0, 2.0, 2.0, 0.0],
             t: vec![0.0, 0.0, 1.0, 1.0],
             depth: vec![1.0, 7.0, 7.0, 1.0],

@@ -79,7 +79,7 @@ impl Sums {
             *column += share * (c[k] * along_c + e[k] * along_e + h[k] * along_h);
         }
         self.vector_area += share * i.area * m;
-        let deepest = polygon.depth.iter().copied();
+        let deepest = polygon.depth().iter().copied();
         self.depth = self.depth.max(2.0 * deepest.fold(0.0, f64::max));
         weight
     }
@@ -315,7 +315,7 @@ impl Walker {
     fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {
         let split = self.planes.split as u16;
         for edge in 0..self.cutter.polygon.len() {
-            let label = self.cutter.polygon.label[edge];
+            let label = self.cutter.polygon.label()[edge];
             if label == OPEN {
                 self.sums.unlabelled += 1;
                 continue;

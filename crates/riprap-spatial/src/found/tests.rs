@@ -2,10 +2,10 @@
 
 use riprap_geom::{Quat, Vec3};
 
-use super::kit::{Chance, KINDS, Placed, overlapping};
+use super::kit::{Chance, KINDS, Placed, all_faces, overlapping};
 use super::piece::{Cutter, Frame, integrate};
 use super::planes::{Planes, origin};
-use super::{Pose, Shape, Sums, Walker};
+use super::{Found, Pose, Shape, Sums, Walker};
 
 /// Depth integral with normal, moment and weight over all pieces of all pairs of faces, with no lists and no walk.
 fn brute(placed: &Placed) -> (Vec3, Vec3, f64) {
@@ -54,6 +54,54 @@ fn the_walk_finds_what_all_pairs_of_faces_find() {
             pieces += sums.pieces;
         }
         println!("{kind:?}: {:.2} pieces a pair", f64::from(pieces) / 1500.0);
+    }
+}
+
+/// What one evaluation of a pair costs: `cargo test --release -p riprap-spatial --lib time_of_a_pair -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement"]
+fn time_of_a_pair() {
+    let mut walker = Walker::default();
+    for kind in KINDS {
+        let mut chance = Chance::new(7);
+        let scenes: Vec<_> = (0..200)
+            .map(|_| overlapping(kind, 0.001, &mut chance))
+            .collect();
+        let (mut tried, mut pieces, mut best) = (0, 0, f64::INFINITY);
+        for _ in 0..15 {
+            let mut hints = Vec::new();
+            let placed: Vec<_> = (scenes.iter())
+                .map(|(shapes, poses)| Placed::new([&shapes[0], &shapes[1]], *poses))
+                .collect();
+            let lists: Vec<_> = (scenes.iter())
+                .map(|(shapes, _)| [all_faces(&shapes[0]), all_faces(&shapes[1])])
+                .collect();
+            for (placed, lists) in placed.iter().zip(&lists) {
+                if let Found::Touching(sums) =
+                    placed.find(&mut walker, [&lists[0], &lists[1]], None)
+                {
+                    hints.push(sums.hint);
+                }
+            }
+            (tried, pieces) = (0, 0);
+            let start = std::time::Instant::now();
+            for ((placed, lists), hint) in placed.iter().zip(&lists).zip(&hints) {
+                if let Found::Touching(sums) =
+                    placed.find(&mut walker, [&lists[0], &lists[1]], *hint)
+                {
+                    tried += sums.tried;
+                    pieces += sums.pieces;
+                }
+            }
+            best = start.elapsed().as_secs_f64().min(best);
+        }
+        let each = |n: u32| f64::from(n) / 200.0;
+        println!(
+            "{kind:?}: {:.2} us, {:.2} pieces of {:.2} tried",
+            best / 200.0 * 1e6,
+            each(pieces),
+            each(tried)
+        );
     }
 }
 
