@@ -1,9 +1,9 @@
 //! The results of all checks, `docs/src/verification.csv`, which of them still count, and the page that sums them up scene by scene,
 //! `docs/src/verification.md`.
 //!
-//! A row says when it was measured: date, commit, how many *Numerics* entries `CHANGELOG.md` had, and a digest of the scene with the
-//! files that it reads. It is *stale* when the scene has changed since, and, for a long scene, when the changelog has got another
-//! *Numerics* entry: whatever changes results adds one. Rows of fast scenes are compared with what comes out in every run of the
+//! A row says when it was measured: date, commit, how many *Numerics* entries of `CHANGELOG.md` concerned its scene, and a digest of the scene
+//! with the files that it reads. It is *stale* when the scene has changed since, and, for a long scene, when the changelog has got another
+//! such entry: whatever changes results adds one. An entry that begins with one of [`SCOPES`] concerns those scenes only, any other all. Rows of fast scenes are compared with what comes out in every run of the
 //! tests, so they need no such sign. Nothing here asks git, but for the commit that goes into new rows.
 
 use std::fmt::Write as _;
@@ -31,6 +31,19 @@ const CELLS: [&str; 9] = [
     "tolerance",
     "note",
 ];
+/// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
+const SCOPES: [(&str, fn(&str) -> bool); 3] = [
+    ("In the plane:", |scene| !in_space(scene)),
+    ("In space:", in_space),
+    ("Found contact in space:", |scene| {
+        in_space(scene) && !scene.contains("found_contacts = false")
+    }),
+];
+
+fn in_space(scene: &str) -> bool {
+    scene.contains("[space.spatial]")
+}
+
 /// Columns that name a check.
 const NAME: usize = 3;
 /// The column of the result.
@@ -101,7 +114,7 @@ impl Row {
     fn fresh(&self, now: &Now) -> bool {
         let [_, _, numerics, digest] = &self.run;
         let same = now.digest(self.scene()) == digest;
-        same && (!is_long(self.scene()) || numerics.parse() == Ok(now.numerics))
+        same && (!is_long(self.scene()) || numerics.parse() == Ok(now.numerics(self.scene())))
     }
 }
 
@@ -119,7 +132,6 @@ fn cell(check: &Value, key: &str) -> String {
 /// What rows rest on today.
 #[derive(Debug)]
 pub struct Now {
-    numerics: usize,
     scenes: Vec<Scene>,
 }
 
@@ -129,6 +141,8 @@ struct Scene {
     name: String,
     title: String,
     digest: String,
+    /// Number of *Numerics* entries that concern it.
+    numerics: usize,
 }
 
 impl Now {
@@ -136,19 +150,26 @@ impl Now {
     pub fn of(root: &Path) -> Self {
         let changes = std::fs::read_to_string(root.join("CHANGELOG.md")).unwrap_or_default();
         let (fast, long) = scenes(root);
-        let scene = |name: String| Scene {
-            title: title(&std::fs::read_to_string(root.join(&name)).unwrap_or_default()),
-            digest: digest(root, &name),
-            name,
+        let scene = |name: String| {
+            let text = std::fs::read_to_string(root.join(&name)).unwrap_or_default();
+            Scene {
+                title: title(&text),
+                digest: digest(root, &name),
+                numerics: numerics(&changes, &text),
+                name,
+            }
         };
         Self {
-            numerics: numerics(&changes),
             scenes: fast.into_iter().chain(long).map(scene).collect(),
         }
     }
 
     fn digest(&self, scene: &str) -> &str {
         self.place(scene).map_or("", |k| &self.scenes[k].digest)
+    }
+
+    fn numerics(&self, scene: &str) -> usize {
+        self.place(scene).map_or(0, |k| self.scenes[k].numerics)
     }
 
     fn place(&self, scene: &str) -> Option<usize> {
@@ -160,14 +181,18 @@ impl Now {
     }
 }
 
-/// Number of entries under all headings *Numerics* of a changelog.
-fn numerics(changes: &str) -> usize {
+/// Number of entries under all headings *Numerics* of a changelog that concern a scene, by its text.
+fn numerics(changes: &str, scene: &str) -> usize {
+    let concerns = |entry: &str| {
+        let scope = SCOPES.iter().find(|(words, _)| entry.starts_with(words));
+        scope.is_none_or(|(_, of)| of(scene))
+    };
     let mut inside = false;
     let mut count = 0;
     for line in changes.lines() {
         if line.starts_with('#') {
             inside = line.trim_start_matches('#').trim() == "Numerics";
-        } else if inside && line.starts_with("- ") {
+        } else if inside && line.strip_prefix("- ").is_some_and(concerns) {
             count += 1;
         }
     }
@@ -250,7 +275,10 @@ pub fn merge(rows: &[Row], checks: &[Value], now: &Now, [date, commit]: [&str; 2
     out.retain(|row| now.known(row.scene()) && !ran(row.scene()));
     for check in checks {
         let scene = check["scene"].as_str().unwrap_or("");
-        let basis = [now.numerics.to_string(), now.digest(scene).to_owned()];
+        let basis = [
+            now.numerics(scene).to_string(),
+            now.digest(scene).to_owned(),
+        ];
         let [numerics, digest] = basis;
         let run = [date.to_owned(), commit.to_owned(), numerics, digest];
         let new = Row::new(check, run);
@@ -322,7 +350,7 @@ pub fn page(rows: &[Row], now: &Now) -> String {
         "# Verification\n\nEvery scene with checks, one line each; written by `cargo xtask verify-all`. Every check with what was measured and expected, when, at which\n\
          commit and on what it rests is a row of [verification.csv](verification.csv). `riprap verify SCENE` runs a scene again, `cargo xtask verify-all SCENE` renews\n\
          its rows. Skipped = known failures, run and listed below with their reason. Stale = not run since the scene changed or, for scenes in a folder `long`, since\n\
-         `CHANGELOG.md` got another *Numerics* entry: such a row says what came out then and counts for nothing. What fast scenes give is held\n\
+         `CHANGELOG.md` got another *Numerics* entry that concerns them: such a row says what came out then and counts for nothing. What fast scenes give is held\n\
          against their rows in every test run.\n\n{}\n\n| scene | what it shows | passed | failed | skipped | stale | last run |\n|---|---|---|---|---|---|---|\n",
         totals(rows, now)
     );
@@ -424,9 +452,9 @@ mod tests {
             name: name.to_owned(),
             title: "a | b".to_owned(),
             digest: "d1".to_owned(),
+            numerics,
         };
         Now {
-            numerics,
             scenes: ["scenes/a.toml", "scenes/long/b.toml"].map(scene).to_vec(),
         }
     }
@@ -511,8 +539,18 @@ mod tests {
     }
 
     #[test]
+    fn an_entry_can_concern_some_scenes_only() {
+        let text =
+            "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- d\n";
+        let space = "[space.spatial]\n";
+        assert_eq!(numerics(text, "[space.planar]"), 2);
+        assert_eq!(numerics(text, space), 3);
+        assert_eq!(numerics(text, &format!("{space}found_contacts = false")), 2);
+    }
+
+    #[test]
     fn entries_of_all_releases_count() {
         let text = "## Unreleased\n### Fixed\n- a\n### Numerics\n- b\n  more\n- c\n## 0.1\n### Numerics\n- d\n### Added\n- e\n";
-        assert_eq!(numerics(text), 3);
+        assert_eq!(numerics(text, ""), 3);
     }
 }
