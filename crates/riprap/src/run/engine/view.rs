@@ -193,6 +193,18 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Largest coordinate of a centroid, in magnitude, m.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        let most = |far: f64, at: f64| far.max(at.abs());
+        match self {
+            Self::Planar(v) => (v.living().map(|b| v.world.bodies[b].position))
+                .fold(0.0, |far, p| most(most(far, p.x), p.y)),
+            Self::Spatial(v) => (v.living().map(|b| v.position(b)))
+                .fold(0.0, |far, p| p.to_array().into_iter().fold(far, most)),
+        }
+    }
+
     /// Free blocks that are there, with displacement (m) and rotation (rad, about the axes) since displacements were last set
     /// to zero, and size, m: the edge of a square or cube of the same area or volume.
     pub fn movements(&self) -> Vec<Movement> {
