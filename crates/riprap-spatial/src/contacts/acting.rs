@@ -240,6 +240,7 @@ impl Evaluation<'_> {
             touching: true,
             area: reply.area,
             nearing,
+            slight: false,
         };
     }
 }

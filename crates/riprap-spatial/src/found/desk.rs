@@ -34,6 +34,8 @@ pub struct Desk {
     pub poses: Vec<Pose>,
     /// What each pair exerts.
     pub slots: Vec<Slot>,
+    /// Workspace: the impacts of an instant.
+    pub impacts: Vec<Impact>,
     /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
     pub incidence: Vec<(u32, bool)>,
     /// Where the pairs of each of `blocks` begin; one entry more.
@@ -157,6 +159,19 @@ pub struct Slot {
     pub area: f64,
     /// Bound of the speed at which points of the two blocks come nearer to each other, m/s.
     pub nearing: f64,
+    /// Whether the energy of its impact is so small that a step need not resolve it.
+    pub slight: bool,
+}
+
+/// An impact that is going on, or will within a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// Squared frequency of the contact, 1/s².
+    pub square: f64,
+    /// Its energy, J.
+    pub energy: f64,
+    /// The pair.
+    pub pair: u32,
 }
 
 /// Force (N) and moment about the centroid (N m).
