@@ -389,10 +389,10 @@ fn a_report_is_one_file() {
     );
     // Of the script only the two ends of its element.
     assert_eq!(page.matches("</script").count(), 2);
-    bench
-        .run(&["report", "nothing.run"])
-        .expect(2)
-        .warns(&["manifest.json"]);
+    bench.run(&["report", "nothing.run"]).expect(2).warns(&[
+        "nothing.run does not exist",
+        "the folder that `riprap run` made",
+    ]);
     bench
         .run(&["report", "fall.run", "-o", "no/such/folder.html"])
         .expect(3)
