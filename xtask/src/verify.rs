@@ -8,11 +8,12 @@ use std::process::{Command, ExitCode, Stdio};
 
 use serde_json::Value;
 
+mod basis;
 mod table;
 
 use crate::shell::{self, Counts, cargo};
 use crate::steps::Outcome;
-use table::Now;
+use basis::Now;
 pub use table::this_run;
 
 /// Builds the release binary; `Err` when it does not build.
