@@ -424,3 +424,10 @@ proptest! {
         exercise(&lines.join("\n"));
     }
 }
+
+#[test]
+fn a_list_written_as_a_table_is_told_its_brackets() {
+    let text = "riprap = 1\ntitle = \"a\"\n[supports]\non.block = \"a\"\n";
+    let error = parse(Source::new("a.toml", text)).unwrap_err().render();
+    assert!(error.contains("write [[supports]]"), "{error}");
+}

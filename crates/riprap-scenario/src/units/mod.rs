@@ -4,6 +4,10 @@
 //! optional power (`m2`, `m^2`, `m²`, `s^-1`). A `/` divides by the one factor that follows it.
 //! Angles have a dimension of their own, so that an angle is never mistaken for a number.
 
+mod number;
+
+use number::split_number;
+
 /// Exponents of kilogram, metre, second and radian.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dim(pub [i8; 4]);
@@ -286,6 +290,13 @@ fn unknown_unit(name: &str) -> UnitError {
         ("second", "s"),
         ("seconds", "s"),
         ("sec", "s"),
+        ("secs", "s"),
+        ("msec", "ms"),
+        ("msecs", "ms"),
+        ("millisecond", "ms"),
+        ("milliseconds", "ms"),
+        ("usec", "us"),
+        ("microseconds", "us"),
         ("degree", "deg"),
         ("degrees", "deg"),
         ("radian", "rad"),
@@ -367,65 +378,6 @@ pub fn unit_of(text: &str) -> Option<(&str, f64)> {
     let unit = rest.trim();
     let (one, _) = parse_unit(unit).ok()?;
     (!unit.is_empty()).then_some((unit, one))
-}
-
-fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
-    let bytes = text.as_bytes();
-    let digits = |mut at: usize| {
-        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
-            at += 1;
-        }
-        at
-    };
-    let start = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let mut end = digits(start);
-    let mut count = end - start;
-    if bytes.get(end) == Some(&b'.') {
-        let fraction = digits(end + 1);
-        count += fraction - end - 1;
-        end = fraction;
-    }
-    if count == 0 {
-        let word: String = text[start..]
-            .chars()
-            .take_while(|c| c.is_alphabetic())
-            .collect::<String>();
-        let lower = word.to_lowercase();
-        if ["nan", "inf", "infinity"].contains(&lower.as_str()) {
-            return Err(UnitError::new(
-                "this is not a finite number",
-                "write a finite number",
-            ));
-        }
-        return Err(UnitError::new(
-            "this does not begin with a number",
-            "a value is a number and a unit, for example \"10 MPa\"",
-        ));
-    }
-    if matches!(bytes.get(end), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-        let exponent = digits(end + 1 + sign);
-        if exponent > end + 1 + sign {
-            end = exponent;
-        }
-    }
-    if bytes.get(end) == Some(&b',') {
-        return Err(UnitError::new(
-            "a comma in a number",
-            "write a decimal point: 1.5, not 1,5",
-        ));
-    }
-    match text[..end].parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok((number, &text[end..])),
-        Ok(_) => Err(UnitError::new(
-            "this is not a finite number",
-            "write a finite number",
-        )),
-        Err(_) => Err(UnitError::new(
-            "this is not a number",
-            "write for example \"10 MPa\"",
-        )),
-    }
 }
 
 fn parse_unit(text: &str) -> Result<(f64, Dim), UnitError> {

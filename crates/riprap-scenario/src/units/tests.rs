@@ -118,7 +118,21 @@ fn suggests_units() {
     assert_eq!(help("5 seconds"), "did you mean `s`?");
     assert_eq!(help("5 degs"), "did you mean `deg`?");
     assert_eq!(help("5 Gpa/m"), "did you mean `GPa`?");
+    assert_eq!(help("5 msec"), "did you mean `ms`?");
     assert!(help("5 furlong").starts_with("known units"));
+}
+
+#[test]
+fn tells_thousands_from_a_decimal_comma() {
+    let help = |text| parse(text).expect_err("comma").help.unwrap_or_default();
+    assert_eq!(
+        help("2,600 kg/m3"),
+        "write 2600, without a comma; or 2.600 if the comma is a decimal one"
+    );
+    assert_eq!(help("-1,250,000 Pa"), "write -1250000, without a comma");
+    for decimal in ["1,5 m", "0,250 m", "1,2500 m", "1.5,000 m", "1234,567 m"] {
+        assert_eq!(help(decimal), "write a decimal point: 1.5, not 1,5");
+    }
 }
 
 #[test]

@@ -152,3 +152,9 @@ impl Walk {
         Some(format!("[{}]", parts.join(", ")))
     }
 }
+
+/// Whether a table stands where a list of tables is expected: `[supports]` for `[[supports]]`.
+pub(super) fn lacks_brackets(value: &DeValue<'_>, node: Node) -> bool {
+    let entry = node.items().map(Node::resolve);
+    matches!(value, DeValue::Table(_)) && entry.is_some_and(|e| e.properties().next().is_some())
+}

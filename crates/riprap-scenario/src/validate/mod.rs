@@ -387,8 +387,11 @@ impl Walk {
                 "{} is expected",
                 expected.split(", for example").next().unwrap_or("")
             ));
-        diagnostic.help =
-            example(node).map(|example| format!("write for example {} = {example}", self.key()));
+        diagnostic.help = if self.path.len() == 1 && forms::lacks_brackets(value.get_ref(), node) {
+            Some(format!("write [[{}]]", self.key()))
+        } else {
+            example(node).map(|example| format!("write for example {} = {example}", self.key()))
+        };
         self.report(diagnostic);
     }
 
