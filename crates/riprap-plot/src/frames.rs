@@ -50,6 +50,44 @@ pub fn strip(
     drawn(folder, load_frames(folder, frames)?, field, options, out)
 }
 
+/// Refuses a column of tensor components asked for as a whole: the root of their squares is no stress of the block and
+/// turns with the axes.
+fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
+    let bare = field.strip_prefix("block.").unwrap_or(field);
+    let space = frame.solids.is_some();
+    let parts: &[(&str, &str)] = match (bare, space) {
+        (stress::NORMAL, false) => &[("x", "xx"), ("y", "yy")],
+        (stress::NORMAL, true) => &[("x", "xx"), ("y", "yy"), ("z", "zz")],
+        (stress::SHEAR, true) => &[("x", "yz"), ("y", "zx"), ("z", "xy")],
+        _ => return Ok(()),
+    };
+    if blocks::choose(frame, field).is_err() {
+        // That it is not there is said by what draws it.
+        return Ok(());
+    }
+    let principal: Vec<&str> = frame
+        .block_columns
+        .iter()
+        .map(|column| column.name.as_str())
+        .filter(|name| name.starts_with("sigma"))
+        .collect();
+    let principal = match principal[..] {
+        [] => String::new(),
+        _ => format!(", or for a principal stress: {}", principal.join(", ")),
+    };
+    let parts: Vec<String> = parts
+        .iter()
+        .map(|(part, means)| format!("`{bare}.{part}` ({means})"))
+        .collect();
+    Err(PlotError::Unsuitable {
+        picture: "components of stress together",
+        reason: format!(
+            "ask for one of {}{principal}; --stress draws principal stresses as crosses",
+            parts.join(", ")
+        ),
+    })
+}
+
 /// Draws loaded frames.
 pub(super) fn drawn(
     folder: &Path,
@@ -61,8 +99,11 @@ pub(super) fn drawn(
     let manifest = Manifest::read(folder)?;
     let fields = loaded
         .iter()
-        .map(|f| blocks::choose(f, field))
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|f| {
+            whole_tensor(f, field)?;
+            Ok(blocks::choose(f, field)?)
+        })
+        .collect::<Result<Vec<_>, PlotError>>()?;
     if let Some(vectors) = options.vectors {
         for frame in &loaded {
             blocks::choose(frame, vectors.column())?;

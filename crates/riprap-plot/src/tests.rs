@@ -150,6 +150,9 @@ fn errors_say_what_there_is() {
     );
     assert!(text(blocks(&folder, Which::Last, "rotation.x", o, &out)).contains("write `rotation`"));
     assert!(text(blocks(&folder, Which::Index(0), "rotation", o, &out)).contains("frames 1 to 5"));
+    // A run without stress in its frames says so, and not how to ask for a part of it.
+    let e = text(blocks(&folder, Which::Last, "stress_normal", o, &out));
+    assert!(e.contains("no field `stress_normal`"), "{e}");
     assert!(text(blocks(&folder, Which::Index(6), "rotation", o, &out)).contains("frames 1 to 5"));
     assert!(text(energy(&folder, &dir.path().join("x.pdf"))).contains(".svg or .png"));
     assert!(text(energy(dir.path(), &out)).contains("is this a run folder?"));

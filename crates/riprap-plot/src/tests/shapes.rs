@@ -163,3 +163,23 @@ fn fragment_sizes_of_a_known_law() {
     std::fs::write(folder.join("fragments.csv"), "fragment,blocks\n1,2\n").unwrap();
     assert!(text(fragments(&folder, &out)).contains("volume_m3"));
 }
+
+#[test]
+fn tensors_are_drawn_by_component_only() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut frame = riprap_testkit::sample();
+    frame.block_columns.push(Column::vector(
+        "stress_normal",
+        "Pa",
+        &[[-1e6, -2e6], [3e6, 4e6]],
+    ));
+    let (_, path) = folder(dir.path(), &[frame]);
+    let out = dir.path().join("b");
+    let draw = |field| blocks(&path, Which::Last, field, BlockOptions::default(), &out);
+    let error = draw("block.stress_normal").unwrap_err().to_string();
+    assert!(
+        error.contains("`stress_normal.x` (xx), `stress_normal.y` (yy)"),
+        "{error}"
+    );
+    assert!(draw("stress_normal.y").is_ok());
+}
