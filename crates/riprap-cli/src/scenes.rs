@@ -46,6 +46,9 @@ fn meant(file: &Path) -> Option<PathBuf> {
     Some(folder.map_or_else(|| PathBuf::from(near), |f| f.join(near)))
 }
 
+/// Cases that a note names.
+const NAMED: usize = 6;
+
 /// As [`prepare`], for a file and changes.
 pub fn prepare_file(
     file: &Path,
@@ -59,10 +62,15 @@ pub fn prepare_file(
     if !quiet {
         warn(&prepared, style);
         if change.case.is_none() && scene.cases.len() > 1 {
-            let count = scene.cases.len();
+            let names: Vec<&str> = scene.cases.iter().map(|case| case.name.as_str()).collect();
+            let count = names.len();
+            let more = if count > NAMED { ", ..." } else { "" };
+            let names = names[..count.min(NAMED)].join(", ");
             diagnostics::print_line(
                 "note",
-                &format!("this scene has {count} cases; `riprap sweep` runs them all"),
+                &format!(
+                    "this scene has {count} cases; `riprap sweep` runs them all, `--case` one of them: {names}{more}"
+                ),
             );
         }
     }

@@ -316,3 +316,49 @@ fn a_wrong_formula_is_shown_at_its_character() {
     bench.file("a.toml", chosen);
     bench.run(&["run", "a.toml", "--out", "a.run"]).expect(0);
 }
+
+#[test]
+fn gravity_upwards_and_steps_that_follow_nothing_are_warned_of() {
+    let bench = Bench::new();
+    let change = |old: &str, new: &str| {
+        assert!(FALL.contains(old), "{old}");
+        bench.file("a.toml", FALL.replace(old, new));
+        bench.run(&["check", "a.toml"]).expect(0)
+    };
+    change("\"-10 m/s2\"]", "\"10 m/s2\"]").warns(&["gravity points up"]);
+    let axis = "\"0 m/s2\", \"-10 m/s2\"";
+    let said = change(axis, "\"10 m/s2\", \"0 m/s2\"");
+    assert!(!said.err.contains("gravity"), "{}", said.err);
+    let long = change("time_step = \"10 us\"", "time_step = \"0.1 s\"");
+    long.warns(&["too long to follow", "which has 2 of them"]);
+    let until = "until = { time = \"0.2 s\" }";
+    change(until, &format!("{until}\ngravity_ramp = \"1 s\""))
+        .warns(&["before its gravity is there"]);
+}
+
+#[test]
+fn examples_of_gravity_point_down() {
+    let bench = Bench::new();
+    let gravity = "[\"0 m/s2\", \"-10 m/s2\"]";
+    bench.file("a.toml", FALL.replace(gravity, "\"9.81 m/s2\""));
+    let plane = "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]";
+    bench.run(&["check", "a.toml"]).expect(2).warns(&[plane]);
+    bench.file("b.toml", FALL.replace("space.planar", "space.spatial"));
+    let space = "gravity = \"9.81 m/s2\"";
+    bench.run(&["check", "b.toml"]).expect(2).warns(&[space]);
+}
+
+#[test]
+fn explained_keys_are_those_that_set_takes() {
+    let bench = Bench::new();
+    bench.run(&["new", "tun", "--template", "tunnel"]).expect(0);
+    let key = "blocks.left.cut.joint_sets.0.dip";
+    let set = format!("{key}=7 deg");
+    let said = bench.run(&["explain", "tun.toml", "--set", &set]).expect(0);
+    let line = said.out.lines().find(|line| line.starts_with(key));
+    assert!(
+        line.is_some_and(|line| line.contains("7 deg")),
+        "{}",
+        said.out
+    );
+}

@@ -20,11 +20,17 @@ pub(crate) fn example(node: Node) -> Option<String> {
         return Some(format!("\"{word}\""));
     }
     let count = node.value.get("minItems").and_then(Value::as_u64)?;
-    let item = example(Node::resolve(node.value.get("items")?))?;
-    Some(format!(
-        "[{}]",
-        vec![item; count.min(3) as usize].join(", ")
-    ))
+    let of = Node::resolve(node.value.get("items")?);
+    let item = example(of)?;
+    let mut items = vec![item; count.min(3) as usize];
+    // A vector along its last axis, where components may be nothing: gravity does not pull askew.
+    if let Some(kind) = of.kind().filter(|kind| kind.bounds.contains(0.0))
+        && let Some((_, unit)) = kind.example.split_once(' ')
+        && let Some((_, others)) = items.split_last_mut()
+    {
+        others.fill(format!("\"0 {unit}\""));
+    }
+    Some(format!("[{}]", items.join(", ")))
 }
 
 /// What a value may be, in a few words.

@@ -135,7 +135,15 @@ impl Walk {
             }
         };
         if wanted.single {
-            return node.single().map(of);
+            // One value of a `Down` points down already: with a sign, stones rise.
+            let sign = if form.name == "Down" { "\"-" } else { "" };
+            return node
+                .single()
+                .map(of)
+                .map(|one| match one.strip_prefix(sign) {
+                    Some(rest) if !sign.is_empty() => format!("\"{rest}"),
+                    _ => one,
+                });
         }
         let items = Node::resolve(node.items()?);
         let one = of(items.kind()?);

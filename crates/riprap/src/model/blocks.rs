@@ -304,7 +304,7 @@ impl Builder<'_> {
         let traces = self.traces(block, cut)?;
         let origin = self.origin;
         let mut read = self.reading(format!("blocks.{}.cut", block.name), cut);
-        let sets: Vec<JointSet> = (1..)
+        let sets: Vec<JointSet> = (0..)
             .zip(&cut.joint_sets)
             .map(|(number, set)| {
                 let mut read = read.within(&format!("joint_sets.{number}"), set);

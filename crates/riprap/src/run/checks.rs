@@ -62,4 +62,10 @@ impl CheckResult {
             Status::Failed | Status::Skipped => {}
         }
     }
+
+    /// Of a run that its user stopped at a model time (s): nothing of it is judged, it can go on.
+    pub fn left_open(&mut self, time: f64) {
+        self.status = Status::Skipped;
+        self.note = format!("not judged: the run was stopped at t = {time:.4e} s and can go on");
+    }
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use thiserror::Error;
 
-use super::engine::BuildError;
+use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
 use super::meeting::{self, Outlook};
 use super::simulation::{RunError, Simulation, Stage};
@@ -187,17 +187,58 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     })
 }
 
+/// Steps of a phase below which no motion is followed.
+const FEW_STEPS: f64 = 20.0;
+
+/// Whether gravity (m/s²) pulls against the upper side of pictures, y in the plane and z in space, more than along other axes.
+fn points_up([x, y, z]: [f64; 3], kind: Kind) -> bool {
+    match kind {
+        Kind::Planar | Kind::Slice => y > x.abs(),
+        Kind::Spatial => z > x.abs().max(y.abs()),
+    }
+}
+
 /// What a scene holds that is probably not meant, in words that name blocks in backticks. The first step must be prepared; `stable`
 /// is the stable step at the start, s, infinite where nothing bounds it.
 pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<String> {
     let view = simulation.view();
     let mut found = meeting::words(&view);
-    let pulled = simulation.cursor().gravity_after != [0.0; 3];
+    let gravity = simulation.cursor().gravity_after;
+    let pulled = gravity != [0.0; 3];
+    if points_up(gravity, simulation.kind()) {
+        found.push(
+            "gravity points up: in [space.planar] it is a vector, usually [\"0 m/s2\", \"-9.81 m/s2\"]; one value in [space.spatial] points down without a sign"
+                .to_owned(),
+        );
+    }
     if pulled && !view.holds_something() {
         found.push(
             "nothing is held or supported: under gravity the whole model falls (`[[supports]]`, in space also `[[boundaries]]`)"
                 .to_owned(),
         );
+    }
+    for phase in &plan.phases {
+        if let (Some(ramp), Some(time)) = (phase.gravity_ramp, phase.until.time)
+            && ramp > time
+        {
+            found.push(format!(
+                "the phase `{}` ends after {time} s, before its gravity is there in full (`gravity_ramp`, {ramp} s)",
+                phase.name
+            ));
+        }
+    }
+    for phase in plan.phases.iter().filter(|p| relaxing(p).is_none()) {
+        let dt = phase
+            .time_step
+            .wanted(stable, &phase.until, phase.gravity_ramp);
+        let steps = phase.until.time.map_or(f64::INFINITY, |time| time / dt);
+        if stable.is_finite() && steps < FEW_STEPS {
+            found.push(format!(
+                "time steps of {dt:.3e} s are too long to follow the motion of phase `{}`, which has {} of them: stiffness is small or density large for blocks of this size, or the phase is short",
+                phase.name,
+                steps.ceil()
+            ));
+        }
     }
     let quiet = plan
         .phases

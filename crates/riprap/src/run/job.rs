@@ -432,9 +432,11 @@ impl Live {
         let watches = self.drive.watches();
         let result = |watch: &Watch| watch.finish(&manifest.scenario, &manifest.case, false);
         let mut checks: Vec<CheckResult> = watches.iter().map(result).collect();
-        if ending != Ending::Finished {
-            for check in &mut checks {
-                check.cut_short(manifest.time);
+        for check in &mut checks {
+            match ending {
+                Ending::Finished => {}
+                Ending::Stopped => check.left_open(manifest.time),
+                Ending::Unstable(_) => check.cut_short(manifest.time),
             }
         }
         if let Some(recorder) = self.drive.recorder() {

@@ -31,7 +31,7 @@ impl Builder<'_> {
         let mut read = self.reading(key.as_str(), cut);
         let seed = read.seed();
         let thinnest = read.smallest_edge_or(0.0, Provenance::Default, "");
-        let sets: Vec<PlaneSet> = (1..)
+        let sets: Vec<PlaneSet> = (0..)
             .zip(&cut.joint_sets)
             .map(|(number, set)| {
                 let mut read = read.within(&format!("joint_sets.{number}"), set);
