@@ -401,8 +401,8 @@ pub struct Fields {
 /// Explain a scene, a key of the scenario language or a concept.
 ///
 /// For a file: the resolved scene, every default filled in, with where each value came from.
-/// For a key: what it means, its unit, its default and its range. For any other word: the keys, fields, pages and scenes
-/// that speak of it.
+/// For a key: what it means, its unit, its default and its range. For a field: its unit and meaning. For any other word:
+/// the verbs, keys, fields, pages and scenes that speak of it.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -1,7 +1,12 @@
-//! What speaks of a concept: keys, fields, pages and scenes that hold a word or one of the same meaning.
+//! What speaks of a concept: verbs, keys, fields, pages and scenes that hold a word or one of the same meaning.
 
+use clap::CommandFactory;
+use riprap::record::Shape;
+use riprap::record::field::find as find_field;
 use riprap::run::engine::Kind;
 use riprap::scenario::{self, KeyDoc};
+
+use crate::args::Cli;
 
 /// A page or a scene: where it is, what it is about, which words stand in it how often.
 struct Text {
@@ -20,21 +25,40 @@ const SAME: &[&[&str]] = &[
     &["earthquake", "shaking", "seismic", "tremor"],
     &["explosive", "charge", "blast"],
     &["crack", "fracture"],
-    &["joint", "discontinuit"],
+    &["joint", "discontinuit", "dfn"],
     &["fos", "safety"],
     &["terrain", "topograph"],
     &["rebound", "restitution", "bounce"],
 ];
+/// Words of other programs and of the trade, and what they are called here.
+const CALLED: &[(&str, &[&str])] = &[
+    ("jkn", &["normal", "stiffness"]),
+    ("jks", &["shear", "stiffness"]),
+    ("ucs", &["compressive", "strength"]),
+];
+/// Words that say nothing of what is looked for.
+const SMALL: &[&str] = &["a", "an", "and", "for", "in", "of", "on", "the", "to"];
 /// Most lines of each kind.
 const MOST: usize = 10;
 
 /// What speaks of `query`, as text to print; `None` where nothing does.
 pub fn find(query: &str) -> Option<String> {
-    let wanted: Vec<Vec<String>> = query.split_whitespace().map(meanings).collect();
+    let wanted: Vec<Vec<String>> = query
+        .split_whitespace()
+        .map(str::to_lowercase)
+        .filter(|word| !SMALL.contains(&word.as_str()))
+        .flat_map(
+            |word| match CALLED.iter().find(|(there, _)| *there == word) {
+                Some((_, here)) => here.iter().map(|word| meanings(word)).collect(),
+                None => vec![meanings(&word)],
+            },
+        )
+        .collect();
     if wanted.is_empty() {
         return None;
     }
     let mut text = String::new();
+    section(&mut text, "verbs (riprap VERB --help)", verbs(&wanted));
     section(&mut text, "keys (riprap explain KEY)", keys(&wanted));
     section(&mut text, "fields (riprap fields)", fields(&wanted));
     section(&mut text, "pages", texts(PAGES, &wanted));
@@ -123,6 +147,44 @@ fn shortest(mut all: Vec<KeyDoc>) -> Vec<KeyDoc> {
     all
 }
 
+/// A field by its name, with or without a component, as text to print; `None` for any other word.
+pub fn field(name: &str) -> Option<String> {
+    let mut text = String::new();
+    for (space, kind) in [("planar", Kind::Planar), ("spatial", Kind::Spatial)] {
+        let Ok((info, _)) = find_field(kind.fields(), name) else {
+            continue;
+        };
+        let parts = match info.shape {
+            Shape::Scalar => "a number",
+            Shape::Vector => "a vector: .x, .y, .magnitude",
+            Shape::Vector3 => "a vector: .x, .y, .z, .magnitude",
+        };
+        text.push_str(&format!(
+            "{} [{}], a field of [space.{space}]: {parts}\n  {}\n",
+            info.name, info.unit, info.meaning
+        ));
+    }
+    if text.is_empty() {
+        return None;
+    }
+    text.push_str("\nFields are recorded by outputs.*.history and expected by checks; riprap fields lists all.\n");
+    Some(text)
+}
+
+fn verbs(wanted: &[Vec<String>]) -> Rows {
+    let mut rows: Vec<(u32, [String; 2])> = Vec::new();
+    for verb in Cli::command().get_subcommands() {
+        let about = verb
+            .get_about()
+            .map_or_else(String::new, ToString::to_string);
+        let mark = count_in(&format!("{} {about}", verb.get_name()), wanted);
+        if mark > 0 {
+            rows.push((mark, [format!("riprap {}", verb.get_name()), about]));
+        }
+    }
+    best(rows)
+}
+
 fn fields(wanted: &[Vec<String>]) -> Rows {
     let mut rows: Vec<(u32, [String; 2])> = Vec::new();
     for kind in [Kind::Planar, Kind::Spatial] {
@@ -207,6 +269,33 @@ mod tests {
         let shaking = find("earthquake").expect("earthquake");
         assert!(shaking.contains("scenes/planar/shaking.toml"), "{shaking}");
         assert!(find("xyzzy").is_none() && find("  ").is_none());
+        // One mention on the front page is no answer.
+        assert!(find("nonsense").is_none());
+    }
+
+    #[test]
+    fn words_of_the_trade_lead_to_verbs_and_keys() {
+        for (word, part) in [
+            ("factor of safety", "riprap safety"),
+            ("fos", "riprap safety"),
+            ("jkn", "interfaces.*.normal_stiffness"),
+            ("JKS", "interfaces.*.shear_stiffness"),
+            ("dfn", "joint_sets"),
+            ("ucs", "strength"),
+        ] {
+            let said = find(word).unwrap_or_else(|| panic!("{word}"));
+            assert!(said.contains(part), "{word}\n{said}");
+        }
+    }
+
+    #[test]
+    fn a_field_is_shown_in_both_spaces() {
+        let said = field("block.velocity.x").expect("field");
+        assert!(
+            said.contains("space.planar") && said.contains(".z, .magnitude"),
+            "{said}"
+        );
+        assert!(field("block.velocit").is_none());
     }
 
     #[test]

@@ -232,6 +232,17 @@ impl std::fmt::Display for Diagnostics {
 
 impl std::error::Error for Diagnostics {}
 
+/// Words that many write first, and the one that is meant where it is known.
+const MEANT: &[(&str, &str)] = &[
+    ("friction", "friction_angle"),
+    ("jfriction", "friction_angle"),
+    ("stiffness", "normal_stiffness"),
+    ("jkn", "normal_stiffness"),
+    ("jks", "shear_stiffness"),
+    ("jcohesion", "cohesion"),
+    ("jtension", "tension"),
+];
+
 /// The known word that is most like a mistyped one, if any is close enough.
 pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     // Comparing is quadratic in the length of the words.
@@ -239,6 +250,11 @@ pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         return None;
     }
     let lower = word.to_lowercase();
+    let known: Vec<&str> = known.into_iter().collect();
+    let meant = MEANT.iter().find(|(written, _)| *written == lower);
+    if let Some((_, meant)) = meant.filter(|(_, meant)| known.contains(meant)) {
+        return Some((*meant).to_owned());
+    }
     let mut best: Option<(f64, &str)> = None;
     for candidate in known {
         let other = candidate.to_lowercase();
@@ -307,6 +323,20 @@ mod tests {
             text,
             "error[unit.dimension]: wrong\n  --> a.toml:2:10\n  |\n2 |  yöung = \"30 deg\"\n  |          ^^^^^^^^ angle\n  = help: do\n"
         );
+    }
+
+    #[test]
+    fn the_word_that_is_meant_comes_before_the_nearest_one() {
+        let known = ["friction_law", "friction_angle"];
+        assert_eq!(
+            closest("friction", known).as_deref(),
+            Some("friction_angle")
+        );
+        assert_eq!(
+            closest("friction_lw", known).as_deref(),
+            Some("friction_law")
+        );
+        assert_eq!(closest("jkn", known), None);
     }
 
     #[test]

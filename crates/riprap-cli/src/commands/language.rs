@@ -38,9 +38,15 @@ pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
                 None => text,
             },
             Ok(text) => text,
-            // A path with dots was meant as a key, and its slip is told.
-            Err(why) if what.contains('.') => return Err(Failure::Input(why)),
-            Err(why) => concepts::find(&what).ok_or(Failure::Input(why))?,
+            // A path with dots was meant as a field or a key, and its slip is told.
+            Err(why) if what.contains('.') => {
+                concepts::field(what.trim()).ok_or(Failure::Input(why))?
+            }
+            Err(why) => concepts::find(&what).ok_or_else(|| {
+                Failure::Input(format!(
+                    "{why}; nothing was found: no verb, key, field, page or scene has this word"
+                ))
+            })?,
         };
         screen::line(text.trim_end());
         return Ok(());
