@@ -12,6 +12,7 @@ use super::language::{Check, Scenario};
 use super::overrides::apply_overrides;
 use super::path::{plain, resolve};
 use super::quantity::Span;
+use super::replaced::fallen_away;
 use super::units;
 use super::{rules, validate};
 
@@ -41,11 +42,35 @@ pub struct Parsed {
 /// # Errors
 /// Everything that is wrong with it.
 pub fn load(path: &Path, changes: &[(String, String)]) -> Result<Parsed, Diagnostics> {
-    let source = read(path)?;
-    let source = apply_overrides(&source, changes)?;
-    let mut parsed = parse(source)?;
+    let mut parsed = parse_changed(&read(path)?, changes)?;
     parsed.folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     Ok(parsed)
+}
+
+/// Changes keys of a text and parses the result. What a changed table takes away is a warning.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn parse_changed(source: &Source, changes: &[(String, String)]) -> Result<Parsed, Diagnostics> {
+    let changed = apply_overrides(source, changes)?;
+    parse_with(changed, fallen_away(source, changes))
+}
+
+/// As [`parse`], with warnings that are known already; they stand beside errors too.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn parse_with(source: Source, known: Vec<Diagnostic>) -> Result<Parsed, Diagnostics> {
+    match parse(source) {
+        Ok(mut parsed) => {
+            parsed.warnings.extend(known);
+            Ok(parsed)
+        }
+        Err(mut errors) => {
+            errors.list.extend(known);
+            Err(errors)
+        }
+    }
 }
 
 /// Reads the text of a scenario file.

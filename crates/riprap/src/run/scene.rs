@@ -11,7 +11,7 @@ use crate::run::given_step::{self, TooLong};
 use crate::run::job::Job;
 use crate::run::simulation::{RunError, Simulation};
 use crate::scenario::language::Space;
-use crate::scenario::{self, Case, Diagnostic, Diagnostics, Parsed, Source, apply_overrides};
+use crate::scenario::{self, Case, Diagnostic, Diagnostics, Parsed, Source};
 use crate::setup::Setup;
 
 /// A scene as the user wants it run.
@@ -66,7 +66,7 @@ impl Scene {
         changes: &[(String, String)],
     ) -> Result<Self, Diagnostics> {
         let path = PathBuf::from(&source.name);
-        let mut parsed = scenario::parse(apply_overrides(&source, changes)?)?;
+        let mut parsed = scenario::parse_changed(&source, changes)?;
         parsed.folder = folder;
         let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
         Ok(Self {
@@ -119,7 +119,11 @@ impl Scene {
             self.parsed.clone()
         } else {
             source.name = format!("{} (case {})", source.name, case.name);
-            let mut parsed = scenario::parse(source)?;
+            let changes = [&case.changes[..], &self.changes, &case.trial].concat();
+            let mut lost = self.parsed.warnings.clone();
+            lost.retain(|warning| warning.code == scenario::TABLE_REPLACED);
+            lost.extend(scenario::fallen_away(&self.parsed.source, &changes));
+            let mut parsed = scenario::parse_with(source, lost)?;
             parsed.folder.clone_from(&self.parsed.folder);
             parsed
         };
