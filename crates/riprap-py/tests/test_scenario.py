@@ -83,7 +83,7 @@ def test_set_and_cases(slide_file):
     assert len(scenario.cases) == 3
     again = scenario.with_set({"interfaces.default.damping_ratio": 0.3})
     assert "damping_ratio = 0.3" in again.text
-    with pytest.raises(riprap.ScenarioError, match="did you mean `friction_law`"):
+    with pytest.raises(riprap.ScenarioError, match="did you mean `friction_angle`"):
         riprap.Scenario(slide_file, set={"interfaces.default.friction": 1})
     with pytest.raises(ValueError, match="its cases are"):
         scenario.check("nonsense")
