@@ -446,6 +446,8 @@ test("deformable blocks have crosses in their tetrahedra where the run has writt
   await expect.poll(async () => Number(await stage(page).getAttribute("data-cut"))).toBeGreaterThan(0);
   await page.keyboard.press("a");
   await expect(page.locator(".legend")).toContainText("tension up to");
+  // The legend stands before the picture does.
+  await settled(page);
   const [pressed, pulled] = await crossed(page);
   expect(pressed).toBeGreaterThan(20);
   expect(pulled).toBeGreaterThan(20);
