@@ -5,6 +5,8 @@ use crate::bench::{Bench, FALL, Said};
 const CORNER: &str =
     include_str!("../../../../scenes/verify/spatial-contact/b3_corner_impact.toml");
 
+const REST: &str = include_str!("../../../../scenes/verify/planar/rest.toml");
+
 /// Runs a changed scene of a falling block into `a.run`.
 fn run(changes: &[(&str, &str)]) -> (Bench, Said) {
     let bench = Bench::new();
@@ -188,4 +190,15 @@ fn a_falling_block_does_not_hide_behind_the_balance_of_others() {
     let until = "until = { time = \"0.1 s\" }";
     let (_, said) = pile(none, "velocity = [\"0 m/s\", \"30 m/s\"]", until);
     said.warns(&["used up its time", "`stone` moves", "times its own size"]);
+}
+
+/// A slice has residuals that are its thickness times larger, and round-off too.
+#[test]
+fn round_off_of_a_thick_slice_stops_no_run() {
+    let bench = Bench::new();
+    bench.file("rest.toml", REST);
+    let thick = "space.planar.thickness=1000 km";
+    bench
+        .run(&["run", "rest.toml", "-q", "--set", thick])
+        .expect(0);
 }

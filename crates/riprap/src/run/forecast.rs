@@ -234,7 +234,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
         let steps = phase.until.time.map_or(f64::INFINITY, |time| time / dt);
         if stable.is_finite() && steps < FEW_STEPS {
             found.push(format!(
-                "time steps of {dt:.3e} s are too long to follow the motion of phase `{}`, which has {} of them: stiffness is small or density large for blocks of this size, or the phase is short",
+                "the phase `{}` has only {} steps of {dt:.3e} s, in which no motion is followed: look at stiffness, density and sizes, at `time_step` and `until.time`",
                 phase.name,
                 steps.ceil()
             ));

@@ -151,14 +151,16 @@ pub enum RunError {
     },
     /// Energy came from nowhere.
     #[error(
-        "kinetic energy {kinetic:.3e} J at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
+        "kinetic energy {kinetic:.3e} {unit} at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
          energy put in, fastest block `{block}`; {ruled_out}"
     )]
     BlowUp {
         /// Fastest block.
         block: String,
-        /// Kinetic energy, J (J per metre of thickness in the plane).
+        /// Kinetic energy, in `unit`.
         kinetic: f64,
+        /// Unit of energies.
+        unit: &'static str,
         /// Over the energy put in.
         ratio: f64,
         /// What was looked at and ruled out.

@@ -205,7 +205,8 @@ impl Simulation {
         if judged && kinetic > BLOW_UP * put_in + 1e-12 {
             return Err(RunError::BlowUp {
                 block: view.fastest().map_or_else(String::new, |(name, _)| name),
-                kinetic,
+                kinetic: kinetic * view.slice(),
+                unit: self.kind().energy_unit(),
                 ratio: kinetic / put_in.max(f64::MIN_POSITIVE),
                 ruled_out: cause::of_step(self),
                 step,
@@ -255,7 +256,7 @@ impl Simulation {
     /// coordinates hold stays where it is, while its weight and what carries it work on its speed.
     fn judged(&self, balance: &Balance) -> bool {
         let view = self.view();
-        let mass = view.mass();
+        let mass = view.mass() * view.slice();
         let gravity = self.engine.gravity().map(f64::abs).into_iter().sum::<f64>();
         let lost = self.steps() as f64 * f64::EPSILON * view.reach();
         balance.residual().abs() > mass * (0.5 * STILL * STILL + gravity * lost)
