@@ -93,7 +93,7 @@ pub enum GeomError {
     },
     /// A packing does not fit.
     #[error(
-        "{wanted} blocks of up to {size} m do not fit: the rectangle takes {capacity} without overlap"
+        "{wanted} blocks of up to {size} m do not fit: the region takes {capacity} without overlap"
     )]
     DoesNotFit {
         /// Blocks asked for.

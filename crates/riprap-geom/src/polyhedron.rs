@@ -7,6 +7,7 @@ pub mod cut;
 mod hull;
 pub mod joints;
 mod mass;
+pub mod pour;
 mod slice;
 mod tetrahedra;
 mod voronoi;

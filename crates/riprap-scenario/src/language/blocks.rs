@@ -18,7 +18,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 
 /// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
 /// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
-/// `grid`, `polyhedron` or `mesh`, which `cut` may divide, or `terrain`.
+/// `grid`, `polyhedron`, `mesh` or `pour`, which `cut` may divide, or `terrain`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
@@ -54,8 +54,7 @@ pub struct Block {
     /// A region divided into random cells.
     #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
     pub voronoi: Option<Voronoi>,
-    /// Random convex polygons, apart from each other, to be poured.
-    #[key(space = "planar", instead = "use `brick`, `grid` or `polyhedron`")]
+    /// Random convex blocks, apart from each other, to be poured: polygons, in space Voronoi cells.
     pub pour: Option<Pour>,
     /// A box with faces normal to the axes.
     #[key(space = "spatial", instead = "use a polygon, for example `rectangle`")]
@@ -335,19 +334,19 @@ pub struct Voronoi {
     pub smallest_edge: Option<Quantity<NotNegativeLength>>,
 }
 
-/// Random convex polygons without overlap in a rectangle.
+/// Random convex blocks without overlap in a rectangle or a box, filled from below.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Pour {
-    /// Lower left and upper right corner of the rectangle, m.
-    pub region: [Point; 2],
+    /// Lowest and highest corner, m.
+    pub region: [Vector<Length>; 2],
     /// Number of blocks, at least 1.
     #[key(min = 1, max = MAX_BLOCKS)]
     pub count: u32,
     /// Smallest and largest diameter of a block, m.
     pub size: [Quantity<PositiveLength>; 2],
     /// Smallest and largest number of corners, each 3 to 100.
-    #[key(default = [4, 7])]
+    #[key(default = [4, 7], space = "planar", instead = "leave it out: the cells have about 15 faces")]
     pub vertices: Option<[u32; 2]>,
     /// Seed of the random numbers: the same seed gives the same blocks.
     #[key(default = 1)]

@@ -26,7 +26,7 @@ impl Rules {
                 "voronoi",
                 "pour",
             ],
-            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh", "terrain"],
+            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh", "pour", "terrain"],
         };
         let flags: Vec<(&str, bool)> = all
             .iter()
@@ -207,9 +207,9 @@ impl Rules {
                     true,
                     "`size` is [smallest, largest]",
                 );
-                for axis in 0..2 {
-                    let [low, high] = [&pour.region[0][axis], &pour.region[1][axis]];
-                    let help = "`region` is [lower left corner, upper right corner]";
+                let [lowest, highest] = &pour.region;
+                for (low, high) in lowest.items.iter().zip(&highest.items) {
+                    let help = "`region` is [lowest corner, highest corner]";
                     self.in_order(low, high, false, help);
                 }
             }

@@ -69,7 +69,7 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
         Some(Geometry::Arch(a)) => vec![global(&a.centre)],
         Some(Geometry::Cut(c)) => c.region.iter().flatten().map(global).collect(),
         Some(Geometry::Voronoi(v)) => all(&v.region),
-        Some(Geometry::Pour(p)) => all(&p.region),
+        Some(Geometry::Pour(p)) => p.region.iter().map(|c| c.xy().into()).collect(),
     }
 }
 
@@ -141,8 +141,8 @@ impl Builder<'_> {
                 let ([few, many], seed) = (read.vertices(), read.seed());
                 let pour = Pour {
                     region: Aabb {
-                        min: self.point(&p.region[0]),
-                        max: self.point(&p.region[1]),
+                        min: Vec2::from(p.region[0].xy()) - self.origin,
+                        max: Vec2::from(p.region[1].xy()) - self.origin,
                     },
                     count: p.count as usize,
                     size: (p.size[0].si(), p.size[1].si()),

@@ -18,6 +18,7 @@ mod joints;
 mod mesh;
 mod pattern;
 mod places;
+mod pour;
 mod shapes;
 mod sources;
 mod supports;

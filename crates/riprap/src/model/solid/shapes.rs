@@ -77,6 +77,10 @@ fn unturned_corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             let vertices = p.vertices.iter().flatten();
             vertices.map(|v| global(v) + shift).collect()
         }
+        Some(Geometry::Pour(p)) => {
+            let corners = p.region.iter();
+            corners.map(|c| Vec3::from(c.xyz()) + shift).collect()
+        }
         Some(
             Geometry::Polygon(_)
             | Geometry::Polygons(_)
@@ -86,7 +90,6 @@ fn unturned_corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             | Geometry::Arch(_)
             | Geometry::Cut(_)
             | Geometry::Voronoi(_)
-            | Geometry::Pour(_)
             // Its nodes are in a file, which is read later: what it says is local from the start.
             | Geometry::Mesh(_)
             | Geometry::Terrain(_),
@@ -127,6 +130,7 @@ impl Builder<'_> {
                 Some(Geometry::Polyhedron(said)) => self
                     .polyhedron(block, said, shift)
                     .map(|solid| vec![Shape::Polyhedron(Box::new(solid))]),
+                Some(Geometry::Pour(said)) => self.pour(block, said, shift),
                 Some(Geometry::Mesh(said)) => {
                     let made = self.mesh(block, said, shift);
                     self.enter_made(block, made, shift);
@@ -144,8 +148,7 @@ impl Builder<'_> {
                     | Geometry::Wall(_)
                     | Geometry::Arch(_)
                     | Geometry::Cut(_)
-                    | Geometry::Voronoi(_)
-                    | Geometry::Pour(_),
+                    | Geometry::Voronoi(_),
                 )
                 | None => None,
             };
