@@ -1,18 +1,24 @@
-//! Times the steps of one scene and prints CSV: `bench_planar SCENE.toml CASE [THREADS]...`.
+//! Times the steps of one scene and prints CSV: `bench_scene SCENE.toml CASE [THREADS]...`.
 //!
 //! `cargo xtask bench` runs it for every scene and size under `scenes/bench`. The scene is loaded as
 //! `riprap run` loads it and its loop is the one of a run. All phases but the last only prepare; the steps
 //! that are timed belong to the last one, begin at the same state for every number of threads and
 //! end at the same state hash. Times are medians over repeats with the smallest and largest beside.
+//!
+//! Contacts are pairs of blocks that touch, in space those found anew; patches stand beside them. Memory is what the process
+//! grows by beyond the setup (shapes and names): in space a block takes what it grows by with found contacts
+//! switched off, and a candidate its share of what it takes more with them.
 
 use std::path::Path;
 use std::time::Instant;
 
 use riprap::exec::Exec;
 use riprap::record::manifest::Machine;
+use riprap::run::engine::View;
 use riprap::run::job::Job;
 use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
+use riprap::setup::Setup;
 
 const REPEATS: usize = 5;
 /// Block-steps per repeat: long enough to time, short enough to wait for.
@@ -29,10 +35,76 @@ fn load(path: &Path, case: &str) -> Result<Job, String> {
     Ok(scene.prepare(&found).map_err(|wrong| wrong.render())?.job())
 }
 
-/// Number of living blocks.
-fn blocks(simulation: &Simulation) -> usize {
-    let view = simulation.view().planar();
-    view.map_or(0, |view| view.living().count()).max(1)
+/// What is counted in a state.
+struct Counts {
+    blocks: usize,
+    contacts: usize,
+    /// Pairs that are watched, in space.
+    candidates: usize,
+    patches: usize,
+}
+
+impl Counts {
+    fn of(simulation: &Simulation) -> Self {
+        let view = simulation.view();
+        let blocks = view.blocks().max(1);
+        match view {
+            View::Planar(view) => Counts {
+                blocks,
+                contacts: view.contacts().count(),
+                candidates: 0,
+                patches: 0,
+            },
+            View::Spatial(view) => Counts {
+                blocks,
+                contacts: view.contacts().count(),
+                candidates: view.world.found.pairs.len(),
+                patches: view.world.patches.len(),
+            },
+        }
+    }
+}
+
+/// Memory that a scene takes beyond its setup, bytes; NaN where the system does not tell.
+struct Memory {
+    per_block: f64,
+    per_candidate: f64,
+}
+
+/// A pool of so many threads.
+fn with(threads: usize) -> Result<Exec, String> {
+    Exec::new(threads).map_err(|error| error.to_string())
+}
+
+/// Brings a scene to the first step of its last phase, and looks at its memory on the way.
+fn prepared(job: Job, threads: usize) -> Result<(Simulation, Memory), String> {
+    let grown = |since: f64| resident_bytes() - since;
+    let mut without = None;
+    if let Setup::Spatial(setup) = &job.setup
+        && setup.found_contacts
+    {
+        let mut setup = setup.clone();
+        setup.found_contacts = false;
+        let setup = Setup::Spatial(setup);
+        let before = resident_bytes();
+        let mut blind = Simulation::new(setup, job.plan.clone(), with(threads)?)
+            .map_err(|error| error.to_string())?;
+        blind.prepare().map_err(|error| error.to_string())?;
+        // Kept to the end, so that its memory is not taken a second time.
+        without = Some((grown(before), blind));
+    }
+    let before = resident_bytes();
+    let mut simulation =
+        Simulation::new(job.setup, job.plan, with(threads)?).map_err(|error| error.to_string())?;
+    up_to_last_phase(&mut simulation)?;
+    simulation.prepare().map_err(|error| error.to_string())?;
+    let (all, counts) = (grown(before), Counts::of(&simulation));
+    let alone = without.as_ref().map_or(all, |(bytes, _)| *bytes);
+    let memory = Memory {
+        per_block: alone / counts.blocks as f64,
+        per_candidate: (all - alone) / counts.candidates as f64,
+    };
+    Ok((simulation, memory))
 }
 
 /// Runs up to the first step of the last phase.
@@ -59,11 +131,12 @@ fn advance(simulation: &mut Simulation, steps: usize) -> Result<(), String> {
     Ok(())
 }
 
-/// Memory in use by this process, kB; `None` where the system does not tell.
-fn resident_kb() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = text.lines().find(|l| l.starts_with("VmRSS:"))?;
-    line.split_whitespace().nth(1)?.parse().ok()
+/// Memory in use by this process, bytes; NaN where the system does not tell.
+fn resident_bytes() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find(|l| l.starts_with("VmRSS:"));
+    let kilobytes = line.and_then(|l| l.split_whitespace().nth(1)?.parse::<f64>().ok());
+    kilobytes.map_or(f64::NAN, |kilobytes| 1024.0 * kilobytes)
 }
 
 /// One row: the last phase from `start` on `threads` threads.
@@ -71,15 +144,14 @@ fn measure(
     label: &str,
     start: Snapshot,
     threads: usize,
-    kb_per_block: f64,
+    memory: &Memory,
 ) -> Result<String, String> {
-    let exec = Exec::new(threads).map_err(|e| e.to_string())?;
+    let exec = with(threads)?;
     let mut simulation = Simulation::resume(start, exec);
     simulation.prepare().map_err(|e| e.to_string())?;
     // One step untimed: memory is claimed and every stage has its row.
     advance(&mut simulation, 1)?;
-    let blocks = blocks(&simulation);
-    let steps = (WORK / blocks).max(FEWEST);
+    let steps = (WORK / Counts::of(&simulation).blocks).max(FEWEST);
     let before = simulation.engine().profile().seconds();
     let mut times = Vec::new();
     for _ in 0..REPEATS {
@@ -89,7 +161,12 @@ fn measure(
     }
     times.sort_by(f64::total_cmp);
     let median = times[REPEATS / 2];
-    let contacts = simulation.view().contacts();
+    let Counts {
+        blocks,
+        contacts,
+        candidates,
+        patches,
+    } = Counts::of(&simulation);
     let after = simulation.engine().profile().seconds();
     let spent = after.iter().zip(&before).map(|((_, a), (_, b))| a - b);
     let all: f64 = spent.clone().sum();
@@ -99,12 +176,14 @@ fn measure(
         .map(|((name, _), s)| format!("{name} {:.0} %", 100.0 * s / all))
         .collect();
     Ok(format!(
-        "{label},{blocks},{contacts},{threads},{steps},{:.4},{:.4},{:.4},{:.3},{:.1},{kb_per_block:.2},{},{}",
+        "{label},{blocks},{contacts},{candidates},{patches},{threads},{steps},{:.4},{:.4},{:.4},{:.3},{:.1},{:.0},{:.0},{},{}",
         1e3 * median,
         1e3 * times[0],
         1e3 * times[REPEATS - 1],
         1e-6 * contacts as f64 / median,
         1e9 * median / blocks as f64,
+        memory.per_block,
+        memory.per_candidate,
         split.join(" | "),
         &simulation.engine().hash()[..16],
     ))
@@ -113,7 +192,7 @@ fn measure(
 fn main() -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [path, case, threads @ ..] = arguments.as_slice() else {
-        return Err("usage: bench_planar SCENE.toml CASE [THREADS]...".to_owned());
+        return Err("usage: bench_scene SCENE.toml CASE [THREADS]...".to_owned());
     };
     let threads: Vec<usize> = threads
         .iter()
@@ -126,15 +205,8 @@ fn main() -> Result<(), String> {
     };
     let path = Path::new(path);
     let job = load(path, case)?;
-    let before = resident_kb();
     let most = threads.iter().copied().max().unwrap_or(1);
-    let exec = Exec::new(most).map_err(|e| e.to_string())?;
-    let mut simulation = Simulation::new(job.setup, job.plan, exec).map_err(|e| e.to_string())?;
-    up_to_last_phase(&mut simulation)?;
-    let blocks = blocks(&simulation);
-    let kb_per_block = resident_kb()
-        .zip(before)
-        .map_or(f64::NAN, |(now, before)| (now - before) / blocks as f64);
+    let (simulation, memory) = prepared(job, most)?;
     let start = simulation.snapshot();
     drop(simulation);
     let machine = Machine::this();
@@ -143,13 +215,13 @@ fn main() -> Result<(), String> {
         machine.cpu, machine.cores, machine.os, machine.arch
     );
     println!(
-        "scene,size,blocks,contacts,threads,steps,median_ms_per_step,min_ms,max_ms,\
-         million_contacts_per_s,ns_per_block_step,kb_per_block,stages,state_hash"
+        "scene,size,blocks,contacts,candidates,patches,threads,steps,median_ms_per_step,min_ms,max_ms,\
+         million_contacts_per_s,ns_per_block_step,bytes_per_block,bytes_per_candidate,stages,state_hash"
     );
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let label = format!("{name},{case}");
     for &count in &threads {
-        println!("{}", measure(&label, start.clone(), count, kb_per_block)?);
+        println!("{}", measure(&label, start.clone(), count, &memory)?);
     }
     Ok(())
 }
