@@ -5,11 +5,13 @@
 //! that are timed belong to the last one, begin at the same state for every number of threads and
 //! end at the same state hash. Times are medians over repeats with the smallest and largest beside.
 //!
-//! Contacts are pairs of blocks that touch, in space those found anew; patches stand beside them. Memory is what the process
-//! grows by beyond the setup (shapes and names): in space a block takes what it grows by with found contacts
+//! Contacts are pairs of blocks that touch, in space those found anew; patches stand beside them. Memory is what is
+//! allocated beyond the setup (shapes and names): in space a block takes what is allocated with found contacts
 //! switched off, and a candidate its share of what it takes more with them.
 
+use std::alloc::{GlobalAlloc, Layout, System};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use riprap::exec::Exec;
@@ -34,6 +36,29 @@ fn load(path: &Path, case: &str) -> Result<Job, String> {
         .ok_or_else(|| format!("{} has no case {case:?}", path.display()))?;
     Ok(scene.prepare(&found).map_err(|wrong| wrong.render())?.job())
 }
+
+/// Counts the bytes that are allocated.
+struct Counting;
+
+static LIVE: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: passes every call on to the system allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        LIVE.fetch_add(layout.size(), Ordering::Relaxed);
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        LIVE.fetch_sub(layout.size(), Ordering::Relaxed);
+        // SAFETY: the pointer came from `alloc` above with this layout.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
 
 /// What is counted in a state.
 struct Counts {
@@ -65,7 +90,7 @@ impl Counts {
     }
 }
 
-/// Memory that a scene takes beyond its setup, bytes; NaN where the system does not tell.
+/// Memory that a scene takes beyond its setup, bytes.
 struct Memory {
     per_block: f64,
     per_candidate: f64,
@@ -78,7 +103,7 @@ fn with(threads: usize) -> Result<Exec, String> {
 
 /// Brings a scene to the first step of its last phase, and looks at its memory on the way.
 fn prepared(job: Job, threads: usize) -> Result<(Simulation, Memory), String> {
-    let grown = |since: f64| resident_bytes() - since;
+    let grown = |since: f64| LIVE.load(Ordering::Relaxed) as f64 - since;
     let mut without = None;
     if let Setup::Spatial(setup) = &job.setup
         && setup.found_contacts
@@ -86,14 +111,14 @@ fn prepared(job: Job, threads: usize) -> Result<(Simulation, Memory), String> {
         let mut setup = setup.clone();
         setup.found_contacts = false;
         let setup = Setup::Spatial(setup);
-        let before = resident_bytes();
+        let before = LIVE.load(Ordering::Relaxed) as f64;
         let mut blind = Simulation::new(setup, job.plan.clone(), with(threads)?)
             .map_err(|error| error.to_string())?;
         blind.prepare().map_err(|error| error.to_string())?;
         // Kept to the end, so that its memory is not taken a second time.
         without = Some((grown(before), blind));
     }
-    let before = resident_bytes();
+    let before = LIVE.load(Ordering::Relaxed) as f64;
     let mut simulation =
         Simulation::new(job.setup, job.plan, with(threads)?).map_err(|error| error.to_string())?;
     up_to_last_phase(&mut simulation)?;
@@ -129,14 +154,6 @@ fn advance(simulation: &mut Simulation, steps: usize) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-/// Memory in use by this process, bytes; NaN where the system does not tell.
-fn resident_bytes() -> f64 {
-    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = text.lines().find(|l| l.starts_with("VmRSS:"));
-    let kilobytes = line.and_then(|l| l.split_whitespace().nth(1)?.parse::<f64>().ok());
-    kilobytes.map_or(f64::NAN, |kilobytes| 1024.0 * kilobytes)
 }
 
 /// One row: the last phase from `start` on `threads` threads.
