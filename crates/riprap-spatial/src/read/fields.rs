@@ -14,6 +14,7 @@ use crate::laws::tetrahedron::Gradient;
 use crate::read::bolts;
 use crate::read::crater::UPLIFT;
 use crate::read::deformable::Motion;
+use crate::read::heap;
 pub use crate::read::view::View;
 use crate::refine::Origin;
 use crate::region::holds;
@@ -283,6 +284,7 @@ fields! {
     "group.energy_head" "m" Group Scalar false "Largest height to which the energy of a block of the group would lift its centroid." |v, of| largest(members(v, of), |b| v.energy_head(b));
     "group.runout_50" "m" Group Scalar false "Run-out of the group: horizontal way that half of its blocks have not exceeded." |v, of| one(run_out(v, of, 0.5));
     "group.runout_90" "m" Group Scalar false "Run-out of the group: horizontal way that nine in ten of its blocks have not exceeded." |v, of| one(run_out(v, of, 0.9));
+    "group.repose_angle" "rad" Group Scalar true "Slope of the surface of a heap between 20 % and 80 % of its height, averaged over all directions about its axis: the angle of repose; of heaps that stand apart the mean by mass." |v, of| one(heap::repose_angle(v, members(v, of)));
     "group.left_terrain" "-" Group Scalar false "Number of the group's blocks that have gone over the rim of the terrain." |v, of| { let left = v.left_terrain(); one(members(v, of).filter(|b| left.contains(&(*b as u32))).count() as f64) };
     "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
     "group.blocks" "-" Group Scalar false "Number of the group's blocks that are there." |v, of| one(members(v, of).count() as f64);

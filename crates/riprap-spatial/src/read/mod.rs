@@ -10,6 +10,7 @@ pub mod crater;
 pub mod deformable;
 pub mod fields;
 mod fragments;
+mod heap;
 pub mod peaks;
 pub mod picture;
 mod stress;
