@@ -216,7 +216,14 @@ impl Simulation {
         };
         self.ramp_gravity(phase.gravity_ramp);
         let damping = phase.damping;
-        self.dt = self.checked_step(&phase)?;
+        self.dt = match self.checked_step(&phase) {
+            // What bounds the first step may be contacts alone, which nobody has looked for yet.
+            Err(RunError::NoStep { dt, .. }) if dt == f64::INFINITY => {
+                self.evaluate(&damping, 0.0)?;
+                self.checked_step(&phase)?
+            }
+            found => found?,
+        };
         let revision = self.engine.revision();
         self.evaluate(&damping, self.dt)?;
         self.refine(&damping)?;

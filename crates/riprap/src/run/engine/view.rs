@@ -140,6 +140,16 @@ impl<'a> View<'a> {
         }
     }
 
+    /// What blocks in space that were built into each other have given back by found contact, J: a search for equilibrium presses them
+    /// apart. Their energy counts from nil at the start, so less than nothing is left of it.
+    #[must_use]
+    pub fn released_by_overlaps(&self) -> f64 {
+        match self {
+            Self::Planar(_) => 0.0,
+            Self::Spatial(v) => (-v.world.works.contact_path).max(0.0),
+        }
+    }
+
     /// Unbalanced-force ratio.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {

@@ -4,7 +4,7 @@ use super::cause;
 use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
 use crate::ledger::{Balance, COLUMNS};
-use crate::plan::Relaxing;
+use crate::plan::{PhaseKind, Relaxing};
 use crate::spatial::found::desk::Deepest;
 use crate::spatial::found::limits::{self, Depth};
 
@@ -198,7 +198,13 @@ impl Simulation {
         if !kinetic.is_finite() {
             return Err(self.no_number("the kinetic energy"));
         }
-        let put_in = view.put_in();
+        let mut put_in = view.put_in();
+        if self
+            .phase()
+            .is_some_and(|phase| phase.kind == PhaseKind::Static)
+        {
+            put_in += view.released_by_overlaps();
+        }
         if !put_in.is_finite() {
             return Err(self.no_number("the energy put in by loads, supports and gravity"));
         }
