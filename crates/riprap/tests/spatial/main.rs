@@ -13,6 +13,7 @@ mod deform;
 mod dynamic;
 mod edit;
 mod faces;
+mod frames;
 mod rock;
 mod runs;
 mod sector;
