@@ -1,25 +1,36 @@
 //! Stable time step: which block sets it, and why.
 //!
 //! With the velocity of half a step before in the dashpots the leapfrog is stable while
-//! `x . (dt² K + 2 dt C) x <= 4 x . M x` for every motion x. Power iteration finds the motion that comes nearest, with the
-//! springs and dashpots of all patches and boundaries and their masses. One damping ratio for the whole model would
-//! let the dashpots of its coarsest blocks shorten the step of its finest.
+//! `x . (dt² K + 2 dt C) x <= 4 x . M x` for every motion x. `fastest` finds the motion that comes nearest, with the springs and
+//! dashpots of all patches and boundaries and their masses. One damping ratio for the whole model would let the dashpots of its
+//! coarsest blocks shorten the step of its finest.
 
-mod sweep;
+mod fastest;
+mod springs;
+#[cfg(test)]
+mod tests;
 
 use riprap_geom::Vec3;
 
 use super::deform;
 use super::state::scratch::Scratch;
 use super::world::World;
-use sweep::{Motion, Springs, Weights};
+use fastest::Fastest;
+use springs::{Springs, Weights};
 
-/// Sweeps of the power iteration for the springs alone.
-const SWEEPS: usize = 60;
-/// Rounds that bring in the dashpots, and sweeps in each.
-const ROUNDS: (usize, usize) = (6, 12);
+/// Sweeps for a motion. In a lattice of a hundred thousand blocks, whose highest frequencies lie close together, its squared
+/// frequency is then known to 1 %, elsewhere to far less.
+const SWEEPS: usize = 18;
 /// The estimate of the highest squared frequency comes from below; what is added to it.
-const MARGIN: f64 = 1.005;
+const MARGIN: f64 = 1.0075;
+/// Sweeps of a round that looks for the motion with springs and dashpots of a step.
+const ROUND: usize = 8;
+/// Most rounds.
+const ROUNDS: usize = 12;
+/// Share of a step that its own motion must allow.
+const SETTLED: f64 = 0.997;
+/// Share of the dashpots at full ratio that a motion must have for all to count with that ratio.
+const FULL: f64 = 0.98;
 
 /// The largest stable step and the block that sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,42 +107,82 @@ fn in_water(world: &World, rigid: Stable) -> Stable {
 /// The same for the rigid blocks and their patches.
 fn rigid_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> Stable {
     let springs = Springs::new(world);
-    let mut motion = Motion::new(world, &springs, &scratch.exec, scratch.width);
+    let mut motion = Fastest::new(world, &springs, &scratch.exec, scratch.width);
     let ck = stiffness_damping;
-    for _ in 0..SWEEPS {
-        if !motion.iterate(Weights::SPRINGS) {
-            return Stable {
-                dt: f64::INFINITY,
-                block: None,
-                why: "nothing holds the blocks",
-            };
+    let [least, most] = springs.ratios(world, ck);
+    let one_ratio = least >= FULL * most;
+    motion.start(Weights::SPRINGS);
+    sweep(&mut motion, if one_ratio { SWEEPS } else { ROUND });
+    let k = motion.value();
+    let mut dt = longest(k, 0.0);
+    if most > 0.0 {
+        let c = motion.quotient(Weights::dashpots(ck));
+        dt = if one_ratio && c >= FULL * most * k {
+            // Dashpots are at most `most` times the springs, and those of this motion are.
+            longest(k, most * k)
+        } else {
+            with_dashpots(&mut motion, longest(k, c), ck)
+        };
+    }
+    if dt.is_infinite() {
+        return Stable {
+            dt,
+            block: None,
+            why: "nothing holds the blocks",
+        };
+    }
+    name(world, &springs, &motion, dt)
+}
+
+fn sweep(motion: &mut Fastest, most: usize) {
+    for _ in 0..most {
+        if !motion.improve() {
+            break;
         }
     }
-    let mut dt = 2.0 / (MARGIN * motion.quotient(Weights::SPRINGS)).sqrt();
-    if springs.damped(world, ck) {
-        for _ in 0..ROUNDS.0 {
-            for _ in 0..ROUNDS.1 {
-                motion.iterate(Weights::step(dt, ck));
-            }
-            let k = MARGIN * motion.quotient(Weights::SPRINGS);
-            let c = MARGIN * motion.quotient(Weights::dashpots(ck));
-            // k dt² + 2 c dt = 4, in the form without cancellation.
-            dt = 4.0 / (c + (c * c + 4.0 * k).sqrt());
+}
+
+/// The step with dashpots, from one that the motion allows. It comes from above: a motion that is fast with the springs and dashpots of a step
+/// allows no more than that step, and at the end hardly less.
+fn with_dashpots(motion: &mut Fastest, from: f64, ck: f64) -> f64 {
+    let mut dt = from;
+    for _ in 0..ROUNDS {
+        if dt.is_infinite() {
+            break;
+        }
+        motion.start(Weights::step(dt, ck));
+        sweep(motion, ROUND);
+        let both = motion.value();
+        let k = motion.quotient(Weights::SPRINGS);
+        let c = ((both - dt * dt * k) / (2.0 * dt)).max(0.0);
+        let before = std::mem::replace(&mut dt, longest(k, c));
+        if dt >= SETTLED * before {
+            break;
         }
     }
-    name(world, &springs, motion.shape(), dt)
+    dt
+}
+
+/// The longest step for `x . K x` and `x . C x` of a motion of length one.
+fn longest(springs: f64, dashpots: f64) -> f64 {
+    // k dt² + 2 c dt = 4, in the form without cancellation.
+    let (k, c) = (MARGIN * springs, MARGIN * dashpots);
+    4.0 / (c + (c * c + 4.0 * k).sqrt())
 }
 
 /// Says which block moves most in the fastest motion.
-fn name(world: &World, springs: &Springs, x: &[[Vec3; 2]], dt: f64) -> Stable {
-    let size = |v: &[Vec3; 2]| v[0].length_squared() + v[1].length_squared();
+fn name(world: &World, springs: &Springs, motion: &Fastest, dt: f64) -> Stable {
+    let size = |b: usize| {
+        let [u, w] = motion.of(b);
+        u.length_squared() + w.length_squared()
+    };
     let mut block = 0;
-    for (b, v) in x.iter().enumerate() {
-        if world.alive[b] && size(v) > size(&x[block]) {
+    for b in 0..world.alive.len() {
+        if world.alive[b] && size(b) > size(block) {
             block = b;
         }
     }
-    let (turning, moving) = (x[block][1].length_squared(), x[block][0].length_squared());
+    let [moving, turning] = motion.of(block).map(Vec3::length_squared);
     let why = if springs.faces.iter().any(|f| f.block as usize == block) {
         "springs of patches and of a boundary"
     } else if turning > moving {
