@@ -248,6 +248,20 @@ impl Exec {
         }
     }
 
+    /// The smallest of what `f` finds of each run of [`CHUNK`] of the numbers below `n`; infinite where there are none. What is not a
+    /// number is left out.
+    pub fn smallest(&self, n: usize, f: impl Fn(Range<usize>) -> f64 + Sync) -> f64 {
+        match &self.pool {
+            Some(pool) if n > CHUNK => pool.install(|| {
+                (0..n.div_ceil(CHUNK))
+                    .into_par_iter()
+                    .map(|k| f(k * CHUNK..n.min((k + 1) * CHUNK)))
+                    .reduce(|| f64::INFINITY, f64::min)
+            }),
+            _ => chunks_of(n).map(f).fold(f64::INFINITY, f64::min),
+        }
+    }
+
     /// Sums of `f` over the numbers below `n`: within groups first, then over the tree of groups.
     pub fn sums<const N: usize>(&self, n: usize, f: impl Fn(usize) -> [f64; N] + Sync) -> [f64; N] {
         let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|k| sum[k] + x[k]);

@@ -354,10 +354,14 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     world.works.edit_defect -= joints;
     let pairs = &world.found.pairs;
     let (lists, shapes) = (&desk.candidates.lists, &desk.shapes);
-    let candidates = desk.candidates.pairs.iter();
-    desk.constants = candidates
-        .map(|c| constants(world, shapes, [c.i, c.j], c.faces(lists)))
-        .collect();
+    let candidates = &desk.candidates.pairs;
+    let of_run = |run: std::ops::Range<usize>| -> Vec<Constants> {
+        (candidates[run].iter())
+            .map(|c| constants(world, shapes, [c.i, c.j], c.faces(lists)))
+            .collect()
+    };
+    let runs = scratch.exec.chunked(candidates.len(), of_run);
+    desk.constants = runs.into_iter().flatten().collect();
     desk.damped = desk.constants.iter().any(|c| c.law.damping_ratio > 0.0);
     desk.slots.clear();
     desk.slots.resize(pairs.len(), Slot::default());

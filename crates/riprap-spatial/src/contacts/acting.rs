@@ -7,10 +7,9 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::left;
 use super::limit::{self, Speeds};
+use crate::exec::{CHUNK, Exec};
 use crate::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
-use crate::found::{
-    Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, planes, respond, turn,
-};
+use crate::found::{Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, planes, respond};
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
@@ -23,7 +22,7 @@ const IN_PLACE: f64 = 0.02;
 /// Finds what all pairs exert, and the sums on each block.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let desk = &mut scratch.desk;
-    place(world, desk);
+    place(world, desk, &scratch.exec);
     let Desk {
         slots, workspaces, ..
     } = desk;
@@ -46,6 +45,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         constants: &desk.constants,
         dt: world.pending,
     };
+    let width = scratch.width;
     scratch.exec.chunks2(
         &mut world.found.pairs,
         slots,
@@ -54,6 +54,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             (workspace.friction, workspace.offset) = (0.0, 0.0);
             (workspace.taken_over, workspace.left) = (0.0, 0.0);
             workspace.deepest = None;
+            workspace.walker.cutter.width = width;
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
                 evaluation.pair(first + k, pair, slot, workspace);
             }
@@ -67,24 +68,50 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         world.works.edit_defect += handed_over - workspace.left;
         desk.deepest = Deepest::deeper(desk.deepest, workspace.deepest);
     }
-    sum(desk);
-    let stable = limit::longest_step(world, desk);
+    sum(desk, &scratch.exec);
+    let stable = limit::longest_step(world, desk, &scratch.exec);
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
 }
 
 /// Turns the blocks that are in a pair to where they are now.
-fn place(world: &World, desk: &mut Desk) {
-    desk.normals.clear();
-    desk.turns.clear();
-    desk.poses.clear();
-    for &b in &desk.blocks {
-        let b = b as usize;
-        let pose = world.pose(b);
-        let shape = &desk.shapes[world.solid[b] as usize];
-        desk.turns
-            .push(turn(shape, pose.rotation, &mut desk.normals));
-        desk.poses.push(pose);
-    }
+fn place(world: &World, desk: &mut Desk, exec: &Exec) {
+    let Desk {
+        blocks,
+        shapes,
+        poses,
+        turns,
+        normals,
+        first_normal,
+        ..
+    } = desk;
+    poses.resize(blocks.len(), Pose::at(Vec3::ZERO));
+    turns.resize(blocks.len(), Mat3::IDENTITY);
+    normals.resize(first_normal[blocks.len()] as usize, Vec3::ZERO);
+    let nothing = &mut vec![(); blocks.len().div_ceil(CHUNK)];
+    exec.chunks2(poses, turns, nothing, |first, poses, turns, ()| {
+        let chunk = &blocks[first..];
+        for ((b, pose), turn) in chunk.iter().zip(poses).zip(turns) {
+            *pose = world.pose(*b as usize);
+            *turn = Mat3::from_quat(pose.rotation);
+        }
+    });
+    exec.ragged(
+        turns,
+        normals,
+        first_normal,
+        nothing,
+        |first, turns, normals, ()| {
+            let mut left = normals;
+            for (b, turn) in blocks[first..].iter().zip(turns) {
+                let of = &shapes[world.solid[*b as usize] as usize].normals;
+                let (own, rest) = left.split_at_mut(of.len());
+                for (to, n) in own.iter_mut().zip(of) {
+                    *to = *turn * *n;
+                }
+                left = rest;
+            }
+        },
+    );
 }
 
 /// The blocks that are in a pair, turned to where they are now.
@@ -246,18 +273,30 @@ impl Evaluation<'_> {
 }
 
 /// Adds what the pairs exert, block by block in the order of the pairs.
-fn sum(desk: &mut Desk) {
-    for (at, &b) in desk.blocks.iter().enumerate() {
-        let mut acting = Acting::default();
-        let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
-        for &(k, second) in &desk.incidence[pairs] {
-            let slot = &desk.slots[k as usize];
-            if slot.touching || slot.elastic.force.is_nan() {
-                acting.elastic.add(&slot.elastic, second);
-                acting.spring.add(&slot.spring, second);
-                acting.drag.add(&slot.drag, second);
+fn sum(desk: &mut Desk, exec: &Exec) {
+    let Desk {
+        acting,
+        place,
+        first_pair,
+        incidence,
+        slots,
+        ..
+    } = desk;
+    exec.chunks(acting, |first, chunk| {
+        for (at, acting) in place[first..].iter().zip(chunk) {
+            if *at == u32::MAX {
+                continue;
+            }
+            *acting = Acting::default();
+            let pairs = first_pair[*at as usize] as usize..first_pair[*at as usize + 1] as usize;
+            for &(k, second) in &incidence[pairs] {
+                let slot = &slots[k as usize];
+                if slot.touching || slot.elastic.force.is_nan() {
+                    acting.elastic.add(&slot.elastic, second);
+                    acting.spring.add(&slot.spring, second);
+                    acting.drag.add(&slot.drag, second);
+                }
             }
         }
-        desk.acting[b as usize] = acting;
-    }
+    });
 }

@@ -23,6 +23,7 @@
 use riprap_geom::Vec3;
 
 use super::felt::{Felt, Spread};
+use crate::exec::Exec;
 use crate::found::desk::{Desk, Facing, Impact, Slot};
 use crate::found::{Memory, Pose, Role, Shape};
 use crate::state::found::FoundPair;
@@ -48,13 +49,40 @@ const FLIGHT: f64 = 0.25;
 const FACING: f64 = -0.98;
 
 /// Longest step, s.
-pub(super) fn longest_step(world: &World, desk: &mut Desk) -> f64 {
-    let gravity = world.gravity.length();
-    let speeds = Speeds::of(world);
-    let mut longest = transit(world, desk);
+pub(super) fn longest_step(world: &World, desk: &mut Desk, exec: &Exec) -> f64 {
+    let transit = transit(world, desk, exec);
     find_slight(world, desk);
-    for (at, &b) in desk.blocks.iter().enumerate() {
-        let b = b as usize;
+    let limit = StepLimit {
+        world,
+        desk,
+        speeds: Speeds::of(world),
+        gravity: world.gravity.length(),
+    };
+    exec.smallest(desk.blocks.len(), |blocks| {
+        blocks.fold(transit, |longest, at| limit.of_block(longest, at))
+    })
+    .min(transit)
+}
+
+/// What the pairs of a block allow.
+struct StepLimit<'a> {
+    world: &'a World,
+    desk: &'a Desk,
+    speeds: Speeds<'a>,
+    /// m/s².
+    gravity: f64,
+}
+
+impl StepLimit<'_> {
+    /// The smaller of `longest` (s) and the longest step of a block, by its place in the list of those that are in a pair.
+    fn of_block(&self, mut longest: f64, at: usize) -> f64 {
+        let Self {
+            world,
+            desk,
+            speeds,
+            gravity,
+        } = self;
+        let b = desk.blocks[at] as usize;
         let ease = Ease::of(world, &desk.shapes, b);
         let (mut felt, mut damping) = (Felt::default(), 0.0_f64);
         let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
@@ -62,7 +90,7 @@ pub(super) fn longest_step(world: &World, desk: &mut Desk) -> f64 {
             let k = k as usize;
             let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
             let (pair, law) = (&world.found.pairs[k], &constants.law);
-            let change = until_change(pair, slot, gravity);
+            let change = until_change(pair, slot, *gravity);
             if !slot.touching && change >= longest {
                 // Most of what is near: whatever it allows is longer than this.
                 continue;
@@ -137,8 +165,8 @@ pub(super) fn longest_step(world: &World, desk: &mut Desk) -> f64 {
             let loss = (1.0 + damping * damping).sqrt() - damping;
             longest = longest.min(BOUNDED * 2.0 * loss / square.sqrt());
         }
+        longest
     }
-    longest
 }
 
 /// Step that a pair may make before it meets or parts, s.
@@ -263,20 +291,15 @@ fn time_for(way: f64, v: f64, g: f64) -> f64 {
 }
 
 /// Longest step in which no pair can pass through each other, s.
-fn transit(world: &World, desk: &Desk) -> f64 {
+fn transit(world: &World, desk: &Desk, exec: &Exec) -> f64 {
     let g = world.gravity.length();
-    let mut longest = f64::INFINITY;
-    for ((pair, slot), constants) in
-        (world.found.pairs.iter().zip(&desk.slots)).zip(&desk.constants)
-    {
-        let gap = pair.gap.max(0.0);
-        longest = longest.min(time_for(
-            gap + TRANSIT * constants.inradius,
-            slot.nearing,
-            g,
-        ));
-    }
-    longest
+    exec.smallest(world.found.pairs.len(), |pairs| {
+        let times = pairs.map(|k| {
+            let way = world.found.pairs[k].gap.max(0.0) + TRANSIT * desk.constants[k].inradius;
+            time_for(way, desk.slots[k].nearing, g)
+        });
+        times.fold(f64::INFINITY, f64::min)
+    })
 }
 
 /// Longest step in which no block uses up more than a share of its margin: whom it can run into is known before, s.
@@ -346,6 +369,20 @@ pub(super) fn largest_area(shapes: [&Shape; 2], faces: [&[u16]; 2]) -> f64 {
     a.min(b)
 }
 
+/// Where a face lies along each of two axes: from, to, m.
+fn extent(shape: &Shape, pose: Pose, face: u16, axes: [Vec3; 2]) -> [[f64; 2]; 2] {
+    let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for v in shape.outline(face as usize) {
+        let at = pose.place(shape.vertices[*v as usize]);
+        for ([low, high], axis) in extent.iter_mut().zip(axes) {
+            let along = axis.dot(at);
+            *low = low.min(along);
+            *high = high.max(along);
+        }
+    }
+    extent
+}
+
 /// The two of these faces with the largest area that can come flat onto each other, if any: they face each other, and have moved by
 /// `margin` (m) at most along themselves from these poses.
 pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
@@ -359,22 +396,17 @@ pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
     let [of_first, of_second] = faces;
     for f in of_first {
         let n = poses[0].rotation * shapes[0].normals[f as usize];
-        let [_, e, h] = riprap_geom::polyhedron::frame(n);
         for g in of_second.clone() {
             let m = poses[1].rotation * shapes[1].normals[g as usize];
             if n.dot(m) > FACING {
                 continue;
             }
-            let sides = [e, h].map(|axis| {
-                let reach = |s: usize, face: u16, axis: Vec3| {
-                    let corners = shapes[s].outline(face as usize).iter();
-                    corners
-                        .map(|v| axis.dot(poses[s].place(shapes[s].vertices[*v as usize])))
-                        .fold(f64::NEG_INFINITY, f64::max)
-                };
-                let high = reach(0, f, axis).min(reach(1, g, axis));
-                let low = (-reach(0, f, -axis)).max(-reach(1, g, -axis));
-                (high - low + margin).max(0.0)
+            let [_, e, h] = riprap_geom::polyhedron::frame(n);
+            let [first, second] =
+                [(0, f), (1, g)].map(|(s, face)| extent(shapes[s], poses[s], face, [e, h]));
+            let sides = [0, 1].map(|axis| {
+                let ([low, high], [from, to]) = (first[axis], second[axis]);
+                (high.min(to) - low.max(from) + margin).max(0.0)
             });
             let areas = [shapes[0].areas[f as usize], shapes[1].areas[g as usize]];
             let area = areas[0].min(areas[1]).min(sides[0] * sides[1]);

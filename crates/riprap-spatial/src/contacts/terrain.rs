@@ -60,6 +60,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         desk,
         dt: world.pending,
     };
+    let width = scratch.width;
     scratch.exec.chunks2(
         &mut states,
         &mut exerted,
@@ -67,6 +68,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         |first, states, exerted, room| {
             room.friction = 0.0;
             room.left.clear();
+            room.treader.cutter.width = width;
             for (k, (state, exerted)) in states.iter_mut().zip(exerted).enumerate() {
                 evaluation.block(first + k, state, exerted, room);
             }

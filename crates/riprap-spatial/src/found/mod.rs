@@ -6,7 +6,7 @@
 //! Only planes are needed: no overlap polyhedron is ever made.
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
-//! `piece` one piece, `surface` all of them and the sums over it, `friction` the forces that follow;
+//! `piece` one piece (`octagon` the same in vector registers), `remnant` whether a face can have one, `surface` all of them and the sums over it, `friction` the forces that follow;
 //! `terrain` is a block on a height field; `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
@@ -17,10 +17,13 @@ pub mod desk;
 pub mod friction;
 pub mod grid;
 pub mod limits;
+#[cfg(target_arch = "x86_64")]
+mod octagon;
 pub mod offset;
 pub mod peak;
 pub mod piece;
 pub mod planes;
+mod remnant;
 pub mod search;
 pub mod shape;
 pub mod surface;

@@ -6,7 +6,10 @@
 
 use riprap_geom::Vec3;
 
+#[cfg(target_arch = "x86_64")]
+use super::octagon::{self, Lines};
 use super::planes::Planes;
+use crate::lanes::Width;
 
 /// Label of an edge of the square that a piece starts from: none may be left at the end.
 pub const OPEN: u16 = u16::MAX;
@@ -151,6 +154,26 @@ impl Polygon {
         n >= 3
     }
 
+    /// Takes over corners from lanes: s, t, depth and label of each.
+    #[cfg(target_arch = "x86_64")]
+    #[inline]
+    pub(super) fn fill<const N: usize>(
+        &mut self,
+        corners: usize,
+        slope: [f64; 3],
+        [s, t, depth, label]: [[f64; N]; 4],
+    ) {
+        self.make_room(N);
+        self.len = corners;
+        self.slope = slope;
+        self.s[..N].copy_from_slice(&s);
+        self.t[..N].copy_from_slice(&t);
+        self.depth[..N].copy_from_slice(&depth);
+        for (to, made) in self.label[..N].iter_mut().zip(label) {
+            *to = made as u16;
+        }
+    }
+
     /// Takes over the corners of another one.
     pub fn copy(&mut self, other: &Self) {
         let n = other.len;
@@ -169,6 +192,10 @@ impl Polygon {
 pub struct Cutter {
     /// The piece made last.
     pub polygon: Polygon,
+    /// Instruction set to use; no bit of a result depends on it.
+    pub width: Width,
+    #[cfg(target_arch = "x86_64")]
+    lines: Lines,
     spare: Polygon,
     beyond: Vec<f64>,
     u: Vec<f64>,
@@ -186,6 +213,13 @@ impl Cutter {
         radius: f64,
         tied: impl Fn(usize) -> bool,
     ) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        if self.width == Width::Eight
+            && planes.len() <= octagon::PLANES
+            && let Some(left) = self.make_wide(planes, frame, [f, g], radius, &tied)
+        {
+            return left;
+        }
         self.project(planes, frame);
         self.polygon.square(SQUARE * radius);
         let [u, v, w] = [self.u[f], self.v[f], self.w[f]];
@@ -203,6 +237,31 @@ impl Cutter {
             }
         }
         self.polygon.find_depths([w, u, v])
+    }
+
+    /// The same in vector registers; `None` where they have no room for it.
+    #[cfg(target_arch = "x86_64")]
+    fn make_wide(
+        &mut self,
+        planes: &Planes,
+        frame: &Frame,
+        piece: [usize; 2],
+        radius: f64,
+        tied: &impl Fn(usize) -> bool,
+    ) -> Option<bool> {
+        let spared = (0..planes.len()).fold(0, |bits, k| bits | u32::from(tied(k)) << k);
+        // Safety: this width is only chosen where the machine has its instructions.
+        unsafe {
+            octagon::make(
+                &mut self.lines,
+                planes,
+                frame,
+                piece,
+                SQUARE * radius,
+                spared,
+                &mut self.polygon,
+            )
+        }
     }
 
     /// Cuts the piece made last by a further plane, `normal . x <= offset`, beyond which nothing is looked for; whether

@@ -13,6 +13,7 @@ use riprap_geom::Vec3;
 use super::peak::{Peak, peak};
 use super::piece::{self, BOUNDARY, Cutter, Frame, OPEN, PARALLEL, Polygon};
 use super::planes::{Planes, origin};
+use super::remnant::Remnant;
 use super::shape::Body;
 
 /// Half the width of the band in which coplanar faces are tied, over the radius of the smaller block.
@@ -132,7 +133,8 @@ pub struct Walker {
     pub largest: Polygon,
     /// Its frame.
     pub largest_frame: Frame,
-    cutter: Cutter,
+    /// Makes the pieces.
+    pub cutter: Cutter,
     queue: Vec<[u16; 2]>,
     /// Stamp of the pair that last looked at piece (f, g), at `f * faces of B + g`.
     seen: Vec<u32>,
@@ -140,6 +142,7 @@ pub struct Walker {
     /// Whether each plane has a piece.
     met: Vec<bool>,
     ties: Vec<Tie>,
+    remnant: Remnant,
     radius: f64,
     largest_weight: f64,
     sums: Sums,
@@ -342,7 +345,7 @@ impl Walker {
         for k in 0..count {
             let side = usize::from(k >= split);
             let others = if side == 0 { split..count } else { 0..split };
-            if self.met[k] || self.lies_beyond(pair, k, others.clone()) {
+            if self.met[k] || !self.reaches_in(pair, k, others.clone()) {
                 continue;
             }
             for other in others {
@@ -352,22 +355,38 @@ impl Walker {
         }
     }
 
-    /// Whether one of the planes `others` has all of face `k` beyond it.
-    fn lies_beyond(&self, pair: &Pair, k: usize, others: std::ops::Range<usize>) -> bool {
+    /// Whether a part of face `k` lies inside the other block, by its planes `others`. Only such faces have a piece: the ball about
+    /// a point of it that reaches to the nearest plane lies in the overlap and touches the face.
+    fn reaches_in(&mut self, pair: &Pair, k: usize, others: std::ops::Range<usize>) -> bool {
         let side = usize::from(k >= self.planes.split);
         let place = k - side * self.planes.split;
         let body = pair.bodies[side];
         let shift = body.position - origin(pair.bodies[0], pair.bodies[1]);
         let corners = body.shape.outline(pair.faces[side][place] as usize);
-        others.into_iter().any(|other| {
+        self.remnant.begin(others.len(), corners.len());
+        for (column, other) in others.enumerate() {
             let normal = self.planes.normal(other);
             // Turned back into the body once, instead of every corner into space.
             let (own, room) = (
                 body.turn.transpose() * normal,
                 self.planes.d[other] - normal.dot(shift),
             );
-            let beyond = |v: &u16| own.dot(body.shape.vertices[*v as usize]) >= room;
-            corners.iter().all(beyond)
-        })
+            let mut beyond = true;
+            for (row, v) in corners.iter().enumerate() {
+                let height = own.dot(body.shape.vertices[*v as usize]) - room;
+                self.remnant.set(row, column, height);
+                beyond &= height >= 0.0;
+            }
+            if beyond {
+                return false;
+            }
+        }
+        // A face that is tied to one of the other block counts on either side of it.
+        let slack = if pair.ties {
+            TIE_BAND * self.radius
+        } else {
+            0.0
+        };
+        self.remnant.is_left(slack)
     }
 }

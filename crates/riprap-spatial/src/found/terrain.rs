@@ -178,7 +178,8 @@ pub struct Treader {
     near: Vec<u32>,
     /// The triangle, then all faces of the block.
     planes: Planes,
-    cutter: Cutter,
+    /// Makes the pieces.
+    pub cutter: Cutter,
     /// Corners of the block from its centroid, m.
     corners: Vec<Vec3>,
     /// How high each is above the plane of the triangle, times `c`, m.

@@ -6,6 +6,7 @@ use super::kit::{Chance, KINDS, Placed, all_faces, overlapping};
 use super::piece::{Cutter, Frame, integrate};
 use super::planes::{Planes, origin};
 use super::{Found, Pose, Shape, Sums, Walker};
+use crate::lanes::Width;
 
 /// Depth integral with normal, moment and weight over all pieces of all pairs of faces, with no lists and no walk.
 fn brute(placed: &Placed) -> (Vec3, Vec3, f64) {
@@ -55,6 +56,49 @@ fn the_walk_finds_what_all_pairs_of_faces_find() {
         }
         println!("{kind:?}: {:.2} pieces a pair", f64::from(pieces) / 1500.0);
     }
+}
+
+/// Bricks with sides in one plane included, whose strips are tied, and blocks with more planes than registers have room for.
+#[test]
+fn wide_instructions_find_the_same_bits() {
+    if Width::detect() < Width::Eight {
+        println!("this machine has no wide instructions: nothing to compare");
+        return;
+    }
+    let (mut plain, mut wide) = (Walker::default(), Walker::default());
+    wide.cutter.width = Width::Eight;
+    let mut compare = |placed: &Placed| {
+        let (first, second) = (placed.find_all(&mut plain), placed.find_all(&mut wide));
+        assert_eq!(first, second);
+        let Found::Touching(sums) = first else {
+            return 0;
+        };
+        assert_eq!(plain.largest.label(), wide.largest.label());
+        assert_eq!(plain.largest.depth(), wide.largest.depth());
+        sums.pieces
+    };
+    let mut pieces = 0;
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        let mut chance = Chance::new(seed as u64 + 11);
+        for _ in 0..300 {
+            let depth = 0.0005 * 400.0_f64.powf(chance.unit());
+            let (shapes, poses) = overlapping(kind, depth, &mut chance);
+            pieces += compare(&Placed::new([&shapes[0], &shapes[1]], poses));
+        }
+    }
+    let shape = Shape::brick(Vec3::new(0.5, 0.25, 0.2)).unwrap();
+    let mut chance = Chance::new(3);
+    for _ in 0..300 {
+        let shift = Vec3::new(chance.unit(), 1e-6 * (chance.unit() - 0.5), 0.4 - 1e-3);
+        let turned =
+            |chance: &mut Chance| Quat::from_axis_angle(chance.direction(), 1e-6 * chance.unit());
+        let poses = [Vec3::ZERO, shift].map(|position| Pose {
+            position,
+            rotation: turned(&mut chance),
+        });
+        pieces += compare(&Placed::new([&shape, &shape], poses));
+    }
+    assert!(pieces > 3000, "{pieces}");
 }
 
 /// What one evaluation of a pair costs: `cargo test --release -p riprap-spatial --lib time_of_a_pair -- --ignored --nocapture`.
