@@ -48,17 +48,39 @@ pub fn say(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
+/// Most errors, or warnings where there are no errors, that are printed one by one.
+const MOST: usize = 20;
+
 /// Prints `diagnostics` to stderr, and how many there are when there are several.
 pub fn print(diagnostics: &Diagnostics, style: Style) {
-    say(rendered(diagnostics, style).trim_end());
+    let (first, left) = first_of(diagnostics);
+    say(rendered(&first, style).trim_end());
     let (errors, warnings) = (diagnostics.errors(), diagnostics.warnings());
     if errors + warnings > 1 {
+        let rest = match left {
+            0 => String::new(),
+            n => format!("; {n} of them not shown"),
+        };
         say(&format!(
-            "\n{}: {}",
+            "\n{}: {}{rest}",
             diagnostics.source.name,
             counted(errors, warnings)
         ));
     }
+}
+
+/// The first remarks, errors before warnings, in the order of the text, and how many are left out: a fault in the making of
+/// thousands of blocks must not bury the line that says what is wrong.
+fn first_of(all: &Diagnostics) -> (Diagnostics, usize) {
+    if all.list.len() <= MOST {
+        return (all.clone(), 0);
+    }
+    let is_error = |d: &&Diagnostic| d.severity == Severity::Error;
+    let errors = all.list.iter().filter(is_error);
+    let others = all.list.iter().filter(|d| !is_error(d));
+    let first = errors.chain(others).take(MOST).cloned().collect();
+    let first = Diagnostics::new(all.source.clone(), first);
+    (first, all.list.len() - MOST)
 }
 
 /// `2 errors, 1 warning`.
@@ -181,6 +203,21 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn of_many_remarks_the_first_errors_are_shown() {
+        let source = Source::new("x", "a".repeat(100));
+        let remark = |at: usize| match at {
+            0..50 => Diagnostic::warning("w", "a warning").at(at..at + 1),
+            _ => Diagnostic::error("e", "an error").at(at..at + 1),
+        };
+        let few = Diagnostics::new(source.clone(), (40..60).map(remark).collect());
+        assert_eq!(first_of(&few), (few.clone(), 0));
+        let many = Diagnostics::new(source, (0..60).map(remark).collect());
+        let (first, left) = first_of(&many);
+        assert_eq!((first.errors(), first.warnings(), left), (10, 10, 40));
+        assert_eq!(first.list[0], many.list[0]);
     }
 
     #[test]

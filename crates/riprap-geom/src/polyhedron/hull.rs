@@ -28,6 +28,12 @@ pub fn hull(points: &[Vec3]) -> Result<Polyhedron, SolidError> {
     }
     let triangles = triangles(points)?;
     let solid = join(points, &triangles);
+    if solid.validate().is_ok() {
+        return Ok(solid);
+    }
+    // Corners about as far off their faces as what counts as flat: which of them make a face depends on the one that is asked
+    // first, and such faces do not close. Triangles always do; contact takes those in one plane for one face.
+    let solid = compact(points, triangles.iter().map(|t| t.to_vec()).collect());
     solid.validate()?;
     Ok(solid)
 }

@@ -198,6 +198,31 @@ fn a_tetrahedron_has_its_textbook_inertia() {
 
 /// A corner in the middle of an edge (the third point) is dropped by both faces, though one of them, laid flat, has
 /// that edge upright, so that rounding alone says which of its three points is the first.
+/// Corners as files have them: rounded to micrometres, so off their faces by as much as what counts as flat for blocks of a metre.
+#[test]
+fn rounded_corners_of_faces_make_a_hull() {
+    let mut chance = Chance::new(5);
+    let mut unit = || chance.between(-1.0, 1.0);
+    for _ in 0..200 {
+        let planes: Vec<(Vec3, f64)> = (0..14)
+            .map(|_| {
+                (
+                    Vec3::new(unit(), unit(), unit()).normalize(),
+                    0.5 + 0.1 * unit(),
+                )
+            })
+            .collect();
+        let Ok(solid) = from_half_spaces(&planes, 2.0) else {
+            continue;
+        };
+        let round = |v: &Vec3| (*v * 1e6).round() / 1e6;
+        let rounded: Vec<Vec3> = solid.vertices.iter().map(round).collect();
+        let again = hull(&rounded).unwrap();
+        let volumes = [&solid, &again].map(|s| s.moments().volume);
+        assert!((volumes[1] / volumes[0] - 1.0).abs() < 1e-4, "{volumes:?}");
+    }
+}
+
 #[test]
 fn a_point_in_an_upright_edge_is_no_corner() {
     let points = [

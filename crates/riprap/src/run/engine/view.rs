@@ -289,12 +289,12 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Number of touching contacts, or of patches.
+    /// Number of contacts that touch; in space of patches too.
     #[must_use]
     pub fn contacts(&self) -> usize {
         match self {
             Self::Planar(v) => v.contacts().count(),
-            Self::Spatial(v) => v.world.patches.len(),
+            Self::Spatial(v) => v.world.patches.len() + v.contacts().count(),
         }
     }
 
