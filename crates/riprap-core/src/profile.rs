@@ -1,6 +1,6 @@
 //! Stage timers, always on: two clock readings a stage and step.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Accumulated time per named stage.
 #[derive(Clone, Debug, Default)]
@@ -9,14 +9,6 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Runs `work` and books its time under `name`.
-    pub fn stage<T>(&mut self, name: &'static str, work: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
-        let result = work();
-        self.add(name, start.elapsed());
-        result
-    }
-
     /// Books time under `name`.
     pub fn add(&mut self, name: &'static str, spent: Duration) {
         match self.stages.iter_mut().find(|(n, _)| *n == name) {

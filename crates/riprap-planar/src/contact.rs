@@ -15,7 +15,7 @@ use super::potential;
 use super::search::Candidate;
 use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
-use super::world::{Body, Contact, GeneralState, PairState, Region, World, Wrench};
+use super::world::{Body, Contact, GeneralState, PairState, Region, Wrench};
 use crate::laws::bounds::{not_negative, within};
 use crate::laws::mohr_coulomb::shear_limit;
 use crate::laws::{coulomb, potential as closed};
@@ -42,27 +42,6 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// Context of a world and its scratch data.
-    pub fn new(
-        world: &'a World,
-        shapes: &'a Shapes,
-        turned: &'a [Turned],
-        laws: &'a [ContactLaw],
-        lists: &'a [u16],
-        stiffness_damping: f64,
-    ) -> Self {
-        Self {
-            shapes,
-            turned,
-            bodies: &world.bodies,
-            laws,
-            lists,
-            elapsed: world.pending,
-            stiffness_damping,
-            begins: world.start_energy.is_none() && world.last_dt == 0.0,
-        }
-    }
-
     fn sides(&self, candidate: &Candidate) -> (Side<'a>, Side<'a>) {
         let (i, j) = (candidate.i as usize, candidate.j as usize);
         let [edges_i, nearest_j, edges_j, nearest_i] = candidate.lists(self.lists);

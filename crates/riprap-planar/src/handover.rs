@@ -102,14 +102,16 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
     };
     let law = world.setup.interfaces[candidate.row as usize].contact;
     let relative = Relative::of(&world.bodies, i, j);
-    let context = Context::new(
-        world,
-        &scratch.shapes,
-        &scratch.turned,
-        &scratch.laws,
-        &candidates.lists,
-        0.0,
-    );
+    let context = Context {
+        shapes: &scratch.shapes,
+        turned: &scratch.turned,
+        bodies: &world.bodies,
+        laws: &scratch.laws,
+        lists: &candidates.lists,
+        elapsed: world.pending,
+        stiffness_damping: 0.0,
+        begins: world.begins(),
+    };
     let regions: Vec<(Pressed, u64)> = if convex.is_ok() {
         let pressed = contact::press_convex(&context, candidate, &relative);
         pressed.map(|p| (p, 0)).into_iter().collect()

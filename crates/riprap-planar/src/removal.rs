@@ -21,11 +21,8 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
     for &b in blocks {
         world.alive[b as usize] = false;
     }
-    let alive = std::mem::take(&mut world.alive);
-    world
-        .bonds
-        .retain(|k| alive[k.i as usize] && alive[k.j as usize]);
-    world.alive = alive;
+    let World { alive, bonds, .. } = world;
+    bonds.retain(|k| alive[k.i as usize] && alive[k.j as usize]);
 }
 
 /// Removes blocks; the forces that they gave to others fade over `span` (s). Call it between [`step::evaluate`] and

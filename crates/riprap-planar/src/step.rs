@@ -6,6 +6,8 @@
 
 mod kick;
 
+use std::time::Instant;
+
 use riprap_geom::Vec2;
 
 use super::bolts;
@@ -328,36 +330,42 @@ pub fn evaluate(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), NonFinite> {
-    let mut profile = std::mem::take(&mut scratch.profile);
     if !world.setup.water.is_empty() {
-        profile.stage("seepage", || seepage::update(world, &scratch.shapes));
+        stage(scratch, "seepage", |scratch| {
+            seepage::update(world, &scratch.shapes);
+        });
     }
-    profile.stage("loads", || {
+    stage(scratch, "loads", |scratch| {
         // A table that no longer stands leaves nothing behind.
         if !world.setup.loads.is_empty() || !world.setup.water.is_empty() {
             loads::apply(world, &scratch.shapes, &mut scratch.applied);
         }
         water::apply(world, scratch);
     });
-    profile.stage("search", || refresh(world, scratch));
-    profile.stage("contacts", || found_contacts(world, scratch, damping));
-    profile.stage("bonds", || bonds(world, scratch, damping));
+    stage(scratch, "search", |scratch| refresh(world, scratch));
+    stage(scratch, "contacts", |scratch| {
+        found_contacts(world, scratch, damping);
+    });
+    stage(scratch, "bonds", |scratch| bonds(world, scratch, damping));
     if !world.bolts.is_empty() {
         let first = world.pairs.len() + world.general.len() + world.bonds.len();
-        let slots = &mut scratch.slots[first..];
-        profile.stage("bolts", || bolts::act(world, &mut scratch.bolts, slots));
+        stage(scratch, "bolts", |scratch| {
+            bolts::act(world, &mut scratch.bolts, &mut scratch.slots[first..]);
+        });
     }
-    let result = profile.stage("gather", || kicks(world, scratch, damping, dt));
+    let result = stage(scratch, "gather", |scratch| {
+        kicks(world, scratch, damping, dt)
+    });
     world.pending = 0.0;
     scratch.coming_dt = dt;
-    scratch.profile = profile;
     result
 }
 
 /// Applies the velocity changes and moves the blocks by `dt`.
 pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
-    let mut profile = std::mem::take(&mut scratch.profile);
-    profile.stage("integrate", || integrate(world, scratch, dt));
+    stage(scratch, "integrate", |scratch| {
+        integrate(world, scratch, dt);
+    });
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();
@@ -365,7 +373,14 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     world.step += 1;
     world.last_dt = dt;
     world.pending = dt;
-    scratch.profile = profile;
+}
+
+/// Does a stage and books its time.
+fn stage<T>(scratch: &mut Scratch, name: &'static str, work: impl FnOnce(&mut Scratch) -> T) -> T {
+    let start = Instant::now();
+    let result = work(scratch);
+    scratch.profile.add(name, start.elapsed());
+    result
 }
 
 /// Rebuilds the candidate list when a block has moved more than its margin, or a joint gives way.
@@ -380,23 +395,32 @@ fn refresh(world: &mut World, scratch: &mut Scratch) {
 }
 
 fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
-    let mut pairs = std::mem::take(&mut world.pairs);
-    let mut general = std::mem::take(&mut world.general);
+    let begins = world.begins();
+    let World {
+        pairs,
+        general,
+        bodies,
+        works: all_works,
+        pending,
+        ..
+    } = world;
     let c = pairs.len();
     let (convex_slots, rest) = scratch.slots.split_at_mut(c);
     let general_slots = &mut rest[..general.len()];
-    let context = Context::new(
-        world,
-        &scratch.shapes,
-        &scratch.turned,
-        &scratch.laws,
-        &scratch.candidates.lists,
-        damping.stiffness,
-    );
+    let context = Context {
+        shapes: &scratch.shapes,
+        turned: &scratch.turned,
+        bodies,
+        laws: &scratch.laws,
+        lists: &scratch.candidates.lists,
+        elapsed: *pending,
+        stiffness_damping: damping.stiffness,
+        begins,
+    };
     scratch.partial.fill(Partial::default());
     let candidates = &scratch.candidates;
     scratch.exec.groups2(
-        &mut pairs,
+        pairs,
         convex_slots,
         &mut scratch.partial,
         &mut nobody(c),
@@ -410,7 +434,7 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
         let count = general.len();
         scratch.partial.fill(Partial::default());
         scratch.exec.groups2(
-            &mut general,
+            general,
             general_slots,
             &mut scratch.partial,
             &mut scratch.workspaces,
@@ -421,24 +445,27 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
         );
         works.add(&arrivals(&mut scratch.partial, count));
     }
-    world.works.add(&works);
-    world.pairs = pairs;
-    world.general = general;
+    all_works.add(&works);
 }
 
 fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     if world.bonds.is_empty() {
         return;
     }
-    let mut bonds = std::mem::take(&mut world.bonds);
-    let (bodies, setup) = (&world.bodies, &world.setup);
+    let World {
+        bonds,
+        bodies,
+        setup,
+        works: all_works,
+        ..
+    } = world;
     let (elapsed, step) = (world.pending, world.step);
     let first = world.pairs.len() + world.general.len();
     let count = bonds.len();
     let slots = &mut scratch.slots[first..first + count];
     scratch.partial.fill(Partial::default());
     scratch.exec.groups2(
-        &mut bonds,
+        bonds,
         slots,
         &mut scratch.partial,
         &mut nobody(count),
@@ -459,8 +486,7 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
             }
         },
     );
-    world.works.add(&arrivals(&mut scratch.partial, count));
-    world.bonds = bonds;
+    all_works.add(&arrivals(&mut scratch.partial, count));
 }
 
 /// Rooms for work on `count` items that needs none.

@@ -66,9 +66,9 @@ impl View<'_> {
             }
         }
         for bolt in &world.bolts {
-            bolt.pulls(world, &mut |from, to, force| {
-                put(from.block as usize, from.lever(world), force);
-                put(to.block as usize, to.lever(world), -force);
+            bolt.pulls(&world.bodies, &mut |from, to, force| {
+                put(from.block as usize, from.lever(&world.bodies), force);
+                put(to.block as usize, to.lever(&world.bodies), -force);
             });
         }
         loads::pushes(world, &self.scratch.shapes, put);

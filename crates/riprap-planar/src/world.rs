@@ -65,12 +65,15 @@ impl World {
         }
     }
 
+    /// Whether the model begins here: no step was done, and its energy is not counted yet.
+    pub(crate) fn begins(&self) -> bool {
+        self.start_energy.is_none() && self.last_dt == 0.0
+    }
+
     /// Present place (local, m) of a point of a block, given from its centroid in the body frame.
     #[must_use]
     pub fn on_body(&self, block: u32, arm: Vec2) -> Vec2 {
-        let body = &self.bodies[block as usize];
-        let (s, c) = libm::sincos(body.angle);
-        body.position + Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y)
+        self.bodies[block as usize].place(arm)
     }
 }
 
@@ -85,6 +88,15 @@ pub struct Body {
     pub angle: f64,
     /// Angular velocity, rad/s.
     pub spin: f64,
+}
+
+impl Body {
+    /// Present place (local, m) of a point of it, given from its centroid in the body frame.
+    #[must_use]
+    pub fn place(&self, arm: Vec2) -> Vec2 {
+        let (s, c) = libm::sincos(self.angle);
+        self.position + Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y)
+    }
 }
 
 /// Force on the first block of a pair and moments on both about their centroids.

@@ -24,7 +24,7 @@ use super::patch;
 use super::setup::{self, Setup};
 use super::state::found::FoundPair;
 use super::state::scratch::Scratch;
-use super::world::{World, flag};
+use super::world::{Bodies, Turned, World, flag};
 use crate::exec::CHUNK;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
@@ -302,14 +302,24 @@ impl World {
     /// Where the frame of block `b` stands now; at the start it was parallel to the axes.
     #[must_use]
     pub fn pose(&self, b: usize) -> Pose {
-        let rotation = match &self.turned[b] {
-            Some(turned) => turned.attitude,
-            None => patch::rotation(self.bodies.rotation(b)),
-        };
-        Pose {
-            position: self.reference[b] + self.bodies.displacement(b),
-            rotation,
-        }
+        pose(&self.bodies, &self.turned, &self.reference, b)
+    }
+}
+
+/// [`World::pose`] from the parts of the world that it needs.
+pub(crate) fn pose(
+    bodies: &Bodies,
+    turned: &[Option<Box<Turned>>],
+    reference: &[Vec3],
+    b: usize,
+) -> Pose {
+    let rotation = match &turned[b] {
+        Some(turned) => turned.attitude,
+        None => patch::rotation(bodies.rotation(b)),
+    };
+    Pose {
+        position: reference[b] + bodies.displacement(b),
+        rotation,
     }
 }
 

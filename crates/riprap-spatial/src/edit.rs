@@ -51,7 +51,6 @@ use super::refine::{self, Forest, RefineError};
 use super::region::Bounds;
 use super::setup::{During, Shape};
 pub use super::state::event::{EditEvent, EditKind};
-use super::state::face::Face;
 use super::state::scratch::Scratch;
 use super::step::{self, Damping};
 use super::world::World;
@@ -235,11 +234,10 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
             [i_gone, _] => bared.push(bare(world, p, usize::from(i_gone))),
         }
     }
-    let mut faces: Vec<Face> = std::mem::take(&mut world.faces);
-    faces.retain(|f| world.alive[f.block as usize]);
+    let World { faces, alive, .. } = &mut *world;
+    faces.retain(|f| alive[f.block as usize]);
     faces.extend(bared);
     faces.sort_by_key(|f| f.block);
-    world.faces = faces;
     world.patches.keep(&keep);
     let mut cavities = std::mem::take(&mut world.cavities);
     for cavity in &mut cavities {

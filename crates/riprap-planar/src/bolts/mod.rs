@@ -14,27 +14,28 @@ use riprap_geom::Vec2;
 
 use crate::laws::bolt::{Desk, Sheared};
 use crate::setup::Bolt as Spec;
-use crate::world::{Bolt, Pin, World, Wrench};
+use crate::world::{Body, Bolt, Pin, World, Wrench};
 
 pub use install::{InstallError, follow, install};
 
 impl Pin {
     /// Its present place from the centroid of its block, m, global axes.
-    pub(crate) fn lever(&self, world: &World) -> Vec2 {
-        world.on_body(self.block, self.arm) - world.bodies[self.block as usize].position
+    pub(crate) fn lever(&self, bodies: &[Body]) -> Vec2 {
+        let body = &bodies[self.block as usize];
+        body.place(self.arm) - body.position
     }
 
     /// Displacement since the bolt was installed, m.
     #[must_use]
-    pub fn moved(&self, world: &World) -> Vec2 {
-        world.on_body(self.block, self.arm) - self.place
+    pub fn moved(&self, bodies: &[Body]) -> Vec2 {
+        bodies[self.block as usize].place(self.arm) - self.place
     }
 }
 
 /// Present chord (m) from one pin to another, and by how much it is longer than when the bolt was installed, m.
-fn chord(from: &Pin, to: &Pin, world: &World) -> (Vec2, f64) {
+fn chord(from: &Pin, to: &Pin, bodies: &[Body]) -> (Vec2, f64) {
     let start = to.place - from.place;
-    let moved = to.moved(world) - from.moved(world);
+    let moved = to.moved(bodies) - from.moved(bodies);
     let now = start + moved;
     // Without the difference of two lengths.
     let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
@@ -71,10 +72,10 @@ impl Bolt {
 
 impl Bolt {
     /// Hands over the forces (N/m) of bars and dowels on the first of two pins, in the order of the slots; the second gets the opposite.
-    pub(crate) fn pulls(&self, world: &World, put: &mut dyn FnMut(&Pin, &Pin, Vec2)) {
+    pub(crate) fn pulls(&self, bodies: &[Body], put: &mut dyn FnMut(&Pin, &Pin, Vec2)) {
         for k in (0..self.chain.bars.len()).filter(|k| self.stretches(*k)) {
             let (from, to) = (&self.pins[k], &self.pins[k + 1]);
-            let (now, _) = chord(from, to, world);
+            let (now, _) = chord(from, to, bodies);
             put(from, to, self.chain.force[k] / now.length() * now);
         }
         for dowel in &self.dowels {
@@ -105,36 +106,42 @@ impl World {
 ///
 /// Calling it again without moving changes nothing.
 pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]) {
-    let mut bolts = std::mem::take(&mut world.bolts);
+    let World {
+        bolts,
+        bodies,
+        setup,
+        works,
+        pending,
+        ..
+    } = world;
     if desks.len() != bolts.len() {
         let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
         *desks = bolts.iter().map(desk).collect();
     }
     let mut slots = slots.iter_mut();
     for (bolt, desk) in bolts.iter_mut().zip(desks) {
-        if world.pending > 0.0 {
-            solve(bolt, desk, &world.setup.bolts[bolt.number as usize], world);
+        if *pending > 0.0 {
+            solve(bolt, desk, &setup.bolts[bolt.number as usize], bodies);
             let lost = desk.losses.all() + desk.sheared;
             bolt.lost += lost;
             bolt.breaks += desk.losses.breaks as u32;
             bolt.left = bolt.left.max(desk.losses.left);
-            world.works.bolts += lost;
+            works.bolts += lost;
         }
-        bolt.pulls(world, &mut |from, to, force| {
-            let arm = |pin: &Pin| pin.lever(world);
+        bolt.pulls(bodies, &mut |from, to, force| {
+            let arm = |pin: &Pin| pin.lever(bodies);
             if let Some(slot) = slots.next() {
                 *slot = Wrench::at(force, arm(from), arm(to));
             }
         });
     }
-    world.bolts = bolts;
 }
 
 /// Equilibrium of one bolt and forces of its dowels.
-fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, world: &World) {
+fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, bodies: &[Body]) {
     for &k in &desk.stretching {
         let k = k as usize;
-        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], world).1;
+        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], bodies).1;
     }
     desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
     desk.sheared = 0.0;
@@ -143,7 +150,7 @@ fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, world: &World) {
     };
     for one in &mut bolt.dowels {
         let [behind, ahead] = &one.sides;
-        let jump = ahead.moved(world) - behind.moved(world);
+        let jump = ahead.moved(bodies) - behind.moved(bodies);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
         let before = Sheared {
             slip: one.slip.to_array(),

@@ -57,10 +57,16 @@ pub(crate) fn follow(world: &mut World, k: usize) {
     if world.turned.iter().all(Option::is_none) {
         return;
     }
-    let mut walls = std::mem::take(&mut world.cavities[k].walls);
-    let freedoms = world.all_freedoms();
-    for wall in &mut walls {
-        let Some(block) = &world.turned[wall.block as usize] else {
+    let World {
+        cavities,
+        bodies,
+        turned,
+        deform,
+        ..
+    } = world;
+    let freedoms = Freedoms::new(bodies, turned, deform.as_deref());
+    for wall in &mut cavities[k].walls {
+        let Some(block) = &turned[wall.block as usize] else {
             continue;
         };
         let displacement = freedoms.displacement(&centre(wall));
@@ -81,7 +87,6 @@ pub(crate) fn follow(world: &mut World, k: usize) {
             swept,
         });
     }
-    world.cavities[k].walls = walls;
 }
 
 /// Makes `wall` a part of that of the block it comes from: normal and share of the area go on, and the parts of a wall have swept together

@@ -4,45 +4,63 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::law::{Asked, Sides, respond};
 use super::limit;
-use crate::found::cells::{CellDesk, Member, PairSlot, PairWorkspace, Spot, Star};
+use crate::contacts::pose;
+use crate::found::Pose;
+use crate::found::cells::{Member, PairConstants, PairSlot, PairWorkspace, Spot, Star};
 use crate::found::grid::Box3;
 use crate::found::tetra::Piece;
 use crate::state::deform::Deform;
 use crate::state::deformable::{DeformableMemory, DeformablePair};
 use crate::state::scratch::Scratch;
 use crate::state::workspace::Workspace;
-use crate::world::World;
+use crate::world::{Bodies, World};
 
 /// Finds what all pairs exert and pushes blocks and nodes with it, in the order of the pairs.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
-    let mut pairs = std::mem::take(&mut world.found.deformable.pairs);
-    let mut desk = std::mem::take(&mut scratch.deformable);
-    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
+    let Scratch {
+        deformable: desk,
+        deform: work,
+        exec,
+        pushes,
+        ..
+    } = scratch;
+    let World {
+        found,
+        deform,
+        bodies,
+        turned,
+        reference,
+        alive,
+        works,
+        pending,
+        start_energy,
+        ..
+    } = &mut *world;
+    let (Some(deform), Some(work)) = (deform.as_deref(), work.as_deref()) else {
         return;
     };
-    let mut stars = std::mem::take(&mut desk.stars);
-    scratch.exec.chunks(&mut stars, |first, stars| {
+    let members = &desk.members;
+    exec.chunks(&mut desk.stars, |first, stars| {
         for (k, star) in stars.iter_mut().enumerate() {
-            put(world, deform, work, &desk.members[first + k], star);
+            let member = &members[first + k];
+            let pose = || pose(bodies, turned, reference, member.block as usize);
+            put(pose, deform, work, member, star);
         }
     });
-    desk.stars = stars;
-    let (mut slots, mut workspaces) = (
-        std::mem::take(&mut desk.slots),
-        std::mem::take(&mut desk.workspaces),
-    );
     let evaluation = Evaluation {
-        world,
+        bodies,
         deform,
         work,
-        desk: &desk,
-        dt: world.pending,
+        members,
+        stars: &desk.stars,
+        constants: &desk.constants,
+        dt: *pending,
         relaxing: deform.relax.is_some(),
     };
-    scratch.exec.chunks2(
-        &mut pairs,
-        &mut slots,
-        &mut workspaces,
+    exec.chunks2(
+        &mut found.deformable.pairs,
+        &mut desk.slots,
+        &mut desk.workspaces,
         |first, pairs, slots, room| {
             [room.friction, room.damping, room.brought] = [0.0; 3];
             room.touching = 0;
@@ -51,10 +69,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             }
         },
     );
-    let own = &mut scratch.pushes.own;
-    own.need_blocks(world.alive.len());
+    let own = &mut pushes.own;
+    own.need_blocks(alive.len());
     own.need_nodes(deform.nodes.len());
-    for (slot, constants) in slots.iter().zip(&desk.constants) {
+    for (slot, constants) in desk.slots.iter().zip(&desk.constants) {
         if !slot.touching {
             continue;
         }
@@ -71,25 +89,27 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             }
         }
     }
-    desk.slots = slots;
-    desk.workspaces = workspaces;
-    let longest = limit::longest_step(world, &desk);
     for room in &desk.workspaces {
-        world.works.friction += room.friction;
-        world.works.damping += room.damping;
+        works.friction += room.friction;
+        works.damping += room.damping;
         // What stands pressed at the start of a run is part of the energy that it starts with.
-        if world.start_energy.is_some() {
-            world.works.edit_defect += room.brought;
+        if start_energy.is_some() {
+            works.edit_defect += room.brought;
         }
     }
-    world.found.deformable.pairs = pairs;
+    let longest = limit::longest_step(world, desk);
     let deformable = &mut world.found.deformable;
     deformable.longest_step = deformable.longest_step.map(|limit| limit.min(longest));
-    scratch.deformable = desk;
 }
 
 /// Puts a star where its block is now.
-fn put(world: &World, deform: &Deform, work: &Workspace, member: &Member, star: &mut Star) {
+fn put(
+    pose: impl Fn() -> Pose,
+    deform: &Deform,
+    work: &Workspace,
+    member: &Member,
+    star: &mut Star,
+) {
     match member.body {
         Some(k) => {
             let body = &deform.bodies[k as usize];
@@ -104,7 +124,7 @@ fn put(world: &World, deform: &Deform, work: &Workspace, member: &Member, star: 
             let Some(mesh) = &member.mesh else {
                 return;
             };
-            let pose = world.pose(member.block as usize);
+            let pose = pose();
             let turn = Mat3::from_quat(pose.rotation);
             let place = |n: u32| pose.position + turn * mesh.nodes[n as usize];
             star.put(&mesh.tets, member.peak, pose.position, place);
@@ -113,10 +133,12 @@ fn put(world: &World, deform: &Deform, work: &Workspace, member: &Member, star: 
 }
 
 struct Evaluation<'a> {
-    world: &'a World,
+    bodies: &'a Bodies,
     deform: &'a Deform,
     work: &'a Workspace,
-    desk: &'a CellDesk,
+    members: &'a [Member],
+    stars: &'a [Star],
+    constants: &'a [PairConstants],
     dt: f64,
     relaxing: bool,
 }
@@ -129,13 +151,13 @@ impl Evaluation<'_> {
         slot: &mut PairSlot,
         room: &mut PairWorkspace,
     ) {
-        let constants = &self.desk.constants[k];
-        let stars = constants.members.map(|m| &self.desk.stars[m as usize]);
+        let constants = &self.constants[k];
+        let stars = constants.members.map(|m| &self.stars[m as usize]);
         let sides = Sides {
             deform: self.deform,
-            bodies: &self.world.bodies,
+            bodies: self.bodies,
             work: self.work,
-            members: constants.members.map(|m| &self.desk.members[m as usize]),
+            members: constants.members.map(|m| &self.members[m as usize]),
         };
         let known = std::mem::replace(&mut pair.known, true);
         let before = std::mem::take(&mut pair.energy);
