@@ -1,25 +1,29 @@
 //! Supports, loads and the functions of time that drive them.
 
+use std::collections::BTreeSet;
+
 use riprap_geom::{Vec2, polygon};
 
 use super::builder::Builder;
 use crate::dynamics::{Formula, TimeFunction};
 use crate::planar::setup::{Load, LoadKind, Motion, Support};
-use crate::scenario::language::{self, EdgeLoad, Point};
+use crate::scenario::language::{self, EdgeLoad, Point, Target};
 use crate::scenario::quantity::{Kind, Length, Vector, Velocity};
 use crate::scenario::read::Given;
 use crate::scenario::time_function::{CsvFunction, OF_PLACE_AND_TIME, OF_TIME};
-use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns};
+use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns, target_span};
 
 /// A point of a load lies on a boundary if it is nearer than this, times the size of the block.
 const ON_BOUNDARY: f64 = 1e-6;
 
 impl Builder<'_> {
     pub(super) fn supports(&mut self) {
+        let mut supported = BTreeSet::new();
         for support in &self.parsed.scenario.supports {
             let Some(blocks) = self.target(&support.on) else {
                 continue;
             };
+            self.tell_second_support(&mut supported, &blocks, &support.on);
             let motion = match (&support.fixed, &support.motion) {
                 (Some(f), _) => Some(Motion::Fixed {
                     x: f.x_or_default(),
@@ -49,6 +53,30 @@ impl Builder<'_> {
                 self.setup.supports.push(Support { blocks, motion });
             }
         }
+    }
+
+    /// Warns of blocks that a support before this one holds or drives: the last one alone acts on them, freedoms do not add up.
+    pub(super) fn tell_second_support(
+        &mut self,
+        supported: &mut BTreeSet<u32>,
+        blocks: &[u32],
+        on: &Target,
+    ) {
+        let twice: Vec<u32> = (blocks.iter().copied())
+            .filter(|block| !supported.insert(*block))
+            .collect();
+        let Some(first) = twice.first().map(|block| self.directory.name(*block)) else {
+            return;
+        };
+        let message = match twice.len() {
+            1 => format!("block `{first}` has a support already: this one takes its place"),
+            n => format!(
+                "{n} blocks, first `{first}`, have a support already: this one takes its place"
+            ),
+        };
+        let note = Diagnostic::warning("supports.twice", message).at(target_span(on));
+        let help = "what the other one fixes or drives is free now: say all that holds a block in one support";
+        self.found.push(note.help(help));
     }
 
     pub(super) fn maybe<K: Kind>(

@@ -1,5 +1,7 @@
 //! Supports and loads on blocks in space.
 
+use std::collections::BTreeSet;
+
 use riprap_geom::Vec3;
 
 use crate::dynamics::TimeFunction;
@@ -31,6 +33,7 @@ fn fixed(said: &Fixed) -> Motion {
 
 impl Builder<'_> {
     pub(super) fn solid_supports(&mut self) {
+        let mut supported = BTreeSet::new();
         for support in &self.parsed.scenario.supports {
             if self.node_support(support) {
                 continue;
@@ -38,6 +41,7 @@ impl Builder<'_> {
             let Some(blocks) = self.target(&support.on) else {
                 continue;
             };
+            self.tell_second_support(&mut supported, &blocks, &support.on);
             let motion = match (&support.fixed, &support.motion) {
                 (Some(said), _) => fixed(said),
                 (None, Some(language::Motion::Velocity(m))) => Motion::Velocity {

@@ -34,6 +34,40 @@ fn phase(keys: &str) -> String {
     format!("[[phases]]\nname = \"p\"\nuntil.time = \"1 ms\"\n{keys}\n")
 }
 
+/// In the plane and in space.
+#[test]
+fn a_second_support_of_a_block_is_told() {
+    let solid = format!("{HEAD}{}", phase(""));
+    let plane = r#"
+riprap = 1
+title = "test"
+space.planar.gravity = ["0 m/s2", "-10 m/s2"]
+materials.rock.density = "2000 kg/m3"
+interfaces.default = { normal_stiffness = "1 GPa/m", friction_angle = "30 deg" }
+[[blocks]]
+name = "rock"
+material = "rock"
+rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+[[phases]]
+name = "p"
+until.time = "1 ms"
+"#;
+    let support =
+        |fixed: &str| format!("[[supports]]\non.block = \"rock\"\nfixed = {{ {fixed} }}\n");
+    for scene in [solid.as_str(), plane] {
+        let told = |supports: &[&str]| {
+            let all: String = supports.iter().map(|fixed| support(fixed)).collect();
+            let parsed = parse(Source::new("t.toml", format!("{scene}{all}")))
+                .unwrap_or_else(|error| panic!("{error}"));
+            let model = build(&parsed, "default", &[]).unwrap_or_else(|error| panic!("{error}"));
+            let codes = model.warnings.iter().map(|w| w.code);
+            codes.filter(|code| *code == "supports.twice").count()
+        };
+        assert_eq!(told(&["y = false"]), 0);
+        assert_eq!(told(&["y = false", "x = false"]), 1);
+    }
+}
+
 #[test]
 fn what_deformable_blocks_read_is_quiet() {
     let scene = format!(
