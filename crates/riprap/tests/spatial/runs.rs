@@ -146,8 +146,10 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
     let dir = tempfile::tempdir().unwrap();
     let at = |name: &str| Path::join(dir.path(), name);
     let mut long = column();
+    // Half a second and more: it must not be over before the second look.
+    let steps = 300_000;
     long.plan.phases[0].until = Until {
-        steps: Some(60_000),
+        steps: Some(steps),
         ..Until::default()
     };
     long.plan.histories.clear();
@@ -165,7 +167,7 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
     let half = job::run(long, &at("half"), Existing::Refuse, 1, &mut stop).unwrap();
     assert_eq!(half.ending, Ending::Stopped);
     let resumed = job::resume(&at("half"), 2, &mut go).unwrap();
-    assert_eq!(resumed.manifest.steps, 60_000);
+    assert_eq!(resumed.manifest.steps, steps);
     assert_eq!(whole.manifest.state_hash, resumed.manifest.state_hash);
     assert_eq!(whole.checks, resumed.checks);
 }
