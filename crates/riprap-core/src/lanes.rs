@@ -209,10 +209,9 @@ pub fn times(a: &Vectors, b: &Vectors) -> Vectors {
 }
 
 /// Instruction set that wide code runs on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {
     /// What every machine of the kind has.
-    #[default]
     Plain,
     /// AVX2.
     Four,

@@ -54,7 +54,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             (workspace.friction, workspace.offset) = (0.0, 0.0);
             (workspace.taken_over, workspace.left) = (0.0, 0.0);
             workspace.deepest = None;
-            workspace.walker.cutter.width = width;
+            workspace.walker.cutter.limit_width(width);
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
                 evaluation.pair(first + k, pair, slot, workspace);
             }

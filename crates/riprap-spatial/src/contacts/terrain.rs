@@ -68,7 +68,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         |first, states, exerted, room| {
             room.friction = 0.0;
             room.left.clear();
-            room.treader.cutter.width = width;
+            room.treader.cutter.limit_width(width);
             for (k, (state, exerted)) in states.iter_mut().zip(exerted).enumerate() {
                 evaluation.block(first + k, state, exerted, room);
             }

@@ -55,10 +55,11 @@ impl Chance {
 pub enum Kind {
     Boxes,
     Tetrahedra,
-    FourteenPlanes,
+    /// At most so many faces.
+    Planes(usize),
 }
 
-pub const KINDS: [Kind; 3] = [Kind::Boxes, Kind::Tetrahedra, Kind::FourteenPlanes];
+pub const KINDS: [Kind; 3] = [Kind::Boxes, Kind::Tetrahedra, Kind::Planes(14)];
 
 /// A block about its centroid, with the solid it was made from.
 pub fn block(kind: Kind, chance: &mut Chance) -> (Shape, Polyhedron) {
@@ -76,8 +77,8 @@ pub fn block(kind: Kind, chance: &mut Chance) -> (Shape, Polyhedron) {
                     _ => continue,
                 }
             }
-            Kind::FourteenPlanes => {
-                let planes: Vec<(Vec3, f64)> = (0..14)
+            Kind::Planes(count) => {
+                let planes: Vec<(Vec3, f64)> = (0..count)
                     .map(|_| (chance.direction(), chance.between(0.4, 0.6)))
                     .collect();
                 match from_half_spaces(&planes, 2.0) {

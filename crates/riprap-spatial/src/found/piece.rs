@@ -192,8 +192,8 @@ impl Polygon {
 pub struct Cutter {
     /// The piece made last.
     pub polygon: Polygon,
-    /// Instruction set to use; no bit of a result depends on it.
-    pub width: Width,
+    /// Whether this machine has the instructions of `octagon` and they are to be used; no bit of a result depends on it.
+    wide: bool,
     #[cfg(target_arch = "x86_64")]
     lines: Lines,
     spare: Polygon,
@@ -204,6 +204,11 @@ pub struct Cutter {
 }
 
 impl Cutter {
+    /// Uses no wider instructions than `width` from now on.
+    pub fn limit_width(&mut self, width: Width) {
+        self.wide = width.min(Width::detect()) == Width::Eight;
+    }
+
     /// Makes piece (f, g) in the plane of `frame`; whether anything is left. `tied(k)` says that plane k does not cut.
     pub fn make(
         &mut self,
@@ -214,7 +219,7 @@ impl Cutter {
         tied: impl Fn(usize) -> bool,
     ) -> bool {
         #[cfg(target_arch = "x86_64")]
-        if self.width == Width::Eight
+        if self.wide
             && planes.len() <= octagon::PLANES
             && let Some(left) = self.make_wide(planes, frame, [f, g], radius, &tied)
         {
@@ -250,7 +255,7 @@ impl Cutter {
         tied: &impl Fn(usize) -> bool,
     ) -> Option<bool> {
         let spared = (0..planes.len()).fold(0, |bits, k| bits | u32::from(tied(k)) << k);
-        // Safety: this width is only chosen where the machine has its instructions.
+        // Safety: `limit_width` has seen that the machine has these instructions.
         unsafe {
             octagon::make(
                 &mut self.lines,
