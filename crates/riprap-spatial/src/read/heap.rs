@@ -5,7 +5,6 @@ use riprap_geom::polygon::Aabb;
 use riprap_geom::{Vec2, Vec3};
 
 use crate::deform::shape::centred;
-use crate::patch;
 use crate::read::view::View;
 use crate::setup::Shape;
 
@@ -79,10 +78,7 @@ fn stone(view: &View<'_>, b: usize, axes: [Vec3; 3]) -> Option<Stone> {
         return None;
     }
     let centroid = view.position(b);
-    let attitude = match &world.turned[b] {
-        Some(turned) => turned.attitude,
-        None => patch::rotation(world.bodies.rotation(b)),
-    };
+    let attitude = world.pose(b).rotation;
     let (body, _) = centred(&world.setup.blocks[b].shape);
     let seen = |at: Vec3| Vec3::from_array(axes.map(|axis| axis.dot(at)));
     let deformable = view.deformable(b);
