@@ -7,6 +7,9 @@ const CORNER: &str =
 
 const REST: &str = include_str!("../../../../scenes/verify/planar/rest.toml");
 
+const BUILT_IN: &str =
+    include_str!("../../../../scenes/verify/spatial-contact/overlapping_start.toml");
+
 /// Runs a changed scene of a falling block into `a.run`.
 fn run(changes: &[(&str, &str)]) -> (Bench, Said) {
     let bench = Bench::new();
@@ -201,4 +204,18 @@ fn round_off_of_a_thick_slice_stops_no_run() {
     bench
         .run(&["run", "rest.toml", "-q", "--set", thick])
         .expect(0);
+}
+
+/// The phase can end in balance, with the block somewhere else.
+#[test]
+fn a_block_that_was_thrown_out_of_another_is_named() {
+    let bench = Bench::new();
+    let told = |stiffness: &str| {
+        let scene = BUILT_IN.replace("200 MPa/m", stiffness);
+        bench.file("a.toml", scene);
+        let said = bench.run(&["run", "a.toml", "--out", "a.run", "-q", "--force"]);
+        said.err.contains("`pyramid` had gone") && said.err.contains("lay in each other")
+    };
+    assert!(told("100 GPa/m"));
+    assert!(!told("200 MPa/m"));
 }

@@ -11,7 +11,9 @@ mod error;
 mod stop;
 
 pub use advance::Reached;
-pub use cursor::{Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Unconverged};
+pub use cursor::{
+    Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Thrown, Unconverged,
+};
 pub use error::RunError;
 
 use super::engine::{BuildError, Engine, Kind, Stable, View};
@@ -312,6 +314,7 @@ impl Simulation {
         };
         let moving = judged.then(|| ways(self.elapsed())).flatten();
         let moving = moving.map(|(block, way)| (view.name(block), way));
+        let thrown = quiet.then(|| Thrown::of(&view)).flatten();
         let end = PhaseEnd {
             phase: name,
             quiet,
@@ -320,6 +323,7 @@ impl Simulation {
             wanted,
             worst,
             moving,
+            thrown,
         };
         self.cursor.ends.push(end.clone());
         Some(end)
@@ -332,7 +336,8 @@ impl Simulation {
     pub fn warnings(&self) -> Vec<String> {
         let cursor = &self.cursor;
         let unconverged = cursor.unconverged.iter().map(ToString::to_string);
-        let ends = cursor.ends.iter().filter_map(PhaseEnd::warning);
+        let ends =
+            (cursor.ends.iter()).flat_map(|end| end.warning().into_iter().chain(end.thrown()));
         let residual = cursor.residual;
         let residual = (residual.share.abs() > stop::NOTED).then(|| residual.to_string());
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);

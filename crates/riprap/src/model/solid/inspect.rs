@@ -126,8 +126,7 @@ impl Builder<'_> {
             let error = Diagnostic::error("geometry.overlap", message).at(span);
             let help = format!(
                 "move one of them; or accept it with allow_overlap = \"{}\" in [space.spatial] and let a first phase with \
-                 kind = \"static\" press them apart: with the default stiffness, that of rock, they are thrown apart, with \
-                 `normal_stiffness` about 100 MPa/m they are not",
+                 kind = \"static\" press them apart; where it throws them, a smaller `normal_stiffness` is gentler",
                 with_unit(1.05 * deepest, "m")
             );
             self.found.push(error.help(help));

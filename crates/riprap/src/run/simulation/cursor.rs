@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::plan::Plan;
+use crate::run::engine::View;
 use crate::run::engine::{State, StateRef};
 
 /// Where in the plan a run is.
@@ -123,12 +124,47 @@ pub struct PhaseEnd {
     pub worst: Option<(String, f64)>,
     /// The block that would go farthest in another such phase, with that way over its size.
     pub moving: Option<(String, f64)>,
+    /// What may have been thrown by blocks that were built into each other.
+    pub thrown: Option<Thrown>,
+}
+
+/// A block that has gone far while blocks that lay in each other gave back energy.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Thrown {
+    /// Name of the block that has gone farthest since displacements were last set.
+    pub block: String,
+    /// That way over its size.
+    pub way: f64,
+    /// Energy that was given back, J.
+    pub energy: f64,
 }
 
 /// A block with a larger ratio of net force to the forces on it than this is not held: it falls or slides.
 const FALLS: f64 = 0.5;
 /// A block that would go this share of its own size in another phase as long as the last one is not at rest.
 const MOVES: f64 = 0.1;
+/// Share of the energy put in that blocks which lay in each other must have given back for one of them to have been thrown by it.
+const GAVE_BACK: f64 = 0.1;
+
+impl Thrown {
+    /// The free block that has gone farthest, if it is farther than its own size and overlaps have given back enough.
+    pub(super) fn of(view: &View) -> Option<Self> {
+        let energy = view.released_by_overlaps();
+        if energy <= GAVE_BACK * view.put_in() {
+            return None;
+        }
+        let ways = view.movements().into_iter().map(|m| {
+            let [x, y, z] = m.shift;
+            (m.block, (x * x + y * y + z * z).sqrt() / m.size)
+        });
+        let (block, way) = ways.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (way > 1.0).then(|| Self {
+            block: view.name(block),
+            way,
+            energy,
+        })
+    }
+}
 
 impl PhaseEnd {
     /// What ended the phase, in words.
@@ -161,6 +197,17 @@ impl PhaseEnd {
         let (name, way) = self.moving.as_ref().filter(|(_, way)| *way > MOVES)?;
         Some(format!(
             "block `{name}` moves: in another phase as long it would go {way:.1e} times its own size"
+        ))
+    }
+
+    /// The block that may have been thrown, in words.
+    #[must_use]
+    pub fn thrown(&self) -> Option<String> {
+        let Thrown { block, way, energy } = self.thrown.as_ref()?;
+        Some(format!(
+            "blocks that lay in each other had given back {energy:.1e} J at the end of phase `{}`, and block `{block}` had gone {way:.1} times its \
+             own size: look whether it was thrown; a smaller `normal_stiffness` presses blocks apart more gently",
+            self.phase
         ))
     }
 
