@@ -1,35 +1,41 @@
-//! The linear equations of a network whose active set is known: stabilised biconjugate gradients.
+//! The linear equations of a turn: generalised conjugate residuals on levels of ever fewer unknowns.
 //!
-//! Each column of the matrix has a diagonal above zero, nothing above zero beside it and a sum of zero or more. The incomplete factor keeps the matrix but
-//! for its diagonal and, nearly, the sums of its columns (Gustafsson 1978, BIT 18, 142-156); the iteration is that of van der Vorst (1992),
-//! SIAM J. Sci. Stat. Comput. 13, 631-644. Everything is done in the order of the nodes: the same bits on every machine.
+//! Each column of the matrix has a diagonal above zero, nothing above zero beside it and a sum of zero or more. On each level unknowns that hang together most are
+//! joined two times by two, with one correction for all of them; a level is solved by at most two steps of the same residuals, each with a cycle of the levels
+//! below (K-cycle). Nodes that are not full stay on the first level: what falls goes down, and a sweep in the order of the nodes, which descend, finds it.
+//! Everything is done in that order: the same bits on every machine.
+//!
+//! Sources: Eisenstat, Elman & Schultz (1983), SIAM J. Numer. Anal. 20, 345-357 (conjugate residuals); Notay (2010), Electron. Trans. Numer. Anal. 37,
+//! 123-146 (levels by pairs, K-cycle).
 
-/// Residual over the first one at which a solution is taken.
-const SMALL: f64 = 1e-12;
-/// Share of what the factor drops that its diagonal takes up.
-const KEPT: f64 = 0.97;
-/// Most iterations.
-const STEPS: usize = 4000;
-/// Iterations without a smaller residual after which there is none: round-off.
-const IN_VAIN: usize = 100;
+use super::rows::{Join, NONE, Rows};
 
-/// The matrix of a network: a row for each node.
-pub(super) struct Matrix {
-    /// Entries of row `n`: `first[n]..first[n + 1]`.
-    first: Vec<u32>,
-    /// Neighbour, ascending in each row.
-    column: Vec<u32>,
-    /// Twice the pipe, and one more where the neighbour is its lower node.
-    weight: Vec<u32>,
-    /// Minus the weight of the neighbour.
-    value: Vec<f64>,
-    /// Sum of the own weights of a row.
-    diagonal: Vec<f64>,
-    /// Inverse of the diagonal of the incomplete factor; 0 where the value is held.
-    factor: Vec<f64>,
+/// Unknowns of a level below which there is none.
+const FEW: usize = 40;
+/// Reduction of a residual with which one step on a level is enough.
+const ENOUGH: f64 = 0.25;
+/// Most steps, and steps whose directions are kept.
+const STEPS: usize = 300;
+const KEPT: usize = 30;
+/// Sweeps on the last level.
+const LAST: usize = 20;
+
+/// A level below the first.
+struct Level {
+    /// How the unknowns of the level above are joined.
+    join: Join,
+    rows: Rows,
 }
 
-impl Matrix {
+/// The equations of a turn, on all levels.
+pub(super) struct Equations {
+    /// Of each entry of the first level: twice the pipe, and one more where the neighbour is its lower node.
+    pipe: Vec<u32>,
+    rows: Rows,
+    levels: Vec<Level>,
+}
+
+impl Equations {
     /// The places of the entries; `pipes` are upper and lower nodes.
     pub(super) fn new(nodes: usize, pipes: impl Iterator<Item = [usize; 2]>) -> Self {
         let mut entries: Vec<[u32; 3]> = Vec::new();
@@ -46,147 +52,160 @@ impl Matrix {
             first[n + 1] += first[n];
         }
         Self {
-            first,
-            column: entries.iter().map(|e| e[1]).collect(),
-            weight: entries.iter().map(|e| e[2]).collect(),
-            value: vec![0.0; entries.len()],
-            diagonal: vec![0.0; nodes],
-            factor: vec![0.0; nodes],
+            pipe: entries.iter().map(|e| e[2]).collect(),
+            rows: Rows {
+                first,
+                column: entries.iter().map(|e| e[1]).collect(),
+                value: vec![0.0; entries.len()],
+                diagonal: vec![0.0; nodes],
+            },
+            levels: Vec::new(),
         }
     }
 
-    fn range(&self, n: usize) -> std::ops::Range<usize> {
-        self.first[n] as usize..self.first[n + 1] as usize
-    }
-
-    fn row(&self, n: usize) -> impl DoubleEndedIterator<Item = (usize, f64)> + '_ {
-        let range = self.range(n);
-        let columns = self.column[range.clone()].iter().map(|c| *c as usize);
-        columns.zip(self.value[range].iter().copied())
-    }
-
-    /// Gives each pipe the weights of its upper and lower node, and makes the factor for the nodes that are not held.
-    pub(super) fn fill(&mut self, weights: &[[f64; 2]], held: &[bool]) {
+    /// Gives each pipe the weights of its upper and lower node, each diagonal what it has more, and makes the levels; `may`: whether a node is joined to others.
+    pub(super) fn fill(&mut self, weights: &[[f64; 2]], own: &[f64], may: impl Fn(usize) -> bool) {
         let of = |w: u32| weights[w as usize / 2][w as usize % 2];
-        for (value, weight) in self.value.iter_mut().zip(&self.weight) {
-            *value = -of(*weight);
+        for (value, pipe) in self.rows.value.iter_mut().zip(&self.pipe) {
+            *value = -of(*pipe);
         }
-        let own = |e: usize| of(self.weight[e] ^ 1);
-        let nodes = self.diagonal.len();
-        // What of a column lies below its diagonal, magnitudes.
-        let mut below = vec![0.0; nodes];
-        for (n, below) in below.iter_mut().enumerate() {
-            let entries = self.range(n);
-            self.diagonal[n] = entries.clone().map(own).sum();
-            let later = entries.filter(|e| {
-                let c = self.column[*e] as usize;
-                c > n && !held[c]
-            });
-            *below = later.map(own).sum();
+        for (n, own) in own.iter().enumerate() {
+            let weights = self.rows.range(n).map(|e| of(self.pipe[e] ^ 1));
+            self.rows.diagonal[n] = own + weights.sum::<f64>();
         }
-        for (n, held) in held.iter().enumerate() {
-            let mut gone = 0.0;
-            for e in self.range(n) {
-                let c = self.column[e] as usize;
-                if c > n {
-                    break;
-                }
-                let here = -self.value[e];
-                gone += own(e) * self.factor[c] * (here + KEPT * (below[c] - here).max(0.0));
+        self.levels.clear();
+        let mut once = self.rows.pairs(may);
+        let mut half = self.rows.joined(&once);
+        loop {
+            let twice = half.pairs(|_| true);
+            let rows = half.joined(&twice);
+            let (few, above) = (rows.len(), once.of.len());
+            let join = once.then(&twice);
+            self.levels.push(Level { join, rows });
+            if few <= FEW || 10 * few > 9 * above {
+                return;
             }
-            let free = !held && self.diagonal[n] > 0.0;
-            self.factor[n] = if free {
-                1.0 / (self.diagonal[n] - gone)
-            } else {
-                0.0
-            };
+            let rows = &self.levels[self.levels.len() - 1].rows;
+            once = rows.pairs(|_| true);
+            half = rows.joined(&once);
         }
     }
 
-    /// A row times a vector.
-    fn times(&self, n: usize, x: &[f64]) -> f64 {
-        let others: f64 = self.row(n).map(|(c, v)| v * x[c]).sum();
-        self.diagonal[n] * x[n] + others
-    }
-
-    fn all_times(&self, x: &[f64], out: &mut [f64]) {
-        for (n, out) in out.iter_mut().enumerate() {
-            *out = if self.factor[n] == 0.0 {
-                0.0
-            } else {
-                self.times(n, x)
-            };
+    /// Matrix of a level; 0 is the first.
+    fn rows(&self, level: usize) -> &Rows {
+        match level {
+            0 => &self.rows,
+            _ => &self.levels[level - 1].rows,
         }
     }
 
-    /// Finds the values that are not held: each row times them and its constant make nothing.
-    pub(super) fn solve(&self, constant: &[f64], x: &mut [f64]) {
-        let count = x.len();
-        for (x, factor) in x.iter_mut().zip(&self.factor) {
-            if *factor != 0.0 {
-                *x = 0.0;
+    /// About what solves the equations of a level.
+    fn cycle(&self, level: usize, b: &[f64]) -> Vec<f64> {
+        let rows = self.rows(level);
+        let nodes = rows.len();
+        let mut x = vec![0.0; nodes];
+        let Some(below) = self.levels.get(level) else {
+            for _ in 0..LAST {
+                rows.sweep(0..nodes, b, &mut x);
+                rows.sweep((0..nodes).rev(), b, &mut x);
             }
-        }
-        let rest = |n: usize| match self.factor[n] == 0.0 {
-            true => 0.0,
-            false => -constant[n] - self.times(n, x),
+            return x;
         };
-        let mut r: Vec<f64> = (0..count).map(rest).collect();
-        let end = SMALL * SMALL * dot(&r, &r);
-        let shadow = r.clone();
-        let (mut rho, mut p) = (dot(&shadow, &r), r.clone());
-        let [mut ph, mut v, mut sh, mut t] = [(); 4].map(|()| vec![0.0; count]);
-        let (mut least, mut since) = (f64::INFINITY, 0);
-        for step in 0..STEPS {
-            let left = dot(&r, &r);
-            if left < least {
-                (least, since) = (left, step);
+        rows.sweep((0..nodes).rev(), b, &mut x);
+        let mut rest = vec![0.0; below.join.count];
+        for (n, of) in below.join.of.iter().enumerate() {
+            if *of != NONE {
+                rest[*of as usize] += b[n] - rows.dot(n, &x);
             }
-            // Whether a residual that gets no smaller is small enough, the balance of the flow tells.
-            if left <= end || rho == 0.0 || step - since > IN_VAIN {
-                return;
-            }
-            self.precondition(&p, &mut ph);
-            self.all_times(&ph, &mut v);
-            let alpha = rho / dot(&shadow, &v);
-            for n in 0..count {
-                x[n] += alpha * ph[n];
-                r[n] -= alpha * v[n];
-            }
-            if dot(&r, &r) <= end {
-                return;
-            }
-            self.precondition(&r, &mut sh);
-            self.all_times(&sh, &mut t);
-            let omega = dot(&t, &r) / dot(&t, &t);
-            for n in 0..count {
-                x[n] += omega * sh[n];
-                r[n] -= omega * t[n];
-            }
-            let next = dot(&shadow, &r);
-            let beta = next / rho * alpha / omega;
-            for n in 0..count {
-                p[n] = r[n] + beta * (p[n] - omega * v[n]);
-            }
-            rho = next;
         }
+        let correction = self.two_steps(level + 1, &rest);
+        for (x, of) in x.iter_mut().zip(&below.join.of) {
+            if *of != NONE {
+                *x += correction[*of as usize];
+            }
+        }
+        rows.sweep(0..nodes, b, &mut x);
+        x
     }
 
-    /// `z` with `(D + L) D^-1 (D + U) z = r`, D the diagonal of the factor, L and U what of the matrix lies below and above its diagonal.
-    fn precondition(&self, r: &[f64], z: &mut [f64]) {
-        for n in 0..r.len() {
-            let earlier = self.row(n).take_while(|(c, _)| *c < n);
-            let known: f64 = earlier.map(|(c, v)| v * z[c]).sum();
-            z[n] = self.factor[n] * (r[n] - known);
+    /// At most two steps of conjugate residuals on a level.
+    fn two_steps(&self, level: usize, b: &[f64]) -> Vec<f64> {
+        let mut x = self.cycle(level, b);
+        if level == self.levels.len() {
+            return x;
         }
-        for n in (0..r.len()).rev() {
-            let later = self.row(n).rev().take_while(|(c, _)| *c > n);
-            let known: f64 = later.map(|(c, v)| v * z[c]).sum();
-            z[n] -= self.factor[n] * known;
+        let q = self.times(level, &x);
+        let qq = dot(&q, &q);
+        if qq == 0.0 {
+            return x;
         }
+        let alpha = dot(&q, b) / qq;
+        let r: Vec<f64> = b.iter().zip(&q).map(|(b, q)| b - alpha * q).collect();
+        let is_enough = dot(&r, &r) <= ENOUGH * ENOUGH * dot(b, b);
+        let z = if is_enough {
+            Vec::new()
+        } else {
+            self.cycle(level, &r)
+        };
+        if is_enough {
+            x.iter_mut().for_each(|x| *x *= alpha);
+            return x;
+        }
+        let mut s = self.times(level, &z);
+        let beta = dot(&s, &q) / qq;
+        add(&mut s, -beta, &q);
+        let ss = dot(&s, &s);
+        let gamma = if ss > 0.0 { dot(&s, &r) / ss } else { 0.0 };
+        for (x, z) in x.iter_mut().zip(&z) {
+            *x = (alpha - gamma * beta) * *x + gamma * z;
+        }
+        x
+    }
+
+    fn times(&self, level: usize, x: &[f64]) -> Vec<f64> {
+        let rows = self.rows(level);
+        (0..rows.len()).map(|n| rows.dot(n, x)).collect()
+    }
+
+    /// `x` with `A x = b` but for a residual of `small` times `b`.
+    pub(super) fn solve(&self, b: &[f64], small: f64) -> Vec<f64> {
+        let (mut x, mut r) = (vec![0.0; b.len()], b.to_vec());
+        let end = small * small * dot(b, b);
+        let mut kept: Vec<(Vec<f64>, Vec<f64>, f64)> = Vec::new();
+        for _ in 0..STEPS {
+            if dot(&r, &r) <= end {
+                break;
+            }
+            let mut p = self.cycle(0, &r);
+            let mut q = self.times(0, &p);
+            for (other, of_other, size) in &kept {
+                let beta = dot(&q, of_other) / size;
+                add(&mut q, -beta, of_other);
+                add(&mut p, -beta, other);
+            }
+            let qq = dot(&q, &q);
+            if !(qq > 0.0 && qq.is_finite()) {
+                break;
+            }
+            let alpha = dot(&q, &r) / qq;
+            add(&mut x, alpha, &p);
+            add(&mut r, -alpha, &q);
+            if kept.len() == KEPT {
+                kept.remove(0);
+            }
+            kept.push((p, q, qq));
+        }
+        x
     }
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Adds a multiple of another vector.
+fn add(a: &mut [f64], by: f64, b: &[f64]) {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a += by * b;
+    }
 }
