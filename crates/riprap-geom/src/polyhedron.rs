@@ -7,13 +7,16 @@ pub mod cut;
 mod hull;
 pub mod joints;
 mod mass;
+mod parallelepiped;
 pub mod pour;
 mod slice;
 mod tetrahedra;
+mod touch;
 mod voronoi;
 
 pub use hull::hull;
 pub use mass::{Moments, principal};
+pub use parallelepiped::Parallelepiped;
 pub use slice::{Sliced, from_half_spaces, slice};
 pub use tetrahedra::{FlatTetrahedron, Tetrahedra, element};
 pub use voronoi::{

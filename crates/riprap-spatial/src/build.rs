@@ -16,9 +16,7 @@ use super::boundary;
 use super::cavity;
 use super::contacts;
 use super::deform;
-use super::meet::{self, Cell};
-use super::meet_solids::meet_solids;
-use super::overlap::{Overlap, face, overlap};
+use super::overlap::{self, Overlap};
 use super::refine;
 use super::region::Bounds;
 use super::setup::{Motion, Setup, Shape};
@@ -165,7 +163,9 @@ impl World {
     fn build_patches(&mut self, charges: &[Vec<u32>]) -> Result<(), BuildError> {
         let finest = self.finest();
         let tolerance = GAP * finest;
-        let (overlaps, faces) = self.touching(tolerance);
+        let living = (0..self.alive.len()).filter(|b| self.alive[*b] && !self.is_terrain(*b));
+        let living: Vec<u32> = living.map(|b| b as u32).collect();
+        let (overlaps, faces) = overlap::touching(self, &living, tolerance);
         let mut owner: BTreeMap<u32, usize> = BTreeMap::new();
         for (k, blocks) in charges.iter().enumerate() {
             for &b in blocks {
@@ -217,28 +217,6 @@ impl World {
             self.cavities.push(cavity);
         }
         Ok(())
-    }
-
-    /// Shared parts and free parts of the faces of all living blocks.
-    fn touching(&self, tolerance: f64) -> (Vec<Overlap>, Vec<Face>) {
-        let living = (0..self.alive.len()).filter(|b| self.alive[*b] && !self.is_terrain(*b));
-        let blocks = &self.setup.blocks;
-        let is_brick = |b: usize| matches!(blocks[b].shape, Shape::Brick { .. });
-        if !living.clone().all(is_brick) {
-            let chosen: Vec<u32> = living.map(|b| b as u32).collect();
-            let periodic = self.setup.periodic;
-            return meet_solids(blocks, &chosen, &self.reference, periodic, tolerance);
-        }
-        let cells: Vec<Cell> = living
-            .map(|b| Cell {
-                block: b as u32,
-                centre: self.reference[b],
-                half: self.solid_of(b).half,
-            })
-            .collect();
-        let (shared, free) = meet::meet(&cells, self.setup.periodic, tolerance);
-        let overlaps = shared.iter().map(|s| overlap(&cells, s)).collect();
-        (overlaps, free.iter().map(|f| face(&cells, f)).collect())
     }
 
     /// Appends a patch; `Patches::sort` puts it in its place later.

@@ -19,7 +19,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::frame;
 
 use super::overlap::Overlap;
-use super::region::Bounds;
+use super::region::Extent;
 use super::setup::{Coupling, Place, Region, Setup, Venting};
 pub use super::state::cavity::{Cavity, Gas, NodalWalls, TurnedWall, Wall};
 use super::state::lineage::Origin;
@@ -162,9 +162,9 @@ fn finest(setup: &Setup, alive: &[bool], region: &Region) -> Vec<u32> {
     let mut touching: Vec<(u32, f64)> = Vec::new();
     for (b, block) in setup.blocks.iter().enumerate() {
         if alive[b] {
-            let bounds = Bounds::of(&block.shape);
-            if bounds.touches(region) && !block.shape.is_terrain() {
-                touching.push((b as u32, bounds.half.element_product()));
+            let extent = Extent::of(&block.shape);
+            if extent.touches(region) && !block.shape.is_terrain() {
+                touching.push((b as u32, extent.volume()));
             }
         }
     }
@@ -293,26 +293,22 @@ impl Cavity {
         }
     }
 
-    /// Notes the living blocks with a free face over the removed blocks: seen along gravity, their boxes overlap.
+    /// Notes the living blocks with a free face over the removed blocks: seen along gravity, they overlap.
     pub fn find_surface(&mut self, world: &World) {
         let [up, b, c] = frame(upward(world.gravity));
-        let boxes: Vec<Bounds> = self
-            .blocks
-            .iter()
-            .map(|&b| Bounds::of(&world.setup.blocks[b as usize].shape))
-            .collect();
+        let extent = |b: u32| Extent::of(&world.setup.blocks[b as usize].shape);
+        let charge: Vec<Extent> = self.blocks.iter().map(|&b| extent(b)).collect();
         let mut found: Vec<u32> = Vec::new();
         for face in &world.faces {
             let block = face.block as usize;
             if !world.alive[block] || face.parted || face.frame[0].dot(up) < 0.9 {
                 continue;
             }
-            let (centre, half) = (world.reference[block], world.solid_of(block).half);
-            let over = boxes.iter().any(|charge| {
-                let apart = centre - charge.centre;
-                let overlaps =
-                    |t: Vec3| t.dot(apart).abs() < (1.0 - EQUAL) * t.abs().dot(half + charge.half);
-                apart.dot(up) > 0.0 && overlaps(b) && overlaps(c)
+            let centre = world.reference[block];
+            let block = extent(face.block);
+            let over = charge.iter().any(|part| {
+                let above = (centre - part.bounds().centre).dot(up) > 0.0;
+                above && block.overlaps_along(part, [up, b, c])
             });
             if over {
                 found.push(face.block);

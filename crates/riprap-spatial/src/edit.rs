@@ -35,6 +35,7 @@
 //! New forces on new masses also change the time-centred kinetic energy. Both changes are the difference of the ledger's residual before
 //! and after, booked as one line, so the residual itself is the same before and after: an edit can neither hide nor make a fault of the steps.
 
+mod audit;
 pub(super) mod error;
 mod gradual;
 mod measure;
@@ -48,8 +49,8 @@ use super::bolts;
 use super::build;
 use super::overlap::bare;
 use super::refine::{self, Forest, RefineError};
-use super::region::Bounds;
-use super::setup::{During, Shape};
+use super::region::Extent;
+use super::setup::During;
 pub use super::state::event::{EditEvent, EditKind};
 use super::state::scratch::Scratch;
 use super::step::{self, Damping};
@@ -125,7 +126,7 @@ pub fn plan(world: &World, scratch: &Scratch) -> Result<Vec<u32>, EditError> {
             if world.alive[b]
                 && *value > during.above
                 && world.lineage[b].level < levels
-                && Bounds::of(&world.setup.blocks[b].shape).touches(&refinement.around)
+                && Extent::of(&world.setup.blocks[b].shape).touches(&refinement.around)
             {
                 hits.push(b as u32);
             }
@@ -137,32 +138,18 @@ pub fn plan(world: &World, scratch: &Scratch) -> Result<Vec<u32>, EditError> {
         return Ok(hits);
     }
     let mut forest = Forest::new(&world.setup, &world.lineage, &world.alive);
-    for b in beside_polyhedra(world) {
-        forest.freeze(b);
-    }
+    // What bonds join to a block that bends stays as it is: bonds are not divided.
+    let facets = world.deform.iter().flat_map(|deform| &deform.facets);
+    facets.for_each(|facet| facet.blocks.iter().for_each(|&b| forest.keep_whole(b)));
     for b in hits {
         match forest.split(b) {
             Ok(()) => {}
-            // A polyhedron has no eight parts, and patches with one are not cut: they stay.
+            // It has no eight parts similar to it, and stays.
             Err(Some(_)) => {}
             Err(None) => return Err(RefineError::TooMany.into()),
         }
     }
     Ok(forest.into_splits())
-}
-
-/// Bricks that share a patch with a polyhedron.
-fn beside_polyhedra(world: &World) -> Vec<u32> {
-    let is_brick = |b: &u32| {
-        let shape = &world.setup.blocks[*b as usize].shape;
-        matches!(shape, Shape::Brick { .. })
-    };
-    let ends = world.patches.ends.iter();
-    ends.filter(|ends| !ends.iter().all(is_brick))
-        .flatten()
-        .copied()
-        .filter(is_brick)
-        .collect()
 }
 
 /// Splits blocks (in this order; children may be split again by their future number) and evaluates anew.
@@ -180,7 +167,7 @@ pub fn split(
     let plan = split::Plan::new(&View { world, scratch }, splits);
     split::apply(world, &plan)?;
     bolts::follow::follow(world);
-    split::audit(world, &plan)?;
+    audit::splits(world, &plan)?;
     settle(world, scratch, damping, dt, before)
 }
 

@@ -5,11 +5,12 @@
 //! its area, centroid and second moments, which is all that four points of a boundary need.
 
 use riprap_geom::face_overlap::{self, face_overlap};
-use riprap_geom::polyhedron::{Polyhedron, frame};
+use riprap_geom::polyhedron::{Polyhedron, area_vector, frame};
 use riprap_geom::{Mat3, Vec3};
 
 use super::overlap::{Overlap, axis_frame};
-use super::setup::{BlockSpec, Shape};
+use super::region::Extent;
+use super::setup::BlockSpec;
 use super::state::face::Face;
 
 /// Largest sine between opposite faces that touch.
@@ -82,14 +83,11 @@ fn sides(
 ) -> Vec<Side> {
     let mut sides = Vec::new();
     for &block in chosen {
-        let solid = match &blocks[block as usize].shape {
-            Shape::Brick { centre, half } => Polyhedron::brick(*centre, *half),
-            Shape::Polyhedron(solid) => Polyhedron {
-                vertices: solid.vertices.clone(),
-                faces: solid.faces.clone(),
-            },
-            Shape::Terrain(_) => continue,
-        };
+        let shape = &blocks[block as usize].shape;
+        if shape.is_terrain() {
+            continue;
+        }
+        let solid = Extent::of(shape).solid(Vec3::ZERO);
         for face in 0..solid.faces.len() {
             let outline = solid.outline(face);
             let (normal, _) = solid.plane(face);
@@ -154,6 +152,28 @@ fn touch([a, b]: [&Side; 2], tolerance: f64) -> Option<face_overlap::Overlap> {
     }
     let smallest = SLIVER * a.whole.area.min(b.whole.area);
     face_overlap(&a.outline, &b.outline, a.normal, smallest)
+}
+
+/// Whether a face of one solid and a face of another lie back to back, nowhere farther apart than `gap` (m), and share a part.
+#[must_use]
+pub fn share_face(a: &Polyhedron, b: &Polyhedron, gap: f64) -> bool {
+    let whole = |solid: &Polyhedron, face: usize| {
+        let outline = solid.outline(face);
+        let (normal, offset) = solid.plane(face);
+        (outline, normal, offset)
+    };
+    let others: Vec<_> = (0..b.faces.len()).map(|face| whole(b, face)).collect();
+    (0..a.faces.len()).any(|face| {
+        let (outline, normal, offset) = whole(a, face);
+        others.iter().any(|(other, back, behind)| {
+            if (normal + *back).length() > PARALLEL || (offset + behind).abs() > gap {
+                return false;
+            }
+            let area = |outline: &[Vec3]| area_vector(outline).length();
+            let smallest = SLIVER * area(&outline).min(area(other));
+            face_overlap(&outline, other, normal, smallest).is_some()
+        })
+    })
 }
 
 /// The overlap in the terms of the engine; along an axis block i lies on the lower side.
@@ -225,7 +245,7 @@ fn left(side: &Side, covered: &[face_overlap::Overlap], reference: &[Vec3]) -> O
     }
     let n = side.normal;
     let [_, e, f] = if covered.is_empty() {
-        whole.frame
+        frame_of(whole)
     } else {
         frame(n)
     };

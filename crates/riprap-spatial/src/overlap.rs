@@ -2,8 +2,9 @@
 
 use riprap_geom::Vec3;
 
-use super::meet::{Cell, Free, Rectangle, Shared};
-use super::setup::Points;
+use super::meet::{self, Cell, Free, Rectangle, Shared};
+use super::meet_solids::meet_solids;
+use super::setup::{Points, Shape};
 use super::state::face::Face;
 use super::state::world::World;
 
@@ -24,6 +25,72 @@ pub struct Overlap {
     pub gyration: [f64; 2],
 }
 
+impl Overlap {
+    /// Centre in the reference configuration, m.
+    #[must_use]
+    pub(super) fn centre(&self, reference: &[Vec3]) -> Vec3 {
+        reference[self.blocks[0] as usize] + self.arms[0]
+    }
+
+    /// The same part seen from the other block.
+    #[must_use]
+    pub(super) fn reversed(&self) -> Self {
+        let ([i, j], [n, b, c]) = (self.blocks, self.frame);
+        let ([arm_i, arm_j], [along_b, along_c]) = (self.arms, self.gyration);
+        Self {
+            blocks: [j, i],
+            frame: [-n, c, b],
+            axis: 3,
+            arms: [arm_j, arm_i],
+            gyration: [along_c, along_b],
+            ..*self
+        }
+    }
+
+    /// The part as a free face of its block number `side` (0 or 1).
+    #[must_use]
+    pub(super) fn side(&self, side: usize) -> Face {
+        let of = if side == 0 { *self } else { self.reversed() };
+        plain(of.blocks[0], of.frame, of.arms[0], of.area, of.gyration)
+    }
+}
+
+/// A free face without condition.
+fn plain(block: u32, frame: [Vec3; 3], arm: Vec3, area: f64, gyration: [f64; 2]) -> Face {
+    Face {
+        block,
+        boundary: None,
+        frame,
+        arm,
+        area,
+        half_spacing: gyration,
+        stiffness: [0.0; 2],
+        impedance: [0.0; 2],
+        anchor: [Vec3::ZERO; 4],
+        parted: false,
+    }
+}
+
+/// Shared parts and free parts of the faces of the blocks `chosen`; `tolerance` (m) is the largest gap between faces that touch.
+pub(super) fn touching(world: &World, chosen: &[u32], tolerance: f64) -> (Vec<Overlap>, Vec<Face>) {
+    let (blocks, periodic) = (&world.setup.blocks, world.setup.periodic);
+    let is_brick = |b: &u32| matches!(blocks[*b as usize].shape, Shape::Brick { .. });
+    if !chosen.iter().all(is_brick) {
+        return meet_solids(blocks, chosen, &world.reference, periodic, tolerance);
+    }
+    let cells: Vec<Cell> = chosen
+        .iter()
+        .map(|&block| Cell {
+            block,
+            centre: world.reference[block as usize],
+            half: world.solid_of(block as usize).half,
+        })
+        .collect();
+    let (shared, free) = meet::meet(&cells, periodic, tolerance);
+    let overlaps = shared.iter().map(|s| overlap(&cells, s)).collect();
+    (overlaps, free.iter().map(|f| face(&cells, f)).collect())
+}
+
 /// Axis frame: normal along `axis`, b and c the next two axes.
 #[must_use]
 pub fn axis_frame(axis: usize) -> [Vec3; 3] {
@@ -31,7 +98,7 @@ pub fn axis_frame(axis: usize) -> [Vec3; 3] {
 }
 
 /// The overlap of two cells.
-pub(super) fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
+fn overlap(cells: &[Cell], shared: &Shared) -> Overlap {
     let (low, high, axis) = (&cells[shared.low], &cells[shared.high], shared.axis);
     let [length_b, length_c] = shared.part.size();
     let to = |cell: &Cell, sign: f64| arm(cell, axis, sign, &shared.part);
@@ -55,8 +122,8 @@ fn arm(cell: &Cell, axis: usize, sign: f64, part: &Rectangle) -> Vec3 {
     arm
 }
 
-/// A free face without condition.
-pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
+/// A free part of a face.
+fn face(cells: &[Cell], free: &Free) -> Face {
     let cell = &cells[free.cell];
     let [length_b, length_c] = free.part.size();
     let [n, b, c] = axis_frame(free.axis);
@@ -66,18 +133,8 @@ pub(super) fn face(cells: &[Cell], free: &Free) -> Face {
     if !free.upward {
         reach.swap(0, 1);
     }
-    Face {
-        block: cell.block,
-        boundary: None,
-        frame,
-        arm: arm(cell, free.axis, sign, &free.part),
-        area: length_b * length_c,
-        half_spacing: reach,
-        stiffness: [0.0; 2],
-        impedance: [0.0; 2],
-        anchor: [Vec3::ZERO; 4],
-        parted: false,
-    }
+    let arm = arm(cell, free.axis, sign, &free.part);
+    plain(cell.block, frame, arm, length_b * length_c, reach)
 }
 
 /// The free face that patch `p` leaves on its block number `side` (0 or 1) when the other block goes.
@@ -93,16 +150,7 @@ pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
     if side == 1 {
         reach.swap(0, 1);
     }
-    Face {
-        block: world.patches.ends[p][side],
-        boundary: None,
-        frame: if side == 0 { [n, b, c] } else { [-n, c, b] },
-        arm: class.arms[side],
-        area: class.area,
-        half_spacing: reach,
-        stiffness: [0.0; 2],
-        impedance: [0.0; 2],
-        anchor: [Vec3::ZERO; 4],
-        parted: false,
-    }
+    let frame = if side == 0 { [n, b, c] } else { [-n, c, b] };
+    let block = world.patches.ends[p][side];
+    plain(block, frame, class.arms[side], class.area, reach)
 }

@@ -1,17 +1,24 @@
-//! Splitting bricks 1 to 8: who is split, where the children lie, and what follows them.
+//! Splitting blocks 1 to 8: who is split, where the children lie, and what follows them.
 //!
-//! Octant `k` of a block has the bits `x + 2 y + 4 z`: bit set means the upper half along that axis. Split blocks
+//! Bricks and parallelepipeds in any attitude can be split ([`Divisible`]). Octant `k` of a block has the bits `x + 2 y + 4 z`: bit set
+//! means the upper half along that axis, of a parallelepiped along that edge (`Parallelepiped::of` says which). Split blocks
 //! stay in the list without being alive and children are appended, eight for each split block in octant order, so
 //! block numbers are stable. Balance: blocks that share a face never differ by more than one level;
 //! the planner splits more blocks until that holds, also across a periodic wrap.
 //!
-//! Source: Tian & Li, eq. (4): child centroid = parent's corner + n L/4 with n = 1 or 3.
+//! Source: Tian & Li, section 2.
+
+mod follow;
 
 use riprap_geom::Vec3;
+use riprap_geom::polyhedron::{Parallelepiped, Polyhedron};
 
-use super::region::{Bins, Bounds};
-use super::setup::{BlockSpec, Load, LoadKind, Refinement, Region, Setup, Shape};
+use super::divisible::Divisible;
+use super::meet_solids::share_face;
+use super::region::{Bins, Bounds, Extent, TOUCH};
+use super::setup::{BlockSpec, Refinement, Region, Setup};
 pub use super::state::lineage::Origin;
+pub use follow::follow;
 
 /// Most levels below the blocks as given: with more, the smallest edges come near the round-off of coordinates.
 pub const MAX_LEVELS: u8 = 16;
@@ -21,11 +28,11 @@ pub const MAX_BLOCKS: usize = 100_000_000;
 /// Why blocks cannot be split.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RefineError {
-    /// Only bricks have eight similar parts.
+    /// Only bricks and parallelepipeds have eight similar parts.
     #[error(
-        "block {name} is a polyhedron; only bricks can be split 1 to 8 (make the region smaller)"
+        "block {name} does not have six faces in three parallel pairs; only such blocks can be split 1 to 8 (make the region smaller)"
     )]
-    NotBrick {
+    Indivisible {
         /// Its name.
         name: String,
     },
@@ -66,18 +73,12 @@ pub fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {
     text
 }
 
-/// Centre and half edges of octant `octant` of a brick, m.
-#[must_use]
-pub fn child(centre: Vec3, half: Vec3, octant: u8) -> (Vec3, Vec3) {
-    let sign = |bit: u8| if octant & bit != 0 { 0.5 } else { -0.5 };
-    let side = Vec3::new(sign(1), sign(2), sign(4));
-    (centre + side * half, 0.5 * half)
-}
-
-/// Bricks as a forest of octrees; finds neighbours and keeps the balance.
+/// Blocks as a forest of octrees; finds neighbours and keeps the balance.
 #[derive(Debug)]
 pub struct Forest {
     cells: Vec<Cell>,
+    leaning: Vec<Parallelepiped>,
+    whole: Vec<Extent>,
     bins: Bins,
     periodic: [Option<f64>; 3],
     splits: Vec<u32>,
@@ -88,25 +89,51 @@ pub struct Forest {
 struct Cell {
     bounds: Bounds,
     level: u8,
-    brick: bool,
+    kind: Kind,
     alive: bool,
     /// First child; 0 for none (block 0 is nobody's child).
     children: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Brick,
+    /// Number in `Forest::leaning`.
+    Leaning(u32),
+    /// It cannot be divided; number in `Forest::whole`.
+    Whole(u32),
 }
 
 impl Forest {
     /// The blocks of a model; `alive` is false for blocks that were split or removed.
     #[must_use]
     pub fn new(setup: &Setup, lineage: &[Origin], alive: &[bool]) -> Self {
+        let (mut leaning, mut whole) = (Vec::new(), Vec::new());
+        let mut deforms = vec![false; setup.blocks.len()];
+        for &b in setup.deform.sets.iter().flat_map(|set| &set.blocks) {
+            deforms[b as usize] = true;
+        }
         let mut cells: Vec<Cell> = setup
             .blocks
             .iter()
             .zip(lineage)
             .zip(alive)
-            .map(|((block, origin), &alive)| Cell {
+            .zip(&deforms)
+            .map(|(((block, origin), &alive), &deforms)| Cell {
                 bounds: Bounds::of(&block.shape),
                 level: origin.level,
-                brick: matches!(block.shape, Shape::Brick { .. }),
+                // Blocks that bend are cut and not split.
+                kind: match Divisible::of(&block.shape).filter(|_| !deforms) {
+                    Some(Divisible::Brick(_)) => Kind::Brick,
+                    Some(Divisible::Leaning(solid)) => {
+                        leaning.push(solid);
+                        Kind::Leaning(leaning.len() as u32 - 1)
+                    }
+                    None => {
+                        whole.push(Extent::of(&block.shape));
+                        Kind::Whole(whole.len() as u32 - 1)
+                    }
+                },
                 // Terrain is never divided, nor a neighbour of who is.
                 alive: alive && !block.shape.is_terrain(),
                 children: 0,
@@ -127,15 +154,37 @@ impl Forest {
         Self {
             bins: Bins::new(&boxes, &numbers),
             cells,
+            leaning,
+            whole,
             periodic: setup.periodic,
             splits: Vec::new(),
             found: Vec::new(),
         }
     }
 
-    /// Leaves a brick whole and out of the balance.
-    pub fn freeze(&mut self, b: u32) {
-        self.cells[b as usize].brick = false;
+    /// Leaves a block whole and out of the balance.
+    pub fn keep_whole(&mut self, b: u32) {
+        let extent = self.extent(b);
+        self.cells[b as usize].kind = Kind::Whole(self.whole.len() as u32);
+        self.whole.push(extent);
+    }
+
+    fn divisible(&self, b: u32) -> Option<Divisible> {
+        let cell = &self.cells[b as usize];
+        match cell.kind {
+            Kind::Brick => Some(Divisible::Brick(cell.bounds)),
+            Kind::Leaning(k) => Some(Divisible::Leaning(self.leaning[k as usize])),
+            Kind::Whole(_) => None,
+        }
+    }
+
+    fn extent(&self, b: u32) -> Extent {
+        let cell = &self.cells[b as usize];
+        match cell.kind {
+            Kind::Brick => Extent::Box(cell.bounds),
+            Kind::Leaning(k) => Divisible::Leaning(self.leaning[k as usize]).extent(),
+            Kind::Whole(k) => self.whole[k as usize].clone(),
+        }
     }
 
     /// Parents in the order of splitting; the children of the `k`-th are the blocks `8 k` to `8 k + 7` after the
@@ -151,7 +200,7 @@ impl Forest {
         self.leaves()
             .filter(|&b| {
                 let cell = &self.cells[b as usize];
-                cell.level < levels && cell.bounds.touches(region)
+                cell.level < levels && cell.bounds.touches(region) && self.extent(b).touches(region)
             })
             .collect()
     }
@@ -164,7 +213,7 @@ impl Forest {
     /// Splits what one refinement asks for.
     ///
     /// # Errors
-    /// `Err(Some(block))` for a polyhedron in the region, `Err(None)` for too many blocks.
+    /// `Err(Some(block))` for one in the region that cannot be divided, `Err(None)` for too many blocks.
     fn refine(&mut self, region: &Region, levels: u8) -> Result<(), Option<u32>> {
         for level in 1..=levels {
             for b in self.touching(region, level) {
@@ -177,19 +226,19 @@ impl Forest {
     /// Splits a block if it is still whole, its coarser neighbours before it.
     ///
     /// # Errors
-    /// As `refine`: the block is a polyhedron, or there would be too many.
+    /// As `refine`: the block cannot be divided, or there would be too many.
     pub fn split(&mut self, b: u32) -> Result<(), Option<u32>> {
         let cell = self.cells[b as usize];
         if !cell.alive {
             return Ok(());
         }
-        if !cell.brick {
+        let Some(divisible) = self.divisible(b) else {
             return Err(Some(b));
-        }
+        };
         loop {
             let coarser = self.face_neighbours(b).into_iter().find(|&n| {
                 let other = &self.cells[n as usize];
-                other.brick && other.level < cell.level
+                !matches!(other.kind, Kind::Whole(_)) && other.level < cell.level
             });
             match coarser {
                 Some(n) => self.split(n)?,
@@ -203,10 +252,17 @@ impl Forest {
         self.cells[b as usize].children = self.cells.len() as u32;
         self.splits.push(b);
         for octant in 0..8 {
-            let (centre, half) = child(cell.bounds.centre, cell.bounds.half, octant);
+            let part = divisible.part(octant);
             self.cells.push(Cell {
-                bounds: Bounds { centre, half },
+                bounds: *part.extent().bounds(),
                 level: cell.level + 1,
+                kind: match part {
+                    Divisible::Brick(_) => Kind::Brick,
+                    Divisible::Leaning(solid) => {
+                        self.leaning.push(solid);
+                        Kind::Leaning(self.leaning.len() as u32 - 1)
+                    }
+                },
                 children: 0,
                 ..cell
             });
@@ -216,15 +272,21 @@ impl Forest {
 
     /// Living blocks that share part of a face with block `b`, ascending.
     pub fn face_neighbours(&mut self, b: u32) -> Vec<u32> {
-        let own = self.cells[b as usize].bounds;
+        let own = self.cells[b as usize];
         let mut neighbours = Vec::new();
         let mut roots = std::mem::take(&mut self.found);
         for shift in images(self.periodic) {
-            let image = Bounds {
-                centre: own.centre + shift,
-                ..own
+            let image = Image {
+                bounds: Bounds {
+                    centre: own.bounds.centre + shift,
+                    ..own.bounds
+                },
+                solid: match own.kind {
+                    Kind::Brick => None,
+                    Kind::Leaning(_) | Kind::Whole(_) => Some(self.extent(b).solid(shift)),
+                },
             };
-            self.bins.near(&image, &mut roots);
+            self.bins.near(&image.bounds, &mut roots);
             for &root in &roots {
                 self.descend(root, &image, &mut neighbours);
             }
@@ -235,21 +297,42 @@ impl Forest {
         neighbours
     }
 
-    fn descend(&self, b: u32, image: &Bounds, out: &mut Vec<u32>) {
+    fn descend(&self, b: u32, image: &Image, out: &mut Vec<u32>) {
         let cell = &self.cells[b as usize];
         if cell.alive {
-            if cell.bounds.share_face(image) {
+            if self.share_face(b, image) {
                 out.push(b);
             }
         } else if cell.children != 0
-            && cell.bounds.gaps(image).max_element()
-                <= super::region::TOUCH * image.half.max_element()
+            && cell.bounds.gaps(&image.bounds).max_element()
+                <= TOUCH * image.bounds.half.max_element()
         {
             for k in 0..8 {
                 self.descend(cell.children + k, image, out);
             }
         }
     }
+
+    fn share_face(&self, b: u32, image: &Image) -> bool {
+        let cell = &self.cells[b as usize];
+        let solid = match (&image.solid, cell.kind) {
+            (None, Kind::Brick) => return cell.bounds.share_face(&image.bounds),
+            (None, Kind::Leaning(_) | Kind::Whole(_)) => {
+                &Extent::Box(image.bounds).solid(Vec3::ZERO)
+            }
+            (Some(solid), _) => solid,
+        };
+        let gap = TOUCH * cell.bounds.half.min(image.bounds.half).min_element();
+        cell.bounds.gaps(&image.bounds).max_element() <= gap
+            && share_face(&self.extent(b).solid(Vec3::ZERO), solid, gap)
+    }
+}
+
+/// A block, or its image across the wrap.
+struct Image {
+    bounds: Bounds,
+    /// As a solid; `None` for a brick.
+    solid: Option<Polyhedron>,
 }
 
 /// Shifts under which a block meets its images across the wrap, no shift first.
@@ -306,7 +389,7 @@ pub fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> {
 pub fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> RefineError {
     match block {
         None => RefineError::TooMany,
-        Some(b) => RefineError::NotBrick {
+        Some(b) => RefineError::Indivisible {
             name: name(setup, lineage, b as usize),
         },
     }
@@ -316,18 +399,15 @@ pub fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> RefineError
 pub fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, splits: &[u32]) {
     for &parent in splits {
         let spec = setup.blocks[parent as usize].clone();
-        let Shape::Brick { centre, half } = spec.shape else {
-            unreachable!("only bricks are split")
+        let Some(whole) = Divisible::of(&spec.shape) else {
+            unreachable!("only blocks with eight similar parts are split")
         };
         let level = lineage[parent as usize].level + 1;
         for octant in 0..8 {
-            let (at, size) = child(centre, half, octant);
+            let part = whole.part(octant);
             setup.blocks.push(BlockSpec {
-                shape: Shape::Brick {
-                    centre: at,
-                    half: size,
-                },
-                velocity: spec.velocity + spec.spin.cross(at - centre),
+                shape: part.shape(),
+                velocity: spec.velocity + spec.spin.cross(part.centre() - whole.centre()),
                 ..spec.clone()
             });
             lineage.push(Origin {
@@ -337,97 +417,6 @@ pub fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, splits: &[u
             });
         }
     }
-}
-
-/// Lets the lists of the setup follow splits: who named a split block names its children too.
-///
-/// A force at a point goes to the child that holds the point, a force at the centroid and a moment to all eight in
-/// equal parts.
-pub fn follow(setup: &mut Setup, lineage: &[Origin], splits: &[u32]) {
-    if splits.is_empty() {
-        return;
-    }
-    let mut first_child = vec![0u32; setup.blocks.len()];
-    let start = lineage.len() - 8 * splits.len();
-    for (k, &parent) in splits.iter().enumerate() {
-        first_child[parent as usize] = (start + 8 * k) as u32;
-    }
-    let extend = |blocks: &mut Vec<u32>| {
-        let mut k = 0;
-        while k < blocks.len() {
-            let first = first_child[blocks[k] as usize];
-            if first != 0 {
-                blocks.extend(first..first + 8);
-            }
-            k += 1;
-        }
-        blocks.sort_unstable();
-        blocks.dedup();
-    };
-    setup.block_lists().for_each(extend);
-    let mut k = 0;
-    while k < setup.loads.len() {
-        match setup.loads[k].kind {
-            LoadKind::BodyForce { .. } => extend(&mut setup.loads[k].blocks),
-            LoadKind::Point { .. } | LoadKind::Moment { .. } => {
-                let made = shares(setup, &setup.loads[k], &first_child);
-                setup.loads[k]
-                    .blocks
-                    .retain(|&b| first_child[b as usize] == 0);
-                setup.loads.extend(made);
-            }
-        }
-        k += 1;
-    }
-    setup.loads.retain(|l| !l.blocks.is_empty());
-}
-
-/// The parts of a load that go to the children of its split blocks.
-fn shares(setup: &Setup, load: &Load, first_child: &[u32]) -> Vec<Load> {
-    let mut made = Vec::new();
-    for &b in &load.blocks {
-        let first = first_child[b as usize];
-        if first == 0 {
-            continue;
-        }
-        let all: Vec<u32> = (first..first + 8).collect();
-        let (blocks, kind) = match load.kind {
-            LoadKind::Point {
-                force,
-                at: Some(point),
-            } => {
-                let centre = Bounds::of(&setup.blocks[b as usize].shape).centre;
-                let bit = |a: usize| u32::from(point[a] >= centre[a]) << a;
-                (
-                    vec![first + bit(0) + bit(1) + bit(2)],
-                    LoadKind::Point {
-                        force,
-                        at: Some(point),
-                    },
-                )
-            }
-            LoadKind::Point { force, at: None } => (
-                all,
-                LoadKind::Point {
-                    force: force / 8.0,
-                    at: None,
-                },
-            ),
-            LoadKind::Moment { moment } => (
-                all,
-                LoadKind::Moment {
-                    moment: moment / 8.0,
-                },
-            ),
-            LoadKind::BodyForce { .. } => continue,
-        };
-        made.push(Load {
-            blocks,
-            kind,
-            time: load.time.clone(),
-        });
-    }
-    made
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
-//! Closed places in space and the boxes that touch them; bins that find boxes near a box.
+//! Closed places in space and the blocks that touch them; bins that find boxes near a box.
 
 use riprap_geom::Vec3;
+use riprap_geom::polyhedron::Polyhedron;
 
 use super::setup::{Region, Shape};
 
@@ -22,6 +23,107 @@ pub fn holds(shape: &Shape, point: Vec3) -> bool {
         }),
         // Points of terrain do not move, and nothing holds in it.
         Shape::Terrain(_) => false,
+    }
+}
+
+/// What a block fills at its start.
+#[derive(Clone, Debug)]
+pub enum Extent {
+    /// A brick; terrain is its box.
+    Box(Bounds),
+    /// A convex solid and the box around it.
+    Solid(Polyhedron, Bounds),
+}
+
+impl Extent {
+    /// That of a shape.
+    #[must_use]
+    pub fn of(shape: &Shape) -> Self {
+        match shape {
+            Shape::Brick { .. } | Shape::Terrain(_) => Self::Box(Bounds::of(shape)),
+            Shape::Polyhedron(solid) => {
+                let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
+                Self::Solid(Polyhedron { vertices, faces }, Bounds::of(shape))
+            }
+        }
+    }
+
+    /// The box around it.
+    #[must_use]
+    pub fn bounds(&self) -> &Bounds {
+        match self {
+            Self::Box(bounds) | Self::Solid(_, bounds) => bounds,
+        }
+    }
+
+    /// Volume, m³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        match self {
+            Self::Box(bounds) => 8.0 * bounds.half.element_product(),
+            Self::Solid(solid, _) => solid.moments().volume,
+        }
+    }
+
+    /// Whether two extents overlap as seen along the first of three axes at right angles.
+    #[must_use]
+    pub fn overlaps_along(&self, other: &Self, [up, b, c]: [Vec3; 3]) -> bool {
+        if let (Self::Box(own), Self::Box(other)) = (self, other) {
+            let apart = own.centre - other.centre;
+            let overlaps =
+                |t: Vec3| t.dot(apart).abs() < (1.0 - TOUCH) * t.abs().dot(own.half + other.half);
+            return overlaps(b) && overlaps(c);
+        }
+        let (own, other) = (
+            self.clone().solid(Vec3::ZERO),
+            other.clone().solid(Vec3::ZERO),
+        );
+        // Their shadows are convex: some edge of one of them parts them if anything does.
+        own.directions()
+            .into_iter()
+            .chain(other.directions())
+            .map(|edge| up.cross(edge))
+            .filter(|across| across.length() > TOUCH)
+            .all(|across| {
+                let ([a, b], [c, d]) = (own.reach(across), other.reach(across));
+                let depth = b.min(d) - a.max(c);
+                depth > 0.5 * TOUCH * (b - a + d - c)
+            })
+    }
+
+    /// As a solid, moved by `shift` (m).
+    #[must_use]
+    pub fn solid(self, shift: Vec3) -> Polyhedron {
+        let mut solid = match self {
+            Self::Box(Bounds { centre, half }) => Polyhedron::brick(centre, half),
+            Self::Solid(solid, _) => solid,
+        };
+        if shift != Vec3::ZERO {
+            solid.vertices.iter_mut().for_each(|v| *v += shift);
+        }
+        solid
+    }
+
+    /// Whether it, with its surface, and the region have a point in common.
+    #[must_use]
+    pub fn touches(&self, region: &Region) -> bool {
+        let (solid, bounds) = match self {
+            Self::Box(bounds) => return bounds.touches(region),
+            Self::Solid(solid, bounds) => (solid, bounds),
+        };
+        let slack = TOUCH * bounds.half.min_element();
+        bounds.touches(region)
+            && match region {
+                Region::Point(p) => solid.distance(*p) <= slack,
+                Region::Line(from, to) => solid.meets_segment(*from, *to, slack),
+                Region::Plane(through, normal) => solid.meets_plane(*through, *normal, slack),
+                Region::Ball(centre, radius) => solid.distance(*centre) <= radius + slack,
+                Region::Box(min, max) => {
+                    let other = Polyhedron::brick(0.5 * (*min + *max), 0.5 * (*max - *min));
+                    solid.meets(&other, slack)
+                }
+                Region::All => true,
+            }
     }
 }
 
@@ -48,7 +150,9 @@ impl Bounds {
         }
     }
 
-    fn around(points: &[Vec3]) -> Self {
+    /// The smallest box around points.
+    #[must_use]
+    pub fn around(points: &[Vec3]) -> Self {
         let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for &p in points {
             min = min.min(p);

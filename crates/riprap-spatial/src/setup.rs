@@ -517,7 +517,7 @@ pub enum Venting {
     },
 }
 
-/// Splitting of blocks 1 to 8 (bricks only). Neighbours never differ by more than one level: the planner splits
+/// Splitting of blocks 1 to 8 (bricks and parallelepipeds). Neighbours never differ by more than one level: the planner splits
 /// more blocks where needed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Refinement {

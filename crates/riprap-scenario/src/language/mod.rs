@@ -108,7 +108,7 @@ pub struct Scenario {
     /// Named sets of blocks by place or by name.
     #[serde(default)]
     pub groups: Table<Group>,
-    /// Splitting of bricks into smaller ones.
+    /// Splitting of bricks and parallelepipeds into eight.
     #[key(space = "spatial")]
     #[serde(default)]
     pub refine: Vec<Refine>,

@@ -155,7 +155,7 @@ pub struct PressureCavity {
     pub delay: Option<Quantity<NotNegativeTime>>,
 }
 
-/// Splits bricks into eight, again and again, around something. Neighbours never differ by more
+/// Splits bricks and parallelepipeds into eight, again and again, around something. Neighbours never differ by more
 /// than one level: more blocks are split where that needs it.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]

@@ -56,24 +56,34 @@ impl Old {
         }
     }
 
-    /// Axis of the normal.
-    pub(super) fn axis(&self) -> u8 {
-        self.class.axis
+    /// Unit normal from i to j.
+    pub(super) fn normal(&self) -> Vec3 {
+        self.class.frame[0]
     }
 
     /// Hands its state to patch `p`, which is a part of it.
     ///
     /// While all points hold, tractions are those of the bilinear field through the old points: force and moment
-    /// stay exactly. Where a point is broken or open, each new point takes state and traction of the nearest old
-    /// point, so that none exceeds its limit.
+    /// stay exactly; where the axes of the part are others, so are the components. Where a point is broken or open,
+    /// each new point takes state and traction of the nearest old point, so that none exceeds its limit.
     pub(super) fn hand_on(&self, world: &mut World, p: usize) {
         let class = world.classes[world.patches.class[p] as usize];
         let i = world.patches.ends[p][0] as usize;
         let shift = world.reference[i] + class.arms[0] - self.centre;
         let [_, b, c] = self.class.frame;
+        let [_, along_b, along_c] = class.frame;
+        let turned = along_b.dot(b).min(along_c.dot(c)) < 1.0 - 1e-9;
+        let own = |[n, s, t]: Traction| match turned {
+            true => [
+                n,
+                s * b.dot(along_b) + t * c.dot(along_b),
+                s * b.dot(along_c) + t * c.dot(along_c),
+            ],
+            false => [n, s, t],
+        };
         let whole = self.flags & (flag::BROKEN | flag::OPEN) == 0;
-        let same = shift.length()
-            < 1e-9 * self.class.half_spacing[0].max(self.class.half_spacing[1])
+        let same = !turned
+            && shift.length() < 1e-9 * self.class.half_spacing[0].max(self.class.half_spacing[1])
             && (class.area - self.class.area).abs() < 1e-9 * class.area;
         let mut flags = self.flags & flag::FINITE;
         let mut new = New::default();
@@ -85,11 +95,11 @@ impl Old {
             ];
             let nearest = if same { q } else { nearest(at) };
             // A law that is not plain is not linear: points go on from where the nearest one was.
-            new.tractions[q] = if whole && !same && self.openings.is_none() {
+            new.tractions[q] = own(if whole && !same && self.openings.is_none() {
                 bilinear(&self.tractions, at)
             } else {
                 self.tractions[nearest]
-            };
+            });
             new.accumulated_slip[q] = self.accumulated_slip[nearest];
             new.wear = [0, 1].map(|k| {
                 let mut wear = new.wear[k];

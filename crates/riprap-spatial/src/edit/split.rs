@@ -8,30 +8,34 @@ use super::error::EditError;
 use super::patches::{self, Old};
 use crate::build::{self, ClassTable};
 use crate::cavity::walls;
+use crate::divisible::Divisible;
 use crate::laws::face_joint::SIGNS;
-use crate::meet::{self, Cell, Free};
-use crate::overlap;
+use crate::overlap::{self, Overlap};
 use crate::patch::turned_inertia;
 use crate::read::view::View;
 use crate::refine;
-use crate::setup::{BoundaryKind, Shape};
+use crate::setup::BoundaryKind;
 use crate::state::cavity::Wall;
 use crate::state::event::{EditEvent, EditKind};
 use crate::state::face::Face;
 use crate::state::interface::Origin;
 use crate::world::{Turned, World};
 
-/// What must stay the same may change by this share: a few roundings.
-const EXACT: f64 = 1e-12;
+/// Least cosine between the normals of a face and of its part.
+const ALIKE: f64 = 0.999;
+/// Farther than this from the centre of a rectangle along an axis, in radii of gyration, lies no point of it (half edges are sqrt(3)).
+const IN_RECTANGLE: f64 = 1.8;
+/// The same for a parallelogram along its principal axes (half diagonals of a rhombus are sqrt(6)).
+const IN_PARALLELOGRAM: f64 = 2.5;
 
 /// All that is needed of the state before.
 pub(super) struct Plan<'a> {
     /// Parents in order; children may be named by their future number.
     splits: &'a [u32],
     /// Number of blocks before.
-    blocks: usize,
-    /// Patches of split blocks.
-    old: BTreeMap<(u32, u32, u8), Old>,
+    pub(super) blocks: usize,
+    /// Patches of split blocks, by the lower and the higher block.
+    old: BTreeMap<[u32; 2], Vec<Old>>,
     /// Average stress of the split blocks in the frame of the start, Pa.
     stress: BTreeMap<u32, Mat3>,
     /// Number of patches of the split blocks.
@@ -62,8 +66,8 @@ impl<'a> Plan<'a> {
             if !ends.iter().any(|b| plan.stress.contains_key(b)) {
                 continue;
             }
-            let old = Old::new(view, p);
-            plan.old.insert((ends[0], ends[1], old.axis()), old);
+            let pair = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            plan.old.entry(pair).or_default().push(Old::new(view, p));
             for b in ends {
                 if let Some(count) = plan.count.get_mut(&b) {
                     *count += 1;
@@ -74,7 +78,7 @@ impl<'a> Plan<'a> {
     }
 
     /// The block that existed before and holds block `b`.
-    fn root(&self, world: &World, b: u32) -> u32 {
+    pub(super) fn root(&self, world: &World, b: u32) -> u32 {
         let mut b = b;
         while b as usize >= self.blocks {
             b = world.lineage[b as usize].parent;
@@ -82,8 +86,21 @@ impl<'a> Plan<'a> {
         b
     }
 
-    fn is_new(&self, b: u32) -> bool {
+    pub(super) fn is_new(&self, b: u32) -> bool {
         b as usize >= self.blocks
+    }
+
+    /// The patch that parts of the blocks `roots` share in an overlap, and whether its blocks stand the other way round there.
+    fn old_of(&self, roots: [u32; 2], overlap: &Overlap) -> Option<(&Old, bool)> {
+        let pair = [roots[0].min(roots[1]), roots[0].max(roots[1])];
+        let same = |old: &Old, back: bool| {
+            let sign = if back { -1.0 } else { 1.0 };
+            let ends = if back { [roots[1], roots[0]] } else { roots };
+            old.ends == ends && sign * old.normal().dot(overlap.frame[0]) > ALIKE
+        };
+        let olds = self.old.get(&pair).into_iter().flatten();
+        olds.flat_map(|old| [(old, false), (old, true)])
+            .find(|(old, back)| same(old, *back))
     }
 }
 
@@ -99,25 +116,24 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         world.alive[parent as usize] = false;
     }
     let tolerance = build::GAP * world.finest();
-    let (cells, charges) = neighbourhood(world, plan);
-    let (shared, free) = meet::meet(&cells, world.setup.periodic, tolerance);
+    let (near, charges) = neighbourhood(world, plan);
+    let (overlaps, free) = overlap::touching(world, &near, tolerance);
     let turned = turned_walls(world);
     forget(world);
     let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
     let mut after: BTreeMap<u32, u32> = BTreeMap::new();
     let mut table = ClassTable::new(world, world.finest());
-    for s in &shared {
-        let blocks = [cells[s.low].block, cells[s.high].block];
+    for overlap in &overlaps {
+        let blocks = overlap.blocks;
         if !blocks.iter().any(|b| plan.is_new(*b)) {
             continue;
         }
-        let overlap = overlap::overlap(&cells, s);
         let owner = |k: usize| charges.get(&blocks[k]).copied();
         if let Some((side, cavity)) = [(1, owner(0)), (0, owner(1))]
             .into_iter()
             .find_map(|(side, owner)| owner.map(|cavity| (side, cavity)))
         {
-            let mut wall = Wall::new(&world.setup, &world.reference, &overlap, side);
+            let mut wall = Wall::new(&world.setup, &world.reference, overlap, side);
             if let Some(parent) = turned.get(&(plan.root(world, wall.block), wall.behind)) {
                 walls::divide(world, &mut wall, parent);
             }
@@ -125,23 +141,21 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             continue;
         }
         let roots = blocks.map(|b| plan.root(world, b));
-        let inside = roots[0] == roots[1] && lies_inside(world, roots[0], &cells[s.low], s.axis);
-        let old = plan.old.get(&(roots[0], roots[1], s.axis as u8));
+        let inside = roots[0] == roots[1] && lies_inside(world, roots[0], overlap);
+        let old = plan.old_of(roots, overlap);
         if !inside && old.is_none() {
             // Neighbours of the start whose joint has given way: the faces of the parts are as bare as those of the parents.
-            for (cell, upward) in [(s.low, true), (s.high, false)] {
-                let side = Free {
-                    cell,
-                    axis: s.axis,
-                    upward,
-                    part: s.part,
-                };
-                lay_bare(world, plan, &parents, overlap::face(&cells, &side))?;
+            for side in [0, 1] {
+                lay_bare(world, plan, &parents, overlap.side(side))?;
             }
             continue;
         }
         let p = world.patches.len();
-        world.add_patch(&mut table, &overlap)?;
+        // What a patch remembers is along its own axes, from its own block i to its block j.
+        match old {
+            Some((_, true)) if !inside => world.add_patch(&mut table, &overlap.reversed())?,
+            _ => world.add_patch(&mut table, overlap)?,
+        }
         for root in if roots[0] == roots[1] {
             &roots[..1]
         } else {
@@ -153,15 +167,14 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             let finite = world.turned[roots[0] as usize].is_some();
             patches::inside(world, p, &plan.stress[&roots[0]], finite);
             world.patches.set_origin(p, Origin::Cut);
-        } else if let Some(old) = old {
+        } else if let Some((old, _)) = old {
             old.hand_on(world, p);
         }
     }
-    for f in &free {
-        let block = cells[f.cell].block;
-        if plan.is_new(block) {
-            let mut face = overlap::face(&cells, f);
-            inherit(world, &mut face, &parents, plan.root(world, block));
+    for mut face in free {
+        if plan.is_new(face.block) {
+            let root = plan.root(world, face.block);
+            inherit(world, &mut face, &parents, root);
             world.faces.push(face);
         }
     }
@@ -188,9 +201,10 @@ fn missing(world: &World, block: u32, area: f64) -> EditError {
 
 /// Appends a child to the lists of the world; it moves with the rigid body that its parent is.
 fn add_child(world: &mut World, parent: usize, child: usize) {
-    let Shape::Brick { centre, .. } = world.setup.blocks[child].shape else {
-        unreachable!("only bricks are split")
+    let Some(shape) = Divisible::of(&world.setup.blocks[child].shape) else {
+        unreachable!("only blocks with eight similar parts are split")
     };
+    let centre = shape.centre();
     let start = centre - world.reference[parent];
     let whole = *world.solid_of(parent);
     let mut part = whole;
@@ -200,7 +214,11 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
     part.inverse = whole.inverse * 32.0;
     part.half = 0.5 * whole.half;
     part.radius = 0.5 * whole.radius;
-    let class = world.solids.iter().position(|s| *s == part);
+    let class = match shape {
+        Divisible::Brick(_) => world.solids.iter().position(|s| *s == part),
+        // The corners of others are alike only up to round-off.
+        Divisible::Leaning(_) => None,
+    };
     let class = class.unwrap_or_else(|| {
         world.solids.push(part);
         world.solids.len() - 1
@@ -238,9 +256,9 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
 }
 
 /// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
-fn neighbourhood(world: &World, plan: &Plan) -> (Vec<Cell>, BTreeMap<u32, usize>) {
+fn neighbourhood(world: &World, plan: &Plan) -> (Vec<u32>, BTreeMap<u32, usize>) {
     let mut near: BTreeSet<u32> = (plan.blocks..world.alive.len()).map(|b| b as u32).collect();
-    near.extend(plan.old.values().flat_map(|old| old.ends));
+    near.extend(plan.old.values().flatten().flat_map(|old| old.ends));
     near.retain(|&b| world.alive[b as usize]);
     let mut charges = BTreeMap::new();
     for (k, cavity) in world.cavities.iter().enumerate() {
@@ -251,15 +269,7 @@ fn neighbourhood(world: &World, plan: &Plan) -> (Vec<Cell>, BTreeMap<u32, usize>
             }
         }
     }
-    let cells = near
-        .iter()
-        .map(|&block| Cell {
-            block,
-            centre: world.reference[block as usize],
-            half: world.solid_of(block as usize).half,
-        })
-        .collect();
-    (cells, charges)
+    (near.into_iter().collect(), charges)
 }
 
 /// Walls of dead blocks that have turned with them, by block and removed block.
@@ -295,12 +305,15 @@ fn take_faces(world: &mut World) -> BTreeMap<u32, Vec<Face>> {
     parents
 }
 
-/// Whether a patch at the upper side of `low` lies inside the block that was split.
-fn lies_inside(world: &World, root: u32, low: &Cell, axis: usize) -> bool {
-    let root = root as usize;
-    let half = world.solid_of(root).half[axis];
-    let plane = low.centre[axis] + low.half[axis] - world.reference[root][axis];
-    plane.abs() < 0.999 * half
+/// Whether an overlap of two parts of a block that was split lies inside it, and not where the block meets itself across a period.
+fn lies_inside(world: &World, root: u32, overlap: &Overlap) -> bool {
+    let n = overlap.frame[0];
+    let height = n.dot(overlap.centre(&world.reference) - world.reference[root as usize]);
+    let reach = match Divisible::of(&world.setup.blocks[root as usize].shape) {
+        Some(whole) => whole.reach(n),
+        None => return false,
+    };
+    height.abs() < ALIKE * reach
 }
 
 /// Adds a face that a neighbour of the start faces, to which no joint of the parent led any more.
@@ -326,16 +339,26 @@ fn lay_bare(
 fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, root: u32) {
     let reference = |b: u32| world.reference[b as usize];
     let centre = reference(face.block) + face.arm;
-    let Some(parent) = parents.get(&root).and_then(|faces| {
-        faces.iter().find(|f| {
-            let [n, b, c] = f.frame;
-            let from = centre - (reference(root) + f.arm);
-            // Half edges are sqrt(3) radii of gyration.
-            n.dot(face.frame[0]) > 0.5
-                && from.dot(b).abs() < 1.8 * f.half_spacing[0]
-                && from.dot(c).abs() < 1.8 * f.half_spacing[1]
-        })
-    }) else {
+    let within = match Divisible::of(&world.setup.blocks[root as usize].shape) {
+        Some(Divisible::Brick(_)) => IN_RECTANGLE,
+        Some(Divisible::Leaning(_)) | None => IN_PARALLELOGRAM,
+    };
+    // How far the centre is from that of a face of the parent, in radii of gyration.
+    let far = |f: &Face| {
+        let [n, b, c] = f.frame;
+        let from = centre - (reference(root) + f.arm);
+        let share = [
+            from.dot(b) / f.half_spacing[0],
+            from.dot(c) / f.half_spacing[1],
+        ];
+        let along = n.dot(face.frame[0]) > ALIKE;
+        along.then(|| share[0].abs().max(share[1].abs()))
+    };
+    let faces = parents.get(&root).into_iter().flatten();
+    let Some((_, parent)) = faces
+        .filter_map(|f| Some((far(f).filter(|far| *far < within)?, f)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+    else {
         return;
     };
     face.parted = parent.parted;
@@ -388,115 +411,4 @@ fn report(world: &mut World, plan: &Plan, after: &BTreeMap<u32, u32>) {
         };
         world.events.push(event);
     }
-}
-
-/// Sums over blocks about one point.
-#[derive(Clone, Copy, Default)]
-struct Sums {
-    mass: f64,
-    momentum: Vec3,
-    spin: Vec3,
-    kinetic: f64,
-}
-
-impl Sums {
-    fn add(&mut self, world: &World, b: usize, about: usize) {
-        let solid = world.solid_of(b);
-        let q = world.turned[b].as_ref().map(|t| t.attitude);
-        let arm = world.reference[b] - world.reference[about];
-        let arm = q.map_or(arm, |q| q * arm);
-        let inertia = q.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
-        let inverse = q.map_or(solid.inverse, |q| turned_inertia(&solid.inverse, q));
-        let own = match &world.turned[b] {
-            Some(turned) => turned.momentum,
-            None => inertia * world.bodies.spin(b),
-        };
-        let v = world.bodies.velocity(b);
-        self.mass += solid.mass;
-        self.momentum += solid.mass * v;
-        self.spin += arm.cross(solid.mass * v) + own;
-        self.kinetic += 0.5 * (solid.mass * v.length_squared() + own.dot(inverse * own));
-    }
-}
-
-/// Checks that the children of each block have its mass, momenta and energy of motion, and that their surface is covered.
-pub(super) fn audit(world: &World, plan: &Plan) -> Result<(), EditError> {
-    let mut parts: BTreeMap<u32, Sums> = BTreeMap::new();
-    for b in plan.blocks..world.alive.len() {
-        if world.alive[b] {
-            let root = plan.root(world, b as u32);
-            parts.entry(root).or_default().add(world, b, root as usize);
-        }
-    }
-    for (&root, after) in &parts {
-        let mut before = Sums::default();
-        before.add(world, root as usize, root as usize);
-        let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();
-        let radius = world.solid_of(root as usize).radius;
-        let check = |what, before: f64, after: f64, scale: f64| {
-            if (after - before).abs() <= EXACT * scale.abs().max(f64::MIN_POSITIVE) {
-                return Ok(());
-            }
-            let block = world.name(root as usize);
-            Err(EditError::Audit {
-                what,
-                block,
-                before,
-                after,
-            })
-        };
-        check("the mass", before.mass, after.mass, before.mass)?;
-        check(
-            "the energy of motion",
-            before.kinetic,
-            after.kinetic,
-            before.kinetic,
-        )?;
-        for k in 0..3 {
-            check("the momentum", before.momentum[k], after.momentum[k], scale)?;
-            let moment = scale * radius;
-            check(
-                "the angular momentum",
-                before.spin[k],
-                after.spin[k],
-                moment,
-            )?;
-        }
-    }
-    surfaces(world, plan)
-}
-
-/// Every face of every new block is covered by patches, walls and free faces.
-fn surfaces(world: &World, plan: &Plan) -> Result<(), EditError> {
-    let mut covered = vec![0.0; world.alive.len() - plan.blocks];
-    let mut cover = |b: u32, area: f64| {
-        if plan.is_new(b) {
-            covered[b as usize - plan.blocks] += area;
-        }
-    };
-    for (ends, class) in world.patches.ends.iter().zip(&world.patches.class) {
-        for &b in ends {
-            cover(b, world.classes[*class as usize].area);
-        }
-    }
-    for face in &world.faces {
-        cover(face.block, face.area);
-    }
-    for wall in world.cavities.iter().flat_map(|c| &c.walls) {
-        cover(wall.block, wall.area);
-    }
-    for (k, &after) in covered.iter().enumerate() {
-        let b = plan.blocks + k;
-        let h = world.solid_of(b).half;
-        let before = 8.0 * (h.x * h.y + h.y * h.z + h.z * h.x);
-        if world.alive[b] && (after - before).abs() > 1e-6 * before {
-            return Err(EditError::Audit {
-                what: "the covered surface",
-                block: world.name(b),
-                before,
-                after,
-            });
-        }
-    }
-    Ok(())
 }

@@ -3,7 +3,8 @@
 use super::*;
 use crate::dynamics::TimeFunction;
 use crate::setup::{
-    BlockName, Boundary, BoundaryKind, CavityPressure, FaceSet, Group, Place, Solid, Source,
+    BlockName, Boundary, BoundaryKind, CavityPressure, FaceSet, Group, Load, LoadKind, Place,
+    Shape, Solid, Source,
 };
 
 /// A lattice of unit cubes (times `edge`) from the origin.

@@ -5,6 +5,7 @@
     reason = "tests may compare with the functions of the platform"
 )]
 
+mod attitude;
 mod bits;
 mod blast;
 mod conserve;

@@ -16,8 +16,10 @@ use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
 use crate::scenario::{Diagnostic, Name, Span};
+use crate::spatial::divisible::Divisible;
+use crate::spatial::region::Bounds;
 use crate::spatial::setup::{
-    CavityPressure, Coupling, Criterion, During, Place, Refinement, Region, Shape, Source, Venting,
+    CavityPressure, Coupling, Criterion, During, Place, Refinement, Region, Source, Venting,
 };
 
 /// Exponent that keeps the force on the wall of the cavity.
@@ -247,7 +249,8 @@ impl Builder<'_> {
                 continue;
             };
             for around in regions {
-                if !self.only_bricks(&around, refine.octree.around.span()) {
+                let span = refine.octree.around.span();
+                if !self.can_be_split(&around, during.is_some(), span) {
                     continue;
                 }
                 self.spatial.refinements.push(Refinement {
@@ -295,8 +298,7 @@ impl Builder<'_> {
                     Place::Blocks { blocks } => blocks
                         .iter()
                         .map(|&b| {
-                            let cell =
-                                super::places::Cell::of(&self.spatial.blocks[b as usize].shape);
+                            let cell = Bounds::of(&self.spatial.blocks[b as usize].shape);
                             Region::Box(cell.centre - cell.half, cell.centre + cell.half)
                         })
                         .collect(),
@@ -326,24 +328,34 @@ impl Builder<'_> {
         Some(vec![region])
     }
 
-    /// Whether all blocks that touch a region can be split, and there are any.
-    fn only_bricks(&mut self, region: &Region, span: &Span) -> bool {
+    /// Whether blocks touch a region and can be split: all of them before a run, some of them during one.
+    fn can_be_split(&mut self, region: &Region, during: bool, span: &Span) -> bool {
         let touched = self.touching(region);
-        let other = touched.iter().copied().find(|&block| {
-            match self.spatial.blocks[block as usize].shape {
-                Shape::Brick { .. } => false,
-                Shape::Polyhedron(_) => true,
-                // Not among those that touch.
-                Shape::Terrain(_) => false,
-            }
-        });
-        if let Some(block) = other {
+        let (blocks, sets) = (&self.spatial.blocks, &self.spatial.deform.sets);
+        let deforms = |b: &u32| sets.iter().any(|set| set.blocks.binary_search(b).is_ok());
+        let stays = |b: &u32| deforms(b) || Divisible::of(&blocks[*b as usize].shape).is_none();
+        let whole: Vec<u32> = touched.iter().copied().filter(|b| stays(b)).collect();
+        if let Some(&block) = whole.first() {
             let name = self.directory.name(block);
-            let message = format!("block `{name}` is a polyhedron and cannot be split into eight");
-            let error = Diagnostic::error("refine.brick", message).at(span.clone());
-            let help = "only bricks along the axes can, so not what `rotate` turned; choose a place that touches such bricks only";
-            self.found.push(error.help(help));
-            return false;
+            let message = match deforms(&block) {
+                true => format!("block `{name}` is deformable: it is cut, not split into eight"),
+                false => format!("block `{name}` cannot be split into eight parts like itself"),
+            };
+            let which = "only rigid blocks with six faces in three parallel pairs can, in any attitude: bricks, also turned by \
+                         `rotate`, and what three sets of joints cut whole";
+            if !during || whole.len() == touched.len() {
+                let error = Diagnostic::error("refine.shape", message).at(span.clone());
+                let help = format!("{which}; choose a place that touches such blocks only");
+                self.found.push(error.help(&help));
+                return false;
+            }
+            let message = format!(
+                "{message}: {} of the {} blocks that touch this place stay whole",
+                whole.len(),
+                touched.len()
+            );
+            let note = Diagnostic::warning("refine.shape", message).at(span.clone());
+            self.found.push(note.help(which));
         }
         if touched.is_empty() {
             let error = Diagnostic::error("refine.nothing", "no block touches this place");

@@ -94,16 +94,54 @@ fn what_cannot_be_turned_says_so() {
         let told = refused(&format!("{BRICK}{rotate}"));
         assert!(told.contains(words), "{told}");
     }
+}
+
+#[test]
+fn what_is_turned_can_be_split() {
     let split = r#"
 rotate = { angle = "5 deg", axis = [0, 0, 1] }
 [[refine]]
 octree = { around = ["1.5 m", "1 m", "1.5 m"], levels = 1 }
 "#;
-    let told = refused(&format!("{BRICK}{split}"));
-    assert!(
-        told.contains("cannot be split") && told.contains("rotate"),
-        "{told}"
-    );
+    let (setup, _) = solid(&format!("{BRICK}{split}"));
+    assert_eq!(setup.refinements.len(), 1);
+}
+
+const CUT: &str = r#"
+[[blocks]]
+name = "rock"
+material = "rock"
+brick = { size = ["6 m", "6 m", "6 m"], corner = ["0 m", "0 m", "0 m"] }
+cut.joint_sets = [
+    { dip = "20 deg", dip_direction = "40 deg", spacing = "1 m" },
+    { dip = "75 deg", dip_direction = "130 deg", spacing = "1.2 m" },
+    { dip = "65 deg", dip_direction = "250 deg", spacing = "1.1 m" },
+]
+"#;
+
+/// What three joint sets cut whole can be split; what the sides cut off cannot: an error before a run, a warning during it.
+#[test]
+fn blocks_of_three_joint_sets_can_be_split() {
+    let refine = |place: &str, during: &str| {
+        format!("{CUT}\n[[refine]]\noctree = {{ around = {place}, levels = 1 }}\n{during}\n")
+    };
+    let middle = r#"["3.1 m", "3.1 m", "3.1 m"]"#;
+    let (setup, model) = solid(&refine(middle, ""));
+    assert_eq!(setup.refinements.len(), 1);
+    assert!(model.warnings.is_empty(), "{:?}", model.warnings);
+    let told = refused(&refine("{ all = {} }", ""));
+    assert!(told.contains("cannot be split into eight"), "{told}");
+    let (setup, model) = solid(&refine("{ all = {} }", r#"during = { broken = 0.5 }"#));
+    assert_eq!(setup.refinements.len(), 1);
+    let told = format!("{:?}", model.warnings);
+    assert!(told.contains("touch this place stay whole"), "{told}");
+}
+
+#[test]
+fn deformable_blocks_are_not_split() {
+    let refine = "[[refine]]\noctree = { around = { all = {} }, levels = 1 }\n";
+    let told = refused(&format!("{BRICK}mechanics.deformable = {{}}\n{refine}"));
+    assert!(told.contains("is deformable"), "{told}");
 }
 
 /// Displacement of every block of a lattice that is held at one corner, under gravity along a direction, m.
