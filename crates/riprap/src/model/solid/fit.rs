@@ -2,11 +2,13 @@
 //!
 //! The charge stays where it is, on a corner of the cells. Where the charge lies below the top of the
 //! grid, its depth is kept exactly: the height of the cells is a whole part of it, and the other two
-//! edges take up the rest. The other sides of the box move to the nearest whole cell.
+//! edges take up the rest. The other sides of the box move to the nearest whole cell. All this is along the axes of the grid,
+//! also where it is turned afterwards.
 
 use riprap_geom::Vec3;
 
 use super::grid::{Lattice, grid_of, said_corner, said_size};
+use super::turn::Turn;
 use super::{global, triple};
 use crate::model::builder::Builder;
 use crate::scenario::Diagnostic;
@@ -76,16 +78,11 @@ impl Builder<'_> {
                 self.error_at("source.fitted", name, message, &help);
                 continue;
             };
-            let charge = Charge {
-                name,
-                centre: global(centre),
-                volume,
-                levels,
-            };
-            let holders: Vec<usize> = (0..scenario.blocks.len())
-                .filter(|&k| holds(&scenario.blocks[k], charge.centre))
+            let at = global(centre);
+            let holders: Vec<(usize, &GridBox)> = (0..scenario.blocks.len())
+                .filter_map(|k| Some((k, holding(&scenario.blocks[k], at)?)))
                 .collect();
-            let [holder] = holders[..] else {
+            let [(holder, grid)] = holders[..] else {
                 let error = Diagnostic::error(
                     "source.fitted",
                     format!(
@@ -93,15 +90,20 @@ impl Builder<'_> {
                     ),
                 );
                 let span = crate::scenario::language::span_of(centre);
-                let help =
-                    "move it into a grid without `rotate`, or write coupling = { scaled = 0.667 }";
+                let help = "move it into a grid, or write coupling = { scaled = 0.667 }";
                 self.found.push(error.at(span).help(help));
                 continue;
             };
             let block = &scenario.blocks[holder];
+            let charge = Charge {
+                name,
+                centre: unturned(block, grid, at),
+                volume,
+                levels,
+            };
             if let Some((lattice, first)) = &fitted[holder] {
                 self.second_charge(&charge, lattice, first);
-            } else if let Some(grid) = grid_of(block) {
+            } else {
                 fitted[holder] = Some((self.fit(block, grid, &charge), name));
             }
         }
@@ -168,11 +170,16 @@ impl Builder<'_> {
         };
         let low = [0, 1, 2].map(|k: usize| cells(below[k], new[k]));
         let high = [0, 1, 2].map(|k: usize| cells(above[k], new[k]));
-        let lattice = Lattice {
+        let mut lattice = Lattice {
             corner: charge.centre - Vec3::from(low) * new,
             cell: new,
             count: [0, 1, 2].map(|k: usize| (low[k] + high[k]).min(f64::from(u32::MAX)) as u32),
         };
+        if let Some(turn) = turn_of(block, grid).filter(|_| turns_about_itself(block)) {
+            // It will be turned about its own centre, which has moved: where the charge is, a corner must come to lie.
+            let own = lattice.corner + 0.5 * lattice.size();
+            lattice.corner += turn.of(own) - own;
+        }
         self.tell(
             block,
             charge,
@@ -238,13 +245,32 @@ fn cells_below(levels: u8) -> f64 {
     libm::exp2(3.0 * f64::from(levels))
 }
 
-/// Whether a point lies in the grid of a table, as given, whose cells can be fitted.
-fn holds(block: &Block, point: Vec3) -> bool {
-    let grid = grid_of(block).filter(|_| block.rotate.is_none());
-    grid.is_some_and(|grid| {
+/// The grid of a table if a point lies in it, as it is given and turned.
+fn holding(block: &Block, point: Vec3) -> Option<&GridBox> {
+    grid_of(block).filter(|grid| {
+        let point = unturned(block, grid, point);
         let corner = said_corner(block, grid);
         let slack = ON_SIDE * Vec3::from(grid.cell.xyz());
         let (low, high) = (corner - slack, corner + said_size(grid) + slack);
         point.cmpge(low).all() && point.cmple(high).all()
     })
+}
+
+/// Where a point of the model lies in the grid of a table before it is turned.
+fn unturned(block: &Block, grid: &GridBox, point: Vec3) -> Vec3 {
+    turn_of(block, grid).map_or(point, |turn| turn.back(point))
+}
+
+/// How the grid of a table, as given, is turned.
+fn turn_of(block: &Block, grid: &GridBox) -> Option<Turn> {
+    let rotate = block.rotate.as_ref()?;
+    let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+    let about = rotate.about.as_ref().map(|at| Vec3::from(at.xyz()) + shift);
+    let about = about.unwrap_or_else(|| said_corner(block, grid) + 0.5 * said_size(grid));
+    Some(Turn::new(rotate, about))
+}
+
+/// Whether a table is turned about its own centroid.
+fn turns_about_itself(block: &Block) -> bool {
+    block.rotate.as_ref().is_some_and(|r| r.about.is_none())
 }

@@ -53,6 +53,11 @@ impl Turn {
         self.about + self.matrix * (point - self.about)
     }
 
+    /// The point that is turned into this one.
+    pub(super) fn back(&self, point: Vec3) -> Vec3 {
+        self.about + self.matrix.transpose() * (point - self.about)
+    }
+
     /// Shapes, and the faces that are named among them.
     pub(super) fn of_all(&self, made: Made) -> Made {
         let shapes = made.shapes.into_iter().map(|shape| self.of_shape(shape));

@@ -144,6 +144,44 @@ fn deformable_blocks_are_not_split() {
     assert!(told.contains("is deformable"), "{told}");
 }
 
+/// The cells of a turned grid fit a charge as those of a straight one, whatever it is turned about.
+#[test]
+fn a_turned_grid_fits_a_charge() {
+    let straight = "centre = [\"2 m\", \"2 m\", \"2 m\"]";
+    let (angle, at, axis) = (0.6_f64, Vec3::new(1.1, 2.3, 1.9), Vec3::new(0.6, 0.0, 0.8));
+    let turn = riprap_geom::Mat3::from_axis_angle(axis, angle);
+    for (about, centre) in [
+        (
+            r#", about = ["1 m", "0 m", "0 m"]"#,
+            Vec3::X + turn * (at - Vec3::X),
+        ),
+        ("", Vec3::splat(2.0) + turn * (at - Vec3::splat(2.0))),
+    ] {
+        let charge = CHARGE.replace(
+            straight,
+            &format!(
+                "centre = [\"{:?} m\", \"{:?} m\", \"{:?} m\"]",
+                centre.x, centre.y, centre.z
+            ),
+        );
+        let rotate =
+            format!(r#"rotate = {{ angle = "{angle:?} rad", axis = [0.6, 0, 0.8]{about} }}"#);
+        let refine = "[[refine]]\noctree = { around = \"charge\" }\n";
+        let (setup, model) = solid(&format!("{GRID}{rotate}\n{charge}\n{refine}"));
+        let fitted = &model.summary.charges[0];
+        assert_eq!(fitted.blocks, 8, "{about}");
+        assert!((fitted.ratio.unwrap() - 1.0).abs() < 1e-12, "{fitted:?}");
+        let (world, _) = crate::spatial::world::World::new(setup, Exec::new(1).unwrap()).unwrap();
+        let cavity = &world.cavities[0];
+        assert_eq!(
+            (cavity.blocks.len(), cavity.walls.len()),
+            (8, 24),
+            "{about}"
+        );
+        assert!((cavity.volume_ratio() - 1.0).abs() < 1e-9);
+    }
+}
+
 /// Displacement of every block of a lattice that is held at one corner, under gravity along a direction, m.
 fn swung(rotate: &str, gravity: Vec3) -> Vec<Vec3> {
     let text = format!(
