@@ -1,5 +1,7 @@
 //! Rules of blocks and their shapes.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::Rules;
 use crate::language::{
     Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, span_of,
@@ -331,6 +333,15 @@ impl Rules {
                 let message = "a joint set in space needs `dip_direction`".to_owned();
                 let help = "write for example dip_direction = \"90 deg\": dipping to the east (x)";
                 self.error("key.missing", &set.dip.span, message, help);
+            }
+            if self.space == InSpace::Spatial
+                && self.values_sound
+                && !(0.0..=FRAC_PI_2).contains(&set.dip.si())
+            {
+                let message = format!("the dip of a plane cannot be \"{}\"", set.dip.raw);
+                let help = "a dip is from 0 deg (flat) to 90 deg (vertical); a plane that dips to the other side has the \
+                            opposite `dip_direction`";
+                self.error("value.range", &set.dip.span, message, help);
             }
             let partial = set.persistence.as_ref().filter(|share| share.si() < 1.0);
             if let (Some(share), None) = (partial, &set.trace_length) {

@@ -17,7 +17,7 @@ use toml::de::DeTable;
 
 use super::diagnostic::{Diagnostic, list};
 use super::language::{Output, Scenario, Space, Target};
-use super::quantity::{Kind, Name, Quantity, Span};
+use super::quantity::{Density, Kind, Name, Quantity, Span};
 use super::references;
 use super::units::Dim;
 use super::vectors::InSpace;
@@ -44,6 +44,9 @@ pub(super) fn check(
     references::check(scenario, root, &mut rules.found);
     rules.found
 }
+
+/// Lightest solid that a block may be made of without a word, kg/m3.
+const LIGHTEST: f64 = 20.0;
 
 struct Rules {
     found: Vec<Diagnostic>,
@@ -121,6 +124,9 @@ impl Rules {
                     .help("add [materials.rock] with density = \"2600 kg/m3\""),
             );
         }
+        for (name, material) in scenario.materials.iter() {
+            self.density(name.as_str(), &material.density);
+        }
         if scenario.blocks.is_empty() {
             let shape = match self.space {
                 InSpace::Planar => "rectangle",
@@ -195,6 +201,20 @@ impl Rules {
         }
         for check in &scenario.checks {
             self.check(check);
+        }
+    }
+
+    /// A number in other units reads as a density that no solid has.
+    fn density(&mut self, name: &str, density: &Quantity<Density>) {
+        let given = density.si();
+        if self.values_sound && given < LIGHTEST {
+            let message = format!(
+                "`{name}` has a density of \"{}\", less than any rock, brick or foam",
+                density.raw
+            );
+            let warning = Diagnostic::warning("value.unlikely", message).at(density.span.clone());
+            let help = "rock has 2000 to 3000 kg/m3; a density in g/cm3 is written with that unit";
+            self.found.push(warning.help(help));
         }
     }
 

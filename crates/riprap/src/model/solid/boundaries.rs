@@ -52,7 +52,7 @@ impl Builder<'_> {
 
     pub(super) fn boundaries(&mut self) {
         let in_situ = self.parsed.scenario.in_situ.is_some();
-        for (number, said) in (1..).zip(&self.parsed.scenario.boundaries) {
+        for (number, said) in self.parsed.scenario.boundaries.iter().enumerate() {
             let (Some(on), Some((kind, held))) =
                 (self.faces(&said.on), self.boundary_kind(said, number))
             else {
@@ -213,7 +213,7 @@ impl Builder<'_> {
     }
 }
 
-/// Name for messages.
+/// Name for messages; its number in the file, as in `--set boundaries.0...`, where nothing else tells it.
 fn boundary_name(said: &language::Boundary, number: usize) -> String {
     let on = &said.on;
     if let Some(name) = &said.name {
@@ -224,7 +224,7 @@ fn boundary_name(said: &language::Boundary, number: usize) -> String {
     match (&on.plane, names.next()) {
         (Some(WordOr::Word(word, _)), _) => side(*word).2.to_owned(),
         (_, Some(name)) => name.text.clone(),
-        (Some(WordOr::Table(..)) | None, None) => format!("boundary {number}"),
+        (Some(WordOr::Table(..)) | None, None) => number.to_string(),
     }
 }
 
