@@ -22,6 +22,17 @@ pub fn csv_columns(path: &Path, names: &[&str]) -> Result<Columns, CsvError> {
     read_columns(&text, names).map_err(|error| error.of(path))
 }
 
+/// A column that names its unit: `delay_ms` or `delay [ms]` is the column `delay` in ms.
+#[derive(Clone, Copy, Debug)]
+pub struct Column<'a> {
+    /// Names that a file may give it, the usual one first. Capitals, spaces and underscores make no difference.
+    pub names: &'a [&'a str],
+    /// What it measures.
+    pub dim: Dim,
+    /// Unit of a column that names none; `None` refuses such a column.
+    pub bare: Option<&'a str>,
+}
+
 /// Reads columns that are named with their unit: `delay_ms` or `delay [ms]` is the column `delay`, in s.
 /// The answer has one entry for each needed column and one for each optional one, SI values; those of the
 /// needed ones are always there.
@@ -34,59 +45,109 @@ pub fn csv_quantities(
     optional: &[(&str, Dim)],
 ) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
     let text = read_text(path)?;
-    read_quantities(&text, needed, optional).map_err(|error| error.of(path))
+    let all = || needed.iter().chain(optional);
+    let names: Vec<[&str; 1]> = all().map(|(name, _)| [*name]).collect();
+    let columns = all().zip(&names).map(|((_, dim), names)| Column {
+        names,
+        dim: *dim,
+        bare: None,
+    });
+    let columns: Vec<Column> = columns.collect();
+    let found = read_table(&text, &columns).and_then(|found| {
+        match found[..needed.len()].iter().position(Option::is_none) {
+            Some(missing) => Err(missing_column(&text, needed[missing].0)),
+            None => Ok(found),
+        }
+    });
+    found.map_err(|error| error.of(path))
 }
 
-/// The columns of a text; see [`csv_quantities`].
-fn read_quantities(
-    text: &str,
-    needed: &[(&str, Dim)],
-    optional: &[(&str, Dim)],
-) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
+/// Reads those of the columns that are there, SI values.
+///
+/// # Errors
+/// As [`csv_quantities`], but for columns that are missing.
+pub fn csv_table(path: &Path, columns: &[Column]) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
+    let text = read_text(path)?;
+    read_table(&text, columns).map_err(|error| error.of(path))
+}
+
+/// The columns of a text; see [`csv_table`].
+fn read_table(text: &str, columns: &[Column]) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
     let header = header_of(text)?;
-    let mut out = Vec::new();
-    let all = needed.iter().map(|one| (one, true));
-    for (&(name, dim), must) in all.chain(optional.iter().map(|one| (one, false))) {
-        let Some((column, factor)) = header.iter().find_map(|cell| {
-            let rest = cell.strip_prefix(name)?;
-            let unit = rest
-                .strip_prefix('_')
-                .or_else(|| rest.trim_start().strip_prefix('[')?.strip_suffix(']'))
-                .or(rest.is_empty().then_some(""))?;
-            Some((cell, units::parse(&format!("1 {}", unit.replace('_', "/")))))
-        }) else {
-            if must {
-                let known: Vec<&str> = header.iter().map(String::as_str).collect();
-                return Err(CsvError {
-                    message: format!("there is no column `{name}` with its unit behind it"),
-                    help: suggest(name, known),
-                });
+    let mut out = Vec::with_capacity(columns.len());
+    for column in columns {
+        out.push(match find(&header, column)? {
+            Some((cell, factor)) => {
+                let values = read_columns(text, &[cell])?.swap_remove(0);
+                Some(values.into_iter().map(|v| v * factor).collect())
             }
-            out.push(None);
-            continue;
-        };
-        let factor = match factor {
-            Ok((factor, found)) if found == dim => factor,
-            Ok((_, found)) => {
-                return Err(CsvError {
-                    message: format!("the column `{column}` is {}", found.describe()),
-                    help: Some(format!(
-                        "{} is expected, with its unit behind an underscore",
-                        dim.describe()
-                    )),
-                });
-            }
-            Err(error) => {
-                return Err(CsvError {
-                    message: format!("the column `{column}`: {}", error.message),
-                    help: error.help,
-                });
-            }
-        };
-        let values = read_columns(text, &[column])?.swap_remove(0);
-        out.push(Some(values.into_iter().map(|v| v * factor).collect()));
+            None => None,
+        });
     }
     Ok(out)
+}
+
+/// The cell of the header that names the column, and the factor of its unit.
+fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<(&'h str, f64)>, CsvError> {
+    let mut refused = None;
+    for cell in header {
+        for (name, unit) in name_and_unit(cell) {
+            let alike = |known: &&str| plain(known) == plain(name);
+            if !column.names.iter().any(alike) {
+                continue;
+            }
+            let unit = match column.bare {
+                Some(bare) if unit.is_empty() => bare,
+                _ => unit,
+            };
+            match units::parse(&format!("1 {}", unit.replace('_', "/"))) {
+                Ok((factor, dim)) if dim == column.dim => return Ok(Some((cell, factor))),
+                Ok((_, dim)) => {
+                    refused.get_or_insert_with(|| CsvError {
+                        message: format!("the column `{cell}` is {}", dim.describe()),
+                        help: Some(format!(
+                            "{} is expected, with its unit behind an underscore",
+                            column.dim.describe()
+                        )),
+                    });
+                }
+                Err(error) => {
+                    refused.get_or_insert_with(|| CsvError {
+                        message: format!("the column `{cell}`: {}", error.message),
+                        help: error.help,
+                    });
+                }
+            }
+        }
+    }
+    refused.map_or(Ok(None), Err)
+}
+
+/// Ways to read a cell of the header as a name and a unit, the longest name first.
+fn name_and_unit(cell: &str) -> Vec<(&str, &str)> {
+    for [open, close] in [['[', ']'], ['(', ')']] {
+        if let Some((name, unit)) = cell.strip_suffix(close).and_then(|c| c.split_once(open)) {
+            return vec![(name.trim_end(), unit)];
+        }
+    }
+    let ends = cell.rmatch_indices('_');
+    let parts = ends.map(|(at, _)| (&cell[..at], &cell[at + 1..]));
+    std::iter::once((cell, "")).chain(parts).collect()
+}
+
+/// A name without what makes no difference.
+fn plain(name: &str) -> String {
+    let kept = name.chars().filter(|c| !matches!(c, ' ' | '_' | '-'));
+    kept.flat_map(char::to_lowercase).collect()
+}
+
+fn missing_column(text: &str, name: &str) -> CsvError {
+    let header = header_of(text).unwrap_or_default();
+    let known: Vec<&str> = header.iter().map(String::as_str).collect();
+    CsvError {
+        message: format!("there is no column `{name}` with its unit behind it"),
+        help: suggest(name, known),
+    }
 }
 
 /// The names of the columns.
@@ -270,6 +331,33 @@ mod tests {
         );
         assert!(error("t_s,a\n1\n").contains("line 2"));
         assert!(error("t_s,a\n\"1,2\n").contains("line 2"));
+    }
+
+    #[test]
+    fn a_column_has_several_names_and_says_its_unit_in_several_ways() {
+        let dip = |bare| Column {
+            names: &["dip"],
+            dim: Dim::ANGLE,
+            bare,
+        };
+        let direction = Column {
+            names: &["dip_direction", "dip_azimuth"],
+            dim: Dim::ANGLE,
+            bare: Some("deg"),
+        };
+        let right = Some(vec![std::f64::consts::FRAC_PI_2]);
+        for text in [
+            "dip_direction_deg,dip_deg\n90,90\n",
+            "DipDirection[deg],Dip [deg]\n90,90\n",
+            "Dip Azimuth (deg), Dip (deg)\n90,90\n",
+            "dip_direction,dip\n90,90\n",
+        ] {
+            let found = read_table(text, &[dip(Some("deg")), direction]).unwrap();
+            assert_eq!(found, [right.clone(), right.clone()], "{text}");
+        }
+        let refused = read_table("dip\n90\n", &[dip(None)]).unwrap_err();
+        assert!(refused.message.contains("the column `dip`"), "{refused}");
+        assert_eq!(read_table("a\n1\n", &[direction]).unwrap(), [None]);
     }
 
     #[test]

@@ -149,6 +149,9 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
             text.push_str(&format!("  splitting  {}\n", all.join(", ")));
         }
     }
+    for joints in &s.joints {
+        text.push_str(&format!("  joints     {joints}\n"));
+    }
     for terrain in &s.terrain {
         text.push_str(&format!("  terrain    {terrain}\n"));
     }

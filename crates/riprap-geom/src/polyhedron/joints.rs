@@ -48,6 +48,10 @@ pub struct Divided {
     pub parents: Vec<u32>,
     /// Cuts that were not made, because a part would have been too thin.
     pub spared: usize,
+    /// Area of all cuts that were made, m².
+    pub area: f64,
+    /// The part of it that lies within the disks of joints that have an end, or on joints without one, m².
+    pub within: f64,
 }
 
 /// Upward unit normal of a plane by its dip (below the horizontal) and dip direction (clockwise from y), rad.
@@ -132,6 +136,8 @@ pub fn divide(
         parents: (0..solids.len() as u32).collect(),
         solids,
         spared: 0,
+        area: 0.0,
+        within: 0.0,
     };
     for joint in joints {
         let offset = joint.normal.dot(joint.at);
@@ -144,7 +150,14 @@ pub fn divide(
             match halves(&divided.solids[k], joint, offset, thinnest) {
                 Halves::Beside => {}
                 Halves::Thin => divided.spared += 1,
-                Halves::Cut(below, above) => {
+                Halves::Cut {
+                    below,
+                    above,
+                    area,
+                    within,
+                } => {
+                    divided.area += area;
+                    divided.within += within;
                     if divided.solids.len() >= MAX_BLOCKS {
                         return Err(GeomError::TooMany {
                             what: "blocks",
@@ -174,8 +187,13 @@ enum Halves {
     Beside,
     /// It would cut off too little.
     Thin,
-    /// Below and above it.
-    Cut(Polyhedron, Polyhedron),
+    /// Parts below and above it, area of the cut and of what of it the joint covers, m².
+    Cut {
+        below: Polyhedron,
+        above: Polyhedron,
+        area: f64,
+        within: f64,
+    },
 }
 
 fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halves {
@@ -203,7 +221,47 @@ fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halv
     if below.min(above) < thinnest {
         return Halves::Thin;
     }
-    Halves::Cut(low, high)
+    let area = area(&section, joint);
+    Halves::Cut {
+        below: low,
+        above: high,
+        area,
+        within: joint.radius.map_or(area, |r| covered(&section, joint, r)),
+    }
+}
+
+/// Area of a polygon in the plane of a joint that runs anticlockwise about its normal, m².
+fn area(section: &[Vec3], joint: &Joint) -> f64 {
+    let next = section.iter().cycle().skip(1);
+    let cross = section
+        .iter()
+        .zip(next)
+        .map(|(a, b)| (*a - joint.at).cross(*b - joint.at));
+    0.5 * cross.sum::<Vec3>().dot(joint.normal)
+}
+
+/// Area of the part of such a polygon that lies in a disk about the centre of the joint, m²: for each edge the triangle with the
+/// centre, or a sector where the edge runs outside of the circle.
+fn covered(section: &[Vec3], joint: &Joint, radius: f64) -> f64 {
+    let square = radius * radius;
+    let cross = |a: Vec3, b: Vec3| a.cross(b).dot(joint.normal);
+    let sector = |a: Vec3, b: Vec3| 0.5 * square * libm::atan2(cross(a, b), a.dot(b));
+    let mut sum = 0.0;
+    for (k, &from) in section.iter().enumerate() {
+        let a = from - joint.at;
+        let b = section[(k + 1) % section.len()] - joint.at;
+        let way = b - a;
+        // Shares of the edge at which it enters and leaves the circle: |a + t way| = radius.
+        let (half, length) = (-a.dot(way) / way.length_squared(), way.length_squared());
+        let root = half * half - (a.length_squared() - square) / length;
+        let [enter, leave] = match root > 0.0 {
+            true => [half - root.sqrt(), half + root.sqrt()].map(|t| t.clamp(0.0, 1.0)),
+            false => [0.0, 0.0],
+        };
+        let [p, q] = [enter, leave].map(|t| a + t * way);
+        sum += sector(a, p) + 0.5 * cross(p, q) + sector(q, b);
+    }
+    sum
 }
 
 /// Distance of the centre of a disk from a convex polygon in its plane that runs anticlockwise about its normal, m.
@@ -322,6 +380,33 @@ mod tests {
         assert_eq!(count(&[beside(0.21)]), 2);
         // Faces of the cube are no cuts.
         assert_eq!(count(&[plane(0.0), plane(1.0), plane(-3.0)]), 1);
+    }
+
+    #[test]
+    fn the_area_of_cuts_is_told_with_what_disks_cover_of_it() {
+        let disk = |x: f64, radius: f64| Joint {
+            normal: Vec3::Z,
+            at: Vec3::new(x, 0.5, 0.5),
+            radius: Some(radius),
+        };
+        let areas = |joint: Joint| {
+            let divided = divide(cube(), &[joint], 0.0).unwrap();
+            [divided.area, divided.within]
+        };
+        let circle = |radius: f64| std::f64::consts::PI * radius * radius;
+        // Inside of the section, half of it, a corner more than the whole section, and a segment of 0.3 from the centre.
+        let segment = 0.16 * (0.75_f64.acos()) - 0.3 * 0.07_f64.sqrt();
+        for (joint, within) in [
+            (disk(0.5, 0.3), circle(0.3)),
+            (disk(0.0, 0.3), 0.5 * circle(0.3)),
+            (disk(0.5, 2.0), 1.0),
+            (disk(0.7, 0.4), circle(0.4) - segment),
+            (disk(-0.3, 0.4), segment),
+        ] {
+            let [area, found] = areas(joint);
+            assert!((area - 1.0).abs() < 1e-14, "{area}");
+            assert!((found - within).abs() < 1e-13, "{found} {within}");
+        }
     }
 
     #[test]

@@ -51,8 +51,8 @@ pub struct JointSet {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointPlanes {
-    /// Path of a CSV file, with a joint in each row: columns `x_m`, `y_m`, `z_m`, `dip_deg`,
-    /// `dip_direction_deg` and, if wanted, `radius_m`. Without a radius (or with 0) a joint is a plane that cuts every
-    /// block. With one it is a disk: it cuts the blocks that it touches, and those all through.
+    /// Path of a CSV file, a joint in each row: columns `x_m`, `y_m`, `z_m`, `dip_deg`, `dip_direction_deg` and, if wanted,
+    /// `radius_m`; others: `coming-from-3dec.md`. Without a radius (or with 0) a joint is a plane that cuts every block, with
+    /// one a disk that cuts the blocks that it touches, all through.
     pub csv: Name,
 }

@@ -2,13 +2,14 @@
 
 use riprap_geom::polyhedron::joints::{Divided, Joint, PlaneSet, divide, normal_of_dip, planes};
 use riprap_geom::{GeomError, Vec3};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::boundaries::has_face;
 use super::global;
 use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
-use crate::scenario::csv_columns::csv_quantities;
+use crate::scenario::csv_columns::{Column, csv_table};
 use crate::scenario::language::{Block, Cut};
 use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
@@ -16,6 +17,36 @@ use crate::scenario::{Diagnostic, Name};
 
 /// Most joints one by one.
 const MOST_JOINTS: usize = 20_000;
+
+/// Columns of a list of joints; what programs that make networks of fractures write without a unit is in m and degrees.
+const COLUMNS: [Column; 10] = [
+    length(&["x", "center_x", "centre_x", "x_center", "x_centre"]),
+    length(&["y", "center_y", "centre_y", "y_center", "y_centre"]),
+    length(&["z", "center_z", "centre_z", "z_center", "z_centre"]),
+    length(&["radius", "equiv_radius", "equivalent_radius"]),
+    length(&["diameter"]),
+    angle(&["dip"]),
+    angle(&["dip_direction", "dip_dir", "dip_azimuth"]),
+    angle(&["strike"]),
+    angle(&["trend", "pole_trend"]),
+    angle(&["plunge", "pole_plunge"]),
+];
+
+const fn length(names: &'static [&'static str]) -> Column<'static> {
+    Column {
+        names,
+        dim: Dim::LENGTH,
+        bare: Some("m"),
+    }
+}
+
+const fn angle(names: &'static [&'static str]) -> Column<'static> {
+    Column {
+        names,
+        dim: Dim::ANGLE,
+        bare: Some("deg"),
+    }
+}
 
 impl Builder<'_> {
     /// What joints make of the blocks of a table. `shift` brings coordinates of the file to the blocks. `None` after an
@@ -67,6 +98,7 @@ impl Builder<'_> {
                     divided.spared
                 );
                 let count = divided.solids.len().to_string();
+                self.note_intensity(block, &divided);
                 self.explain(format!("{key}.blocks"), count, Provenance::Derived, &why);
                 Some(handed_on(made, divided))
             }
@@ -82,17 +114,24 @@ impl Builder<'_> {
         }
     }
 
+    /// Tells the area of joints per volume (P32), measured on the cuts that were made.
+    fn note_intensity(&mut self, block: &Block, divided: &Divided) {
+        let volume: f64 = divided.solids.iter().map(|s| s.moments().volume).sum();
+        let [all, within] = [divided.area, divided.within].map(|area| area / volume);
+        let mut words = format!("{}: P32 {within:.3} m2/m3 by joints", block.name);
+        if all - within > 1e-9 * all {
+            let beyond = all - within;
+            words.push_str(&format!(
+                ", and {beyond:.3} where joints that end in a block were carried on to its faces"
+            ));
+        }
+        self.summary.joints.push(words);
+    }
+
     /// Joints one by one in local coordinates; `None` after an error.
     fn joints_of_csv(&mut self, file: &Name, shift: Vec3) -> Option<Vec<Joint>> {
         let path = self.parsed.folder.join(file.as_str());
-        let needed = [
-            ("x", Dim::LENGTH),
-            ("y", Dim::LENGTH),
-            ("z", Dim::LENGTH),
-            ("dip", Dim::ANGLE),
-            ("dip_direction", Dim::ANGLE),
-        ];
-        let columns = match csv_quantities(&path, &needed, &[("radius", Dim::LENGTH)]) {
+        let columns = match csv_table(&path, &COLUMNS) {
             Ok(columns) => columns,
             Err(error) => {
                 let mut found = Diagnostic::error("file.csv", error.message);
@@ -101,11 +140,45 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let of = |column: usize, row: usize| {
-            let column = columns.get(column).and_then(Option::as_ref);
-            column.and_then(|c| c.get(row).copied())
+        let [
+            x,
+            y,
+            z,
+            radius,
+            diameter,
+            dip,
+            direction,
+            strike,
+            trend,
+            plunge,
+        ] = &columns[..]
+        else {
+            return None;
         };
-        let count = columns.first().and_then(Option::as_ref).map_or(0, Vec::len);
+        let shifted = |angles: &[f64], by: f64| angles.iter().map(|a| a + by).collect();
+        // Strike has the dip to its right; the pole points down.
+        let (dips, directions): (Vec<f64>, Vec<f64>) = match [dip, direction, strike, trend, plunge]
+        {
+            [Some(dip), Some(direction), ..] => (dip.clone(), direction.clone()),
+            [Some(dip), _, Some(strike), ..] => (dip.clone(), shifted(strike, FRAC_PI_2)),
+            [.., Some(trend), Some(plunge)] => {
+                let dips = plunge.iter().map(|p| FRAC_PI_2 - p).collect();
+                (dips, shifted(trend, PI))
+            }
+            _ => {
+                let message = format!("`{file}` does not say how its joints lie");
+                let help = "give columns dip_deg and dip_direction_deg; or dip_deg and strike_deg (the dip is to its right); or \
+                            trend_deg and plunge_deg of the pole";
+                self.error_at("file.csv", file, message, help);
+                return None;
+            }
+        };
+        let (Some(x), Some(y), Some(z)) = (x, y, z) else {
+            let message = format!("`{file}` does not say where its joints are");
+            self.error_at("file.csv", file, message, "give columns x_m, y_m and z_m");
+            return None;
+        };
+        let count = x.len();
         if count > MOST_JOINTS {
             let message = format!("`{file}` has {count} joints");
             let help =
@@ -115,17 +188,29 @@ impl Builder<'_> {
         }
         let mut joints = Vec::with_capacity(count);
         for row in 0..count {
-            let number = |column: usize| of(column, row).unwrap_or(0.0);
-            let radius = of(5, row).filter(|radius| *radius != 0.0);
-            if radius.is_some_and(|radius| radius < 0.0) {
-                let message = format!("`{file}`: joint {} has a negative radius", row + 1);
-                self.error_at("file.csv", file, message, "0 or no radius is a plane");
+            let given = match (radius, diameter) {
+                (Some(radius), _) => radius[row],
+                (None, Some(diameter)) => 0.5 * diameter[row],
+                (None, None) => 0.0,
+            };
+            let (dip, direction) = (dips[row], directions[row]);
+            let wrong = match (given < 0.0, (0.0..=FRAC_PI_2).contains(&dip)) {
+                (true, _) => Some(("has a negative radius", "0 or no radius is a plane")),
+                (_, false) => Some((
+                    "has a dip that no plane has",
+                    "a dip is from 0 deg (flat) to 90 deg (vertical)",
+                )),
+                _ => None,
+            };
+            if let Some((what, help)) = wrong {
+                let message = format!("`{file}`: joint {} {what}", row + 1);
+                self.error_at("file.csv", file, message, help);
                 return None;
             }
             joints.push(Joint {
-                normal: normal_of_dip(number(3), number(4)),
-                at: Vec3::new(number(0), number(1), number(2)) + shift,
-                radius,
+                normal: normal_of_dip(dip, direction),
+                at: Vec3::new(x[row], y[row], z[row]) + shift,
+                radius: Some(given).filter(|radius| *radius > 0.0),
             });
         }
         Some(joints)

@@ -163,6 +163,15 @@ fn joints_cut_blocks_in_space() {
     // A plane that dips at 45 deg to the east through the middle, and a small disk across it.
     let (setup, _) = spatial(&format!("{brick}cut.joints.csv = \"shapes/joints.csv\"\n"));
     assert_eq!(setup.blocks.len(), 3);
+    // As other programs write them: strike, poles, diameters, other units.
+    for file in ["joints_strike", "joints_pole"] {
+        let (other, _) = spatial(&format!("{brick}cut.joints.csv = \"shapes/{file}.csv\"\n"));
+        assert_eq!(other.blocks.len(), 3, "{file}");
+        for (a, b) in setup.blocks.iter().zip(&other.blocks) {
+            let (a, b) = (volume_of(&a.shape), volume_of(&b.shape));
+            assert!((a - b).abs() < 1e-9, "{file}: {a} {b}");
+        }
+    }
     let (setup, _) = spatial(&format!(
         "{brick}cut = {{ joints.csv = \"shapes/joints.csv\", smallest_edge = \"5 m\" }}\n"
     ));
@@ -174,8 +183,10 @@ fn joints_cut_blocks_in_space() {
     refused(of("cut = {}\n"), "is cut by no joints");
     refused(
         of("cut.joints.csv = \"../scenarios/good/traces.csv\"\n"),
-        "there is no column `x`",
+        "does not say how its joints lie",
     );
+    let flat = "cut.joints.csv = \"shapes/joints_flat.csv\"\n";
+    refused(of(flat), "does not say how its joints lie");
     let partial = "cut.joint_sets = [{ dip = \"30 deg\", dip_direction = \"0 deg\", spacing = \"1 m\", persistence = 0.5 }]\n";
     refused(of(partial), "is a key of [space.planar]");
     let fine =
