@@ -185,6 +185,11 @@ fn the_first_rockfall_works() {
     keep(&folder, &["fall-section.svg", "fall-runout.svg"]);
 }
 
+#[test]
+fn the_first_water_works() {
+    run_page("first-water.md");
+}
+
 /// Pictures that a page's commands made are those that it shows.
 fn keep(folder: &TempDir, pictures: &[&str]) {
     for picture in pictures {
