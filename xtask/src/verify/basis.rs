@@ -9,12 +9,13 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 3] = [
+const SCOPES: [(&str, Concerns); 4] = [
     ("In the plane:", |scene| !in_space(scene)),
     ("In space:", in_space),
     ("Found contact in space:", |scene| {
         in_space(scene) && !scene.contains("found_contacts = false")
     }),
+    ("Seepage:", |scene| scene.contains("seepage")),
 ];
 
 fn in_space(scene: &str) -> bool {
@@ -130,10 +131,10 @@ mod tests {
 
     #[test]
     fn an_entry_can_concern_some_scenes_only() {
-        let text =
-            "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- d\n";
+        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Seepage: d\n- e\n";
         let space = "[space.spatial]\n";
         assert_eq!(numerics(text, "[space.planar]"), 2);
+        assert_eq!(numerics(text, "[space.planar]\nwater.seepage = {}"), 3);
         assert_eq!(numerics(text, space), 3);
         assert_eq!(numerics(text, &format!("{space}found_contacts = false")), 2);
     }
