@@ -2,6 +2,9 @@
 //!
 //! It is a function of the blocks as they were built, of which of them are there, and of the water table: where blocks have moved to
 //! since does not matter.
+//!
+//! What blocks that were taken out leave open is drained: a seepage face, whatever the table says. Water comes out where it can and never goes in, and
+//! nothing presses on it; so it is no [`OpenFace`].
 
 use std::collections::BTreeMap;
 
@@ -101,10 +104,13 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
         size: SAME * smallest,
     };
     let mut out = Seepage::default();
-    // Covered stretches of each edge, from its start, m.
+    // Stretches of each edge, from its start (m), that another block covers, and that one covered which was taken out.
     let mut covered: Vec<Vec<[f64; 2]>> = vec![Vec::new(); shapes.edges.len()];
+    let mut bared = covered.clone();
     for (i, j) in neighbours(setup, alive) {
         let (a, b) = (i as usize, j as usize);
+        let is_joint = alive[a] && alive[b];
+        let stretches = if is_joint { &mut covered } else { &mut bared };
         let tolerance = SAME * shapes.radius[a].min(shapes.radius[b]);
         for (ka, ea) in shapes.range(a).zip(shapes.of(a)) {
             for (kb, eb) in shapes.range(b).zip(shapes.of(b)) {
@@ -120,8 +126,11 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
                 if high - low <= tolerance {
                     continue;
                 }
-                covered[ka].push([low, high]);
-                covered[kb].push([begins - high, begins - low]);
+                stretches[ka].push([low, high]);
+                stretches[kb].push([begins - high, begins - low]);
+                if !is_joint {
+                    continue;
+                }
                 let whole = Stretch {
                     from: start_a + low * along,
                     to: start_a + high * along,
@@ -138,11 +147,18 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
             }
         }
     }
+    let mut seeps = Vec::new();
     for b in (0..shapes.len()).filter(|b| alive[*b]) {
         for (k, edge) in shapes.range(b).zip(shapes.of(b)) {
             let start = edge.start + shapes.centroid[b];
             let along = edge.normal.perp();
-            for [low, high] in gaps(&mut covered[k], edge.length, SAME * shapes.radius[b]) {
+            let tolerance = SAME * shapes.radius[b];
+            for [low, high] in &bared[k] {
+                seeps.extend([low, high].map(|s| nodes.at(start + *s * along)));
+            }
+            // Bare stretches are none of the open faces below.
+            covered[k].append(&mut bared[k]);
+            for [low, high] in gaps(&mut covered[k], edge.length, tolerance) {
                 let whole = Stretch {
                     from: start + low * along,
                     to: start + high * along,
@@ -171,11 +187,11 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
         }
     }
     out.nodes = nodes.list;
-    hold(&mut out, table, nodes.size);
+    hold(&mut out, &seeps, table, nodes.size);
     out
 }
 
-/// Pairs of living blocks whose boxes touch at the start.
+/// Pairs of blocks whose boxes touch at the start, one of them living at least.
 fn neighbours(setup: &Setup, alive: &[bool]) -> Vec<(u32, u32)> {
     let padded = |vertices: &[Vec2]| {
         let tight = Aabb::of(vertices);
@@ -188,7 +204,7 @@ fn neighbours(setup: &Setup, alive: &[bool]) -> Vec<(u32, u32)> {
     let boxes = setup.blocks.iter().map(|b| padded(&b.vertices));
     let boxes: Vec<Aabb> = boxes.collect();
     let mut pairs = touching_boxes(&boxes, usize::MAX).unwrap_or_default();
-    pairs.retain(|(i, j)| alive[*i as usize] && alive[*j as usize]);
+    pairs.retain(|(i, j)| alive[*i as usize] || alive[*j as usize]);
     pairs
 }
 
@@ -209,8 +225,12 @@ fn gaps(covered: &mut [[f64; 2]], length: f64, tolerance: f64) -> Vec<[f64; 2]> 
     gaps
 }
 
-/// Heads on open faces below the table, outlets above it and at drains.
-fn hold(out: &mut Seepage, table: &WaterTable, size: f64) {
+/// Heads on open faces below the table, outlets above it, on faces that were bared (`seeps`) and at drains.
+fn hold(out: &mut Seepage, seeps: &[u32], table: &WaterTable, size: f64) {
+    for n in seeps {
+        let node = &mut out.nodes[*n as usize];
+        node.edge = Edge::Outlet(node.place.y);
+    }
     for face in &out.faces {
         for n in face.nodes {
             let node = &mut out.nodes[n as usize];
