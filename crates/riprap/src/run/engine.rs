@@ -140,7 +140,7 @@ impl Spatial {
 }
 
 /// A stable time step.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stable {
     /// Longest stable step, s; infinite when nothing can touch.
     pub dt: f64,

@@ -79,11 +79,12 @@ impl Simulation {
             cursor,
             state,
         } = snapshot;
+        let engine = Engine::resume(state, exec);
         Self {
+            stable: cursor.stable.map(|stable| (engine.revision(), stable)),
             plan,
             cursor,
-            engine: Engine::resume(state, exec),
-            stable: None,
+            engine,
             dt: 0.0,
             standing: false,
             residual: None,
@@ -199,6 +200,7 @@ impl Simulation {
             _ => {
                 let found = self.engine.stable(stiffness_damping);
                 self.stable = Some((self.engine.revision(), found));
+                self.cursor.stable = Some(found);
                 found
             }
         }
@@ -382,6 +384,7 @@ impl Simulation {
         self.cursor.phase += 1;
         self.reason = None;
         self.stable = None;
+        self.cursor.stable = None;
         self.cursor.entered = false;
     }
 

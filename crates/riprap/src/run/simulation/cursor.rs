@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::plan::Plan;
-use crate::run::engine::View;
-use crate::run::engine::{State, StateRef};
+use crate::run::engine::{Stable, State, StateRef, View};
 
 /// Where in the plan a run is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -35,6 +34,9 @@ pub struct Cursor {
     pub crossed: f64,
     /// The largest overlap over the smaller inscribed radius at the start of the run.
     pub overlap_at_start: f64,
+    /// The stable step that was last looked for: joints that have given way since do not lengthen it, so that a run that is stopped
+    /// goes on with the same.
+    pub stable: Option<Stable>,
 }
 
 /// Two blocks that lay deep in each other.
