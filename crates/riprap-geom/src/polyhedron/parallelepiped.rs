@@ -27,12 +27,13 @@ impl Parallelepiped {
             return None;
         }
         let centre = vertices.iter().sum::<Vec3>() / 8.0;
-        let near = SKEW
-            * 2.0
-            * vertices
-                .iter()
-                .map(|v| v.distance(centre))
-                .fold(0.0, f64::max);
+        let most = |length: fn(Vec3, Vec3) -> f64| {
+            let lengths = vertices.iter().map(|v| length(*v, centre));
+            lengths.fold(0.0, f64::max)
+        };
+        // Far from the origin, corners are rounded by more than that share of a small block.
+        let rounded = 16.0 * f64::EPSILON * most(|v, _| v.abs().max_element());
+        let near = 2.0 * SKEW * most(Vec3::distance) + rounded;
         let middle = |face: &Vec<u32>| -> Vec3 {
             let corners = face.iter().map(|&v| vertices[v as usize] - centre);
             corners.sum::<Vec3>() / 4.0
@@ -160,6 +161,21 @@ mod tests {
         let found = Parallelepiped::of(&solid.vertices, &solid.faces).unwrap();
         assert!((found.volume() - LEANING.volume()).abs() < 1e-14);
         assert_eq!(found.solid().validate(), Ok(()));
+    }
+
+    /// Parts of parts are known again, however small they are and far away.
+    #[test]
+    fn small_parts_far_away_are_known_again() {
+        let mut part = Parallelepiped {
+            centre: Vec3::new(1e4, -2e4, 7e3),
+            ..LEANING
+        };
+        for level in 0..20 {
+            part = part.octant(level % 8);
+            let solid = part.solid();
+            let found = Parallelepiped::of(&solid.vertices, &solid.faces);
+            assert!(found.is_some(), "level {level}");
+        }
     }
 
     #[test]
