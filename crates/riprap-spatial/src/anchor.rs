@@ -2,7 +2,7 @@
 //!
 //! An anchor is a linear map B from the freedoms of its block to a point. A point of a rigid block has the velocity `v + w x r` and
 //! hands a force on as force and moment; a point of a deformable block has the weighted mean of the velocities of up to three nodes
-//! and shares a force among them with the same weights. Therefore `f . (B q) = (B^T f) . q`, and what acts through anchors
+//! and shares a force among them with the same weights, a point in its inside that of the four of a tetrahedron. Therefore `f . (B q) = (B^T f) . q`, and what acts through anchors
 //! does the same work on the point as on the freedoms.
 
 use riprap_geom::Vec3;
@@ -63,6 +63,49 @@ impl Anchor {
             Self::Block { .. } => 0,
         };
         nodes.into_iter().zip(weights).take(count)
+    }
+}
+
+/// A point in the inside of a block.
+///
+/// Points of facets, which are many, need three nodes; this one has room for the four of a tetrahedron.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Inside {
+    /// Of a rigid block.
+    Block {
+        /// Its index.
+        block: u32,
+        /// From its centroid to the point at the start, m.
+        arm: Vec3,
+    },
+    /// Of a deformable block.
+    Tetrahedron {
+        /// Nodes of the tetrahedron that holds the point.
+        nodes: [u32; 4],
+        /// Their weights; they sum to one.
+        weights: [f64; 4],
+    },
+}
+
+impl Inside {
+    /// Its nodes with their weights; none in a rigid block.
+    #[inline]
+    pub fn nodes(&self) -> impl Iterator<Item = (u32, f64)> + use<> {
+        let (nodes, weights, count) = match *self {
+            Self::Tetrahedron { nodes, weights } => (nodes, weights, 4),
+            Self::Block { .. } => ([0; 4], [0.0; 4], 0),
+        };
+        nodes.into_iter().zip(weights).take(count)
+    }
+
+    /// Whether it lies in a deformable block.
+    #[inline]
+    #[must_use]
+    pub fn deforms(&self) -> bool {
+        match self {
+            Self::Tetrahedron { .. } => true,
+            Self::Block { .. } => false,
+        }
     }
 }
 
@@ -150,6 +193,34 @@ impl<'a> Freedoms<'a> {
         self.velocity(b) - self.velocity(a)
     }
 
+    /// Displacement of a point in the inside of a block, m.
+    #[inline]
+    #[must_use]
+    pub fn moved(&self, inside: &Inside) -> Vec3 {
+        match *inside {
+            Inside::Block { block, arm } => self.displacement(&Anchor::Block { block, arm }),
+            Inside::Tetrahedron { nodes, weights } => {
+                let u = nodes.map(|n| self.displacement[n as usize]);
+                Vec3::from_array([0, 1, 2].map(|k| {
+                    let term = |n: usize| weights[n] * u[n][k];
+                    term(0) + term(1) + term(2) + term(3)
+                }))
+            }
+        }
+    }
+
+    /// Adds a force (N) on a point in the inside of a block to what pushes its freedoms.
+    pub fn push_inside(&self, to: &mut Account, inside: &Inside, force: Vec3) {
+        match *inside {
+            Inside::Block { block, arm } => self.push(to, &Anchor::Block { block, arm }, force),
+            Inside::Tetrahedron { .. } => {
+                for (node, weight) in inside.nodes() {
+                    to.on_node(node, weight * force);
+                }
+            }
+        }
+    }
+
     /// Adds a force (N) on a point to what pushes its freedoms.
     pub fn push(&self, to: &mut Account, anchor: &Anchor, force: Vec3) {
         match anchor {
@@ -232,6 +303,41 @@ mod tests {
             let expected = f.dot(freedoms.velocity(&anchor));
             assert!((power - expected).abs() < 1e-14 * (1.0 + expected.abs()));
         }
+    }
+
+    #[test]
+    fn a_force_in_a_tetrahedron_does_the_work_of_its_nodes() {
+        let (bodies, turned, nodes) = moving();
+        let freedoms = Freedoms {
+            bodies: &bodies,
+            turned: &turned,
+            displacement: &nodes,
+            velocity: &nodes,
+        };
+        let inside = Inside::Tetrahedron {
+            nodes: [5, 0, 3, 2],
+            weights: [0.1, 0.4, 0.3, 0.2],
+        };
+        let mut to = Account {
+            blocks: Vec::new(),
+            nodes: vec![[0.0; 3]; 6],
+        };
+        let force = Vec3::new(2.0, -7.0, 1.0);
+        freedoms.push_inside(&mut to, &inside, force);
+        let each = to.nodes.iter().zip(&nodes);
+        let work: f64 = each
+            .map(|(f, u)| Vec3::from_array(*f).dot(Vec3::from_array(*u)))
+            .sum();
+        assert!((work - force.dot(freedoms.moved(&inside))).abs() < 1e-14);
+        let sum: Vec3 = to.nodes.iter().map(|f| Vec3::from_array(*f)).sum();
+        assert!((sum - force).length() < 1e-14);
+        // In a rigid block it is the point of an anchor.
+        let arm = Vec3::new(0.7, 0.2, -0.4);
+        let (inside, anchor) = (
+            Inside::Block { block: 1, arm },
+            Anchor::Block { block: 1, arm },
+        );
+        assert_eq!(freedoms.moved(&inside), freedoms.displacement(&anchor));
     }
 
     #[test]

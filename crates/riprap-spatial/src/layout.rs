@@ -1,5 +1,7 @@
 //! Lays out what a step works with: pieces of the model, constants of classes, room for sums.
 
+use super::bolts;
+use super::deform::relax;
 use super::setup::JointLaw;
 use super::state::push::Pushes;
 use super::state::scratch::{Lost, Partial, Scratch};
@@ -115,6 +117,9 @@ impl Scratch {
         let deform = world.deform.as_deref();
         self.deform =
             deform.map(|d| Box::new(Workspace::grown(&world.setup, d, kinds, &self.exec)));
+        if let Some(work) = self.deform.as_mut().filter(|w| !w.fictitious.is_empty()) {
+            relax::add(&mut work.fictitious, &bolts::stiffness::row_sums(world));
+        }
         self.rebuilds += 1;
     }
 

@@ -12,6 +12,7 @@ mod tests;
 
 use riprap_geom::Vec3;
 
+use super::bolts;
 use super::deform;
 use super::state::scratch::Scratch;
 use super::world::World;
@@ -55,18 +56,22 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
     if square == 0.0 {
         return rigid;
     }
-    let square = square + deform::stable::on_bonds(world, deform);
+    let (bolts, on) = bolts::stiffness::on_masses(world, &work.masses);
+    let (block, why) = match on {
+        Some(node) if bolts > square => {
+            let body = deform.bodies.partition_point(|b| b.first <= node) - 1;
+            (Some(deform.bodies[body].block), "nodes against bolts")
+        }
+        _ => (block, "nodes against their bonds and tetrahedra"),
+    };
+    let square = square + deform::stable::on_bonds(world, deform) + bolts;
     // The largest eigenvalue of a sum is at most the sum of the largest ones.
     let own = 2.0 / rigid.dt;
     let dt = 2.0 / (square + own * own).sqrt();
     if 2.0 / square.sqrt() > rigid.dt {
         return Stable { dt, ..rigid };
     }
-    Stable {
-        dt,
-        block,
-        why: "nodes against their bonds and tetrahedra",
-    }
+    Stable { dt, block, why }
 }
 
 /// Shortens the step of the rigid blocks by the stiffness of the water: what floats has it over the area that the table cuts, at

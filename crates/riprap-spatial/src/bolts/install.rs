@@ -2,8 +2,9 @@
 
 use riprap_geom::{Quat, Vec3};
 
+use super::inside::Star;
 use super::place::span;
-use crate::anchor::Anchor;
+use crate::anchor::Inside;
 use crate::laws::bolt::lay;
 use crate::laws::bolt::place::{self, Misplaced};
 use crate::setup::Bolt as Spec;
@@ -43,12 +44,19 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
     let range = place::range(length);
     let middle = 0.5 * (spec.head + spec.toe);
     let mut spans = Vec::new();
+    let mut stars: Vec<(u32, Star)> = Vec::new();
     for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
+        if let Some(star) = Star::now(world, b, [spec.head, spec.toe]) {
+            let found = star.spans(spec.head, axis, range);
+            spans.extend(found.into_iter().map(|span| (span, b as u32)));
+            stars.push((b as u32, star));
+            continue;
+        }
         let (shift, back) = pose(world, b);
         let centre = world.reference[b] + shift;
         let reach = world.solid_of(b).radius + 0.51 * length;
-        // Small displacements of deformable blocks are within the slack.
-        if !world.is_terrain(b) && (middle - centre).length_squared() <= reach * reach {
+        let rigid = !world.deforms(b) && !world.is_terrain(b);
+        if rigid && (middle - centre).length_squared() <= reach * reach {
             let from = world.reference[b] + back * (spec.head - centre);
             let shape = &world.setup.blocks[b].shape;
             let span = span(shape, from, back * axis, range);
@@ -61,18 +69,21 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
         spec.design.grouted,
         spec.design.plate.is_some(),
     )?;
-    if spans.iter().any(|(_, b)| world.deforms(*b as usize)) {
-        return Err(Misplaced::Deformable);
-    }
     let lengths: Vec<[f64; 2]> = spans.iter().map(|s| s.0).collect();
     let laid = lay(&spec.design, length, &lengths);
     let pin = |along: f64, span: usize| {
         let block = spans[span].1;
-        pin(world, block, spec.head + along * axis, along)
+        let star = stars.binary_search_by_key(&block, |s| s.0);
+        let star = star.ok().map(|k| &stars[k].1);
+        pin(world, (block, star), spec.head + along * axis, along)
     };
     let nodes = laid.along.iter().zip(&laid.span);
     let pins: Vec<Pin> = nodes.map(|(along, span)| pin(*along, *span)).collect();
-    let dowels = laid.joints.iter().map(|&(bar, along)| Dowel {
+    let block = |node: usize| spans[laid.span[node]].1;
+    let joints = laid.joints.iter();
+    // Where a line meets a bent block twice there is no joint between.
+    let joints = joints.filter(|(bar, _)| block(*bar) != block(bar + 1));
+    let dowels = joints.map(|&(bar, along)| Dowel {
         bar: bar as u32,
         sides: [bar, bar + 1].map(|node| pin(along, laid.span[node])),
         slip: Vec3::ZERO,
@@ -107,17 +118,22 @@ fn pose(world: &World, b: usize) -> (Vec3, Quat) {
     )
 }
 
-/// The point of a block that lies at a place now.
-fn pin(world: &World, block: u32, place: Vec3, along: f64) -> Pin {
-    let b = block as usize;
-    let (shift, back) = pose(world, b);
-    let arm = back * (place - world.reference[b] - shift);
-    let anchor = Anchor::Block { block, arm };
+/// The point of a block that lies at a place now; `star` is the shape of one that deforms.
+fn pin(world: &World, (block, star): (u32, Option<&Star>), place: Vec3, along: f64) -> Pin {
+    let anchor = match star.and_then(|star| star.point(place)) {
+        Some((inside, _)) => inside,
+        None => {
+            let b = block as usize;
+            let (shift, back) = pose(world, b);
+            let arm = back * (place - world.reference[b] - shift);
+            Inside::Block { block, arm }
+        }
+    };
     Pin {
         block,
         anchor,
         along,
         place,
-        base: world.all_freedoms().displacement(&anchor),
+        base: world.all_freedoms().moved(&anchor),
     }
 }

@@ -3,9 +3,10 @@
 //! A bolt is a chain without masses ([`crate::laws::bolt`]) between points of the rock. In each evaluation the points part or close along
 //! the bars, the chain finds its equilibrium, and every bar pulls the points at its ends together along the line between them. So
 //! momentum and angular momentum are kept whatever the chain does, and a block that turns with its bolt strains nothing. Bars within one rigid
-//! block push nothing. Stored energy is read from the chain; what yields, slips and breaks is booked here.
+//! block push nothing. A point of a deformable block hangs on the tetrahedron that holds it ([`inside`]). Stored energy is read from the chain; what yields, slips and breaks is booked here.
 
 pub mod follow;
+pub mod inside;
 pub mod install;
 pub mod place;
 pub mod stiffness;
@@ -74,18 +75,22 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     let pushes = &mut scratch.pushes.own;
     pushes.need_blocks(world.alive.len());
+    let soft = |bolt: &Bolt| bolt.points().any(|pin| pin.anchor.deforms());
+    if pushes.nodes.is_empty() && bolts.iter().any(soft) {
+        pushes.need_nodes(freedoms.displacement.len());
+    }
     for bolt in &*bolts {
         for k in (0..bolt.chain.bars.len()).filter(|k| bolt.stretches(*k)) {
             let (from, to) = (&bolt.pins[k], &bolt.pins[k + 1]);
             let (now, _) = chord(from, to, &freedoms);
             let pull = bolt.chain.force[k] / now.length() * now;
-            freedoms.push(pushes, &from.anchor, pull);
-            freedoms.push(pushes, &to.anchor, -pull);
+            freedoms.push_inside(pushes, &from.anchor, pull);
+            freedoms.push_inside(pushes, &to.anchor, -pull);
         }
         for dowel in &bolt.dowels {
             let [behind, ahead] = &dowel.sides;
-            freedoms.push(pushes, &behind.anchor, dowel.force);
-            freedoms.push(pushes, &ahead.anchor, -dowel.force);
+            freedoms.push_inside(pushes, &behind.anchor, dowel.force);
+            freedoms.push_inside(pushes, &ahead.anchor, -dowel.force);
         }
     }
     if changes {

@@ -1,5 +1,7 @@
 //! Bolts between rigid blocks: momentum, turning, the stable step, bits.
 
+mod deformable;
+
 use riprap_geom::{Quat, Vec3};
 
 use super::follow::follow;

@@ -27,6 +27,7 @@ use riprap_geom::Vec3;
 
 use super::fracture::LOOK;
 use super::stable;
+use crate::bolts;
 use crate::cavity;
 use crate::edit::error::EditError;
 use crate::laws::fracture::FractureMode;
@@ -227,6 +228,7 @@ fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, Edi
     super::build::hold_anew(world, &mut deform);
     world.deform = Some(deform);
     cavity::walls::renew(world, &walls);
+    bolts::follow::follow(world);
     Ok(made)
 }
 

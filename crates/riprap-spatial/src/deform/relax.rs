@@ -120,6 +120,13 @@ pub fn masses(deform: &Deform, kinds: &[BlockClass]) -> Vec<f64> {
     sums
 }
 
+/// Adds to fictitious masses what further row sums of the stiffness (N/m) need, by node.
+pub fn add(masses: &mut [f64], row_sums: &[f64]) {
+    for (mass, sum) in masses.iter_mut().zip(row_sums) {
+        *mass += MARGIN / 4.0 * sum;
+    }
+}
+
 /// Row sums `sum_j |K_ij|` of the stiffness of blocks and bonds, the largest component of each node, N/m; those of bonds times `share`.
 #[must_use]
 pub fn row_sums(deform: &Deform, kinds: &[BlockClass], share: f64) -> Vec<f64> {

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use crate::anchor::{Anchor, Freedoms};
+use crate::anchor::{Freedoms, Inside};
 use crate::laws::bolt::Chain;
 
 /// A bolt in the rock.
@@ -32,8 +32,8 @@ pub struct Bolt {
 pub struct Pin {
     /// The block.
     pub block: u32,
-    /// Where on it.
-    pub anchor: Anchor,
+    /// Where in it.
+    pub anchor: Inside,
     /// Distance from the head, m.
     pub along: f64,
     /// Place when the bolt was installed, m.
@@ -60,7 +60,7 @@ impl Pin {
     #[inline]
     #[must_use]
     pub fn moved(&self, freedoms: &Freedoms) -> Vec3 {
-        freedoms.displacement(&self.anchor) - self.base
+        freedoms.moved(&self.anchor) - self.base
     }
 }
 
@@ -89,15 +89,21 @@ impl Bolt {
         self.chain.stored() + sheared
     }
 
-    /// Whether the rock at the ends of bar `k` can move apart: it lies in two blocks.
+    /// Whether the rock at the ends of bar `k` can move apart: it lies in two blocks, or in one that deforms.
     #[must_use]
     pub fn stretches(&self, k: usize) -> bool {
-        self.pins[k].block != self.pins[k + 1].block
+        self.pins[k].block != self.pins[k + 1].block || self.pins[k].anchor.deforms()
+    }
+
+    /// All points of the rock that it holds on to, those of its dowels last.
+    pub fn points(&self) -> impl Iterator<Item = &Pin> {
+        self.pins
+            .iter()
+            .chain(self.dowels.iter().flat_map(|d| &d.sides))
     }
 
     /// Blocks that it holds on to, with repeats.
     pub fn blocks(&self) -> impl Iterator<Item = u32> + '_ {
-        let dowels = self.dowels.iter().flat_map(|d| &d.sides);
-        self.pins.iter().chain(dowels).map(|pin| pin.block)
+        self.points().map(|pin| pin.block)
     }
 }

@@ -251,19 +251,14 @@ impl Builder<'_> {
         let here = |(_, b): &([f64; 2], u32)| !gone[*b as usize];
         let spans = solids.chain(polygons).filter(here).collect();
         let plate = design.plate.is_some();
-        let sets = &self.spatial.deform.sets;
-        let deforms = |b: u32| sets.iter().any(|s| s.blocks.binary_search(&b).is_ok());
-        let reason = match place::order(spans, length, design.grouted, plate) {
-            Ok(spans) if spans.iter().any(|(_, b)| deforms(*b)) => Misplaced::Deformable,
-            Ok(_) => return,
-            Err(reason) => reason,
+        let Err(reason) = place::order(spans, length, design.grouted, plate) else {
+            return;
         };
         let help = match reason {
             Misplaced::Outside => "check its ends and their units",
             Misplaced::Head { .. } => "begin it on the face of the rock",
             Misplaced::Buried => "begin it on the face of the rock, or leave out `plate`",
             Misplaced::Toe { .. } => "end it in the rock",
-            Misplaced::Deformable => "make the blocks around it rigid",
             Misplaced::NoGrout => "make the grouted length larger, or the bolt longer",
         };
         let message = format!("the bolt `{name}`: {reason}");

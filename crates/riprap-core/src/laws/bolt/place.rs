@@ -21,9 +21,6 @@ pub enum Misplaced {
         /// Distance from the rock, m.
         gap: f64,
     },
-    /// Deformable blocks.
-    #[error("it passes through deformable blocks, and bolts hold in rigid ones only")]
-    Deformable,
     /// All grout is off the rock.
     #[error("no part of its grouted length lies in rock")]
     NoGrout,
