@@ -4,6 +4,7 @@
 //! its box) times a named tolerance.
 
 pub mod cut;
+pub mod glued;
 mod hull;
 pub mod joints;
 mod mass;
@@ -14,6 +15,7 @@ mod tetrahedra;
 mod touch;
 mod voronoi;
 
+pub use glued::GluedError;
 pub use hull::hull;
 pub use mass::{Moments, principal};
 pub use parallelepiped::Parallelepiped;
