@@ -19,7 +19,7 @@ use super::deform;
 use super::overlap::{self, Overlap};
 use super::refine;
 use super::region::Bounds;
-use super::setup::{Motion, Setup, Shape};
+use super::setup::{Motion, Setup, Shape, Solid};
 use super::state::cavity::{Cavity, Wall};
 use super::state::face::Face;
 use super::state::found::{FoundContacts, OnTerrain};
@@ -40,6 +40,7 @@ impl World {
     /// A block without volume, a stiffness without modulus, a boundary without faces, a source without blocks.
     pub fn new(setup: Setup, exec: Exec) -> Result<(Self, Scratch), BuildError> {
         let mut setup = setup;
+        contacts::glued::check(&setup, |b| refine::name(&setup, &[], b))?;
         let lineage = refine::before_run(&mut setup)?;
         let n = setup.blocks.len();
         let mut alive = vec![true; n];
@@ -121,7 +122,7 @@ impl World {
                 Shape::Brick { half, .. } => {
                     Some([half.x, half.y, half.z, density].map(f64::to_bits))
                 }
-                Shape::Polyhedron(_) | Shape::Terrain(_) => None,
+                Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => None,
             };
             let index = key.and_then(|k| known.get(&k).copied());
             let index = index.unwrap_or_else(|| {
@@ -257,6 +258,28 @@ impl World {
     }
 }
 
+/// Centroid and mass properties of what a closed surface bounds.
+fn of_surface(body: &Polyhedron, density: f64) -> (Vec3, SolidClass) {
+    let moments = body.moments();
+    let inertia = density * moments.inertia;
+    let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
+    for corner in &body.vertices {
+        let arm = *corner - moments.centroid;
+        half = half.max(arm.abs());
+        radius = radius.max(arm.length());
+    }
+    let class = SolidClass {
+        mass: density * moments.volume,
+        volume: moments.volume,
+        inertia,
+        inverse: inertia.inverse(),
+        half,
+        radius,
+        diagonal: false,
+    };
+    (moments.centroid, class)
+}
+
 /// Centroid and mass properties of a shape.
 fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
     match shape {
@@ -285,29 +308,16 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
             Ok((*centre, class))
         }
         Shape::Polyhedron(solid) => {
-            let body = Polyhedron {
-                vertices: solid.vertices.clone(),
-                faces: solid.faces.clone(),
-            };
+            let body = solid.polyhedron();
             body.validate().map_err(|e| e.to_string())?;
-            let moments = body.moments();
-            let inertia = density * moments.inertia;
-            let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
-            for corner in &body.vertices {
-                let arm = *corner - moments.centroid;
-                half = half.max(arm.abs());
-                radius = radius.max(arm.length());
+            Ok(of_surface(&body, density))
+        }
+        // Integrals over glued faces cancel.
+        Shape::Glued(parts) => {
+            for part in parts {
+                part.polyhedron().validate().map_err(|e| e.to_string())?;
             }
-            let class = SolidClass {
-                mass: density * moments.volume,
-                volume: moments.volume,
-                inertia,
-                inverse: inertia.inverse(),
-                half,
-                radius,
-                diagonal: false,
-            };
-            Ok((moments.centroid, class))
+            Ok(of_surface(&Solid::all(parts).polyhedron(), density))
         }
         Shape::Terrain(surface) => {
             let bounds = Bounds::of(shape);

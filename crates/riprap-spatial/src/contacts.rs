@@ -6,18 +6,20 @@
 //! motion is prescribed never act on each other.
 
 use riprap_geom::Vec3;
-use riprap_geom::polyhedron::Polyhedron;
+use riprap_geom::polyhedron::{Polyhedron, hull};
 
 mod acting;
 mod felt;
 mod give_way;
+pub(crate) mod glued;
 mod held;
 mod limit;
 mod outlook;
 pub(crate) mod terrain;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Constants, Desk, Slot, Workspace};
+use super::found::desk::{Acting, Constants, Desk, Facing, Slot, Workspace};
+use super::found::glued::Glued;
 use super::found::offset::{Carried, Offset};
 use super::found::{Blocks, ContactLaw, Pose, Role, Shape};
 use super::patch;
@@ -246,7 +248,9 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
         if std::mem::replace(&mut seen[world.solid[b] as usize], true) {
             continue;
         }
-        if let Err(reason) = shape_of(&spec.shape, world.reference[b]) {
+        let shape = shape_of(&spec.shape, world.reference[b]);
+        let parts = glued_of(&spec.shape, world.reference[b]);
+        if let Err(reason) = shape.and(parts) {
             let block = world.name(b);
             return Err(BuildError::Shape { block, reason });
         }
@@ -267,6 +271,11 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
 /// What is wrong with it, in words.
 pub(crate) fn shape_of(shape: &setup::Shape, centre: Vec3) -> Result<Shape, String> {
     match shape {
+        // What is searched for, and where steps count faces: the convex hull.
+        setup::Shape::Glued(parts) => {
+            let hull = hull(&setup::Solid::all(parts).vertices).map_err(|e| e.to_string())?;
+            Shape::new(&hull, centre)
+        }
         setup::Shape::Brick { half, .. } => Shape::brick(*half),
         setup::Shape::Polyhedron(solid) => {
             let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
@@ -275,6 +284,19 @@ pub(crate) fn shape_of(shape: &setup::Shape, centre: Vec3) -> Result<Shape, Stri
         setup::Shape::Terrain(_) => Shape::brick(Vec3::ONE),
     }
     .map_err(|error| error.to_string())
+}
+
+/// A block of glued parts by its terms about its centroid at the start; `None` for all others.
+///
+/// # Errors
+/// What is wrong with the parts, in words.
+pub(crate) fn glued_of(shape: &setup::Shape, centre: Vec3) -> Result<Option<Glued>, String> {
+    let setup::Shape::Glued(parts) = shape else {
+        return Ok(None);
+    };
+    let parts: Vec<Polyhedron> = parts.iter().map(setup::Solid::polyhedron).collect();
+    let glued = Glued::new(&parts, centre).map_err(|error| error.to_string())?;
+    Ok(Some(glued))
 }
 
 /// Makes the shapes of the mass classes that have none yet. A class whose blocks take no part, or whose shape is refused (a block
@@ -295,6 +317,14 @@ fn make_shapes(world: &World, desk: &mut Desk) {
             block.and_then(|b| shape_of(&world.setup.blocks[b].shape, world.reference[b]).ok());
         desk.shapes
             .push(shape.unwrap_or_else(|| Shape::brick(Vec3::ONE).unwrap_or_default()));
+    }
+    if (0..world.alive.len()).any(|b| world.is_glued(b)) {
+        let of_class = |(block, shape): (&Option<usize>, &Shape)| {
+            let parts = |b: usize| glued_of(&world.setup.blocks[b].shape, world.reference[b]);
+            let glued = block.and_then(|b| parts(b).ok().flatten());
+            glued.unwrap_or_else(|| Glued::convex(shape))
+        };
+        desk.glued = chosen.iter().zip(&desk.shapes).map(of_class).collect();
     }
 }
 
@@ -363,11 +393,18 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     world.works.friction += lost;
     world.works.edit_defect -= joints;
     let pairs = &world.found.pairs;
-    let (lists, shapes) = (&desk.candidates.lists, &desk.shapes);
+    let (lists, shapes, glued) = (&desk.candidates.lists, &desk.shapes, &desk.glued);
     let candidates = &desk.candidates.pairs;
     let of_run = |run: std::ops::Range<usize>| -> Vec<Constants> {
         (candidates[run].iter())
-            .map(|c| constants(world, shapes, [c.i, c.j], c.faces(lists)))
+            .map(|c| {
+                let plain = constants(world, shapes, [c.i, c.j], c.faces(lists));
+                if world.is_glued(c.i as usize) || world.is_glued(c.j as usize) {
+                    constants_of_glued(world, (shapes, glued), [c.i, c.j], plain)
+                } else {
+                    plain
+                }
+            })
             .collect()
     };
     let runs = scratch.exec.chunked(candidates.len(), of_run);
@@ -442,6 +479,33 @@ fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]
             },
         ),
         largest: limit::largest_area(shape, faces),
+        glued: None,
+    }
+}
+
+/// The same for a pair with a block of glued parts, from what its hull says.
+fn constants_of_glued(
+    world: &World,
+    (shapes, glued): (&[Shape], &[Glued]),
+    ends: [u32; 2],
+    plain: Constants,
+) -> Constants {
+    let search = &world.found.search;
+    let poses = ends.map(|b| search.pose[b as usize]);
+    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
+    let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
+    let law = law(&world.setup, ends, of.map(|glued| glued.inradius));
+    let with_square = |found: Facing| {
+        let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
+        found.with_square(eases, poses, &law)
+    };
+    Constants {
+        law,
+        inradius: of[0].inradius.min(of[1].inradius),
+        facing: glued::facing(of, poses, margin, with_square),
+        largest: of[0].largest.min(of[1].largest),
+        glued: Some(of[0].half_surface.min(of[1].half_surface)),
+        ..plain
     }
 }
 

@@ -27,7 +27,7 @@ impl Divisible {
             Shape::Polyhedron(solid) => {
                 Parallelepiped::of(&solid.vertices, &solid.faces).map(Self::Leaning)
             }
-            Shape::Terrain(_) => None,
+            Shape::Terrain(_) | Shape::Glued(_) => None,
         }
     }
 

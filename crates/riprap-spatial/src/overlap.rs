@@ -74,6 +74,16 @@ fn plain(block: u32, frame: [Vec3; 3], arm: Vec3, area: f64, gyration: [f64; 2])
 /// Shared parts and free parts of the faces of the blocks `chosen`; `tolerance` (m) is the largest gap between faces that touch.
 pub(super) fn touching(world: &World, chosen: &[u32], tolerance: f64) -> (Vec<Overlap>, Vec<Face>) {
     let (blocks, periodic) = (&world.setup.blocks, world.setup.periodic);
+    // Glued parts have neither joints nor free faces.
+    let plain: Vec<u32>;
+    let chosen = if chosen.iter().any(|b| world.is_glued(*b as usize)) {
+        plain = (chosen.iter().copied())
+            .filter(|b| !world.is_glued(*b as usize))
+            .collect();
+        &plain[..]
+    } else {
+        chosen
+    };
     let is_brick = |b: &u32| matches!(blocks[*b as usize].shape, Shape::Brick { .. });
     if !chosen.iter().all(is_brick) {
         return meet_solids(blocks, chosen, &world.reference, periodic, tolerance);

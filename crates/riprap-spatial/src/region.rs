@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
-use super::setup::{Region, Shape};
+use super::setup::{Region, Shape, Solid};
 
 /// Two boxes nearer than this share of the smaller one's half edge touch: coordinates that are meant to be equal
 /// differ by round-off.
@@ -16,20 +16,25 @@ pub fn holds(shape: &Shape, point: Vec3) -> bool {
         Shape::Brick { centre, half } => {
             ((point - *centre).abs() - *half).max_element() <= 1e-9 * half.max_element()
         }
-        Shape::Polyhedron(solid) => solid.faces.iter().all(|face| {
-            let corner = |k: usize| solid.vertices[face[k] as usize];
-            let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-            normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
-        }),
+        Shape::Polyhedron(solid) => in_convex(solid, point),
+        Shape::Glued(parts) => parts.iter().any(|part| in_convex(part, point)),
         // Points of terrain do not move, and nothing holds in it.
         Shape::Terrain(_) => false,
     }
 }
 
+fn in_convex(solid: &Solid, point: Vec3) -> bool {
+    solid.faces.iter().all(|face| {
+        let corner = |k: usize| solid.vertices[face[k] as usize];
+        let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
+    })
+}
+
 /// What a block fills at its start.
 #[derive(Clone, Debug)]
 pub enum Extent {
-    /// A brick; terrain is its box.
+    /// A brick; terrain and glued parts are their box.
     Box(Bounds),
     /// A convex solid and the box around it.
     Solid(Polyhedron, Bounds),
@@ -40,7 +45,9 @@ impl Extent {
     #[must_use]
     pub fn of(shape: &Shape) -> Self {
         match shape {
-            Shape::Brick { .. } | Shape::Terrain(_) => Self::Box(Bounds::of(shape)),
+            Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => {
+                Self::Box(Bounds::of(shape))
+            }
             Shape::Polyhedron(solid) => {
                 let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
                 Self::Solid(Polyhedron { vertices, faces }, Bounds::of(shape))
@@ -147,6 +154,7 @@ impl Bounds {
             },
             Shape::Polyhedron(solid) => Self::around(&solid.vertices),
             Shape::Terrain(surface) => Self::around(&surface.points),
+            Shape::Glued(parts) => Self::around(&Solid::all(parts).vertices),
         }
     }
 

@@ -174,6 +174,8 @@ pub enum Shape {
     Polyhedron(Box<Solid>),
     /// Ground with one height per place, which nothing moves.
     Terrain(Box<Surface>),
+    /// One body of convex polyhedra that touch each other by faces.
+    Glued(Vec<Solid>),
 }
 
 impl Shape {
@@ -182,8 +184,14 @@ impl Shape {
     pub fn is_terrain(&self) -> bool {
         match self {
             Self::Terrain(_) => true,
-            Self::Brick { .. } | Self::Polyhedron(_) => false,
+            Self::Brick { .. } | Self::Polyhedron(_) | Self::Glued(_) => false,
         }
+    }
+
+    /// Whether it is made of glued parts.
+    #[must_use]
+    pub fn is_glued(&self) -> bool {
+        matches!(self, Self::Glued(_))
     }
 }
 
@@ -221,6 +229,32 @@ pub struct Solid {
     pub vertices: Vec<Vec3>,
     /// Corners of each face, anticlockwise seen from outside.
     pub faces: Vec<Vec<u32>>,
+}
+
+impl Solid {
+    /// Corners and faces of several solids in one list, glued faces among them: volume, centroid, inertia and what acts on
+    /// all of the surface add up.
+    #[must_use]
+    pub fn all(parts: &[Self]) -> Self {
+        let mut all = Self::default();
+        for part in parts {
+            let first = all.vertices.len() as u32;
+            all.vertices.extend_from_slice(&part.vertices);
+            let faces = part.faces.iter();
+            all.faces
+                .extend(faces.map(|face| face.iter().map(|v| first + v).collect()));
+        }
+        all
+    }
+
+    /// The solid as geometry knows it.
+    #[must_use]
+    pub fn polyhedron(&self) -> riprap_geom::polyhedron::Polyhedron {
+        riprap_geom::polyhedron::Polyhedron {
+            vertices: self.vertices.clone(),
+            faces: self.faces.clone(),
+        }
+    }
 }
 
 /// Laws between two materials.

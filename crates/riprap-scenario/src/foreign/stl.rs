@@ -290,7 +290,7 @@ fn part(
         let normal = normal / length;
         if own.iter().any(|k| (at(k) - a).dot(normal) > slack) {
             let text = format!(
-                "part {number} is not convex, or its triangles are turned inside; blocks are convex: cut it"
+                "part {number} is not convex, or its triangles are turned inside; cut it into convex parts, which `mesh.glued` makes one block"
             );
             return Err(triangles.wrong(t, text));
         }

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::Point;
 use super::files::{Polygons, Traces};
 use super::joints::{JointPlanes, JointSet};
-use super::solids::{Brick, Grid, Mechanics, Mesh, Polyhedron, Terrain};
+use super::solids::{Brick, Grid, Mechanics, Mesh, Part, Polyhedron, Terrain};
 use crate::quantity::{
     Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity,
     Spin, Vector, Velocity,
@@ -18,7 +18,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 
 /// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
 /// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
-/// `grid`, `polyhedron`, `mesh` or `pour`, which `cut` may divide, or `terrain`.
+/// `grid`, `polyhedron`, `mesh` or `pour`, which `cut` may divide, `parts` or `terrain`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
@@ -65,6 +65,9 @@ pub struct Block {
     /// A convex polyhedron.
     #[key(space = "spatial", instead = "use `polygon`")]
     pub polyhedron: Option<Polyhedron>,
+    /// One block that is not convex: convex parts that touch by faces.
+    #[key(space = "spatial", instead = "use `polygon`")]
+    pub parts: Option<Vec<Part>>,
     /// Cells of a mesh of Gmsh, a tessellation of Neper or surfaces in STL.
     #[key(space = "spatial", instead = "use `voronoi` or `cut`")]
     pub mesh: Option<Mesh>,
@@ -117,6 +120,8 @@ pub enum Geometry<'a> {
     Grid(&'a Grid),
     /// `polyhedron`
     Polyhedron(&'a Polyhedron),
+    /// `parts`
+    Parts(&'a [Part]),
     /// `mesh`
     Mesh(&'a Mesh),
     /// `terrain`
@@ -132,6 +137,7 @@ impl Geometry<'_> {
             | Geometry::Regular(_)
             | Geometry::Brick(_)
             | Geometry::Polyhedron(_)
+            | Geometry::Parts(_)
             | Geometry::Terrain(_) => false,
             Geometry::Wall(_)
             | Geometry::Arch(_)
@@ -139,8 +145,8 @@ impl Geometry<'_> {
             | Geometry::Voronoi(_)
             | Geometry::Pour(_)
             | Geometry::Polygons(_)
-            | Geometry::Grid(_)
-            | Geometry::Mesh(_) => true,
+            | Geometry::Grid(_) => true,
+            Geometry::Mesh(mesh) => mesh.glued != Some(true),
         }
     }
 }
@@ -177,6 +183,7 @@ impl Block {
             self.polyhedron
                 .as_ref()
                 .map(|g| ("polyhedron", Geometry::Polyhedron(g))),
+            self.parts.as_ref().map(|g| ("parts", Geometry::Parts(g))),
             self.mesh.as_ref().map(|g| ("mesh", Geometry::Mesh(g))),
             self.terrain
                 .as_ref()

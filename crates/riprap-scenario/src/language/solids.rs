@@ -90,6 +90,16 @@ pub struct Polyhedron {
     pub obj: Option<Name>,
 }
 
+/// A convex part of a block. Exactly one of `brick` and `polyhedron`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// A box with faces normal to the axes.
+    pub brick: Option<Brick>,
+    /// A convex polyhedron.
+    pub polyhedron: Option<Polyhedron>,
+}
+
 /// Cells of a file, each a block. Exactly one of `msh`, `tess` and `stl`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
@@ -106,6 +116,9 @@ pub struct Mesh {
     pub unit: Option<Quantity<PositiveLength>>,
     /// Name of the physical volume whose elements are taken (`msh`). Default all.
     pub volume: Option<Name>,
+    /// Whether all cells are one block (`parts`).
+    #[key(default = false)]
+    pub glued: Option<bool>,
 }
 
 /// Fixed ground with one height per place; upright walls are bricks. Exactly one of `asc`, `csv` and `stl`.

@@ -28,7 +28,15 @@ impl Rules {
                 "voronoi",
                 "pour",
             ],
-            InSpace::Spatial => &["brick", "grid", "polyhedron", "mesh", "pour", "terrain"],
+            InSpace::Spatial => &[
+                "brick",
+                "grid",
+                "polyhedron",
+                "parts",
+                "mesh",
+                "pour",
+                "terrain",
+            ],
         };
         let flags: Vec<(&str, bool)> = all
             .iter()
@@ -53,6 +61,17 @@ impl Rules {
             for (word, _) in moves.into_iter().filter(|(_, given)| *given) {
                 let message = format!("{of} is terrain and has `{word}`");
                 let help = "terrain is one fixed body: leave it out";
+                self.error("key.forbidden", span, message, help);
+            }
+        }
+        if block.parts.is_some() || block.mesh.as_ref().is_some_and(|m| m.glued == Some(true)) {
+            let divides = [
+                ("cut", block.cut.is_some()),
+                ("mechanics", block.mechanics.is_some()),
+            ];
+            for (word, _) in divides.into_iter().filter(|(_, given)| *given) {
+                let message = format!("{of} is made of glued parts and has `{word}`");
+                let help = "such a block is rigid and stays whole: leave it out";
                 self.error("key.forbidden", span, message, help);
             }
         }
@@ -126,6 +145,22 @@ impl Rules {
                 }
             }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
+            Geometry::Parts(parts) => {
+                for (number, part) in (1..).zip(parts) {
+                    let of = format!("part {number} of {of}");
+                    let given = [
+                        ("brick", part.brick.is_some()),
+                        ("polyhedron", part.polyhedron.is_some()),
+                    ];
+                    self.one_of(span, &of, &given);
+                    if let Some(brick) = &part.brick {
+                        self.geometry(span, &of, Geometry::Brick(brick));
+                    }
+                    if let Some(shape) = &part.polyhedron {
+                        self.polyhedron(span, &of, shape);
+                    }
+                }
+            }
             Geometry::Mesh(mesh) => {
                 let of = format!("the mesh of {of}");
                 let given = [

@@ -35,7 +35,8 @@ pub fn span(shape: &Shape, from: Vec3, along: Vec3, range: [f64; 2]) -> Option<[
                 clip(normal, corner(0));
             }
         }
-        Shape::Terrain(_) => return None,
+        // Bolts beside glued parts are refused.
+        Shape::Terrain(_) | Shape::Glued(_) => return None,
     }
     (high > low).then_some([low, high])
 }

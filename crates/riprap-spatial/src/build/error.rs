@@ -22,6 +22,14 @@ pub enum BuildError {
         /// What is wrong.
         reason: String,
     },
+    /// A block of glued parts beside something that does not know such blocks.
+    #[error("the block `{block}`, of glued parts, {reason}")]
+    Glued {
+        /// Name of the block.
+        block: String,
+        /// What it cannot do.
+        reason: &'static str,
+    },
     /// The blocks cannot be split as asked for.
     #[error("{0}")]
     Refine(#[from] RefineError),

@@ -5,10 +5,12 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::left;
+use super::glued::Asked;
 use super::limit::{self, Speeds};
+use super::{glued, left};
 use crate::exec::{CHUNK, Exec};
 use crate::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
+use crate::found::glued::{Glued, Placed};
 use crate::found::{Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, planes, respond};
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
@@ -29,6 +31,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let evaluation = Evaluation {
         bodies: BodiesInPairs {
             shapes: &desk.shapes,
+            glued: &desk.glued,
             solid: &world.solid,
             place: &desk.place,
             first_normal: &desk.first_normal,
@@ -55,6 +58,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             (workspace.taken_over, workspace.left) = (0.0, 0.0);
             workspace.deepest = None;
             workspace.walker.cutter.limit_width(width);
+            let gluer = &mut workspace.glued.gluer;
+            gluer.walker.cutter.limit_width(width);
+            gluer.other.cutter.limit_width(width);
+            workspace.glued.friction = 0.0;
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
                 evaluation.pair(first + k, pair, slot, workspace);
             }
@@ -63,7 +70,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     desk.deepest = None;
     for workspace in &desk.workspaces {
         let handed_over = workspace.taken_over + workspace.offset;
-        world.works.friction += workspace.friction;
+        world.works.friction += workspace.friction + workspace.glued.friction;
         world.works.contact_path += handed_over;
         world.works.edit_defect += handed_over - workspace.left;
         desk.deepest = Deepest::deeper(desk.deepest, workspace.deepest);
@@ -117,6 +124,8 @@ fn place(world: &World, desk: &mut Desk, exec: &Exec) {
 /// The blocks that are in a pair, turned to where they are now.
 struct BodiesInPairs<'a> {
     shapes: &'a [Shape],
+    /// As `shapes`; empty where no block has parts.
+    glued: &'a [Glued],
     solid: &'a [u32],
     place: &'a [u32],
     first_normal: &'a [u32],
@@ -126,6 +135,14 @@ struct BodiesInPairs<'a> {
 }
 
 impl BodiesInPairs<'_> {
+    /// Two blocks by their terms.
+    fn placed(&self, ends: [u32; 2]) -> Placed<'_> {
+        Placed {
+            blocks: ends.map(|b| &self.glued[self.solid[b as usize] as usize]),
+            poses: ends.map(|b| self.poses[self.place[b as usize] as usize]),
+        }
+    }
+
     fn body(&self, b: u32) -> Body<'_> {
         let at = self.place[b as usize] as usize;
         let normals = self.first_normal[at] as usize..self.first_normal[at + 1] as usize;
@@ -166,6 +183,21 @@ impl Evaluation<'_> {
             if pair.gap > 0.0 {
                 return;
             }
+        }
+        if self.constants[k].glued.is_some() {
+            let constants = &self.constants[k];
+            let asked = Asked {
+                placed: self.bodies.placed(pair.ends),
+                law: &constants.law,
+                motion: self.motion(k, pair),
+                radius: constants.radius,
+                inradius: constants.inradius,
+                dt: self.dt,
+                nearing,
+            };
+            let Workspace { glued, deepest, .. } = workspace;
+            glued::act(&asked, pair, slot, glued, deepest);
+            return;
         }
         let faces = candidate.faces(&self.candidates.lists);
         if self.dt > 0.0 {

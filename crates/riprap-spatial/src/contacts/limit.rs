@@ -116,18 +116,33 @@ impl StepLimit<'_> {
             if slot.touching {
                 let memory = &pair.memory;
                 let known = memory.area > 0.0;
+                let most = constants.glued.unwrap_or(desk.candidates.pairs[k].area);
                 if known && flat.is_none() {
-                    let most = desk.candidates.pairs[k].area;
                     let small =
                         share * loss * step_of(stiffness * slot.area * ease.of_area(slot.area));
                     let whole = BOUNDED * loss * step_of(stiffness * most * ease.of_area(most));
                     let closing = speeds.closing(pair.ends, memory);
                     longest = longest.min(whole.max(growing(small, closing, pair.depth)));
                 }
+                if constants.glued.is_some() && known {
+                    // Each piece has a place of its own.
+                    let growth = (BOUNDED / share) * (BOUNDED / share);
+                    for piece in pair.pieces.iter().filter(|p| p.memory.area > 0.0) {
+                        let face = flat.map_or(0.0, |flat| flat.face);
+                        let spread = Spread {
+                            normal: piece.memory.normal,
+                            arm: piece.memory.arms[usize::from(second)],
+                            area: (growth * piece.area).min(most).max(face),
+                            polar: piece.memory.polar / piece.memory.area,
+                        };
+                        felt.add(&ease, law, &spread);
+                    }
+                    damping = damping.max(law.damping_ratio);
+                    continue;
+                }
                 let mostly = flat.is_none_or(|flat| memory.area >= MOSTLY * flat.area);
                 if known && (slight || mostly) {
                     let grown = (BOUNDED / share) * (BOUNDED / share) * slot.area;
-                    let most = desk.candidates.pairs[k].area;
                     let spread = Spread {
                         normal: memory.normal,
                         arm: memory.arms[usize::from(second)],

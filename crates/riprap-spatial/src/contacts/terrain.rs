@@ -140,7 +140,9 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
 fn ground(world: &World, b: u32) -> Terrain {
     match &world.setup.blocks[b as usize].shape {
         setup::Shape::Terrain(surface) => Terrain::new(surface.field()),
-        setup::Shape::Brick { .. } | setup::Shape::Polyhedron(_) => Terrain::default(),
+        setup::Shape::Brick { .. } | setup::Shape::Polyhedron(_) | setup::Shape::Glued(_) => {
+            Terrain::default()
+        }
     }
 }
 

@@ -58,7 +58,7 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
                 let [x, y, z] = half.to_array().map(f64::to_bits);
                 Some([x, y, z, u64::from(spec.material)])
             }
-            Shape::Polyhedron(_) | Shape::Terrain(_) => None,
+            Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => None,
         };
         let kind = key.and_then(|k| known.get(&k).copied()).unwrap_or_else(|| {
             deform.kinds.push(b as u32);

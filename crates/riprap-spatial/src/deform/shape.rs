@@ -4,7 +4,7 @@ use riprap_geom::Vec3;
 use riprap_geom::face_overlap::face_overlap;
 use riprap_geom::polyhedron::{Polyhedron, Tetrahedra};
 
-use crate::setup::Shape;
+use crate::setup::{Shape, Solid};
 use crate::state::deform::Facet;
 use crate::state::workspace::BlockClass;
 use crate::state::world::World;
@@ -28,6 +28,8 @@ pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
             }
             (body, centroid)
         }
+        // Glued parts beside deformable blocks are refused.
+        Shape::Glued(parts) => (Solid::all(parts).polyhedron(), Vec3::ZERO),
         Shape::Terrain(surface) => {
             let body = surface.body();
             let body = Polyhedron {

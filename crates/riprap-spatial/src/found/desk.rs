@@ -3,11 +3,12 @@
 use riprap_geom::{Mat3, Vec3};
 
 use super::friction::{ContactLaw, Wrench};
+use super::glued::{Glued, Gluer};
 use super::search::Candidates;
 use super::shape::{Pose, Shape};
 use super::surface::Walker;
 use super::terrain::{Terrain, Treader};
-use crate::state::found::FacetContact;
+use crate::state::found::{FacetContact, PieceContact};
 
 /// Workspace for all found contacts of a model.
 #[derive(Debug, Default)]
@@ -16,6 +17,8 @@ pub struct Desk {
     pub ready: bool,
     /// Shapes, one for each mass class.
     pub shapes: Vec<Shape>,
+    /// Blocks of glued parts by their terms, and all others as one term each, one for each mass class; empty where no block has parts.
+    pub glued: Vec<Glued>,
     /// Pairs that can touch.
     pub candidates: Candidates,
     /// What is the same in all steps, per pair.
@@ -121,6 +124,8 @@ pub struct Constants {
     pub facing: Option<Facing>,
     /// Smaller one of the largest listed faces of both, m².
     pub largest: f64,
+    /// Of a pair with a block of glued parts: no contact of it has a larger area, m².
+    pub glued: Option<f64>,
 }
 
 /// Two faces that can come flat onto each other, and the smaller one of them in the frame of its block.
@@ -213,11 +218,26 @@ pub struct Acting {
     pub drag: Share,
 }
 
+/// Workspace and sums of pairs with blocks of glued parts.
+#[derive(Debug, Default)]
+pub struct GluedWorkspace {
+    /// Finds what pieces share.
+    pub gluer: Gluer,
+    /// Contacts of the pair that have not been found yet.
+    pub old: Vec<PieceContact>,
+    /// Heat of friction in this step, J.
+    pub friction: f64,
+    /// Edges that no plane has made: none, or the kernel is wrong.
+    pub unlabelled: u64,
+}
+
 /// Workspace and sums of a run of pairs.
 #[derive(Debug, Default)]
 pub struct Workspace {
     /// Walks over surfaces.
     pub walker: Walker,
+    /// For blocks of glued parts.
+    pub glued: GluedWorkspace,
     /// Heat of friction in this step, J.
     pub friction: f64,
     /// Work of what joints have left to their contacts in this step, J.

@@ -7,7 +7,7 @@
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
 //! `piece` one piece (`octagon` the same in vector registers), `remnant` whether a face can have one, `surface` all of them and the sums over it, `friction` the forces that follow;
-//! `terrain` is a block on a height field; `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
+//! `glued` is a block of convex parts, `terrain` one on a height field; `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
@@ -15,6 +15,7 @@
 pub mod cells;
 pub mod desk;
 pub mod friction;
+pub mod glued;
 pub mod grid;
 pub mod limits;
 #[cfg(target_arch = "x86_64")]

@@ -84,6 +84,28 @@ impl Sums {
         self.depth = self.depth.max(2.0 * deepest.fold(0.0, f64::max));
         weight
     }
+
+    /// Adds other sums `sign` times, whose origin lies at `shift` (m) from this one. Depth and hint stay.
+    pub(super) fn plus(&mut self, other: &Self, sign: f64, shift: Vec3) {
+        let (w, first) = (sign * other.weight, sign * other.weight_first);
+        self.pieces += other.pieces;
+        self.tried += other.tried;
+        self.unlabelled += other.unlabelled;
+        self.force += sign * other.force;
+        self.moment += sign * (other.moment + shift.cross(other.force));
+        self.weight += w;
+        self.weight_first += first + w * shift;
+        self.weight_second +=
+            sign * other.weight_second + 2.0 * shift.dot(first) + w * shift.length_squared();
+        let (a, at) = (sign * other.area, sign * other.area_first);
+        self.area += a;
+        self.area_first += at + a * shift;
+        for (k, column) in self.area_second.iter_mut().enumerate() {
+            *column +=
+                sign * other.area_second[k] + at[k] * shift + shift[k] * at + a * shift[k] * shift;
+        }
+        self.vector_area += sign * other.vector_area;
+    }
 }
 
 /// What was found of a pair.

@@ -111,6 +111,16 @@ fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
                         each(&corners);
                     }
                 }
+                // What acts on glued faces cancels.
+                Shape::Glued(parts) => {
+                    for part in parts {
+                        for face in &part.faces {
+                            let corner = |k: &u32| attitude * (part.vertices[*k as usize] - start);
+                            let corners: Vec<Vec3> = face.iter().map(corner).collect();
+                            each(&corners);
+                        }
+                    }
+                }
                 Shape::Terrain(_) => {}
             }
         },

@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::found::Memory;
 use crate::read::view::View;
 
 /// A found contact that touches.
@@ -24,28 +25,46 @@ pub struct Contact {
 }
 
 impl View<'_> {
-    /// The found contacts that touch, in the order of their blocks.
+    /// The found contacts that touch, in the order of their blocks; those of glued parts for each two pieces.
     pub fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
         let pairs = self.world.found.pairs.iter().zip(&self.scratch.desk.slots);
-        pairs.filter(|(_, slot)| slot.touching).map(|(pair, slot)| {
-            let memory = &pair.memory;
-            // A touch without a normal acts where the pressure does; its blocks hardly overlap.
-            let arms = if memory.normal == Vec3::ZERO {
-                let [a, b] = pair.ends.map(|b| self.position(b as usize));
-                [0.5 * (b - a), 0.5 * (a - b)]
-            } else {
-                memory.arms
-            };
-            Contact {
-                ends: pair.ends,
-                force: slot.elastic.force + slot.spring.force,
-                arms,
-                normal: memory.normal,
-                area: slot.area,
-                depth: pair.depth,
-                sliding: memory.sliding,
-            }
+        let pairs = pairs.filter(|(_, slot)| slot.touching);
+        pairs.flat_map(|(pair, slot)| {
+            let plain = pair.pieces.is_empty().then(|| {
+                let force = slot.elastic.force + slot.spring.force;
+                self.contact(pair.ends, &pair.memory, force, [slot.area, pair.depth])
+            });
+            let pieces = pair.pieces.iter().map(|piece| {
+                let size = [piece.area, piece.depth];
+                self.contact(pair.ends, &piece.memory, piece.force, size)
+            });
+            plain.into_iter().chain(pieces)
         })
+    }
+
+    fn contact(
+        &self,
+        ends: [u32; 2],
+        memory: &Memory,
+        force: Vec3,
+        [area, depth]: [f64; 2],
+    ) -> Contact {
+        // A touch without a normal acts where the pressure does; its blocks hardly overlap.
+        let arms = if memory.normal == Vec3::ZERO {
+            let [a, b] = ends.map(|b| self.position(b as usize));
+            [0.5 * (b - a), 0.5 * (a - b)]
+        } else {
+            memory.arms
+        };
+        Contact {
+            ends,
+            force,
+            arms,
+            normal: memory.normal,
+            area,
+            depth,
+            sliding: memory.sliding,
+        }
     }
 
     /// Found contacts of block `b`, with the force on it, N.
@@ -59,11 +78,26 @@ impl View<'_> {
             })
     }
 
-    /// The found contact of two blocks, with the force of the second on the first, N.
+    /// The found contact of two blocks, with the force of the second on the first, N. Of several between pieces the one that
+    /// presses most, with the force and the area of all.
     #[must_use]
     pub fn contact_between(&self, first: u32, second: u32) -> Option<(Contact, Vec3)> {
         let found = self.contacts_of(first as usize);
-        let mut found = found.filter(|(contact, _)| contact.ends.contains(&second));
-        found.next()
+        let found = found.filter(|(contact, _)| contact.ends.contains(&second));
+        found.reduce(|(a, force), (b, other)| {
+            let most = if other.length() > force.length() {
+                b
+            } else {
+                a
+            };
+            let together = Contact {
+                force: a.force + b.force,
+                area: a.area + b.area,
+                depth: a.depth.max(b.depth),
+                sliding: a.sliding && b.sliding,
+                ..most
+            };
+            (together, force + other)
+        })
     }
 }

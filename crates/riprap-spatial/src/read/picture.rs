@@ -93,6 +93,15 @@ fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) 
             }
             put_faces(solid, solids);
         }
+        Shape::Glued(parts) => {
+            let body = Solid::all(parts);
+            let arms = body.vertices.iter();
+            let arms = arms.map(|corner| attitude * (*corner - world.reference[b]));
+            frame
+                .points
+                .extend(arms.map(|arm| (place + arm).to_array()));
+            put_faces(&body, solids);
+        }
         Shape::Terrain(surface) => {
             let body = surface.body();
             let moved = place - world.reference[b];

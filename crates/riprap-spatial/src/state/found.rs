@@ -76,4 +76,24 @@ pub struct FoundPair {
     pub gap: f64,
     /// Whether joints held the two in place, and they have not been far apart since.
     pub in_place: bool,
+    /// Of blocks of glued parts: what each two convex pieces of them share, sorted; springs are in these. `memory` is that of the one
+    /// that presses most, `stored` the sum.
+    pub pieces: Vec<PieceContact>,
+}
+
+/// What two convex pieces of two blocks share.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct PieceContact {
+    /// Numbers of the pieces.
+    pub pieces: [u16; 2],
+    /// Springs along the contact.
+    pub memory: Memory,
+    /// Energy in these springs, J.
+    pub stored: f64,
+    /// Force of pressure and springs of the first on the second at the last evaluation, N.
+    pub force: riprap_geom::Vec3,
+    /// How far the pieces lie in each other, m.
+    pub depth: f64,
+    /// Area across the normal, m².
+    pub area: f64,
 }

@@ -56,6 +56,13 @@ impl World {
             hash.numbers(&m.shear.to_array());
             hash.numbers(&m.normal.to_array());
             hash.numbers(&[m.torsion, m.area, m.polar]);
+            for piece in &pair.pieces {
+                let (m, [a, b]) = (&piece.memory, piece.pieces);
+                hash.count(u64::from(a) << 32 | u64::from(b));
+                hash.numbers(&m.shear.to_array());
+                hash.numbers(&m.normal.to_array());
+                hash.numbers(&[m.torsion, m.area, m.polar]);
+            }
             if let Some(offset) = &pair.offset {
                 hash.numbers(&offset.rocking.to_array());
                 hash.numbers(&[offset.normal, offset.overlap, offset.slip]);

@@ -59,6 +59,7 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
             | Geometry::Brick(_)
             | Geometry::Grid(_)
             | Geometry::Polyhedron(_)
+            | Geometry::Parts(_)
             | Geometry::Mesh(_)
             | Geometry::Terrain(_),
         ) => Vec::new(),
@@ -133,6 +134,7 @@ impl Builder<'_> {
             Geometry::Brick(_)
             | Geometry::Grid(_)
             | Geometry::Polyhedron(_)
+            | Geometry::Parts(_)
             | Geometry::Mesh(_)
             | Geometry::Terrain(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,

@@ -199,6 +199,9 @@ impl Builder<'_> {
                     *centre + Vec3::new(sign(1), sign(2), sign(4)) * *half
                 })),
                 Shape::Polyhedron(solid) => corners.extend(&solid.vertices),
+                Shape::Glued(parts) => {
+                    corners.extend(parts.iter().flat_map(|part| &part.vertices));
+                }
                 Shape::Terrain(_) => {}
             }
         }

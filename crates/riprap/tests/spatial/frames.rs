@@ -98,7 +98,7 @@ fn turned(shape: &Shape, q: Quat, about: Vec3) -> Shape {
             }
         }
         Shape::Polyhedron(solid) => (**solid).clone(),
-        Shape::Terrain(_) => panic!("terrain is not turned"),
+        Shape::Terrain(_) | Shape::Glued(_) => panic!("neither terrain nor glued parts are turned"),
     };
     Shape::Polyhedron(Box::new(Solid {
         vertices: (solid.vertices.iter())

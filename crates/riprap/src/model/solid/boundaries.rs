@@ -239,7 +239,7 @@ pub(super) fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
             (along(axis) && (max[k] - offset).abs() <= slack)
                 || (along(-axis) && (-min[k] - offset).abs() <= slack)
         }),
-        Shape::Polyhedron(_) => {
+        Shape::Polyhedron(_) | Shape::Glued(_) => {
             let solid = solid(shape);
             (0..solid.faces.len()).any(|face| {
                 let (n, d) = solid.plane(face);

@@ -51,6 +51,7 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
         | Geometry::Brick(_)
         | Geometry::Grid(Grid::Cells(_))
         | Geometry::Polyhedron(_)
+        | Geometry::Parts(_)
         | Geometry::Mesh(_)
         | Geometry::Terrain(_) => None,
     }

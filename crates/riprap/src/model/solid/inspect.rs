@@ -1,7 +1,7 @@
 //! Checks of the finished model in space: overlaps, who carries the in-situ stress, motion.
 
 use riprap_geom::Vec3;
-use riprap_geom::polyhedron::{Sliced, slice};
+use riprap_geom::polyhedron::{Polyhedron, Sliced, slice};
 
 use super::grid::grid_of;
 use super::shapes::{bounds, solid, volume};
@@ -10,7 +10,7 @@ use crate::model::builder::Builder;
 use crate::scenario::language::Space;
 use crate::scenario::read::with_unit;
 use crate::scenario::{Diagnostic, Quantity, Span};
-use crate::spatial::setup::{BlockSpec, BoundaryKind, FaceSet, Shape};
+use crate::spatial::setup::{BlockSpec, BoundaryKind, FaceSet, Shape, Solid};
 
 /// Overlap at the start that needs no reason, as a share of the smaller block.
 const ACCEPTED: f64 = 1e-6;
@@ -54,6 +54,7 @@ impl Builder<'_> {
         let corners = |shape: &Shape| match shape {
             Shape::Brick { .. } => 8,
             Shape::Polyhedron(solid) => solid.vertices.len(),
+            Shape::Glued(parts) => parts.iter().map(|part| part.vertices.len()).sum(),
             Shape::Terrain(surface) => surface.points.len(),
         };
         let vertices = blocks.iter().map(|b| corners(&b.shape)).sum();
@@ -93,7 +94,8 @@ impl Builder<'_> {
         let hull = |k: u32| match shape(k) {
             Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
             // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is told by `on_terrain`.
-            Shape::Brick { .. } | Shape::Terrain(_) => None,
+            // Glued parts are looked at part by part.
+            Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => None,
         };
         let hulls: Vec<Option<Hull>> = (0..blocks.len() as u32).map(hull).collect();
         let mut bad: Vec<Overlap> = Vec::new();
@@ -207,7 +209,11 @@ impl Builder<'_> {
             if apart {
                 return None;
             }
-            depth = depth.min(common_width(a, b));
+            let (ours, theirs) = (convex_parts(a), convex_parts(b));
+            let widths = ours
+                .iter()
+                .flat_map(|a| theirs.iter().map(|b| common_width(a, b)));
+            depth = depth.min(widths.fold(0.0, f64::max));
         }
         (depth > accepted && !(self.held(i) && self.held(j))).then(|| Overlap {
             depth,
@@ -389,11 +395,18 @@ fn deep_pairs(
     Search::Done
 }
 
+/// The convex parts of a shape.
+fn convex_parts(shape: &Shape) -> Vec<Polyhedron> {
+    match shape {
+        Shape::Glued(parts) => parts.iter().map(Solid::polyhedron).collect(),
+        Shape::Brick { .. } | Shape::Polyhedron(_) | Shape::Terrain(_) => vec![solid(shape)],
+    }
+}
+
 /// Smallest width along the coordinate axes and the face normals of what two convex shapes share, m; 0
 /// if they share no volume.
-fn common_width(a: &Shape, b: &Shape) -> f64 {
-    let other = solid(b);
-    let mut rest = solid(a);
+fn common_width(a: &Polyhedron, other: &Polyhedron) -> f64 {
+    let mut rest = a.clone();
     let mut normals = vec![Vec3::X, Vec3::Y, Vec3::Z];
     normals.extend((0..rest.faces.len()).map(|face| rest.plane(face).0));
     for face in 0..other.faces.len() {

@@ -1,13 +1,14 @@
 //! Blocks in space: bricks, grids, polyhedra.
 
 use riprap_geom::polyhedron::{
-    Polyhedron, SolidError, cells_within, hull, lattice_sites, random_sites, regular_prism,
+    GluedError, Polyhedron, SolidError, cells_within, glued, hull, lattice_sites, random_sites,
+    regular_prism,
 };
 use riprap_geom::{GeomError, Vec3};
 
 use super::global;
 use super::grid::{Grids, Lattice};
-use super::mesh::Made;
+use super::mesh::{Made, shape_of};
 use super::turn::{Turn, copies};
 use crate::model::blocks::SHORT_EDGES;
 use crate::model::builder::Builder;
@@ -77,6 +78,18 @@ fn unturned_corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             let vertices = p.vertices.iter().flatten();
             vertices.map(|v| global(v) + shift).collect()
         }
+        Some(Geometry::Parts(parts)) => {
+            let bricks = parts.iter().filter_map(|part| part.brick.as_ref());
+            let corners = bricks.flat_map(|said| {
+                let (centre, half) = brick(said);
+                [centre - half + shift, centre + half + shift]
+            });
+            let solids = parts.iter().filter_map(|part| part.polyhedron.as_ref());
+            let vertices = solids.flat_map(|p| p.vertices.iter().flatten());
+            corners
+                .chain(vertices.map(|v| global(v) + shift))
+                .collect()
+        }
         Some(Geometry::Pour(p)) => {
             let corners = p.region.iter();
             corners.map(|c| Vec3::from(c.xyz()) + shift).collect()
@@ -131,8 +144,17 @@ impl Builder<'_> {
                     .polyhedron(block, said, shift)
                     .map(|solid| vec![Shape::Polyhedron(Box::new(solid))]),
                 Some(Geometry::Pour(said)) => self.pour(block, said, shift),
+                Some(Geometry::Parts(said)) => {
+                    self.parts(block, said, shift).map(|shape| vec![shape])
+                }
                 Some(Geometry::Mesh(said)) => {
                     let made = self.mesh(block, said, shift);
+                    let made = if said.glued == Some(true) {
+                        made.and_then(|made| self.glued(block, &made.shapes))
+                            .map(|shape| Made::of(vec![shape]))
+                    } else {
+                        made
+                    };
                     self.enter_made(block, made, shift);
                     continue;
                 }
@@ -344,6 +366,58 @@ impl Builder<'_> {
         }
     }
 
+    /// One block of the parts of a table.
+    fn parts(&mut self, block: &Block, said: &[language::Part], shift: Vec3) -> Option<Shape> {
+        let mut shapes = Vec::with_capacity(said.len());
+        for part in said {
+            if let Some(said) = &part.brick {
+                let (centre, half) = brick(said);
+                if !self.with_volume(block, 8.0 * half.element_product()) {
+                    return None;
+                }
+                let centre = centre + shift;
+                shapes.push(Shape::Brick { centre, half });
+            } else if let Some(said) = &part.polyhedron {
+                let solid = self.polyhedron(block, said, shift)?;
+                shapes.push(Shape::Polyhedron(Box::new(solid)));
+            }
+        }
+        self.glued(block, &shapes)
+    }
+
+    /// One block of convex shapes that touch by faces; a plain one where all of it is convex.
+    fn glued(&mut self, block: &Block, shapes: &[Shape]) -> Option<Shape> {
+        let parts: Vec<Polyhedron> = shapes.iter().map(solid).collect();
+        let terms = match glued::terms(&parts) {
+            Ok(terms) => terms,
+            Err(error) => {
+                let message = format!("block `{}`: {error}", block.name);
+                let help = match error {
+                    GluedError::Overlap { .. } => {
+                        "parts share faces, no volume: cut one of them back"
+                    }
+                    GluedError::Apart { .. } => {
+                        "parts touch by a part of a face at least; make two blocks, or close the gap"
+                    }
+                    GluedError::Part { .. } => "parts are convex: divide this one",
+                    GluedError::TooMany { .. } | GluedError::Unsure { .. } => {
+                        "give fewer and larger convex parts"
+                    }
+                };
+                self.error_at("geometry.parts", &block.name, message, help);
+                return None;
+            }
+        };
+        if let [only] = &terms[..] {
+            return Some(shape_of(only.solid.clone()));
+        }
+        let solids = parts.into_iter().map(|part| Solid {
+            vertices: part.vertices,
+            faces: part.faces,
+        });
+        Some(Shape::Glued(solids.collect()))
+    }
+
     fn solid_error(&mut self, block: &Block, error: &SolidError, span: Span, help: &str) {
         let message = format!("block `{}`: {error}", block.name);
         let error = Diagnostic::error("polyhedron", message).at(span);
@@ -431,6 +505,7 @@ pub(super) fn solid(shape: &Shape) -> Polyhedron {
             vertices: solid.vertices.clone(),
             faces: solid.faces.clone(),
         },
+        Shape::Glued(parts) => Solid::all(parts).polyhedron(),
         Shape::Terrain(surface) => {
             let body = surface.body();
             Polyhedron {
@@ -450,6 +525,7 @@ pub(super) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
             let vertices = solid.vertices.iter();
             vertices.fold(start, |(min, max), v| (min.min(*v), max.max(*v)))
         }
+        Shape::Glued(_) => solid(shape).bounds(),
         Shape::Terrain(surface) => surface.field().bounds(),
     }
 }
@@ -458,14 +534,16 @@ pub(super) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
 pub(super) fn volume(shape: &Shape) -> f64 {
     match shape {
         Shape::Brick { half, .. } => 8.0 * half.element_product(),
-        Shape::Polyhedron(_) | Shape::Terrain(_) => solid(shape).moments().volume,
+        Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => solid(shape).moments().volume,
     }
 }
 
 fn centroid(shape: &Shape) -> Vec3 {
     match shape {
         Shape::Brick { centre, .. } => *centre,
-        Shape::Polyhedron(_) | Shape::Terrain(_) => solid(shape).moments().centroid,
+        Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => {
+            solid(shape).moments().centroid
+        }
     }
 }
 

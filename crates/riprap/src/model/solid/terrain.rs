@@ -209,7 +209,7 @@ impl Builder<'_> {
                     let bins = Bins::new(&field);
                     Some((b, field, bins))
                 }
-                Shape::Brick { .. } | Shape::Polyhedron(_) => None,
+                Shape::Brick { .. } | Shape::Polyhedron(_) | Shape::Glued(_) => None,
             })
             .collect();
         let Some((first, ..)) = grounds.first() else {

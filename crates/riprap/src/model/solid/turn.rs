@@ -90,6 +90,11 @@ impl Turn {
                 solid.vertices.iter_mut().for_each(|v| *v = self.of(*v));
                 Shape::Polyhedron(solid)
             }
+            Shape::Glued(mut parts) => {
+                let corners = parts.iter_mut().flat_map(|part| &mut part.vertices);
+                corners.for_each(|v| *v = self.of(*v));
+                Shape::Glued(parts)
+            }
             // Refused by the rules of the language.
             Shape::Terrain(surface) => Shape::Terrain(surface),
         }
@@ -126,6 +131,12 @@ fn moved(shape: &Shape, shift: Vec3) -> Shape {
             let mut solid = solid.clone();
             solid.vertices.iter_mut().for_each(|v| *v += shift);
             Shape::Polyhedron(solid)
+        }
+        Shape::Glued(parts) => {
+            let mut parts = parts.clone();
+            let corners = parts.iter_mut().flat_map(|part| &mut part.vertices);
+            corners.for_each(|v| *v += shift);
+            Shape::Glued(parts)
         }
         // It has no copies.
         Shape::Terrain(surface) => Shape::Terrain(surface.clone()),

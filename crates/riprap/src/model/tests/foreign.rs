@@ -49,7 +49,7 @@ fn volume_of(shape: &Shape) -> f64 {
             let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
             Polyhedron { vertices, faces }.moments().volume
         }
-        Shape::Terrain(_) => 0.0,
+        Shape::Terrain(_) | Shape::Glued(_) => 0.0,
     }
 }
 

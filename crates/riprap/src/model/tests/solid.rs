@@ -67,7 +67,7 @@ fn refused(middle: &str) -> String {
 fn brick(shape: &Shape) -> (Vec3, Vec3) {
     match shape {
         Shape::Brick { centre, half } => (*centre, *half),
-        Shape::Polyhedron(_) | Shape::Terrain(_) => panic!("no brick"),
+        Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => panic!("no brick"),
     }
 }
 
@@ -149,7 +149,7 @@ fn cells_of_a_disk() {
         .blocks
         .iter()
         .map(|b| match &b.shape {
-            Shape::Brick { .. } | Shape::Terrain(_) => f64::NAN,
+            Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => f64::NAN,
             Shape::Polyhedron(s) => {
                 let solid =
                     riprap_geom::polyhedron::Polyhedron::new(s.vertices.clone(), s.faces.clone());

@@ -34,7 +34,9 @@ fn surface(file: (&str, &str)) -> (Surface, Model) {
     let setup: &Spatial = setup;
     match &setup.blocks[0].shape {
         Shape::Terrain(surface) => ((**surface).clone(), model.clone()),
-        Shape::Brick { .. } | Shape::Polyhedron(_) => panic!("terrain is expected"),
+        Shape::Brick { .. } | Shape::Polyhedron(_) | Shape::Glued(_) => {
+            panic!("terrain is expected")
+        }
     }
 }
 

@@ -25,7 +25,9 @@ fn polyhedron(solid: &Solid) -> Polyhedron {
 fn only_solid(setup: &Setup) -> Polyhedron {
     match &setup.blocks[0].shape {
         Shape::Polyhedron(solid) => polyhedron(solid),
-        Shape::Brick { .. } | Shape::Terrain(_) => panic!("a polyhedron is expected"),
+        Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => {
+            panic!("a polyhedron is expected")
+        }
     }
 }
 

@@ -1,0 +1,280 @@
+//! Blocks of glued parts in a step: each two convex pieces of a pair have springs of their own.
+//!
+//! The pressure of all of them together is that of the whole blocks; what divides it among pieces only says where friction and
+//! dashpots act.
+
+use riprap_geom::Vec3;
+
+use super::limit;
+use crate::build::BuildError;
+use crate::found::desk::{Deepest, Facing, GluedWorkspace, Slot};
+use crate::found::glued::{Glued, Placed, Touch};
+use crate::found::{ContactLaw, Motion, Pose, Question, respond};
+use crate::setup::{FaceSet, Setup, Shape, Solid};
+use crate::state::found::{FoundPair, PieceContact};
+use crate::world::World;
+
+/// What rounding may take from a gap, over the gap.
+const ROUNDING: f64 = 1e-9;
+
+/// What is asked of a pair.
+pub(super) struct Asked<'a> {
+    /// Both blocks where they are.
+    pub(super) placed: Placed<'a>,
+    pub(super) law: &'a ContactLaw,
+    /// Motion of both, half a step ago.
+    pub(super) motion: [Motion; 2],
+    /// Smaller radius, m.
+    pub(super) radius: f64,
+    /// Smaller inradius, m.
+    pub(super) inradius: f64,
+    /// Time moved since the last evaluation, s.
+    pub(super) dt: f64,
+    /// Bound of the speed at which points of the two blocks come nearer to each other, m/s.
+    pub(super) nearing: f64,
+}
+
+/// Evaluates a pair with a block of glued parts.
+pub(super) fn act(
+    asked: &Asked,
+    pair: &mut FoundPair,
+    slot: &mut Slot,
+    room: &mut GluedWorkspace,
+    deepest: &mut Option<Deepest>,
+) {
+    let GluedWorkspace {
+        gluer,
+        old,
+        friction,
+        unlabelled,
+    } = room;
+    let Asked {
+        placed,
+        law,
+        motion,
+        dt,
+        ..
+    } = asked;
+    let mut new = Slot {
+        nearing: asked.nearing,
+        ..Slot::default()
+    };
+    old.clear();
+    old.append(&mut pair.pieces);
+    (pair.force, pair.depth, pair.stored) = (Vec3::ZERO, 0.0, 0.0);
+    pair.memory = Default::default();
+    let mut gap = f64::INFINITY;
+    let mut most = f64::NEG_INFINITY;
+    gluer.place(placed);
+    for a in 0..placed.blocks[0].pieces() {
+        for b in 0..placed.blocks[1].pieces() {
+            let (sums, origin) = match gluer.find(placed, [a, b]) {
+                Touch::Apart(found) => {
+                    gap = gap.min(found);
+                    continue;
+                }
+                Touch::Covered => {
+                    gap = 0.0;
+                    continue;
+                }
+                Touch::Swallowed(radius) => {
+                    // No force can be given: not a number stops the run, and the deepest contact is to blame.
+                    new.elastic.force = Vec3::NAN;
+                    pair.depth = 2.0 * radius;
+                    *deepest = Some(Deepest {
+                        ends: pair.ends,
+                        depth: pair.depth,
+                        ratio: f64::INFINITY,
+                    });
+                    *slot = new;
+                    return;
+                }
+                Touch::Touching(sums, origin) => (sums, origin),
+            };
+            gap = 0.0;
+            *unlabelled += u64::from(sums.unlabelled);
+            let pieces = [a as u16, b as u16];
+            let known = old.iter().position(|contact| contact.pieces == pieces);
+            let mut contact = known.map_or_else(
+                || PieceContact {
+                    pieces,
+                    ..PieceContact::default()
+                },
+                |k| old.remove(k),
+            );
+            let reply = respond(
+                law,
+                &Question {
+                    sums: &sums,
+                    mean_radius: &|point| gluer.walker.mean_radius(point),
+                    origin,
+                    centres: placed.poses.map(|pose| pose.position),
+                    motion: *motion,
+                    radius: asked.radius,
+                    dt: *dt,
+                },
+                &mut contact.memory,
+                None,
+            );
+            *friction += reply.friction;
+            contact.stored = contact.memory.stored(law);
+            contact.force = reply.elastic.force + reply.spring.force;
+            contact.depth = sums.depth;
+            contact.area = reply.area;
+            new.elastic = new.elastic.plus(&reply.elastic);
+            new.spring = new.spring.plus(&reply.spring);
+            new.drag = new.drag.plus(&reply.drag);
+            new.area += reply.area;
+            new.touching = true;
+            pair.force += reply.wrench.force;
+            pair.stored += contact.stored;
+            pair.depth = pair.depth.max(contact.depth);
+            let pressed = reply.elastic.force.length();
+            if pressed > most {
+                most = pressed;
+                pair.memory = contact.memory;
+            }
+            pair.pieces.push(contact);
+        }
+    }
+    // What is left has parted.
+    for gone in old.drain(..) {
+        *friction += gone.memory.work(motion, *dt) + gone.stored;
+    }
+    pair.gap = gap - ROUNDING * gap;
+    if new.touching {
+        let ratio = pair.depth / asked.inradius;
+        let deep = Deepest {
+            ends: pair.ends,
+            depth: pair.depth,
+            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
+        };
+        *deepest = Deepest::deeper(*deepest, Some(deep));
+    }
+    *slot = new;
+}
+
+/// The faces of two blocks with the largest area that can come flat onto each other, with the area of all that can.
+pub(super) fn facing(
+    blocks: [&Glued; 2],
+    poses: [Pose; 2],
+    margin: f64,
+    with_square: impl Fn(Facing) -> Facing,
+) -> Option<Facing> {
+    let mut best: Option<Facing> = None;
+    let mut all = 0.0;
+    for a in blocks[0].convex_pieces() {
+        for b in blocks[1].convex_pieces() {
+            let terms = [a, b];
+            let shapes = terms.map(|term| &term.shape);
+            let at = [0, 1].map(|side| terms[side].pose(&poses[side]));
+            let faces = shapes.map(|shape| 0..shape.faces() as u16);
+            let Some(mut found) = limit::facing(shapes, at, margin, faces) else {
+                continue;
+            };
+            found.centre += terms[found.side].centre;
+            all += found.area;
+            if best.is_none_or(|best| found.area > best.area) {
+                best = Some(found);
+            }
+        }
+    }
+    let mut found = with_square(best?);
+    found.square *= all / found.area;
+    found.area = all;
+    Some(found)
+}
+
+/// Refuses, by name, what takes no blocks of glued parts.
+///
+/// # Errors
+/// The first block and what it cannot stand beside.
+pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(), BuildError> {
+    let blocks = || setup.blocks.iter().enumerate();
+    let Some((first, _)) = blocks().find(|(_, block)| block.shape.is_glued()) else {
+        return Ok(());
+    };
+    let refused = |block: usize, reason: &'static str| BuildError::Glued {
+        block: name(block),
+        reason,
+    };
+    let terrain = blocks().any(|(_, block)| block.shape.is_terrain());
+    let model = [
+        (
+            !setup.found_contacts,
+            "is held by found contacts alone: leave `found_contacts` on",
+        ),
+        (
+            terrain,
+            "finds no contact with terrain yet: make the ground of fixed bricks or polyhedra",
+        ),
+        (
+            !setup.deform.sets.is_empty(),
+            "finds no contact with deformable blocks yet: make all blocks rigid",
+        ),
+        (
+            !setup.sources.is_empty(),
+            "is not pushed by [[sources]] yet: leave them out, or make the block convex",
+        ),
+        (
+            !setup.bolts.is_empty(),
+            "cannot be bolted yet: leave the bolts out, or make the block convex",
+        ),
+        (
+            setup.in_situ.is_some(),
+            "carries no in-situ stress, which is in joints: leave it out, or make the block convex",
+        ),
+        (
+            !setup.refinements.is_empty(),
+            "cannot stand beside blocks that are split yet: leave `refine` out",
+        ),
+        (
+            setup.periodic.iter().any(Option::is_some),
+            "cannot be in a periodic model",
+        ),
+    ];
+    if let Some((_, reason)) = model.into_iter().find(|(refuses, _)| *refuses) {
+        return Err(refused(first, reason));
+    }
+    let reason =
+        "has no free faces for [[boundaries]] yet: hold it by [[supports]] or push it by [[loads]]";
+    for (b, block) in blocks() {
+        let Shape::Glued(parts) = &block.shape else {
+            continue;
+        };
+        let listed = |blocks: &[u32]| blocks.binary_search(&(b as u32)).is_ok();
+        let size = Solid::all(parts).polyhedron().size();
+        let on = |set: &FaceSet| match set {
+            FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => listed(blocks),
+            FaceSet::Plane { normal, offset } => parts.iter().any(|part| {
+                let solid = part.polyhedron();
+                (0..solid.faces.len()).any(|face| {
+                    let (n, d) = solid.plane(face);
+                    n.dot(*normal) > 1.0 - 1e-9 && (d - offset).abs() <= 1e-6 * size
+                })
+            }),
+            FaceSet::Box { min, max, .. } => {
+                let mut corners = parts.iter().flat_map(|part| &part.vertices);
+                let first = corners.next().copied().unwrap_or_default();
+                let (low, high) =
+                    corners.fold((first, first), |(low, high), v| (low.min(*v), high.max(*v)));
+                low.cmple(*max).all() && high.cmpge(*min).all()
+            }
+        };
+        if setup.boundaries.iter().any(|boundary| on(&boundary.on)) {
+            return Err(refused(b, reason));
+        }
+    }
+    Ok(())
+}
+
+impl World {
+    /// Whether block `b` is made of glued parts.
+    #[must_use]
+    pub fn is_glued(&self, b: usize) -> bool {
+        self.setup.blocks[b].shape.is_glued()
+    }
+}
+
+#[cfg(test)]
+mod tests;
