@@ -5,6 +5,7 @@
 //! right-handed.
 
 pub mod deform;
+mod solid;
 
 use riprap_geom::Vec3;
 use riprap_geom::height_field::HeightField;
@@ -229,32 +230,6 @@ pub struct Solid {
     pub vertices: Vec<Vec3>,
     /// Corners of each face, anticlockwise seen from outside.
     pub faces: Vec<Vec<u32>>,
-}
-
-impl Solid {
-    /// Corners and faces of several solids in one list, glued faces among them: volume, centroid, inertia and what acts on
-    /// all of the surface add up.
-    #[must_use]
-    pub fn all(parts: &[Self]) -> Self {
-        let mut all = Self::default();
-        for part in parts {
-            let first = all.vertices.len() as u32;
-            all.vertices.extend_from_slice(&part.vertices);
-            let faces = part.faces.iter();
-            all.faces
-                .extend(faces.map(|face| face.iter().map(|v| first + v).collect()));
-        }
-        all
-    }
-
-    /// The solid as geometry knows it.
-    #[must_use]
-    pub fn polyhedron(&self) -> riprap_geom::polyhedron::Polyhedron {
-        riprap_geom::polyhedron::Polyhedron {
-            vertices: self.vertices.clone(),
-            faces: self.faces.clone(),
-        }
-    }
 }
 
 /// Laws between two materials.

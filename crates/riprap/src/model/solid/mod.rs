@@ -12,6 +12,7 @@ mod boundaries;
 mod cut;
 mod deform;
 mod fit;
+mod glued;
 mod grid;
 mod inspect;
 mod joints;

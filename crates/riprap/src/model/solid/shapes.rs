@@ -1,14 +1,13 @@
 //! Blocks in space: bricks, grids, polyhedra.
 
 use riprap_geom::polyhedron::{
-    GluedError, Polyhedron, SolidError, cells_within, glued, hull, lattice_sites, random_sites,
-    regular_prism,
+    Polyhedron, SolidError, cells_within, hull, lattice_sites, random_sites, regular_prism,
 };
 use riprap_geom::{GeomError, Vec3};
 
 use super::global;
 use super::grid::{Grids, Lattice};
-use super::mesh::{Made, shape_of};
+use super::mesh::Made;
 use super::turn::{Turn, copies};
 use crate::model::blocks::SHORT_EDGES;
 use crate::model::builder::Builder;
@@ -23,7 +22,7 @@ const MAX_OBJ: u64 = 16 << 20;
 const MOST_CELLS: f64 = 1e6;
 
 /// Centre and half the edges of a brick, m.
-fn brick(brick: &Brick) -> (Vec3, Vec3) {
+pub(super) fn brick(brick: &Brick) -> (Vec3, Vec3) {
     let half = 0.5 * Vec3::from(brick.size.each_ref().map(Quantity::si));
     let centre = match (&brick.corner, &brick.centre) {
         (Some(corner), _) => global(corner) + half,
@@ -273,7 +272,7 @@ impl Builder<'_> {
     }
 
     /// Whether a brick has a volume that numbers can hold.
-    fn with_volume(&mut self, block: &Block, volume: f64) -> bool {
+    pub(super) fn with_volume(&mut self, block: &Block, volume: f64) -> bool {
         let sound = volume.is_normal() && volume > 0.0;
         if !sound {
             let message = format!("the bricks of `{}` have no volume", block.name);
@@ -325,7 +324,7 @@ impl Builder<'_> {
     }
 
     /// A checked convex solid in local coordinates.
-    fn polyhedron(
+    pub(super) fn polyhedron(
         &mut self,
         block: &Block,
         said: &language::Polyhedron,
@@ -364,58 +363,6 @@ impl Builder<'_> {
                 None
             }
         }
-    }
-
-    /// One block of the parts of a table.
-    fn parts(&mut self, block: &Block, said: &[language::Part], shift: Vec3) -> Option<Shape> {
-        let mut shapes = Vec::with_capacity(said.len());
-        for part in said {
-            if let Some(said) = &part.brick {
-                let (centre, half) = brick(said);
-                if !self.with_volume(block, 8.0 * half.element_product()) {
-                    return None;
-                }
-                let centre = centre + shift;
-                shapes.push(Shape::Brick { centre, half });
-            } else if let Some(said) = &part.polyhedron {
-                let solid = self.polyhedron(block, said, shift)?;
-                shapes.push(Shape::Polyhedron(Box::new(solid)));
-            }
-        }
-        self.glued(block, &shapes)
-    }
-
-    /// One block of convex shapes that touch by faces; a plain one where all of it is convex.
-    fn glued(&mut self, block: &Block, shapes: &[Shape]) -> Option<Shape> {
-        let parts: Vec<Polyhedron> = shapes.iter().map(solid).collect();
-        let terms = match glued::terms(&parts) {
-            Ok(terms) => terms,
-            Err(error) => {
-                let message = format!("block `{}`: {error}", block.name);
-                let help = match error {
-                    GluedError::Overlap { .. } => {
-                        "parts share faces, no volume: cut one of them back"
-                    }
-                    GluedError::Apart { .. } => {
-                        "parts touch by a part of a face at least; make two blocks, or close the gap"
-                    }
-                    GluedError::Part { .. } => "parts are convex: divide this one",
-                    GluedError::TooMany { .. } | GluedError::Unsure { .. } => {
-                        "give fewer and larger convex parts"
-                    }
-                };
-                self.error_at("geometry.parts", &block.name, message, help);
-                return None;
-            }
-        };
-        if let [only] = &terms[..] {
-            return Some(shape_of(only.solid.clone()));
-        }
-        let solids = parts.into_iter().map(|part| Solid {
-            vertices: part.vertices,
-            faces: part.faces,
-        });
-        Some(Shape::Glued(solids.collect()))
     }
 
     fn solid_error(&mut self, block: &Block, error: &SolidError, span: Span, help: &str) {
