@@ -135,6 +135,10 @@ impl Glued {
 }
 
 /// What was found of a pair of pieces.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it lives on the stack of one evaluation; a box would take memory in every step"
+)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Touch {
     /// They do not touch; at least so far apart, m.
