@@ -56,39 +56,63 @@ pub fn csv_quantities(
     let found = read_table(&text, &columns).and_then(|found| {
         match found[..needed.len()].iter().position(Option::is_none) {
             Some(missing) => Err(missing_column(&text, needed[missing].0)),
-            None => Ok(found),
+            None => Ok(found.into_iter().map(|f| f.map(|f| f.values)).collect()),
         }
     });
     found.map_err(|error| error.of(path))
 }
 
-/// Reads those of the columns that are there, SI values.
+/// A column of a table as it was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Its numbers, SI.
+    pub values: Vec<f64>,
+    /// Whether its name says no unit, so that the usual one was taken.
+    pub bare: bool,
+}
+
+/// Reads those of the columns that are there.
 ///
 /// # Errors
 /// As [`csv_quantities`], but for columns that are missing.
-pub fn csv_table(path: &Path, columns: &[Column]) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
+pub fn csv_table<const N: usize>(
+    path: &Path,
+    columns: &[Column; N],
+) -> Result<[Option<Found>; N], CsvError> {
     let text = read_text(path)?;
-    read_table(&text, columns).map_err(|error| error.of(path))
+    let found = read_table(&text, columns).map_err(|error| error.of(path))?;
+    let mut found = found.into_iter();
+    Ok(std::array::from_fn(|_| found.next().flatten()))
 }
 
 /// The columns of a text; see [`csv_table`].
-fn read_table(text: &str, columns: &[Column]) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
+fn read_table(text: &str, columns: &[Column]) -> Result<Vec<Option<Found>>, CsvError> {
     let header = header_of(text)?;
-    let mut out = Vec::with_capacity(columns.len());
-    for column in columns {
-        out.push(match find(&header, column)? {
-            Some((cell, factor)) => {
-                let values = read_columns(text, &[cell])?.swap_remove(0);
-                Some(values.into_iter().map(|v| v * factor).collect())
-            }
-            None => None,
-        });
-    }
-    Ok(out)
+    let cells: Vec<Option<Cell>> = columns
+        .iter()
+        .map(|column| find(&header, column))
+        .collect::<Result<_, _>>()?;
+    let names: Vec<&str> = cells.iter().flatten().map(|cell| cell.name).collect();
+    let mut read = read_columns(text, &names)?.into_iter();
+    let found = cells.into_iter().map(|cell| {
+        let Cell { factor, bare, .. } = cell?;
+        let values = read.next()?.into_iter().map(|v| v * factor).collect();
+        Some(Found { values, bare })
+    });
+    Ok(found.collect())
 }
 
-/// The cell of the header that names the column, and the factor of its unit.
-fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<(&'h str, f64)>, CsvError> {
+/// A cell of the header that names a column.
+struct Cell<'h> {
+    name: &'h str,
+    /// Of its unit.
+    factor: f64,
+    /// Whether it says no unit.
+    bare: bool,
+}
+
+/// The cell of the header that names the column.
+fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, CsvError> {
     let mut refused = None;
     for cell in header {
         for (name, unit) in name_and_unit(cell) {
@@ -96,12 +120,15 @@ fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<(&'h str, f6
             if !column.names.iter().any(alike) {
                 continue;
             }
-            let unit = match column.bare {
-                Some(bare) if unit.is_empty() => bare,
-                _ => unit,
-            };
-            match units::parse(&format!("1 {}", unit.replace('_', "/"))) {
-                Ok((factor, dim)) if dim == column.dim => return Ok(Some((cell, factor))),
+            let usual = column.bare.filter(|_| unit.is_empty());
+            match units::parse(&format!("1 {}", usual.unwrap_or(unit).replace('_', "/"))) {
+                Ok((factor, dim)) if dim == column.dim => {
+                    return Ok(Some(Cell {
+                        name: cell,
+                        factor,
+                        bare: usual.is_some(),
+                    }));
+                }
                 Ok((_, dim)) => {
                     refused.get_or_insert_with(|| CsvError {
                         message: format!("the column `{cell}` is {}", dim.describe()),
@@ -345,15 +372,16 @@ mod tests {
             dim: Dim::ANGLE,
             bare: Some("deg"),
         };
-        let right = Some(vec![std::f64::consts::FRAC_PI_2]);
-        for text in [
-            "dip_direction_deg,dip_deg\n90,90\n",
-            "DipDirection[deg],Dip [deg]\n90,90\n",
-            "Dip Azimuth (deg), Dip (deg)\n90,90\n",
-            "dip_direction,dip\n90,90\n",
+        for (text, bare) in [
+            ("dip_direction_deg,dip_deg\n90,90\n", false),
+            ("DipDirection[deg],Dip [deg]\n90,90\n", false),
+            ("Dip Azimuth (deg), Dip (deg)\n90,90\n", false),
+            ("dip_direction,dip\n90,90\n", true),
         ] {
+            let values = vec![std::f64::consts::FRAC_PI_2];
+            let right = Some(Found { values, bare });
             let found = read_table(text, &[dip(Some("deg")), direction]).unwrap();
-            assert_eq!(found, [right.clone(), right.clone()], "{text}");
+            assert_eq!(found, [right.clone(), right], "{text}");
         }
         let refused = read_table("dip\n90\n", &[dip(None)]).unwrap_err();
         assert!(refused.message.contains("the column `dip`"), "{refused}");

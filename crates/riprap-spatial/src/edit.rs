@@ -35,7 +35,7 @@
 //! New forces on new masses also change the time-centred kinetic energy. Both changes are the difference of the ledger's residual before
 //! and after, booked as one line, so the residual itself is the same before and after: an edit can neither hide nor make a fault of the steps.
 
-mod audit;
+pub(crate) mod audit;
 pub(super) mod error;
 mod gradual;
 mod measure;

@@ -164,6 +164,9 @@ impl Forest {
 
     /// Leaves a block whole and out of the balance.
     pub fn keep_whole(&mut self, b: u32) {
+        if matches!(self.cells[b as usize].kind, Kind::Whole(_)) {
+            return;
+        }
         let extent = self.extent(b);
         self.cells[b as usize].kind = Kind::Whole(self.whole.len() as u32);
         self.whole.push(extent);

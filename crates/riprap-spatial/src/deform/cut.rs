@@ -29,6 +29,7 @@ use super::fracture::LOOK;
 use super::stable;
 use crate::bolts;
 use crate::cavity;
+use crate::edit::audit::unchanged;
 use crate::edit::error::EditError;
 use crate::laws::fracture::FractureMode;
 use crate::read::view::View;
@@ -237,16 +238,13 @@ fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
     for family in families {
         let Handed { before, after, .. } = &family.cut.handed;
         let check = |what, before: f64, after: f64, scale: f64| {
-            if (after - before).abs() <= EXACT * scale.abs().max(f64::MIN_POSITIVE) {
-                return Ok(());
-            }
-            let block = world.name(family.cut.block as usize);
-            Err(EditError::Audit {
+            unchanged(
+                world,
+                family.cut.block,
                 what,
-                block,
-                before,
-                after,
-            })
+                [before, after],
+                EXACT * scale,
+            )
         };
         check("the mass", before.mass, after.mass, before.mass)?;
         let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();

@@ -15,6 +15,7 @@ const EXACT: f64 = 1e-12;
 /// The same for parallelepipeds, which are given by their corners: these are where three pairs of parallel faces would have them
 /// only up to `SKEW` (1e-10) of their size.
 const ALMOST: f64 = 1e-9;
+
 /// Sums over blocks about one point.
 #[derive(Clone, Copy, Default)]
 struct Sums {
@@ -63,16 +64,7 @@ pub(super) fn splits(world: &World, plan: &Plan) -> Result<(), EditError> {
             Some(Divisible::Leaning(_)) | None => ALMOST,
         };
         let check = |what, before: f64, after: f64, scale: f64| {
-            if (after - before).abs() <= exact * scale.abs().max(f64::MIN_POSITIVE) {
-                return Ok(());
-            }
-            let block = world.name(root as usize);
-            Err(EditError::Audit {
-                what,
-                block,
-                before,
-                after,
-            })
+            unchanged(world, root, what, [before, after], exact * scale)
         };
         check("the mass", before.mass, after.mass, before.mass)?;
         check(
@@ -93,6 +85,26 @@ pub(super) fn splits(world: &World, plan: &Plan) -> Result<(), EditError> {
         }
     }
     surfaces(world, plan)
+}
+
+/// An error if a quantity of a block has changed by more than is allowed between the first value and the second.
+pub(crate) fn unchanged(
+    world: &World,
+    block: u32,
+    what: &'static str,
+    [before, after]: [f64; 2],
+    allowed: f64,
+) -> Result<(), EditError> {
+    if (after - before).abs() <= allowed.abs().max(f64::MIN_POSITIVE) {
+        return Ok(());
+    }
+    let block = world.name(block as usize);
+    Err(EditError::Audit {
+        what,
+        block,
+        before,
+        after,
+    })
 }
 
 /// Every face of every new block is covered by patches, walls and free faces.

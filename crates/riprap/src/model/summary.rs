@@ -41,7 +41,7 @@ pub struct Summary {
     pub regions: Vec<Region>,
     /// Grids whose cells were fitted to a charge, in words.
     pub fitted: Vec<String>,
-    /// Blocks in space that joints divide, in words: area of joints per volume.
+    /// Blocks in space that joints divide, in words: area of joints per volume, units that their lists do not name.
     pub joints: Vec<String>,
     /// Terrain, in words: extent, triangles, steepest place.
     pub terrain: Vec<String>,

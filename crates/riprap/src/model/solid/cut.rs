@@ -9,7 +9,7 @@ use super::global;
 use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
-use crate::scenario::csv_columns::{Column, csv_table};
+use crate::scenario::csv_columns::{Column, Found, csv_table};
 use crate::scenario::language::{Block, Cut};
 use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
@@ -140,6 +140,8 @@ impl Builder<'_> {
                 return None;
             }
         };
+        self.note_usual_units(file, &columns);
+        let values = columns.each_ref().map(|c| c.as_ref().map(|c| &c.values));
         let [
             x,
             y,
@@ -151,10 +153,7 @@ impl Builder<'_> {
             strike,
             trend,
             plunge,
-        ] = &columns[..]
-        else {
-            return None;
-        };
+        ] = values;
         let shifted = |angles: &[f64], by: f64| angles.iter().map(|a| a + by).collect();
         // Strike has the dip to its right; the pole points down.
         let (dips, directions): (Vec<f64>, Vec<f64>) = match [dip, direction, strike, trend, plunge]
@@ -214,6 +213,21 @@ impl Builder<'_> {
             });
         }
         Some(joints)
+    }
+
+    /// Tells which columns name no unit, and what was taken.
+    fn note_usual_units(&mut self, file: &Name, columns: &[Option<Found>; COLUMNS.len()]) {
+        for (unit, dim) in [("m", Dim::LENGTH), ("deg", Dim::ANGLE)] {
+            let bare = columns.iter().zip(&COLUMNS).filter(|(found, column)| {
+                column.dim == dim && found.as_ref().is_some_and(|found| found.bare)
+            });
+            let names: Vec<&str> = bare.map(|(_, column)| column.names[0]).collect();
+            if !names.is_empty() {
+                let names = names.join(", ");
+                let words = format!("{file}: {names} without a unit, read in {unit}");
+                self.summary.joints.push(words);
+            }
+        }
     }
 }
 

@@ -1,0 +1,102 @@
+//! What a run says of its phases when they are over, and of itself at its end.
+
+use super::{PhaseEnd, Simulation, Thrown, Unconverged, stop};
+use crate::plan::PhaseKind;
+use crate::run::{meeting, rough};
+
+impl Simulation {
+    /// Whether the present phase, which is over, ends without equilibrium; noted once.
+    pub fn note_unconverged(&mut self) -> Option<Unconverged> {
+        let phase = self.phase()?;
+        let rules = phase.deform?.relax?;
+        let now = self.engine.relaxing()?;
+        let over = !now.converged && now.iterations >= rules.iterations;
+        let note = Unconverged {
+            phase: phase.name.clone(),
+            iterations: now.iterations,
+            ratio: now.ratio,
+            wanted: rules.tolerance,
+        };
+        over.then(|| {
+            self.cursor.unconverged.push(note.clone());
+            note
+        })
+    }
+
+    /// Notes how the present phase, which is over, has ended.
+    pub fn note_end(&mut self) -> Option<PhaseEnd> {
+        let phase = self.phase()?;
+        let (name, kind, wanted) = (phase.name.clone(), phase.kind, phase.until.unbalanced);
+        let quiet = kind == PhaseKind::Static;
+        let view = self.view();
+        let judged = quiet && !self.relaxes();
+        let worst = judged.then(|| view.least_balanced()).flatten();
+        let ways = |elapsed: f64| {
+            let ways = view.movements().into_iter();
+            let ways = ways.map(|m| (m.block, m.speed * elapsed / m.size));
+            ways.max_by(|a, b| a.1.total_cmp(&b.1))
+        };
+        let moving = judged.then(|| ways(self.elapsed())).flatten();
+        let moving = moving.map(|(block, way)| (view.name(block), way));
+        let thrown = quiet.then(|| Thrown::of(&view)).flatten();
+        let end = PhaseEnd {
+            phase: name,
+            quiet,
+            reason: self.reason?,
+            unbalanced: view.unbalanced(),
+            wanted,
+            worst,
+            moving,
+            thrown,
+        };
+        self.cursor.ends.push(end.clone());
+        Some(end)
+    }
+
+    /// What should be known of the run besides its results, in words: what cannot meet, phases that did not come to rest, an energy
+    /// residual that is not small, blocks pressed deep into each other, bolts whose forces did not come into
+    /// equilibrium, rough joints pressed beyond the strength of their walls.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let cursor = &self.cursor;
+        let unconverged = cursor.unconverged.iter().map(ToString::to_string);
+        let ends =
+            (cursor.ends.iter()).flat_map(|end| end.warning().into_iter().chain(end.thrown()));
+        let residual = cursor.residual;
+        let residual = (residual.share.abs() > stop::NOTED).then(|| residual.to_string());
+        let deepest = cursor.deepest.as_ref().map(ToString::to_string);
+        let others = residual.into_iter().chain(deepest);
+        let off = meeting::off(&self.view()).into_iter();
+        let all = off.chain(unconverged).chain(ends).chain(others);
+        let supports = self
+            .left_terrain()
+            .into_iter()
+            .chain(self.unbalanced_bolt())
+            .chain(rough::crushed(&self.view()));
+        all.chain(supports).collect()
+    }
+
+    /// The bolt whose equilibrium was missed by most, in words.
+    fn unbalanced_bolt(&self) -> Option<String> {
+        let view = self.view();
+        let (name, left) = view.unbalanced_bolt()?;
+        Some(format!(
+            "the forces along bolt `{name}` did not come into equilibrium in some step: {left:.1e} of its largest force was left; a smaller \
+             `safety` moves the rock by less in a step"
+        ))
+    }
+
+    /// Blocks that have gone over the rim of the terrain, in words.
+    fn left_terrain(&self) -> Option<String> {
+        let view = self.view();
+        let left = view.spatial()?.left_terrain();
+        let first = *left.first()?;
+        let name = view.name(first);
+        Some(match left.len() {
+            1 => format!("block `{name}` has gone over the rim of the terrain and falls for ever"),
+            n => format!(
+                "{n} blocks have gone over the rim of the terrain and fall for ever, `{name}` the first in number"
+            ),
+        })
+    }
+}
