@@ -1,4 +1,4 @@
-//! Histories and energies over time.
+//! Histories and energies over time, histories over each other.
 
 use super::chart::{self, Curve, Panel};
 use super::{PlotError, table_csv, write};
@@ -6,20 +6,34 @@ use riprap_record::manifest::Manifest;
 use riprap_record::table::{Series, Table};
 use std::path::{Path, PathBuf};
 
-/// Draws columns of `histories.csv` over time, those of one unit in one panel. No names: all columns.
+/// Draws columns of `histories.csv` over time, or over the column `against` (load against displacement, convergence
+/// against the way of a face), those of one unit in one panel. No names: all columns.
 ///
 /// Ratios that fall over decades (a column named `...unbalanced...`, no value negative) get a logarithmic axis.
 ///
 /// # Errors
 /// Unknown columns (with the nearest name), files that cannot be read or written.
-pub fn histories(folder: &Path, columns: &[String], out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn histories(
+    folder: &Path,
+    columns: &[String],
+    against: Option<&str>,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let table = Table::read(&folder.join("histories.csv"))?;
+    let (along, axis) = match against {
+        Some(name) => {
+            let series = table.column(name)?;
+            (series, (series.name.replace('_', " "), &*series.unit))
+        }
+        None => abscissa(&table).map(|(series, (name, unit))| (series, (name.to_owned(), unit)))?,
+    };
     let chosen: Vec<&Series> = if columns.is_empty() {
         table
             .columns
             .iter()
             .filter(|c| !["step", "time"].contains(&c.name.as_str()))
+            .filter(|c| c.name != along.name)
             .collect()
     } else {
         columns
@@ -27,14 +41,13 @@ pub fn histories(folder: &Path, columns: &[String], out: &Path) -> Result<Vec<Pa
             .map(|c| table.column(c))
             .collect::<Result<_, _>>()?
     };
-    let (time, axis) = abscissa(&table)?;
     need_rows(&table, &chosen)?;
     let mut panels: Vec<Panel> = Vec::new();
     for series in &chosen {
         let log = series.name.contains("unbalanced")
             && series.values.iter().any(|v| *v > 0.0)
             && series.values.iter().all(|v| *v >= 0.0 || v.is_nan());
-        let curve = curve(series, &time.values);
+        let curve = curve(series, &along.values);
         match panels
             .iter_mut()
             .find(|p| p.unit == series.unit && p.log == log)
@@ -56,8 +69,8 @@ pub fn histories(folder: &Path, columns: &[String], out: &Path) -> Result<Vec<Pa
             panel.name = quantity(&panel.curves);
         }
     }
-    let page = chart::draw((&manifest.title, ""), axis, &panels);
-    let mut columns = vec![time];
+    let page = chart::draw((&manifest.title, ""), (&axis.0, axis.1), &panels);
+    let mut columns = vec![along];
     columns.extend(chosen);
     write(&page, &table_csv(&columns), out)
 }

@@ -45,7 +45,7 @@ fn svg(path: &Path) -> String {
 fn histories_are_grouped_by_unit() {
     let dir = tempfile::tempdir().unwrap();
     let folder = run(dir.path());
-    let files = histories(&folder, &[], &dir.path().join("h")).unwrap();
+    let files = histories(&folder, &[], None, &dir.path().join("h")).unwrap();
     let names: Vec<_> = files
         .iter()
         .map(|f| f.file_name().unwrap().to_str().unwrap())
@@ -63,10 +63,30 @@ fn histories_are_grouped_by_unit() {
     let one = histories(
         &folder,
         &["slip [m]".to_owned()],
+        None,
         &dir.path().join("one.svg"),
     )
     .unwrap();
     assert_eq!(svg(&one[0]).matches("<polyline").count(), 1);
+}
+
+#[test]
+fn a_history_is_drawn_over_another() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = run(dir.path());
+    let out = dir.path().join("path.svg");
+    let files = histories(&folder, &["opening".to_owned()], Some("slip"), &out).unwrap();
+    assert!(svg(&files[0]).contains("slip (m)"), "{}", svg(&files[0]));
+    let numbers = Table::read(&files[1]).unwrap();
+    let names: Vec<&str> = numbers.columns.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names, ["slip", "opening"]);
+    // All the others, when none is named.
+    let files = histories(&folder, &[], Some("slip"), &out).unwrap();
+    let numbers = Table::read(&files[1]).unwrap();
+    let names: Vec<&str> = numbers.columns.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names, ["slip", "opening", "unbalanced"]);
+    let unknown = histories(&folder, &[], Some("slipp"), &out).unwrap_err();
+    assert!(unknown.to_string().contains("slip"), "{unknown}");
 }
 
 #[test]
@@ -141,7 +161,7 @@ fn errors_say_what_there_is() {
     let out = dir.path().join("x.svg");
     let text = |e: Result<Vec<PathBuf>, PlotError>| e.unwrap_err().to_string();
     let o = BlockOptions::default();
-    let e = text(histories(&folder, &["slipp".to_owned()], &out));
+    let e = text(histories(&folder, &["slipp".to_owned()], None, &out));
     assert!(e.contains("did you mean `slip`?"), "{e}");
     let e = text(blocks(&folder, Which::Last, "displacment.x", o, &out));
     assert!(
@@ -161,7 +181,7 @@ fn errors_say_what_there_is() {
     let empty = dir.path().join("empty.run");
     RunFolder::create(&empty, Existing::Refuse, &Manifest::default()).unwrap();
     assert!(text(blocks(&empty, Which::Last, "rotation", o, &out)).contains("has no frames"));
-    assert!(text(histories(&empty, &[], &out)).contains("histories.csv"));
+    assert!(text(histories(&empty, &[], None, &out)).contains("histories.csv"));
 }
 
 #[test]

@@ -16,6 +16,7 @@ pub struct Options {
     by: String,
     times: Vec<f64>,
     names: Vec<String>,
+    against: Option<String>,
     log: bool,
     vectors: Option<String>,
     stress: bool,
@@ -149,7 +150,7 @@ impl Options {
                     what: "a spectrum is of one history: names=[\"...\"]".to_owned(),
                 }),
             },
-            _ => drawn::histories(folder, &self.names, out),
+            _ => drawn::histories(folder, &self.names, self.against.as_deref(), out),
         }
     }
 }

@@ -178,10 +178,11 @@ fn draw(folder: &Path, plots: &Path) -> Result<(), Box<dyn Error>> {
         contacts: true,
         ..BlockOptions::default()
     };
-    let mut files = plot::histories(folder, &[], &plots.join("histories"))?;
+    let mut files = plot::histories(folder, &[], None, &plots.join("histories"))?;
     files.extend(plot::histories(
         folder,
         &["slip".to_owned()],
+        None,
         &plots.join("slip"),
     )?);
     files.extend(plot::energy(folder, &plots.join("energy"))?);

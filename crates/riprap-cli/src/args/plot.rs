@@ -23,11 +23,13 @@ Pictures:
   fragments          sizes of fragments, x50 and x80, with Rosin-Rammler and Swebrec fits
   spectrum HISTORY   amplitude spectrum of a history
   HISTORY            one history
+                     over time, or over another one with --against
 
 Examples:
   riprap plot hill.run                   everything
   riprap plot hill.run energy --png
   riprap plot hill.run slip -o slip.svg
+  riprap plot core.run load --against shortening
   riprap plot hill.run blocks --by velocity --time '0.5 s'
   riprap plot blast.run section --by displacement.z --vectors velocity
   riprap plot hill.run blocks --by sigma1_compressive --stress
@@ -53,6 +55,9 @@ pub struct Plot {
     /// History whose spectrum is drawn
     #[arg(value_name = "HISTORY")]
     pub history: Option<String>,
+    /// History along the x axis instead of time: load over displacement, convergence over the way of a face
+    #[arg(long, value_name = "HISTORY", requires = "what")]
+    pub against: Option<String>,
     /// File to write; its ending says the format
     #[arg(short, long, value_name = "FILE", requires = "what")]
     pub output: Option<PathBuf>,

@@ -16,6 +16,8 @@ use crate::screen;
 
 /// Pictures of blasts that are part of everything, as far as the run has what they need.
 const OF_BLASTS: [&str; 4] = ["ppv", "crater", "heave", "cavity"];
+/// Pictures of numbers that are not histories, and of blocks.
+const OF_BLOCKS: [&str; 4] = ["energy", "blocks", "section", "spectrum"];
 /// Pictures of any run that are part of everything where they show something.
 const OF_ANY: [&str; 3] = ["stereonet", "rose", "fragments"];
 
@@ -52,6 +54,13 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
             .map_err(|e| Failure::Output(format!("could not make {}: {e}", plots.display())))?;
     }
     let asked = Asked::read(args)?;
+    let others = OF_BLOCKS.iter().chain(&OF_BLASTS).chain(&OF_ANY);
+    let mut others = others.filter(|name| args.what.as_deref() == Some(**name));
+    if let (Some(_), Some(what)) = (&args.against, others.next()) {
+        return Err(Failure::Input(format!(
+            "--against is for histories, and `{what}` shows none; write riprap plot RUN HISTORY --against OTHER"
+        )));
+    }
     Ok(match (args.what.as_deref(), args.history.as_deref()) {
         (Some("spectrum"), Some(history)) => {
             let out = asked.out(&format!("spectrum_{}", file_name(history)));
@@ -186,6 +195,14 @@ impl<'a> Asked<'a> {
             .unwrap_or_else(|| plots.join(format!("{name}.{ending}")))
     }
 
+    /// The file of histories, which may be drawn over another one.
+    fn over(&self, name: &str) -> PathBuf {
+        match &self.args.against {
+            Some(other) => self.out(&format!("{name}_against_{}", file_name(other))),
+            None => self.out(name),
+        }
+    }
+
     /// The one frame of pictures that show one.
     fn frame(&self, what: &str) -> Result<Which, Failure> {
         match self.frames[..] {
@@ -214,8 +231,9 @@ impl<'a> Asked<'a> {
             &self.frames[..]
         };
         let source = self.args.source.as_deref();
+        let against = self.args.against.as_deref();
         match what {
-            "histories" => plot::histories(folder, &[], &self.out(what)),
+            "histories" => plot::histories(folder, &[], against, &self.over(what)),
             "energy" => plot::energy(folder, &self.out(what)),
             "blocks" => {
                 let out = self.out(&format!("blocks_{by}"));
@@ -247,7 +265,10 @@ impl<'a> Asked<'a> {
             }
             "fragments" => plot::fragments(folder, &self.out(what)),
             "rose" => plot::rose(folder, frames[0], &self.out(what)),
-            name => plot::histories(folder, &[name.to_owned()], &self.out(&file_name(name))),
+            name => {
+                let out = self.over(&file_name(name));
+                plot::histories(folder, &[name.to_owned()], against, &out)
+            }
         }
     }
 }

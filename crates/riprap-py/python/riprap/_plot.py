@@ -53,6 +53,7 @@ def plot(
     uplift: "str | float | None" = None,
     source: str | None = None,
     projection: str = "equal_area",
+    against: str | None = None,
 ) -> Picture:
     """Draws a picture of a run folder, with the numbers behind it as CSV.
 
@@ -77,18 +78,21 @@ def plot(
         uplift: least uplift that counts as crater, ``"40 mm"`` or a number [m].
         source: name of the charge (``crater``, ``heave``).
         projection: of the stereonet, ``equal_area`` or ``equal_angle``.
+        against: history along the x axis of histories, instead of time.
 
     Raises:
         PlotError: the run has not what the picture needs.
     """
     folder = run.path if isinstance(run, RunFolder) else Path(run)
-    name = "_".join([what, *names[:1], *([by] if what in ("blocks", "section") else [])])
+    parts = [what, *names[:1], *([by] if what in ("blocks", "section") else [])]
+    name = "_".join(parts if against is None else [*parts, "against", against])
     target = Path(out) if out is not None else folder / "plots" / f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}.svg"
     listed = [] if times is None else [times] if isinstance(times, (int, float)) else list(times)
     options = {
         "by": by,
         "times": [float(t) for t in listed],
         "names": list(names),
+        "against": against,
         "log": log,
         "vectors": vectors,
         "stress": stress,
