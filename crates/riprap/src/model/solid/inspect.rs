@@ -31,6 +31,7 @@ impl Builder<'_> {
     pub(in crate::model) fn inspect_solid(&mut self) {
         self.solid_summary();
         self.solid_overlaps();
+        self.glued_without_joints();
         self.on_terrain();
         self.stress_balance();
         self.solid_motion();
@@ -188,6 +189,42 @@ impl Builder<'_> {
             .zip(reached)
             .filter(|(_, reached)| *reached);
         doubtful.flat_map(|((blocks, _, _), _)| blocks).collect()
+    }
+
+    /// Warns of strengths that do not act, because blocks of glued parts have no joints to the blocks that they touch.
+    fn glued_without_joints(&mut self) {
+        let setup = &self.spatial;
+        let acts = |row: u16| {
+            let strength = setup.interfaces[row as usize].joint.strength;
+            strength.is_some_and(|s| s.cohesion > 0.0 || s.tension > 0.0)
+        };
+        if !setup.pair_table.iter().any(|row| acts(*row)) {
+            return;
+        }
+        let boxes: Vec<_> = setup.blocks.iter().map(|b| bounds(&b.shape)).collect();
+        let meets = |a: usize, b: usize| {
+            let ((min_a, max_a), (min_b, max_b)) = (boxes[a], boxes[b]);
+            let slack = ACCEPTED * (max_a - min_a).min(max_b - min_b).min_element();
+            (max_a.min(max_b) - min_a.max(min_b)).min_element() >= -slack
+        };
+        let glued = (0..boxes.len()).filter(|b| setup.blocks[*b].shape.is_glued());
+        let found = glued.filter_map(|a| {
+            let other = (0..boxes.len()).find(|&b| {
+                let of = |k: usize| setup.blocks[k].material as usize;
+                let row = setup.pair_table[of(a) * setup.materials.len() + of(b)];
+                b != a && acts(row) && meets(a, b)
+            });
+            other.map(|b| [a as u32, b as u32])
+        });
+        for [block, other] in found.take(NAMED).collect::<Vec<_>>() {
+            let [name, other] = [block, other].map(|b| self.directory.name(b));
+            let message = format!(
+                "cohesion and tension do not act between `{name}` and `{other}`, which it touches at the start: blocks of glued parts have no joints"
+            );
+            let note = Diagnostic::warning("geometry.parts", message).at(self.table_span(block));
+            let help = "they meet by found contact, with the residual strength of their interface";
+            self.found.push(note.help(help));
+        }
     }
 
     /// How deep two blocks lie in each other, if that is too deep.

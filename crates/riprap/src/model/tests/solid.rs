@@ -8,6 +8,7 @@ use crate::spatial::setup::{
 };
 use riprap_geom::Vec3;
 
+mod parts;
 mod turn;
 
 const GRID: &str = r#"
