@@ -76,7 +76,7 @@ fn a_history_is_drawn_over_another() {
     let folder = run(dir.path());
     let out = dir.path().join("path.svg");
     let files = histories(&folder, &["opening".to_owned()], Some("slip"), &out).unwrap();
-    assert!(svg(&files[0]).contains("slip (m)"), "{}", svg(&files[0]));
+    assert!(svg(&files[0]).contains("slip [m]"), "{}", svg(&files[0]));
     let numbers = Table::read(&files[1]).unwrap();
     let names: Vec<&str> = numbers.columns.iter().map(|c| c.name.as_str()).collect();
     assert_eq!(names, ["slip", "opening"]);

@@ -316,7 +316,7 @@ fn a_checkpoint_of_an_older_format_is_refused_by_number() {
     }
     let said = bench.run(&["resume", "a.run"]).expect(2);
     assert!(
-        said.err.contains("format version 2, this riprap reads 7"),
+        said.err.contains("format version 2, this riprap reads 8"),
         "{}",
         said.err
     );
