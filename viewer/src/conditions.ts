@@ -14,12 +14,23 @@ export interface Conditions {
   faces: { name: string; kind: FaceKind; count: number; blocks: number[]; centres: Triple[]; tractions: Triple[] }[];
   loads: { kind: "force" | "moment" | "acceleration" | "pressure"; unit: string; block: number; at: Triple; vector: Triple }[];
   supports: { driven: boolean; blocks: number[] }[];
-  water: { name: string; along: [number, number]; points: [number, number][] }[];
+  water: Table[];
   /** Names of the phases, each with the place of the table that stands in it. */
   standing: [string, number | null][];
   interfaces: string[];
   /** Place of the interface between materials a and b, at a * materials + b. */
   pairs: number[];
+}
+
+/** A water table: corners along a direction, heights on a grid (lines along x, along y, heights), or several tables. */
+interface Table {
+  name: string;
+  along: [number, number];
+  points: [number, number][];
+  grid?: [number[], number[], number[]];
+  /** Lowest and highest coordinates of where it acts. */
+  within?: [number[], number[]];
+  parts?: Table[];
 }
 
 type Triple = [number, number, number];
@@ -206,35 +217,9 @@ export class ConditionMarks {
     const standing = conditions?.standing.find(([name]) => name === phase) ?? conditions?.standing[0];
     const table = standing && standing[1] !== null ? conditions!.water[standing[1]] : undefined;
     if (!table) return [];
-    const { low, high, origin } = blocks.shape.info;
     const flat = blocks.dimension === 2;
-    // Level beyond both ends, as far as the model reaches.
-    const far = (x: number, y: number) => table.along[0] * (x + origin[0]) + table.along[1] * (y + origin[1]);
-    const reach = flat ? [low[0] + origin[0], high[0] + origin[0]] : [0, 1, 2, 3].map((k) => far(k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1]));
-    const [from, to] = [Math.min(...reach), Math.max(...reach)];
-    const line = profile(table.points, from, to);
     const points: number[] = [];
-    if (flat) {
-      const half = bandOf(blocks);
-      for (let k = 0; k + 1 < line.length; k++) {
-        const [[x, y], [u, v]] = [line[k]!, line[k + 1]!].map(([d, h]) => [d - origin[0], h - origin[1]]) as [[number, number], [number, number]];
-        points.push(x, y - half, 0.45, u, v - half, 0.45, u, v + half, 0.45, x, y - half, 0.45, u, v + half, 0.45, x, y + half, 0.45);
-      }
-    } else {
-      const [ax, ay] = table.along;
-      // Half the diagonal covers the model whichever way the table lies.
-      const wide = 0.5 * Math.hypot(high[0] - low[0], high[1] - low[1]);
-      const middle = [origin[0] + 0.5 * (low[0] + high[0]), origin[1] + 0.5 * (low[1] + high[1])] as const;
-      const across = -ay * middle[0] + ax * middle[1];
-      const place = ([d, h]: [number, number], side: number) => {
-        const c = across + side * wide;
-        return [ax * d - ay * c - origin[0], ay * d + ax * c - origin[1], h - origin[2]];
-      };
-      for (let k = 0; k + 1 < line.length; k++) {
-        const [a, b] = [line[k]!, line[k + 1]!];
-        points.push(...place(a, -1), ...place(b, -1), ...place(b, 1), ...place(a, -1), ...place(b, 1), ...place(a, 1));
-      }
-    }
+    for (const one of table.parts ?? [table]) points.push(...(one.grid ? ofGrid(one.grid, blocks) : ofLine(one, blocks)));
     this.surface.geometry.dispose();
     this.surface.geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
     (this.surface.material as THREE.Material).opacity = flat ? 0.9 : 0.35;
@@ -268,6 +253,54 @@ function given(conditions: Conditions, blocks: Blocks): Acting[] {
     if (blocks.dimension === 2) place.z = 0;
     return b < 0 ? [] : [{ kind, unit, block: b, place, vector: new THREE.Vector3(...vector) }];
   });
+}
+
+/** Triangles of a table on a grid, as far as it is given. */
+function ofGrid([x, y, z]: [number[], number[], number[]], blocks: Blocks): number[] {
+  const { origin } = blocks.shape.info;
+  const place = (i: number, j: number) => [x[i]! - origin[0], y[j]! - origin[1], z[j * x.length + i]! - origin[2]];
+  const points: number[] = [];
+  for (let j = 0; j + 1 < y.length; j++) {
+    for (let i = 0; i + 1 < x.length; i++) {
+      const [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+      points.push(...a, ...b, ...c, ...a, ...c, ...d);
+    }
+  }
+  return points;
+}
+
+/** Triangles of a table with corners, level beyond both ends as far as the model or where it acts reaches. */
+function ofLine(table: Table, blocks: Blocks): number[] {
+  const { low, high, origin } = blocks.shape.info;
+  const flat = blocks.dimension === 2;
+  const far = (x: number, y: number) => table.along[0] * (x + origin[0]) + table.along[1] * (y + origin[1]);
+  const reach = flat ? [low[0] + origin[0], high[0] + origin[0]] : [0, 1, 2, 3].map((k) => far(k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1]));
+  let [from, to] = [Math.min(...reach), Math.max(...reach)];
+  if (flat && table.within) [from, to] = [Math.max(from, table.within[0][0]!), Math.min(to, table.within[1][0]!)];
+  const line = profile(table.points, from, to);
+  const points: number[] = [];
+  if (flat) {
+    const half = bandOf(blocks);
+    for (let k = 0; k + 1 < line.length; k++) {
+      const [[x, y], [u, v]] = [line[k]!, line[k + 1]!].map(([d, h]) => [d - origin[0], h - origin[1]]) as [[number, number], [number, number]];
+      points.push(x, y - half, 0.45, u, v - half, 0.45, u, v + half, 0.45, x, y - half, 0.45, u, v + half, 0.45, x, y + half, 0.45);
+    }
+    return points;
+  }
+  const [ax, ay] = table.along;
+  // Half the diagonal covers the model whichever way the table lies.
+  const wide = 0.5 * Math.hypot(high[0] - low[0], high[1] - low[1]);
+  const middle = [origin[0] + 0.5 * (low[0] + high[0]), origin[1] + 0.5 * (low[1] + high[1])] as const;
+  const across = -ay * middle[0] + ax * middle[1];
+  const place = ([d, h]: [number, number], side: number) => {
+    const c = across + side * wide;
+    return [ax * d - ay * c - origin[0], ay * d + ax * c - origin[1], h - origin[2]];
+  };
+  for (let k = 0; k + 1 < line.length; k++) {
+    const [a, b] = [line[k]!, line[k + 1]!];
+    points.push(...place(a, -1), ...place(b, -1), ...place(b, 1), ...place(a, -1), ...place(b, 1), ...place(a, 1));
+  }
+  return points;
 }
 
 /** Corners of a table from one distance to another: its own between them, level beyond its ends. */

@@ -21,8 +21,12 @@ pub enum Site {
     Model,
     /// One value for a charge or another cavity.
     Cavity,
-    /// One value for a condition on free faces.
+    /// One value for a condition on free faces, in the plane for a side of the model.
     Boundary,
+    /// One value for a support.
+    Support,
+    /// One value for a load.
+    Load,
     /// One value for a bolt, or for several.
     Bolt,
     /// One term of the energy ledger.
@@ -40,6 +44,8 @@ impl Site {
             Site::Model => "model",
             Site::Cavity => "cavity",
             Site::Boundary => "boundary",
+            Site::Support => "support",
+            Site::Load => "load",
             Site::Bolt => "bolt",
             Site::Energy => "energy",
         }

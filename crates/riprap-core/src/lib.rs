@@ -1,7 +1,8 @@
 //! What every engine of riprap stands on.
 //!
 //! - [`exec`]: the one place that names the thread pool; [`lanes`]: eight numbers at a time;
-//! - [`ledger`]: energy; [`profile`]: stage timers; [`state_hash`]: equal hashes, equal states;
+//! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
+//! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
 //!
@@ -10,6 +11,7 @@
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
+pub mod accounts;
 pub mod dynamics;
 pub mod exec;
 pub mod field;

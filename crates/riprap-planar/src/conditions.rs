@@ -1,6 +1,6 @@
 //! What holds, moves and loads a model in the plane, as pictures show it.
 
-use riprap_geom::Vec2;
+use riprap_geom::{Vec2, Vec3};
 
 use super::loads::edge_normal;
 use super::setup::{LoadKind, Motion};
@@ -34,15 +34,9 @@ pub fn conditions(view: &View<'_>, first: usize) -> Conditions {
         })
         .collect();
     let [x, y] = setup.origin;
-    out.water = setup
-        .water
-        .iter()
-        .map(|table| Table {
-            name: table.name.clone(),
-            along: table.along,
-            points: table.points.iter().map(|p| [p[0] + x, p[1] + y]).collect(),
-        })
-        .collect();
+    let tables = setup.water.iter();
+    let tables = tables.map(|table| Table::of(table, Vec3::new(x, 0.0, y), true));
+    out.water = tables.collect();
     out.interfaces = setup.interfaces.iter().map(|i| i.name.clone()).collect();
     out.pairs.clone_from(&setup.pair_table);
     out

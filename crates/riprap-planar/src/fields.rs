@@ -246,6 +246,9 @@ fields! {
     "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
     "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
     "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
+    "boundary.work" "J/m" Boundary Scalar false "Work of the stress of the rock outside on a side of the model." |v, of| one(v.world.work_of_boundary(first(of)));
+    "support.work" "J/m" Support Scalar false "Work of a support on its blocks; what holds still does none." |v, of| one(v.world.work(first(of)));
+    "load.work" "J/m" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));
     "energy.kinetic" "J/m" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J/m" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J/m" Energy Scalar true "Elastic energy in the normal direction of found contacts (exact for the distance potential, by path else)." |v, _| one(v.balance().contact_normal);

@@ -33,4 +33,4 @@ pub mod view;
 mod water;
 pub mod world;
 
-use riprap_core::{dynamics, exec, field, frame, laws, ledger, sums};
+use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, sums};

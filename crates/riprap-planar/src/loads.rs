@@ -3,7 +3,7 @@
 use riprap_geom::Vec2;
 
 use super::search::segment_distance;
-use super::setup::LoadKind;
+use super::setup::{Load, LoadKind};
 use super::shapes::Shapes;
 use super::world::World;
 
@@ -19,50 +19,63 @@ pub struct Applied {
 /// Sums all loads at the world's present time into `applied` (one entry per block).
 pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
     applied.fill(Applied::default());
+    each(world, shapes, |_, b, load| {
+        let slot = &mut applied[b];
+        slot.force += load.force;
+        slot.moment += load.moment;
+    });
+}
+
+/// Hands over every load at the world's present time with each block that it acts on.
+pub fn each(world: &World, shapes: &Shapes, mut put: impl FnMut(&Load, usize, Applied)) {
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
         // What was released by and by is gone.
         if factor == 0.0 {
             continue;
         }
-        for &b in &load.blocks {
-            let b = b as usize;
-            if !world.alive[b] {
-                continue;
-            }
-            let (s, c) = libm::sincos(world.bodies[b].angle);
-            let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
-            let body = |p: Vec2| p - shapes.centroid[b];
-            let slot = &mut applied[b];
-            match &load.kind {
-                LoadKind::Point { force, at, follows } => {
-                    let force = factor * if *follows { turn(*force) } else { *force };
-                    slot.force += force;
-                    if let Some(at) = at {
-                        slot.moment += turn(body(*at)).perp_dot(force);
-                    }
-                }
-                LoadKind::Edge {
-                    from,
-                    to,
-                    traction,
-                    pressure,
-                } => {
-                    let ends = [*from, *to].map(body);
-                    let edge = EdgePush::new(shapes, b, ends, (*traction, *pressure), factor, turn);
-                    // Moment of a linear pressure: mean part at the middle, slope about it.
-                    let slope = edge.pressure_change / 12.0 * edge.along.perp_dot(edge.inward)
-                        + factor * edge.along.length() / 12.0
-                            * edge.along.perp_dot(edge.traction_change);
-                    slot.force += edge.push;
-                    slot.moment += edge.middle.perp_dot(edge.push) + slope;
-                }
-                LoadKind::Moment { moment } => slot.moment += factor * moment,
-                LoadKind::BodyForce { acceleration } => {
-                    slot.force += factor * shapes.mass[b] * *acceleration;
-                }
+        let there = load.blocks.iter().map(|b| *b as usize);
+        for b in there.filter(|b| world.alive[*b]) {
+            put(load, b, on_block(world, shapes, &load.kind, factor, b));
+        }
+    }
+}
+
+/// What a load does to a block.
+fn on_block(world: &World, shapes: &Shapes, kind: &LoadKind, factor: f64, b: usize) -> Applied {
+    let (s, c) = libm::sincos(world.bodies[b].angle);
+    let turn = |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y);
+    let body = |p: Vec2| p - shapes.centroid[b];
+    match kind {
+        LoadKind::Point { force, at, follows } => {
+            let force = factor * if *follows { turn(*force) } else { *force };
+            let moment = at.map_or(0.0, |at| turn(body(at)).perp_dot(force));
+            Applied { force, moment }
+        }
+        LoadKind::Edge {
+            from,
+            to,
+            traction,
+            pressure,
+        } => {
+            let ends = [*from, *to].map(body);
+            let edge = EdgePush::new(shapes, b, ends, (*traction, *pressure), factor, turn);
+            // Moment of a linear pressure: mean part at the middle, slope about it.
+            let slope = edge.pressure_change / 12.0 * edge.along.perp_dot(edge.inward)
+                + factor * edge.along.length() / 12.0 * edge.along.perp_dot(edge.traction_change);
+            Applied {
+                force: edge.push,
+                moment: edge.middle.perp_dot(edge.push) + slope,
             }
         }
+        LoadKind::Moment { moment } => Applied {
+            force: Vec2::ZERO,
+            moment: factor * moment,
+        },
+        LoadKind::BodyForce { acceleration } => Applied {
+            force: factor * shapes.mass[b] * *acceleration,
+            moment: 0.0,
+        },
     }
 }
 

@@ -66,6 +66,7 @@ pub fn take_out_gradually(
                 blocks: vec![b as u32],
                 kind,
                 time: fade.clone(),
+                account: None,
             }));
         }
     }

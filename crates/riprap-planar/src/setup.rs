@@ -7,6 +7,7 @@
 use riprap_geom::Vec2;
 use serde::{Deserialize, Serialize};
 
+use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 pub use crate::laws::bolt::Design;
@@ -44,6 +45,8 @@ pub struct Setup {
     pub water: Vec<WaterTable>,
     /// Bolts; phases install them.
     pub bolts: Vec<Bolt>,
+    /// Boundaries, supports and loads whose work is told.
+    pub accounts: Vec<Condition>,
     /// Thickness of the slice that results are of, m; `None` tells them per metre.
     pub thickness: Option<f64>,
 }
@@ -172,6 +175,8 @@ pub struct Load {
     pub kind: LoadKind,
     /// Multiplier over time.
     pub time: TimeFunction,
+    /// Index into `Setup::accounts` of the account that its work is booked on, if any.
+    pub account: Option<u16>,
 }
 
 /// Kinds of load.

@@ -4,6 +4,7 @@
 //! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
 //! make, [`advance`] applies them and moves the blocks.
 
+mod entries;
 mod kick;
 
 use std::time::Instant;
@@ -22,6 +23,7 @@ use super::setup::{ContactLaw, Setup};
 use super::shapes::Shapes;
 use super::water;
 use super::world::{Body, World, Wrench};
+use crate::accounts::{Account, Entries, add};
 use crate::exec::{Exec, piece};
 use crate::laws::bolt::Desk;
 use crate::ledger::Works;
@@ -66,6 +68,8 @@ pub struct Scratch {
     pub applied: Vec<Applied>,
     /// Works of the half step after the present time, booked by `advance`.
     departure: Works,
+    /// Works of single conditions.
+    entries: Entries,
     /// Contact laws by row.
     pub(super) laws: Vec<ContactLaw>,
     partial: Vec<Partial>,
@@ -149,6 +153,7 @@ impl World {
             bonds: Vec::new(),
             bolts: Vec::new(),
             works: Works::default(),
+            accounts: vec![Account::default(); setup.accounts.len()],
             start_energy: None,
             setup,
         };
@@ -204,6 +209,7 @@ impl Scratch {
             net: vec![Net::default(); n],
             applied: vec![Applied::default(); n],
             departure: Works::default(),
+            entries: Entries::default(),
             laws: Vec::new(),
             partial: Vec::new(),
             workspaces: Vec::new(),
@@ -356,6 +362,11 @@ pub fn evaluate(
     let result = stage(scratch, "gather", |scratch| {
         kicks(world, scratch, damping, dt)
     });
+    if !world.accounts.is_empty() {
+        stage(scratch, "accounts", |scratch| {
+            entries::book(world, scratch, damping, dt);
+        });
+    }
     world.pending = 0.0;
     scratch.coming_dt = dt;
     result
@@ -369,6 +380,8 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();
+    add(&mut world.accounts, &scratch.entries.departure);
+    scratch.entries.departure.clear();
     world.time += dt;
     world.step += 1;
     world.last_dt = dt;

@@ -1,6 +1,6 @@
 //! Standing water: its push on blocks, and its pressure at contacts and joints ([`crate::laws::water`]).
 
-use riprap_geom::Vec2;
+use riprap_geom::{Vec2, Vec3};
 
 use super::convex::Turned;
 use super::loads::Applied;
@@ -21,7 +21,9 @@ impl World {
     #[must_use]
     pub fn pore_pressure(&self, at: Vec2) -> f64 {
         let table = self.table();
-        table.map_or(0.0, |table| table.pressure(-self.gravity.y, at.x, at.y))
+        table.map_or(0.0, |table| {
+            table.pressure(-self.gravity.y, Vec3::new(at.x, 0.0, at.y))
+        })
     }
 }
 
@@ -42,6 +44,10 @@ pub(crate) fn on_block(world: &World, shapes: &Shapes, turned: &[Turned], b: usi
         shapes.mass[b] / world.setup.blocks[b].density,
         edges.len(),
         |k| edges[k].start,
+        &|r| {
+            let (s, c) = libm::sincos(world.bodies[b].angle);
+            shapes.centroid[b] + Vec2::new(c * r.x + s * r.y, c * r.y - s * r.x)
+        },
     );
     Applied { force, moment }
 }

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::seepage::state::Seepage;
 use super::setup::{Motion, Setup};
+use crate::accounts::{self, Account, Holder};
 use crate::laws::bolt::Chain;
 use crate::ledger::Works;
 
@@ -52,6 +53,8 @@ pub struct World {
     pub bolts: Vec<Bolt>,
     /// Running sums of the energy ledger.
     pub works: Works,
+    /// Work of the conditions in `setup.accounts`.
+    pub accounts: Vec<Account>,
     /// Kinetic and stored energy at the start, J/m; set by the first evaluation.
     pub start_energy: Option<f64>,
 }
@@ -68,6 +71,19 @@ impl World {
     /// Whether the model begins here: no step was done, and its energy is not counted yet.
     pub(crate) fn begins(&self) -> bool {
         self.start_energy.is_none() && self.last_dt == 0.0
+    }
+
+    /// Work of the condition on account number `k` since the start, J/m.
+    #[must_use]
+    pub fn work(&self, k: usize) -> f64 {
+        self.accounts.get(k).map_or(f64::NAN, Account::work)
+    }
+
+    /// Work of boundary number `k` of the scene since the start, J/m.
+    #[must_use]
+    pub fn work_of_boundary(&self, k: usize) -> f64 {
+        let account = accounts::of(&self.setup.accounts, Holder::Boundary(k as u16));
+        account.map_or(f64::NAN, |account| self.work(usize::from(account)))
     }
 
     /// Present place (local, m) of a point of a block, given from its centroid in the body frame.

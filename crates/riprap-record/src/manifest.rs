@@ -121,6 +121,19 @@ impl From<&FieldInfo> for FieldNote {
     }
 }
 
+/// What a boundary, support or load has done.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Work {
+    /// `boundary`, `support` or `load`.
+    pub of: String,
+    /// Its name in the scene, or what stands for one.
+    pub name: String,
+    /// Its work since the start in `unit`.
+    pub work: f64,
+    /// J; J/m for a model in the plane without thickness.
+    pub unit: String,
+}
+
 /// A charge, or another cavity that pushes on the rock around it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Source {
@@ -237,6 +250,8 @@ pub struct Manifest {
     pub fields: Vec<FieldNote>,
     /// Charges and other cavities of a run in space, in the order of the scene.
     pub sources: Vec<Source>,
+    /// Work of boundaries, supports and loads since the start.
+    pub works: Vec<Work>,
     /// Acceleration of gravity, m/s²: a picture stands on its feet by it. Zero in folders of earlier versions.
     pub gravity: [f64; 3],
     /// Names of the materials, in the order of the numbers that frames carry.
@@ -273,6 +288,7 @@ impl Default for Manifest {
             profile: Vec::new(),
             fields: Vec::new(),
             sources: Vec::new(),
+            works: Vec::new(),
             gravity: [0.0; 3],
             materials: Vec::new(),
             preview: false,

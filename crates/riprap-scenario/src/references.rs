@@ -86,6 +86,10 @@ impl<'a> References<'a> {
         let scenario = self.scenario;
         self.twice("blocks", scenario.blocks.iter().map(|block| &block.name));
         self.twice("phases", scenario.phases.iter().map(|phase| &phase.name));
+        let supports = scenario.supports.iter().filter_map(|s| s.name.as_ref());
+        self.twice("supports", supports);
+        let loads = scenario.loads.iter().filter_map(|l| l.name.as_ref());
+        self.twice("loads", loads);
         self.twice("bolts", scenario.bolts.iter().map(|bolt| &bolt.name));
         self.twice("checks", scenario.checks.iter().map(|check| &check.name));
         let histories = scenario.outputs.iter().filter_map(|output| match output {
@@ -199,11 +203,14 @@ impl<'a> References<'a> {
         known(name) || name.rsplit_once('.').is_some_and(|(many, _)| known(many))
     }
 
-    /// Blocks, groups, sources, bolts or boundaries: which of them a field wants, the model knows.
+    /// Blocks, groups, sources, bolts, boundaries, supports or loads: which of them a field wants, the model knows.
     fn of(&mut self, names: Option<&Names>) {
         for name in names.iter().flat_map(|names| &names.0) {
-            let boundaries = self.scenario.boundaries.iter();
-            let mut named = boundaries.filter_map(|b| b.name.as_ref());
+            let scene = self.scenario;
+            let boundaries = scene.boundaries.iter().map(|b| &b.name);
+            let supports = scene.supports.iter().map(|s| &s.name);
+            let loads = scene.loads.iter().map(|l| &l.name);
+            let mut named = boundaries.chain(supports).chain(loads).flatten();
             if !self.is_source(name.as_str())
                 && !self.is_bolt(name.as_str())
                 && !named.any(|b| b.as_str() == name.as_str())
@@ -299,13 +306,12 @@ impl<'a> References<'a> {
             for name in phase.remove.iter().chain(&phase.fix).chain(&phase.release) {
                 self.block_or_group(name);
             }
-            if let Some(name) = &phase.water
-                && name.as_str() != NO_WATER
-                && scenario.water.get(name.as_str()).is_none()
-            {
-                let mut known: Vec<&str> = scenario.water.names().collect();
-                known.push(NO_WATER);
-                self.unknown("water table", name, known);
+            for name in phase.water.iter().flat_map(|names| &names.0) {
+                if name.as_str() != NO_WATER && scenario.water.get(name.as_str()).is_none() {
+                    let mut known: Vec<&str> = scenario.water.names().collect();
+                    known.push(NO_WATER);
+                    self.unknown("water table", name, known);
+                }
             }
             for (name, _) in phase.interfaces.iter() {
                 if !interfaces.contains(&name.as_str()) {

@@ -15,6 +15,7 @@ use super::setup::{Boundary, BoundaryKind, FaceSet};
 pub use super::state::face::Face;
 use super::state::push::Wrench;
 use super::world::{SolidClass, World};
+use crate::accounts::Account;
 use crate::ledger::Works;
 
 /// Largest sine between a face normal and the one that is asked for.
@@ -112,6 +113,8 @@ pub struct Pushes {
     pub spring: Wrench,
     /// Tractions with a given value.
     pub dead: Wrench,
+    /// Works that were booked, J.
+    pub booked: Account,
 }
 
 /// Dashpots on one block: force and moment are minus this matrix times velocity and spin.
@@ -137,22 +140,18 @@ impl Dashpots {
         }
     }
 
-    /// What the dashpots do to a block in the coming kick over `span` (s), with the mean of the velocities before
-    /// and after: `(M + span C / 2) dv = span (F - C v)`.
+    /// Mean of the velocities and spins before and after the coming kick over `span` (s):
+    /// `(M + span C / 2) dv = span (F - C v)`.
     #[must_use]
-    pub fn push(
+    pub fn mean(
         &self,
         solid: &SolidClass,
         velocity: [Vec3; 2],
         other: &Wrench,
         span: f64,
-    ) -> Wrench {
+    ) -> [f64; 6] {
         let velocity: [f64; 6] = six(velocity);
-        let times = |v: &[f64; 6]| {
-            self.matrix
-                .map(|row| (0..6).map(|k| row[k] * v[k]).sum::<f64>())
-        };
-        let drag = times(&velocity);
+        let drag = self.times(&velocity);
         let mut a = self.matrix.map(|row| row.map(|c| 0.5 * span * c));
         for k in 0..3 {
             a[k][k] += solid.mass;
@@ -162,8 +161,18 @@ impl Dashpots {
         }
         let force = six([other.force, other.moment]);
         let change = solve(a, std::array::from_fn(|k| span * (force[k] - drag[k])));
-        let mean = std::array::from_fn(|k| velocity[k] + 0.5 * change[k]);
-        let t = times(&mean);
+        std::array::from_fn(|k| velocity[k] + 0.5 * change[k])
+    }
+
+    fn times(&self, rates: &[f64; 6]) -> [f64; 6] {
+        self.matrix
+            .map(|row| (0..6).map(|k| row[k] * rates[k]).sum::<f64>())
+    }
+
+    /// What they do to a block in a kick with these mean rates.
+    #[must_use]
+    pub fn push(&self, mean: &[f64; 6]) -> Wrench {
+        let t = self.times(mean);
         Wrench {
             force: -Vec3::new(t[0], t[1], t[2]),
             moment: -Vec3::new(t[3], t[4], t[5]),
@@ -263,10 +272,16 @@ impl<'a> Context<'a> {
                 let old = face.spring(boundary, motion.u - self.pending * motion.v - before);
                 let work = 0.125 * face.area * (old + pull).dot(after - before);
                 match boundary.kind {
-                    BoundaryKind::Viscous { .. } => works.absorbed += work,
+                    BoundaryKind::Viscous { .. } => {
+                        works.absorbed += work;
+                        out.booked.absorbed += work;
+                    }
                     BoundaryKind::Held { .. }
                     | BoundaryKind::Moved { .. }
-                    | BoundaryKind::Traction { .. } => works.supports -= work,
+                    | BoundaryKind::Traction { .. } => {
+                        works.supports -= work;
+                        out.booked.supports -= work;
+                    }
                 }
                 face.anchor[p] = after;
             }
@@ -279,6 +294,21 @@ impl<'a> Context<'a> {
             }
         }
         out
+    }
+
+    /// Dashpots without springs on a face.
+    #[must_use]
+    pub fn dashpots(&self, face: &Face) -> Option<Dashpots> {
+        let boundary = &self.boundaries[usize::from(face.boundary?)];
+        let BoundaryKind::Viscous { half_cell: false } = boundary.kind else {
+            return None;
+        };
+        let mut dashpots = Dashpots::default();
+        for p in 0..4 {
+            let arm = self.motion(face, p).arm;
+            dashpots.add(0.25 * face.area, face.impedance, face.frame[0], arm);
+        }
+        Some(dashpots)
     }
 
     /// Motion of point `p` of a face.

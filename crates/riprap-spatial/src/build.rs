@@ -27,6 +27,7 @@ use super::state::interface::Origin;
 use super::state::lineage;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
+use crate::accounts::Account;
 use crate::exec::Exec;
 use crate::ledger::Works;
 
@@ -75,6 +76,7 @@ impl World {
             looked: 0,
             events: Vec::new(),
             works: Works::default(),
+            accounts: vec![Account::default(); setup.accounts.len()],
             start_energy: None,
             setup,
         };

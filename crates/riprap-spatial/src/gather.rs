@@ -24,7 +24,7 @@ use super::patch::Poses;
 use super::state::bodies::{Bodies, Turned};
 use super::state::face::Face;
 use super::state::push::{Pushes, Wrench};
-use super::state::scratch::{NonFinite, Partial, Scratch};
+use super::state::scratch::{FaceEntry, NonFinite, Partial, Scratch};
 use super::sums::{self, Part, Sums};
 use super::tiles::{GROUP, Row, Tile, Tiles};
 use super::world::World;
@@ -35,6 +35,8 @@ struct Second<'a> {
     tiles: &'a [Tile],
     net: [Part<'a>; 2],
     faces: &'a mut [Face],
+    /// Of the faces; empty where nobody keeps accounts.
+    entries: &'a mut [FaceEntry],
     partial: &'a mut [Partial],
 }
 
@@ -43,19 +45,23 @@ impl Divide for Second<'_> {
         let (a, b) = self.tiles.split_at(middle);
         let blocks = b[0].blocks.start - a[0].blocks.start;
         let [n0, n1] = self.net.map(|part| part.split(blocks));
-        let faces = self.faces.split_at_mut(b[0].faces.start - a[0].faces.start);
+        let count = b[0].faces.start - a[0].faces.start;
+        let faces = self.faces.split_at_mut(count);
+        let entries = self.entries.split_at_mut(count.min(self.entries.len()));
         let partial = self.partial.split_at_mut(blocks / GROUP);
         (
             Self {
                 tiles: a,
                 net: [n0.0, n1.0],
                 faces: faces.0,
+                entries: entries.0,
                 partial: partial.0,
             },
             Self {
                 tiles: b,
                 net: [n0.1, n1.1],
                 faces: faces.1,
+                entries: entries.1,
                 partial: partial.1,
             },
         )
@@ -94,10 +100,16 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         plain: scratch.plain(),
         width: scratch.width,
     };
+    scratch.face_entries.clear();
+    if !world.accounts.is_empty() {
+        let none = FaceEntry::default();
+        scratch.face_entries.resize(world.faces.len(), none);
+    }
     let work = Second {
         tiles: &scratch.tiles.list,
         net: [scratch.net.whole(), scratch.drag.whole()],
         faces: &mut world.faces,
+        entries: &mut scratch.face_entries,
         partial: &mut scratch.partial,
     };
     let count = scratch.tiles.list.len();
@@ -162,7 +174,8 @@ impl Gathering<'_> {
                 );
             } else {
                 for b in row.blocks.clone() {
-                    self.block(b, base, &mut [], &mut work.net, partial);
+                    let none = (&mut [][..], &mut [][..]);
+                    self.block(b, base, none, &mut work.net, partial);
                 }
             }
         }
@@ -179,7 +192,9 @@ impl Gathering<'_> {
             }
             debug_assert!(first_face + end <= tile.faces.end);
             let faces = &mut work.faces[face..end];
+            let entries = work.entries.get_mut(face..end).unwrap_or_default();
             let partial = &mut work.partial[tile.group(b as usize)];
+            let faces = (faces, entries);
             self.block(b as usize, base, faces, &mut work.net, partial);
             face = end;
         }
@@ -267,20 +282,24 @@ impl Gathering<'_> {
         }
     }
 
-    /// All that can act on a block, and its works.
+    /// All that can act on a block, and its works. `entries` of the faces are empty where nobody keeps accounts.
     fn block(
         &self,
         b: usize,
         base: usize,
-        faces: &mut [Face],
+        (faces, entries): (&mut [Face], &mut [FaceEntry]),
         net: &mut [Part; 2],
         partial: &mut Partial,
     ) {
         let mut load = self.pushes.loads.blocks.get(b).copied().unwrap_or_default();
         let mut dashpots = None;
         let mut other = self.pushes.own.blocks.get(b).copied().unwrap_or_default();
-        for face in faces {
+        for (k, face) in faces.iter_mut().enumerate() {
             let pushes = self.boundary.act(face, &mut partial.arrival, &mut dashpots);
+            if let Some(entry) = entries.get_mut(k) {
+                entry.dead = pushes.dead;
+                entry.halves[0] = pushes.booked;
+            }
             for (sum, push) in [(&mut other, pushes.spring), (&mut load, pushes.dead)] {
                 sum.force += push.force;
                 sum.moment += push.moment;
@@ -307,11 +326,12 @@ impl Gathering<'_> {
             turned: self.turned[b].as_deref(),
         };
         let (v, w) = (moving.velocity, moving.spin);
-        let dashpot = dashpots.map(|d| {
+        let mean = dashpots.map(|d| {
             let (force, moment) = net[0].get(b - base);
             let acting = Wrench { force, moment };
-            d.push(self.kick.solid_of(b), [v, w], &acting, self.kick.span)
+            d.mean(self.kick.solid_of(b), [v, w], &acting, self.kick.span)
         });
+        let dashpot = dashpots.zip(mean).map(|(d, mean)| d.push(&mean));
         if let Some(dashpot) = &dashpot {
             net[0].add(b - base, dashpot.force, dashpot.moment);
         }
@@ -335,6 +355,17 @@ impl Gathering<'_> {
             let [before, after] = self.kick.half;
             arrival.absorbed -= before * dashpot.power(v, w);
             departure.absorbed -= after * dashpot.power(v + change.velocity, w + change.spin);
+        }
+        let rates = [(v, w), (v + change.velocity, w + change.spin)];
+        for (face, entry) in faces.iter().zip(entries) {
+            let halves = self.kick.half.into_iter().zip(rates);
+            let dashpot = mean.and_then(|mean| Some(self.boundary.dashpots(face)?.push(&mean)));
+            for (account, (half, (v, w))) in entry.halves.iter_mut().zip(halves) {
+                account.loads += half * entry.dead.power(v, w);
+                if let Some(dashpot) = &dashpot {
+                    account.absorbed -= half * dashpot.power(v, w);
+                }
+            }
         }
     }
 }

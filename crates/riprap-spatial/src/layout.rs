@@ -10,6 +10,7 @@ use super::state::workspace::{BlockClass, Workspace};
 use super::state::world::{PatchClass, World};
 use super::tiles::{Cut, Tiles};
 use super::wide::Wide;
+use crate::accounts::Entries;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::found::cells::CellDesk;
@@ -41,6 +42,8 @@ impl Scratch {
             strong: false,
             width: Width::detect(),
             departure: Works::default(),
+            entries: Entries::default(),
+            face_entries: Vec::new(),
             cut: None,
             lost: Vec::new(),
             partial: Vec::new(),

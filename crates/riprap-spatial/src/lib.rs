@@ -12,6 +12,7 @@ pub mod contacts;
 pub mod deform;
 pub mod divisible;
 pub mod edit;
+mod entries;
 mod forces;
 pub mod found;
 mod gather;
@@ -35,5 +36,5 @@ mod wide;
 
 pub use read::{fields, view};
 pub use riprap_core::lanes;
-use riprap_core::{dynamics, exec, field, frame, laws, ledger, profile};
+use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, profile};
 pub use state::{sums, world};

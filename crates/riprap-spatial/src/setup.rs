@@ -4,6 +4,7 @@
 //! tension-positive; a patch's normal points from its block `i` to its block `j`. Rotations are vectors, rad,
 //! right-handed.
 
+mod bridges;
 pub mod deform;
 mod solid;
 
@@ -11,6 +12,8 @@ use riprap_geom::Vec3;
 use riprap_geom::height_field::HeightField;
 use serde::{Deserialize, Serialize};
 
+pub use self::bridges::{Bridges, Ended};
+use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 use crate::laws::bolt::Design;
@@ -41,6 +44,8 @@ pub struct Setup {
     pub interfaces: Vec<InterfaceLaw>,
     /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
     pub pair_table: Vec<u16>,
+    /// Rock bridges, whose faces have a row of their own.
+    pub bridges: Vec<Bridges>,
     /// Fixed and driven blocks; a later entry wins over an earlier one for the same block.
     pub supports: Vec<Support>,
     /// Conditions on free faces; a later entry wins over an earlier one for the same face.
@@ -66,6 +71,8 @@ pub struct Setup {
     pub deform: deform::Deformables,
     /// Whether blocks that no patch joins are watched for contact.
     pub found_contacts: bool,
+    /// Boundaries, supports and loads whose work is told.
+    pub accounts: Vec<Condition>,
     /// Water tables, of which one at a time stands ([`World::water`](crate::state::world::World::water)).
     pub water: Vec<WaterTable>,
 }
@@ -78,6 +85,16 @@ impl Setup {
     #[must_use]
     pub fn rotation_bound(&self) -> f64 {
         self.rotation_bound.unwrap_or(ROTATION_BOUND)
+    }
+
+    /// Row of `interfaces` for the face that blocks of two materials share, with its centre (m, local) and unit normal.
+    #[must_use]
+    pub fn row_at(&self, materials: [usize; 2], at: Vec3, normal: Vec3) -> u16 {
+        let bridge = self.bridges.iter().find(|bridges| bridges.hold(at, normal));
+        bridge.map_or(
+            self.pair_table[materials[0] * self.materials.len() + materials[1]],
+            |bridges| bridges.row,
+        )
     }
 
     /// The lists of whole blocks in groups, supports, boundaries and sources. Whoever names a block that is divided names
@@ -400,6 +417,8 @@ pub struct Load {
     pub kind: LoadKind,
     /// Multiplier over time.
     pub time: TimeFunction,
+    /// Index into `Setup::accounts` of the account that its work is booked on, if any.
+    pub account: Option<u16>,
 }
 
 /// Kinds of load.

@@ -11,6 +11,7 @@ use riprap_geom::Quat;
 use super::bolts;
 use super::contacts;
 use super::deform;
+use super::entries;
 use super::forces::{self, First, Memory, Shared};
 use super::gather;
 use super::integrate;
@@ -21,6 +22,7 @@ use super::state::scratch::Lost;
 pub use super::state::scratch::{NonFinite, Scratch};
 use super::sums;
 use super::world::{Turned, World, flag};
+use crate::accounts::add;
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
@@ -85,6 +87,9 @@ pub fn evaluate(
         });
         result = result.and(nodes);
     }
+    if !world.accounts.is_empty() {
+        stage(scratch, "accounts", |scratch| entries::book(world, scratch));
+    }
     world.pending = 0.0;
     world.fresh = false;
     result
@@ -105,6 +110,8 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();
+    add(&mut world.accounts, &scratch.entries.departure);
+    scratch.entries.departure.clear();
     world.time += passed;
     world.step += 1;
     world.last_dt = dt;

@@ -16,7 +16,7 @@ mod words;
 
 use book::Book;
 use html::escape;
-use sections::{checks, energy, events, facts, groups, pictures, provenance, scene};
+use sections::{checks, energy, events, facts, groups, pictures, provenance, scene, works};
 
 const SCRIPT: &str = include_str!("../assets/app.js");
 const STYLE: &str = include_str!("../assets/app.css");
@@ -109,6 +109,7 @@ pub fn report(
     replay(&mut out, run, limits);
     pictures(&mut out, "Plots", &plots);
     energy(&mut out, run);
+    works(&mut out, &manifest);
     events(&mut out, run);
     scene(&mut out, run, &manifest);
     provenance(&mut out, &manifest);

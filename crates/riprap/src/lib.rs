@@ -16,7 +16,7 @@ pub mod plan;
 pub mod run;
 pub mod setup;
 
-pub use riprap_core::{dynamics, exec, lanes, laws, ledger, profile};
+pub use riprap_core::{accounts, dynamics, exec, lanes, laws, ledger, profile};
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};
 pub use riprap_planar as planar;

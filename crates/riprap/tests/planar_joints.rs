@@ -93,6 +93,7 @@ fn it_shears_at_its_peak_and_slides_on_its_friction_through_the_hand_over() {
             at: None,
             follows: false,
         },
+        account: None,
         time: TimeFunction::Ramp {
             from: 0.0,
             to: 1.0,

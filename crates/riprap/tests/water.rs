@@ -160,9 +160,28 @@ fn seeping() -> String {
     PLANE.replace(table, &format!("{table}{rules}"))
 }
 
+/// Perched water and deep water in turn with both, and a table on a grid from a file in this folder.
+fn several(folder: &std::path::Path) -> String {
+    let grid = folder.join("heads.csv");
+    let heads = "x [m],y [m],z [m]\n-9,-9,5\n4,-9,6\n12,-9,3\n-9,9,4\n4,9,4.5\n12,9,2\n";
+    std::fs::write(&grid, heads).unwrap();
+    let high = "[water.high]\npoints = [[\"-5 m\", \"2 m\"], [\"3.3 m\", \"5 m\"], [\"8 m\", \"6.1 m\"], [\"15 m\", \"2.2 m\"]]\nazimuth = \"70 deg\"\n";
+    assert!(SPACE.contains(high));
+    let both = format!(
+        "{high}within = {{ min = [\"-9 m\", \"-9 m\", \"3.5 m\"], max = [\"99 m\", \"99 m\", \"9 m\"] }}\n[water.grid]\ncsv = \"{}\"\n\
+         within = {{ min = [\"-9 m\", \"-9 m\", \"-1 m\"], max = [\"99 m\", \"99 m\", \"3.4 m\"] }}\n",
+        grid.display().to_string().replace('\\', "/")
+    );
+    SPACE
+        .replace(high, &both)
+        .replace("water = \"high\"", "water = [\"high\", \"grid\"]")
+        .replace("water = \"low\"", "water = \"grid\"")
+}
+
 #[test]
 fn same_bits_for_any_number_of_threads() {
-    for text in [PLANE, SPACE, &seeping()] {
+    let folder = tempfile::tempdir().unwrap();
+    for text in [PLANE, SPACE, &seeping(), &several(folder.path())] {
         let hash = |threads| {
             let mut simulation = simulation(text, threads);
             run(&mut simulation, 300);
@@ -177,8 +196,14 @@ fn same_bits_for_any_number_of_threads() {
 
 #[test]
 fn a_checkpoint_changes_nothing() {
-    let seeping = seeping();
-    for (text, engine) in [(PLANE, "planar"), (SPACE, "spatial"), (&seeping, "planar")] {
+    let files = tempfile::tempdir().unwrap();
+    let (seeping, several) = (seeping(), several(files.path()));
+    for (text, engine) in [
+        (PLANE, "planar"),
+        (SPACE, "spatial"),
+        (&seeping, "planar"),
+        (&several, "spatial"),
+    ] {
         let mut straight = simulation(text, 1);
         run(&mut straight, 300);
         let folder = tempfile::tempdir().unwrap();
@@ -256,6 +281,75 @@ fn what_is_wrong_with_water_is_told() {
     ] {
         let told = with(&tables);
         assert!(told.contains(words), "{words}: {told}");
+    }
+    let phases =
+        |water: &str| told(&PLANE.replace("water = \"high\"", &format!("water = {water}")));
+    let boxed = |low: &str, high: &str| {
+        let tables = format!(
+            "[water.high]\nlevel = \"5 m\"\nwithin = {{ min = [\"-20 m\", \"{high}\"], max = [\"20 m\", \"9 m\"] }}\n\
+             [water.low]\nlevel = \"1 m\"\nwithin = {{ min = [\"-20 m\", \"-1 m\"], max = [\"20 m\", \"{low}\"] }}\n"
+        );
+        let text = PLANE.replace("water = \"high\"", "water = [\"high\", \"low\"]");
+        told(&text.replace(
+            "[water.high]\npoints = [[\"0 m\", \"1 m\"], [\"3.3 m\", \"5 m\"], [\"8 m\", \"6.1 m\"], [\"15 m\", \"0 m\"]]\n[water.low]\nlevel = \"1.2 m\"\n",
+            &tables,
+        ))
+    };
+    assert!(!boxed("1 m", "1.01 m").contains("both press"));
+    for (told, words) in [
+        (
+            phases("[\"high\", \"low\"]"),
+            "water tables `high` and `low` both press on faces of block",
+        ),
+        (boxed("1.1 m", "1 m"), "both press on faces of block"),
+        // The joint between floor and rocks lies in both boxes.
+        (boxed("0 m", "0 m"), "both press on faces of block"),
+        (boxed("-2 m", "1 m"), "has no inside"),
+        (phases("[\"high\", \"high\"]"), "stands twice"),
+        (phases("[\"high\", \"none\"]"), "beside other water tables"),
+        (phases("[]"), "empty list"),
+        (
+            phases("[\"high\", \"middle\"]"),
+            "there is no water table `middle`",
+        ),
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    let seeps = seeping().replace("water = \"high\"", "water = [\"low\", \"high\"]");
+    assert!(told(&seeps).contains("seeps and stands beside others"));
+    let seeps = seeping().replace(
+        "[water.high.seepage]",
+        "within = { min = [\"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\"] }\n[water.high.seepage]",
+    );
+    assert!(
+        told(&seeps).contains("seeps and has a box"),
+        "{}",
+        told(&seeps)
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let several = several(folder.path());
+    assert!(
+        told(&several).contains("end 13.000 m inside the model"),
+        "{}",
+        told(&several)
+    );
+    for (heads, words) in [
+        (
+            "x [m],y [m],z [m]\n0,0,1\n1,0,1\n0,1,1\n",
+            "has no height at (1 m, 1 m)",
+        ),
+        (
+            "x [m],y [m],z [m]\n0,0,1\n1,0,1\n",
+            "one line of places only",
+        ),
+        ("x,y,z\n0,0,1\n1,0,1\n", "unit"),
+    ] {
+        std::fs::write(folder.path().join("heads.csv"), heads).unwrap();
+        assert!(
+            told(&several).contains(words),
+            "{words}: {}",
+            told(&several)
+        );
     }
     let silent = PLANE.replace("water = \"high\"\n", "");
     assert!(told(&silent).contains("does not say which water table stands"));

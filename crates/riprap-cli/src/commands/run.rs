@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use riprap::model::Setup;
 use riprap::record::RunFolder;
 use riprap::record::folder::Existing;
+use riprap::record::manifest::{Manifest, Work};
 use riprap::record::table::Table;
 use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{self, Live, Outcome};
@@ -114,6 +115,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
             duration(manifest.wall_time)
         ));
         screen::print(&ledger(folder));
+        screen::print(&works(manifest));
         for end in outcome.ends.iter().filter(|end| end.quiet) {
             print_line("note", &phase_end(end));
         }
@@ -173,6 +175,16 @@ fn phase_end(end: &PhaseEnd) -> String {
         end.words(),
         ratio(end.unbalanced)
     )
+}
+
+/// What boundaries, supports and loads have done, a line each, where it was more than one.
+fn works(manifest: &Manifest) -> String {
+    let some: Vec<&Work> = manifest.works.iter().filter(|w| w.work != 0.0).collect();
+    let line = |w: &&Work| format!("work of {} {}: {}\n", w.of, w.name, si(w.work, &w.unit));
+    match some.len() {
+        0 | 1 => String::new(),
+        _ => some.iter().map(line).collect(),
+    }
 }
 
 /// A term of the ledger below this share of the largest that any of them has been is round-off.

@@ -86,6 +86,14 @@ fn fields_of(fields: &[serde_json::Value], text: &mut String) {
             "A condition on free faces: `of = \"its name\"`.",
         ),
         (
+            "support",
+            "A support: `of = \"its name\"`, without one the block or group that it is on.",
+        ),
+        (
+            "load",
+            "A load: `of = \"its name\"`, without one the block or group that it is on.",
+        ),
+        (
             "bolt",
             "Bolts: `of = \"name\"` of one, or of several alike.",
         ),

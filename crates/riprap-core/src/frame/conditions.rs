@@ -1,6 +1,9 @@
 //! What holds, moves and loads a model, as a picture of it shows this: places at the start, global axes, SI.
 
+use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
+
+use crate::laws::water::WaterTable;
 
 /// Faces beyond which only their numbers are told: what they would take in a file is more than a picture can show.
 pub const MANY_FACES: usize = 100_000;
@@ -107,8 +110,53 @@ pub struct Table {
     pub name: String,
     /// Horizontal direction of distances: x and y in space, `[1, 0]` in the plane.
     pub along: [f64; 2],
-    /// Distance and height of each corner, m; it goes on level beyond both ends.
+    /// Distance and height of each corner, m; it goes on level beyond both ends. Empty where it is a grid or several tables.
     pub points: Vec<[f64; 2]>,
+    /// Lines along x, along y and the heights by lines of y, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grid: Option<[Vec<f64>; 3]>,
+    /// Lowest and highest coordinates of where it acts, m; in the plane the height is the second one. Everywhere if it is not there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<[Vec<f64>; 2]>,
+    /// The tables of which it is made.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Table>,
+}
+
+impl Table {
+    /// A table whose coordinates are from `origin` (m; in the plane y is nothing and z the height).
+    #[must_use]
+    pub fn of(table: &WaterTable, origin: Vec3, is_flat: bool) -> Self {
+        let [x, y] = table.along;
+        let far = x * origin.x + y * origin.y;
+        let from = |list: &[f64], by: f64| list.iter().map(|v| v + by).collect();
+        let corner = |at: Vec3| match is_flat {
+            true => vec![at.x + origin.x, at.z + origin.z],
+            false => (at + origin).to_array().to_vec(),
+        };
+        Self {
+            name: table.name.clone(),
+            along: table.along,
+            points: table
+                .points
+                .iter()
+                .map(|p| [p[0] + far, p[1] + origin.z])
+                .collect(),
+            grid: table.grid.as_ref().map(|g| {
+                [
+                    from(&g.x, origin.x),
+                    from(&g.y, origin.y),
+                    from(&g.z, origin.z),
+                ]
+            }),
+            within: table.zone.map(|zone| [zone.low, zone.high].map(corner)),
+            parts: table
+                .parts
+                .iter()
+                .map(|part| Self::of(part, origin, is_flat))
+                .collect(),
+        }
+    }
 }
 
 impl Conditions {

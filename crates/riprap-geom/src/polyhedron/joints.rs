@@ -1,7 +1,7 @@
-//! Convex solids divided by joints: planes, disks, and sets of parallel planes.
+//! Convex solids divided by joints: planes, disks, convex polygons, and sets of parallel planes.
 //!
-//! A plane cuts every solid that it meets. A disk cuts the solids whose section with its plane it touches, and those
-//! all through, so that every part stays convex: the usual convention of block-cutting codes.
+//! A plane cuts every solid that it meets. A disk or a polygon cuts the solids whose section with its plane it touches, and
+//! those all through, so that every part stays convex: the usual convention of block-cutting codes.
 
 use super::{Polyhedron, Sliced, slice};
 use crate::error::demand;
@@ -12,15 +12,69 @@ use crate::{GeomError, Vec3};
 /// Most planes of one set.
 pub const MAX_SET: usize = 10_000;
 
+/// Largest distance of a corner of a polygon from its plane, over the size of the polygon: what lists with rounded numbers need.
+const FLAT: f64 = 1e-3;
+
 /// A joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// Unit normal.
     pub normal: Vec3,
     /// A point of it; the centre of a disk, m.
     pub at: Vec3,
-    /// Radius of a disk, m; `None` is a plane.
-    pub radius: Option<f64>,
+    /// How far it goes.
+    pub extent: Extent,
+}
+
+/// How far a joint goes in its plane.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Extent {
+    /// Without end.
+    Whole,
+    /// A disk about its point, with its radius, m.
+    Disk(f64),
+    /// A convex polygon, its corners anticlockwise about the normal, m.
+    Polygon(Vec<Vec3>),
+}
+
+impl Joint {
+    /// A joint that is a convex polygon; corners in their order either way round.
+    ///
+    /// # Errors
+    /// What is wrong with the polygon, in words.
+    pub fn polygon(corners: &[Vec3]) -> Result<Self, &'static str> {
+        let count = corners.len();
+        if count < 3 {
+            return Err("has fewer than three corners");
+        }
+        if corners
+            .iter()
+            .any(|c| !c.is_finite() || c.abs().max_element() > 1e150)
+        {
+            return Err("has a corner that is not finite");
+        }
+        let at = corners.iter().sum::<Vec3>() / count as f64;
+        let arm = |k: usize| corners[k % count] - at;
+        let doubled: Vec3 = (0..count).map(|k| arm(k).cross(arm(k + 1))).sum();
+        let size = (0..count).map(|k| arm(k).length()).fold(0.0, f64::max);
+        if doubled.length() <= SNAP * size * size {
+            return Err("has no area");
+        }
+        let normal = doubled.normalize();
+        if (0..count).any(|k| normal.dot(arm(k)).abs() > FLAT * size) {
+            return Err("is not flat");
+        }
+        let turns = |k: usize| (arm(k + 1) - arm(k)).cross(arm(k + 2) - arm(k + 1));
+        if (0..count).any(|k| turns(k).dot(normal) < -FLAT * FLAT * size * size) {
+            return Err("is not convex");
+        }
+        let flat = |k: usize| at + arm(k) - normal.dot(arm(k)) * normal;
+        Ok(Self {
+            normal,
+            at,
+            extent: Extent::Polygon((0..count).map(flat).collect()),
+        })
+    }
 }
 
 /// A set of parallel planes.
@@ -50,7 +104,7 @@ pub struct Divided {
     pub spared: usize,
     /// Area of all cuts that were made, m².
     pub area: f64,
-    /// The part of it that lies within the disks of joints that have an end, or on joints without one, m².
+    /// The part of it that lies within the disks and polygons of joints that have an end, or on joints without one, m².
     pub within: f64,
 }
 
@@ -103,7 +157,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
             joints.push(Joint {
                 normal: turned.normalize(),
                 at: centre + (height - middle) * set.normal,
-                radius: None,
+                extent: Extent::Whole,
             });
         }
     }
@@ -212,22 +266,51 @@ fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halv
     };
     // The face of the cut is the last one.
     let section = low.outline(low.faces.len() - 1);
-    if joint
-        .radius
-        .is_some_and(|radius| distance(&section, joint) > radius)
-    {
+    let area = area(&section, joint);
+    let within = match &joint.extent {
+        Extent::Whole => Some(area),
+        Extent::Disk(radius) => {
+            (distance(&section, joint) <= *radius).then(|| covered(&section, joint, *radius))
+        }
+        Extent::Polygon(corners) => {
+            Some(shared(&section, corners, joint)).filter(|shared| *shared > SNAP * area)
+        }
+    };
+    let Some(within) = within else {
         return Halves::Beside;
-    }
+    };
     if below.min(above) < thinnest {
         return Halves::Thin;
     }
-    let area = area(&section, joint);
     Halves::Cut {
         below: low,
         above: high,
         area,
-        within: joint.radius.map_or(area, |r| covered(&section, joint, r)),
+        within,
     }
+}
+
+/// Area that two convex polygons in the plane of a joint have in common, both anticlockwise about its normal, m².
+fn shared(section: &[Vec3], corners: &[Vec3], joint: &Joint) -> f64 {
+    let mut left = section.to_vec();
+    let mut next = Vec::with_capacity(section.len() + corners.len());
+    for (k, &from) in corners.iter().enumerate() {
+        let edge = corners[(k + 1) % corners.len()] - from;
+        let inside = |p: Vec3| edge.cross(p - from).dot(joint.normal);
+        next.clear();
+        for (k, &a) in left.iter().enumerate() {
+            let b = left[(k + 1) % left.len()];
+            let (ha, hb) = (inside(a), inside(b));
+            if ha >= 0.0 {
+                next.push(a);
+            }
+            if (ha >= 0.0) != (hb >= 0.0) {
+                next.push(a + ha / (ha - hb) * (b - a));
+            }
+        }
+        std::mem::swap(&mut left, &mut next);
+    }
+    area(&left, joint)
 }
 
 /// Area of a polygon in the plane of a joint that runs anticlockwise about its normal, m².
@@ -356,20 +439,20 @@ mod tests {
         let plane = |z: f64| Joint {
             normal: Vec3::Z,
             at: Vec3::new(0.2, 0.5, z),
-            radius: None,
+            extent: Extent::Whole,
         };
         let across = Joint {
             normal: Vec3::X,
             at: Vec3::new(0.5, 0.5, 0.5),
-            radius: None,
+            extent: Extent::Whole,
         };
         let disk = |radius: f64| Joint {
-            radius: Some(radius),
+            extent: Extent::Disk(radius),
             ..plane(0.5)
         };
         let count = |joints: &[Joint]| divide(cube(), joints, 0.0).unwrap().solids.len();
-        assert_eq!(count(&[across, plane(0.5)]), 4);
-        assert_eq!(count(&[across, disk(0.29)]), 3);
+        assert_eq!(count(&[across.clone(), plane(0.5)]), 4);
+        assert_eq!(count(&[across.clone(), disk(0.29)]), 3);
         assert_eq!(count(&[across, disk(0.31)]), 4);
         // Its centre outside of the cube.
         let beside = |radius: f64| Joint {
@@ -387,7 +470,7 @@ mod tests {
         let disk = |x: f64, radius: f64| Joint {
             normal: Vec3::Z,
             at: Vec3::new(x, 0.5, 0.5),
-            radius: Some(radius),
+            extent: Extent::Disk(radius),
         };
         let areas = |joint: Joint| {
             let divided = divide(cube(), &[joint], 0.0).unwrap();
@@ -407,6 +490,65 @@ mod tests {
             assert!((area - 1.0).abs() < 1e-14, "{area}");
             assert!((found - within).abs() < 1e-13, "{found} {within}");
         }
+    }
+
+    /// A rectangle of 2a by 2b about a point, turned about x by `angle`, its corners either way round.
+    fn rectangle(at: Vec3, half: [f64; 2], angle: f64, turn: bool) -> Vec<Vec3> {
+        let (along, across) = (Vec3::X, Vec3::new(0.0, angle.cos(), angle.sin()));
+        let signs = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let corner = |(a, b): (f64, f64)| at + a * half[0] * along + b * half[1] * across;
+        let mut corners: Vec<Vec3> = signs.map(corner).to_vec();
+        if turn {
+            corners.reverse();
+        }
+        corners
+    }
+
+    #[test]
+    fn a_polygon_cuts_what_it_covers_and_tells_its_area() {
+        let middle = Vec3::splat(0.5);
+        for turn in [false, true] {
+            for (at, half, cut, within) in [
+                (middle, [0.2, 0.3], true, 0.24),
+                (middle, [2.0, 3.0], true, 1.0),
+                (Vec3::new(0.1, 0.5, 0.5), [0.2, 0.25], true, 0.15),
+                (Vec3::new(-0.2, 0.5, 0.5), [0.19, 0.25], false, 0.0),
+                (Vec3::new(0.5, 0.5, 1.5), [0.2, 0.3], false, 0.0),
+            ] {
+                let joint = Joint::polygon(&rectangle(at, half, 0.0, turn)).unwrap();
+                let divided = divide(cube(), &[joint], 0.0).unwrap();
+                assert_eq!(divided.solids.len(), if cut { 2 } else { 1 });
+                assert!(
+                    (divided.within - within).abs() < 1e-14,
+                    "{}",
+                    divided.within
+                );
+                let all = if cut { 1.0 } else { 0.0 };
+                assert!((divided.area - all).abs() < 1e-14);
+            }
+        }
+        // Across at 30 degrees to the horizontal: the section is longer by 1/cos.
+        let joint = Joint::polygon(&rectangle(middle, [0.1, 0.2], 30_f64.to_radians(), false));
+        let divided = divide(cube(), &[joint.unwrap()], 0.0).unwrap();
+        assert!((divided.area - 1.0 / 0.75_f64.sqrt()).abs() < 1e-14);
+        assert!((divided.within - 0.08).abs() < 1e-14, "{}", divided.within);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_polygon_is_told() {
+        let mut corners = rectangle(Vec3::ZERO, [1.0, 1.0], 0.3, false);
+        assert_eq!(
+            Joint::polygon(&corners[..2]),
+            Err("has fewer than three corners")
+        );
+        let bent = corners[0] + 0.2 * Vec3::Z;
+        let straight = std::mem::replace(&mut corners[0], bent);
+        assert_eq!(Joint::polygon(&corners), Err("is not flat"));
+        corners[0] = straight;
+        corners.insert(1, 0.1 * Vec3::X);
+        assert_eq!(Joint::polygon(&corners), Err("is not convex"));
+        let line = [Vec3::ZERO, Vec3::X, 2.0 * Vec3::X];
+        assert_eq!(Joint::polygon(&line), Err("has no area"));
     }
 
     #[test]

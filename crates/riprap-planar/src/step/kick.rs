@@ -70,6 +70,30 @@ pub(super) fn kicks(
     bad.map_or(Ok(()), |block| Err(NonFinite { block }))
 }
 
+/// Works (J/m) of what prescribes the motion of block `b`, before and after the present time, in the kick that was just found.
+pub(super) fn of_support(
+    world: &World,
+    scratch: &Scratch,
+    damping: &Damping,
+    dt: f64,
+    b: usize,
+) -> [f64; 2] {
+    let kick = Kick {
+        world,
+        shapes: &scratch.shapes,
+        slots: &scratch.slots,
+        first_entry: &scratch.first_entry,
+        incidence: &scratch.incidence,
+        applied: &scratch.applied,
+        damping,
+        half: [0.5 * world.pending, 0.5 * dt],
+        span: 0.5 * (world.last_dt + dt),
+    };
+    let mut partial = Partial::default();
+    kick.block(b, &mut Change::default(), &mut Net::default(), &mut partial);
+    [partial.arrival.supports, partial.departure.supports]
+}
+
 /// What the kick of one block reads.
 struct Kick<'a> {
     world: &'a World,

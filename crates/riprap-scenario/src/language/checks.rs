@@ -32,8 +32,7 @@ pub struct Bisect {
 pub struct Criterion {
     /// Field, for example `model.max_displacement`.
     pub field: Name,
-    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
-    /// model.
+    /// Block, two blocks of a pair, group or source; not for fields of the whole model.
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
@@ -56,8 +55,7 @@ pub struct Check {
     pub name: Name,
     /// Field, for example `block.displacement`; `riprap fields` lists them.
     pub field: Name,
-    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
-    /// model.
+    /// Block, two blocks of a pair, group or source; not for fields of the whole model.
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,

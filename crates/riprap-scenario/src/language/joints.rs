@@ -51,8 +51,10 @@ pub struct JointSet {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointPlanes {
-    /// Path of a CSV file, a joint in each row: columns `x_m`, `y_m`, `z_m`, `dip_deg`, `dip_direction_deg` and, if wanted,
-    /// `radius_m`; others: `coming-from-3dec.md`. Without a radius (or with 0) a joint is a plane that cuts every block, with
-    /// one a disk that cuts the blocks that it touches, all through.
+    /// Path of a CSV file, a joint in each row (`x_m`, `y_m`, `z_m`, `dip_deg`, `dip_direction_deg`, perhaps `radius_m`) or a corner
+    /// of a polygon (`fracture`, `x_m`, `y_m`, `z_m`); others: `coming-from-3dec.md`. Disks and polygons cut the blocks that they
+    /// touch, all through; others every block.
     pub csv: Name,
+    /// Interface of rock bridges, the parts of cuts beyond disks and polygons.
+    pub bridges: Option<Name>,
 }

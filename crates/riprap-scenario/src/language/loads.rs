@@ -47,6 +47,8 @@ pub struct Nodes {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
+    /// Name for its work. Default the blocks.
+    pub name: Option<Name>,
     /// Which blocks.
     pub on: Target,
     /// Holds the blocks; `fixed = {}` holds all directions.
@@ -59,26 +61,26 @@ pub struct Support {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Fixed {
-    /// Whether the block is held along x.
+    /// Held along x.
     #[key(default = true)]
     pub x: Option<bool>,
-    /// Whether the block is held along y.
+    /// Held along y.
     #[key(default = true)]
     pub y: Option<bool>,
-    /// Whether the block is held along z.
+    /// Held along z.
     #[key(space = "spatial")]
     #[key(default = true)]
     pub z: Option<bool>,
-    /// Whether the block is kept from turning.
+    /// Kept from turning.
     #[key(default = true)]
     pub rotation: Option<bool>,
-    /// Whether it is kept from turning about x. Default as `rotation`.
+    /// Kept from turning about x. Default as `rotation`.
     #[key(space = "spatial", instead = "use `rotation`")]
     pub rotation_x: Option<bool>,
-    /// Whether it is kept from turning about y. Default as `rotation`.
+    /// Kept from turning about y. Default as `rotation`.
     #[key(space = "spatial", instead = "use `rotation`")]
     pub rotation_y: Option<bool>,
-    /// Whether it is kept from turning about z. Default as `rotation`.
+    /// Kept from turning about z. Default as `rotation`.
     #[key(space = "spatial", instead = "use `rotation`")]
     pub rotation_z: Option<bool>,
 }
@@ -123,6 +125,8 @@ pub struct MotionComponents<L: Kind, R: Kind> {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Load {
+    /// Name for its work. Default the blocks.
+    pub name: Option<Name>,
     /// Which blocks.
     pub on: Target,
     /// A force at a point.
@@ -133,8 +137,7 @@ pub struct Load {
         instead = "use [[boundaries]] with `pressure` or `traction`"
     )]
     pub edge: Option<EdgeLoad>,
-    /// A moment: in the plane per metre of thickness, N (= N m/m), anticlockwise; in space about
-    /// x, y, z, N m, right-handed.
+    /// A moment: in the plane per metre of thickness, N, anticlockwise; in space about x, y, z, N m.
     pub moment: Option<Axial<MomentPerLength>>,
     /// A force on the mass, given as an acceleration.
     pub body: Option<BodyLoad>,

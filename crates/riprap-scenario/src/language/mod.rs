@@ -84,8 +84,8 @@ pub struct Scenario {
     /// value needs its unit.
     pub units: Option<Units>,
     /// All strengths of interfaces and joints (cohesion, tension, tangents of friction angles) are
-    /// divided by this number, those of later phases too. The number at which
-    /// the model fails, found by `riprap bisect`, is its factor of safety.
+    /// divided by this number. The one at which
+    /// the model fails (`riprap bisect`) is its factor of safety.
     #[key(default = "1")]
     pub strength_factor: Option<Quantity<PositivePlain>>,
     /// The space in which the blocks move and the gravity that acts there.

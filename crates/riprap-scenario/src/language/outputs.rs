@@ -27,8 +27,7 @@ pub struct History {
     pub name: Name,
     /// Field, for example `block.displacement`; `riprap fields` lists them.
     pub field: Name,
-    /// Block, or the two blocks of a pair, or a group, or a source. Not for fields of the whole
-    /// model.
+    /// Block, two blocks of a pair, group or source; not for fields of the whole model.
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
@@ -51,8 +50,7 @@ pub struct Schedule {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Pictures {
-    /// How often besides the first and the last state of each phase, for example `"50 ms"`, `"10 steps"` or `"1 phase"`;
-    /// `"never"` writes none.
+    /// How often besides the first and the last state of each phase; `"never"` writes none.
     pub every: Every,
     /// Whether the tetrahedra of deformable blocks are written too, with their stresses and strains. Default false.
     #[serde(default)]

@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
 use crate::quantity::{
-    Acceleration, Down, EnergyPerLength, Name, NotNegativeTime, PositiveLength, PositivePlain,
-    PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
+    Acceleration, Down, EnergyPerLength, Name, Names, NotNegativeTime, PositiveLength,
+    PositivePlain, PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
 };
 use riprap_core::dynamics::relaxation::{Breaks, PhaseKind};
 use riprap_core::laws::fracture::Criterion;
@@ -26,7 +26,7 @@ pub struct Phase {
     pub until: Until,
     /// Time step, s. Default automatic: `safety` times the stable one.
     pub time_step: Option<Quantity<TimeStep>>,
-    /// Share of the stable time step that is used when `time_step` is not given.
+    /// Share of the stable time step that is used without `time_step`.
     #[key(planar = "0.2", spatial = "0.5")]
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
@@ -52,8 +52,8 @@ pub struct Phase {
     /// Time over which gravity grows from its old value (zero in the first phase), s.
     /// Default 0 s: at once.
     pub gravity_ramp: Option<Quantity<NotNegativeTime>>,
-    /// Water table from this phase on, or `none`. Default unchanged, in the first phase the only table.
-    pub water: Option<Name>,
+    /// Water table from this phase on, `none`, or several tables, each `within` a box. Default unchanged, in the first phase the only table.
+    pub water: Option<Names>,
     /// What is set to zero when the phase begins.
     #[serde(default)]
     pub reset: Vec<Reset>,
@@ -76,8 +76,7 @@ pub struct Phase {
     #[key(space = "spatial")]
     #[key(default = 200_000, min = 1)]
     pub iterations: Option<u64>,
-    /// Other rules for a `static` phase of deformable blocks than the robust ones: those of Han, Liu & Li (2010). Default:
-    /// adaptive damping, equilibrium by forces, breaking event by event.
+    /// Rules of Han, Liu & Li (2010) for a `static` phase of deformable blocks. Default: adaptive damping, equilibrium by forces, breaking event by event.
     #[key(space = "spatial")]
     pub relaxation: Option<Relaxation>,
     /// Lets deformable blocks be cut where they are about to break. Default: none is cut.

@@ -104,7 +104,7 @@ pub struct Part {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// Path of a .msh file of Gmsh (4.1 or 2.2, text or binary): its volume elements of first order (tetrahedra, hexahedra, prisms,
+    /// A .msh file of Gmsh (4.1 or 2.2, text or binary): volume elements of first order (tetrahedra, hexahedra, prisms,
     /// pyramids). Physical volumes become groups of their blocks, physical surfaces groups of the blocks with a face in them and sets of
     /// faces (`on.surface`).
     pub msh: Option<Name>,

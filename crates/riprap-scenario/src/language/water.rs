@@ -3,12 +3,11 @@
 use riprap_keys::Keys;
 use serde::Deserialize;
 
-use super::Point;
 use super::ground::Side;
-use crate::quantity::{Angle, Density, Length, PositiveLength, Quantity, Viscosity};
+use super::{BoxRegion, Point};
+use crate::quantity::{Angle, Density, Length, Name, PositiveLength, Quantity, Viscosity};
 
-/// Standing water: below the table all faces of blocks are pressed by `density` times gravity times depth, in joints and
-/// in the open. Exactly one of `level` and `points`.
+/// Below the table all faces of blocks are pressed by `density` times gravity times depth. Exactly one of `level`, `points` and `csv`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Water {
@@ -16,13 +15,18 @@ pub struct Water {
     pub level: Option<Quantity<Length>>,
     /// Corners [distance, height] of the table, m, distances (x in the plane) ascending; level beyond both ends.
     pub points: Option<Vec<[Quantity<Length>; 2]>>,
+    /// Path of a CSV file: `x_m`, `y_m`, `z_m` of a rectangular grid; beyond it as at its rim.
+    #[key(space = "spatial", instead = "give its corners (`points`)")]
+    pub csv: Option<Name>,
     /// Bearing, clockwise from north (y), in which distances from the origin grow. Default 90 deg: along x.
     #[key(space = "spatial", instead = "distances run along x")]
     pub azimuth: Option<Quantity<Angle>>,
     /// Density of the water, kg/m3.
     #[key(default = "1000 kg/m3")]
     pub density: Option<Quantity<Density>>,
-    /// Steady flow through the joints: the table is then the head on open faces, and pressures inside follow from the flow.
+    /// Box in which faces of blocks lie at the start that the table presses on. Default everywhere.
+    pub within: Option<BoxRegion>,
+    /// Steady flow through the joints: the table is then the head on open faces alone.
     #[key(space = "planar")]
     pub seepage: Option<Seepage>,
 }

@@ -8,6 +8,17 @@ use crate::language::{Interface, Scenario};
 use crate::quantity::{Name, NotNegativePlain, Quantity, Restitution, Span};
 use crate::vectors::InSpace;
 
+/// Whether the rock bridges of some blocks have this interface.
+fn is_of_bridges(name: &Name, scenario: &Scenario) -> bool {
+    let cuts = scenario
+        .blocks
+        .iter()
+        .filter_map(|block| block.cut.as_ref());
+    let joints = cuts.filter_map(|cut| cut.joints.as_ref());
+    let mut bridges = joints.filter_map(|joints| joints.bridges.as_ref());
+    bridges.any(|bridge| bridge.as_str() == name.as_str())
+}
+
 impl Rules {
     pub(super) fn interface(&mut self, name: &Name, interface: &Interface, scenario: &Scenario) {
         let span = &name.span;
@@ -19,6 +30,8 @@ impl Rules {
                             interface otherwise";
                 self.error("key.forbidden", &first.span, message, help);
             }
+            // The law of rock bridges is chosen by place.
+            (None, false) if is_of_bridges(name, scenario) => {}
             (None, false) => {
                 let message = format!("the key `between` is missing in {of}");
                 self.error(

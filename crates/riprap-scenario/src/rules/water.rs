@@ -1,7 +1,8 @@
 //! Rules of water tables.
 
 use super::Rules;
-use crate::language::{Point, Scenario, Seepage, Side};
+use crate::language::{Point, Scenario, Seepage, Side, Water};
+use crate::names::{Name, Names};
 use crate::references::NO_WATER;
 
 impl Rules {
@@ -17,10 +18,17 @@ impl Rules {
             let keys = [
                 ("level", water.level.is_some()),
                 ("points", water.points.is_some()),
+                ("csv", water.csv.is_some()),
             ];
             self.one_of(&name.span, &of, &keys);
             if let Some(seepage) = &water.seepage {
                 self.seepage(&of, seepage);
+                if let Some(within) = &water.within {
+                    let message = format!("{of} seeps and has a box (`within`)");
+                    let help =
+                        "a table that seeps is the head on all open faces: leave one of them out";
+                    self.error("key.conflict", &within.min.span, message, help);
+                }
             }
             let Some(points) = &water.points else {
                 if let Some(azimuth) = &water.azimuth {
@@ -50,8 +58,46 @@ impl Rules {
                 "phase `{}` does not say which water table stands",
                 first.name
             );
-            let help = "there are several: give it `water` with the name of one, or \"none\"";
+            let help = "there are several: give it `water` with the name of one, a list of names, or \"none\"";
             self.error("key.missing", &first.name.span, message, help);
+        }
+        for phase in &scenario.phases {
+            if let Some(Names(names)) = &phase.water {
+                self.together(scenario, &phase.name, names);
+            }
+        }
+    }
+
+    /// Tables that stand at the same time.
+    fn together(&mut self, scenario: &Scenario, phase: &Name, names: &[Name]) {
+        if names.is_empty() {
+            let message = format!("`water` of phase `{phase}` is an empty list");
+            let help = format!("give a name, or \"{NO_WATER}\"");
+            self.error("value.range", &phase.span, message, &help);
+        }
+        for (k, name) in names.iter().enumerate().filter(|_| names.len() > 1) {
+            let seeps = |w: &Water| w.seepage.is_some();
+            let (message, help) = if name.as_str() == NO_WATER {
+                let help = "give the tables that stand, or this word alone";
+                (
+                    format!("`{NO_WATER}` stands beside other water tables"),
+                    help,
+                )
+            } else if names[..k].contains(name) {
+                (
+                    format!("water table `{name}` stands twice in a list"),
+                    "give each once",
+                )
+            } else if scenario.water.get(name.as_str()).is_some_and(seeps) {
+                let help = "one table that seeps stands alone: its `points` can have steps between different heads";
+                (
+                    format!("water table `{name}` seeps and stands beside others"),
+                    help,
+                )
+            } else {
+                continue;
+            };
+            self.error("water.several", &name.span, message, help);
         }
     }
 

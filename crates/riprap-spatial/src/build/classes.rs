@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1.0 / (1u64 << 34) as f64;
 /// Finds the class of a patch among those there are, or adds it.
 pub struct ClassTable {
     quantum: f64,
-    known: BTreeMap<[i64; 22], u32>,
+    known: BTreeMap<[i64; 23], u32>,
 }
 
 impl ClassTable {
@@ -28,8 +28,8 @@ impl ClassTable {
             known: BTreeMap::new(),
         };
         for (k, class) in world.classes.iter().enumerate() {
-            let (arms, pair) = (&class.arms, class.materials);
-            let key = table.key(&class.frame, arms, class.area, class.half_spacing, pair);
+            let (arms, laws) = (&class.arms, (class.materials, class.row));
+            let key = table.key(&class.frame, arms, class.area, class.half_spacing, laws);
             table.known.insert(key, k as u32);
         }
         table
@@ -45,9 +45,9 @@ impl ClassTable {
         arms: &[Vec3; 2],
         area: f64,
         half_spacing: [f64; 2],
-        materials: [u16; 2],
-    ) -> [i64; 22] {
-        let mut key = [0; 22];
+        (materials, row): ([u16; 2], u16),
+    ) -> [i64; 23] {
+        let mut key = [0; 23];
         let lengths = arms.iter().flat_map(Vec3::to_array).chain(half_spacing);
         let units = frame.iter().flat_map(Vec3::to_array);
         let numbers = lengths
@@ -59,6 +59,7 @@ impl ClassTable {
         }
         key[20] = i64::from(materials[0]);
         key[21] = i64::from(materials[1]);
+        key[22] = i64::from(row);
         key
     }
 
@@ -71,7 +72,8 @@ impl ClassTable {
         let materials = overlap
             .blocks
             .map(|b| setup.blocks[b as usize].material as usize);
-        let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
+        let centre = world.reference[overlap.blocks[0] as usize] + overlap.arms[0];
+        let row = setup.row_at(materials, centre, overlap.frame[0]);
         let joint = &setup.interfaces[row as usize].joint;
         let arms = overlap
             .arms
@@ -83,7 +85,13 @@ impl ClassTable {
         };
         let half_spacing = overlap.gyration.map(|g| spread * g);
         let pair = materials.map(|m| m as u16);
-        let key = self.key(&overlap.frame, &arms, overlap.area, half_spacing, pair);
+        let key = self.key(
+            &overlap.frame,
+            &arms,
+            overlap.area,
+            half_spacing,
+            (pair, row),
+        );
         if let Some(&class) = self.known.get(&key) {
             return Ok(class);
         }

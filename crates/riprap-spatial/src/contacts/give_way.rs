@@ -353,6 +353,7 @@ mod tests {
                     force: Vec3::new(0.0, 0.0, -500.0),
                     at: None,
                 },
+                account: None,
                 time: TimeFunction::Constant(1.0),
             });
             Run::new(setup, 1, 1e-4)

@@ -7,6 +7,7 @@ use riprap_geom::polyhedron::Tetrahedra;
 
 use super::hold::Hold;
 use super::store::{Acts, Anchor, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
+use crate::accounts::{self, Holder};
 use crate::build::error::BuildError;
 use crate::deform::shape::{PARALLEL, centred, face_of};
 use crate::dynamics::{Formula, TimeFunction};
@@ -129,8 +130,8 @@ pub fn join(
         let blocks = overlap.blocks.map(|b| b as usize);
         let specs = blocks.map(|b| &world.setup.blocks[b]);
         let materials = specs.map(|s| usize::from(s.material));
-        let count = world.setup.materials.len();
-        let row = world.setup.pair_table[materials[0] * count + materials[1]];
+        let centre = world.reference[blocks[0]] + overlap.arms[0];
+        let row = world.setup.row_at(materials, centre, overlap.frame[0]);
         let Some(law) = &world.setup.interfaces[usize::from(row)].bond else {
             return Err(BuildError::NoBond {
                 interface: world.setup.interfaces[usize::from(row)].name.clone(),
@@ -353,17 +354,24 @@ fn holds(world: &World, deform: &Deform) -> Vec<Hold> {
             continue;
         };
         let kind = &world.setup.boundaries[boundary].kind;
+        let account = account(world, Holder::Boundary(boundary as u16));
         for &(node, _) in &surface.nodes {
-            on_surface(hold_of(&mut holds, node), kind, surface.normal);
+            on_surface(hold_of(&mut holds, node), kind, surface.normal, account);
         }
     }
     supports(world, deform, &mut holds);
-    for hold in &world.setup.deform.holds {
+    for (number, hold) in (0..).zip(&world.setup.deform.holds) {
+        let account = account(world, Holder::Nodes(number));
         for node in inside(world, deform, hold) {
-            drive(hold_of(&mut holds, node), &hold.velocity);
+            drive(hold_of(&mut holds, node), &hold.velocity, account);
         }
     }
     holds.into_values().filter(|h| !h.is_free()).collect()
+}
+
+/// Account on which the work of a condition is booked.
+fn account(world: &World, holder: Holder) -> Option<u16> {
+    accounts::of(&world.setup.accounts, holder)
 }
 
 type Holds = BTreeMap<u32, Hold>;
@@ -406,29 +414,30 @@ fn covered(deform: &Deform) -> BTreeMap<(u32, [i64; 3]), f64> {
 }
 
 /// Prescribes what a condition on a face says.
-fn on_surface(hold: &mut Hold, kind: &BoundaryKind, normal: Vec3) {
+fn on_surface(hold: &mut Hold, kind: &BoundaryKind, normal: Vec3, account: Option<u16>) {
+    let mut add = |direction: Vec3, velocity| hold.add(direction, velocity, account);
     match kind {
         BoundaryKind::Held {
             normal: true,
             shear: true,
-        } => Vec3::AXES.into_iter().for_each(|axis| hold.add(axis, None)),
+        } => Vec3::AXES.into_iter().for_each(|axis| add(axis, None)),
         BoundaryKind::Held {
             normal: across,
             shear,
         } => {
             if *across {
-                hold.add(normal, None);
+                add(normal, None);
             }
             if *shear {
                 let (b, c) = normal.any_orthonormal_pair();
-                hold.add(b, None);
-                hold.add(c, None);
+                add(b, None);
+                add(c, None);
             }
         }
         BoundaryKind::Moved { velocity } => {
             for (axis, f) in Vec3::AXES.into_iter().zip(velocity) {
                 if let Some(f) = f {
-                    hold.add(axis, Some(f.clone()));
+                    add(axis, Some(f.clone()));
                 }
             }
         }
@@ -449,16 +458,22 @@ fn supports(world: &World, deform: &Deform, holds: &mut Holds) {
             // Refused when the model is made.
             Motion::Acceleration { .. } => continue,
         };
+        // The last support of a block alone acts on it.
+        let supports = &world.setup.supports;
+        let number = supports
+            .iter()
+            .rposition(|s| s.blocks.binary_search(&body.block).is_ok());
+        let account = number.and_then(|k| account(world, Holder::Support(k as u16)));
         for node in body.nodes() {
-            drive(hold_of(holds, node as u32), &velocity);
+            drive(hold_of(holds, node as u32), &velocity, account);
         }
     }
 }
 
-fn drive(hold: &mut Hold, velocity: &[Option<TimeFunction>; 3]) {
+fn drive(hold: &mut Hold, velocity: &[Option<TimeFunction>; 3], account: Option<u16>) {
     for (axis, f) in Vec3::AXES.into_iter().zip(velocity) {
         if let Some(f) = f {
-            hold.add(axis, Some(f.clone()));
+            hold.add(axis, Some(f.clone()), account);
         }
     }
 }

@@ -54,6 +54,22 @@ struct Acting {
     net: Vec3,
 }
 
+/// A node in a kick if nothing holds it.
+struct Free {
+    /// Local damping, N.
+    drag: Vec3,
+    /// Velocity change, m/s.
+    change: Vec3,
+}
+
+/// What holds or drives a node in a kick.
+pub(crate) struct Held {
+    /// Velocity change, m/s.
+    change: Vec3,
+    /// Its force, N.
+    pub(crate) support: Vec3,
+}
+
 impl Kick<'_> {
     /// Turns the forces (N) of bodies and bonds on the nodes `first` and following into net forces, finds their velocity
     /// changes (m/s), and adds to the sums.
@@ -216,20 +232,7 @@ impl Kick<'_> {
         sums: &mut KickSums,
     ) -> Vec3 {
         let v = Vec3::from_array(self.velocity[node.node]);
-        let local = self.damping.local;
-        let drag = Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, node.net[k], v[k])));
-        let alpha = self.damping.mass;
-        let fade = kick::fade(alpha, self.span);
-        let push = node.net + drag;
-        let free = match dashpot {
-            None => kick::change(self.span / node.mass, push, fade, v),
-            Some(d) => {
-                let inertia =
-                    node.mass * (1.0 + fade) * Mat3::IDENTITY + 0.5 * self.span * d.matrix;
-                let impulse = self.span * (push - d.matrix * v) - 2.0 * fade * node.mass * v;
-                inertia.inverse() * impulse
-            }
-        };
+        let Free { drag, change: free } = self.free(node.node, node.net, dashpot);
         let mut change = free;
         let mut support = Vec3::ZERO;
         let [of_free, of_held, of_loads] = &mut sums.squares;
@@ -237,21 +240,14 @@ impl Kick<'_> {
         match hold {
             None => *of_free += node.net.length_squared(),
             Some(hold) => {
-                let place = self.places.0[node.node] + self.places.1;
-                let target = self.drive.1 * hold.velocity(self.drive.0, place);
-                change = hold.free * free + (target - (v - hold.free * v));
-                if self.span > 0.0 {
-                    let gap = change - free;
-                    support = kick::reaction(node.mass, fade, self.span, gap);
-                    if let Some(d) = dashpot {
-                        support += 0.5 * (d.matrix * gap);
-                    }
-                }
+                let held = self.hold(hold, dashpot, free);
+                (change, support) = (held.change, held.support);
                 let part = hold.free * node.net;
                 *of_free += part.length_squared();
                 *of_held += (node.net - part).length_squared();
             }
         }
+        let alpha = self.damping.mass;
         let damping = drag - kick::mass_drag(alpha, node.mass, v, change);
         let absorbed = dashpot.map_or(Vec3::ZERO, |d| d.matrix * (v + 0.5 * change));
         for (half, v, works) in [
@@ -265,6 +261,51 @@ impl Kick<'_> {
             works.absorbed += half * absorbed.dot(v);
         }
         change
+    }
+
+    /// What the kick would do to a node with the net force `net` (N) if nothing held it.
+    fn free(&self, node: usize, net: Vec3, dashpot: Option<&Dashpot>) -> Free {
+        let (v, mass) = (Vec3::from_array(self.velocity[node]), self.inertias[node]);
+        let local = self.damping.local;
+        let drag = Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, net[k], v[k])));
+        let fade = kick::fade(self.damping.mass, self.span);
+        let push = net + drag;
+        let change = match dashpot {
+            None => kick::change(self.span / mass, push, fade, v),
+            Some(d) => {
+                let inertia = mass * (1.0 + fade) * Mat3::IDENTITY + 0.5 * self.span * d.matrix;
+                let impulse = self.span * (push - d.matrix * v) - 2.0 * fade * mass * v;
+                inertia.inverse() * impulse
+            }
+        };
+        Free { drag, change }
+    }
+
+    /// What holds or drives a node whose velocity would change by `free` (m/s) without it.
+    fn hold(&self, hold: &Hold, dashpot: Option<&Dashpot>, free: Vec3) -> Held {
+        let node = hold.node as usize;
+        let (v, mass) = (Vec3::from_array(self.velocity[node]), self.inertias[node]);
+        let place = self.places.0[node] + self.places.1;
+        let target = self.drive.1 * hold.velocity(self.drive.0, place);
+        let change = hold.free * free + (target - (v - hold.free * v));
+        let mut support = Vec3::ZERO;
+        if self.span > 0.0 {
+            let fade = kick::fade(self.damping.mass, self.span);
+            let gap = change - free;
+            support = kick::reaction(mass, fade, self.span, gap);
+            if let Some(d) = dashpot {
+                support += 0.5 * (d.matrix * gap);
+            }
+        }
+        Held { change, support }
+    }
+
+    /// What holds or drives a node on which the net force (N) acts.
+    pub(crate) fn held(&self, hold: &Hold, net: [f64; 3]) -> Held {
+        let place = self.dashpots.binary_search_by_key(&hold.node, |d| d.node);
+        let dashpot = place.ok().map(|k| &self.dashpots[k]);
+        let free = self.free(hold.node as usize, Vec3::from_array(net), dashpot);
+        self.hold(hold, dashpot, free.change)
     }
 }
 
@@ -304,7 +345,7 @@ mod tests {
         let (mut net, velocity, loads, pushes) = (list(), list(), list(), list());
         let masses: Vec<f64> = velocity.iter().map(|r| 1.5 + r[0]).collect();
         let mut hold = Hold::new(12);
-        hold.add(Vec3::X, None);
+        hold.add(Vec3::X, None, None);
         let dashpot = Dashpot {
             node: 30,
             matrix: Mat3::from_diagonal(Vec3::new(0.1, 0.2, 0.3)),

@@ -14,7 +14,7 @@ use crate::exec::Divide;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::StartStress;
 use crate::state::scratch::{NonFinite, Scratch};
-use crate::state::workspace::{BODIES, BlockClass, KickSums, start_of};
+use crate::state::workspace::{BODIES, BlockClass, KickSums, Workspace, start_of};
 use crate::sums;
 use crate::world::World;
 
@@ -68,10 +68,64 @@ impl Divide for Piece<'_> {
 
 /// Finds the forces on nodes (those of bonds are in their slots) and the velocity changes for a step of `dt` (s).
 pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<(), NonFinite> {
-    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
-    else {
+    let Some(work) = scratch.deform.as_deref_mut() else {
         return Ok(());
     };
+    let mut net = std::mem::take(&mut work.net);
+    let mut change = std::mem::take(&mut work.change);
+    let mut partial = std::mem::take(&mut work.partial);
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
+        return Ok(());
+    };
+    let kick = kick(world, deform, work, scratch, dt);
+    let context = Context {
+        deform,
+        kinds: &work.kinds,
+        starts: &work.starts,
+        start_forces: &work.start_forces,
+        links: &work.links,
+        slots: &work.slots,
+        kick,
+    };
+    let piece = Piece {
+        bodies: &deform.bodies,
+        first: 0,
+        net: &mut net,
+        change: &mut change,
+        partial: &mut partial,
+    };
+    let count = deform.bodies.len().div_ceil(BODIES);
+    scratch
+        .exec
+        .divided(piece, count, |_, piece| context.piece(piece));
+    let bad = partial.iter().find_map(|p| p.bad);
+    sums::tree(&mut partial, |sum, other| {
+        sum.arrival.add(&other.arrival);
+        sum.departure.add(&other.departure);
+        for (sum, x) in sum.squares.iter_mut().zip(other.squares) {
+            *sum += x;
+        }
+    });
+    let all = partial.first().copied().unwrap_or_default();
+    if let Some(work) = scratch.deform.as_deref_mut() {
+        work.departure = all.departure;
+        work.norms = all.squares.map(f64::sqrt);
+        (work.net, work.change, work.partial) = (net, change, partial);
+    }
+    world.works.add(&all.arrival);
+    let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
+    let bad = bad.map(|node| deform.bodies[holder(node)].block);
+    bad.map_or(Ok(()), |block| Err(NonFinite { block }))
+}
+
+/// The kick of the nodes for a step of `dt` (s).
+pub(crate) fn kick<'a>(
+    world: &'a World,
+    deform: &'a Deform,
+    work: &'a Workspace,
+    scratch: &'a Scratch,
+    dt: f64,
+) -> Kick<'a> {
     let mut damping = scratch.damping;
     let mut drive = (world.time + 0.5 * dt, 1.0);
     if let Some(relax) = &deform.relax {
@@ -79,7 +133,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         damping.local = 0.0;
         drive = (world.time + 0.5 * relax.increment, relax.increment);
     }
-    let kick = Kick {
+    Kick {
         gravity: world.gravity,
         damping,
         half: [0.5 * world.pending, 0.5 * dt],
@@ -97,42 +151,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         places: (&deform.nodes.place, world.setup.origin),
         dashpots: &work.dashpots,
         width: scratch.width,
-    };
-    let context = Context {
-        deform,
-        kinds: &work.kinds,
-        starts: &work.starts,
-        start_forces: &work.start_forces,
-        links: &work.links,
-        slots: &work.slots,
-        kick,
-    };
-    let piece = Piece {
-        bodies: &deform.bodies,
-        first: 0,
-        net: &mut work.net,
-        change: &mut work.change,
-        partial: &mut work.partial,
-    };
-    let count = deform.bodies.len().div_ceil(BODIES);
-    scratch
-        .exec
-        .divided(piece, count, |_, piece| context.piece(piece));
-    let bad = work.partial.iter().find_map(|p| p.bad);
-    sums::tree(&mut work.partial, |sum, other| {
-        sum.arrival.add(&other.arrival);
-        sum.departure.add(&other.departure);
-        for (sum, x) in sum.squares.iter_mut().zip(other.squares) {
-            *sum += x;
-        }
-    });
-    let all = work.partial.first().copied().unwrap_or_default();
-    work.departure = all.departure;
-    work.norms = all.squares.map(f64::sqrt);
-    world.works.add(&all.arrival);
-    let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
-    let bad = bad.map(|node| deform.bodies[holder(node)].block);
-    bad.map_or(Ok(()), |block| Err(NonFinite { block }))
+    }
 }
 
 impl Context<'_> {

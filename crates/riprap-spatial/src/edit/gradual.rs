@@ -63,6 +63,7 @@ pub fn take_out_gradually(
             blocks: vec![block as u32],
             kind,
             time: fade.clone(),
+            account: None,
         });
     };
     let lost = |b: usize| [0, 1].map(|k| before.blocks[b][k] - after.blocks[b][k]);

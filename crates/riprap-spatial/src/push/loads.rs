@@ -2,15 +2,37 @@
 
 use riprap_geom::Vec3;
 
-use crate::anchor::Anchor;
-use crate::setup::LoadKind;
+use crate::setup::{Load, LoadKind};
 use crate::state::deform::{Body, Deform};
-use crate::state::push::Account;
+use crate::state::push::{Account, Wrench};
 use crate::state::workspace::{BlockClass, Workspace};
 use crate::state::world::World;
 
+/// What a load pushes, and how.
+pub(crate) enum Pushed {
+    /// A rigid block.
+    Block(u32, Wrench),
+    /// A node, with a force (N).
+    Node(u32, Vec3),
+}
+
 /// Pushes blocks with all loads at the world's present time.
 pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
+    let nodes = world.deform.as_deref().map_or(0, |d| d.nodes.len());
+    each(world, work, |_, pushed| match pushed {
+        Pushed::Block(b, push) => {
+            loads.need_blocks(world.alive.len());
+            loads.on_block(b, push.force, push.moment);
+        }
+        Pushed::Node(node, force) => {
+            loads.need_nodes(nodes);
+            loads.on_node(node, force);
+        }
+    });
+}
+
+/// Hands over every load at the world's present time with what it pushes.
+pub(crate) fn each(world: &World, work: Option<&Workspace>, mut put: impl FnMut(&Load, Pushed)) {
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
         // What was released by and by is gone.
@@ -22,13 +44,15 @@ pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
             let deformable = deformable
                 .and_then(|(deform, work)| Some((deform, deform.body(b as usize)?, work)));
             match deformable {
-                None => {
-                    loads.need_blocks(world.alive.len());
-                    on_rigid(world, &load.kind, factor, b, loads);
-                }
+                None => put(
+                    load,
+                    Pushed::Block(b, on_rigid(world, &load.kind, factor, b)),
+                ),
                 Some((deform, body, work)) => {
-                    loads.need_nodes(deform.nodes.len());
-                    on_nodes(deform, body, work.kind(body), &load.kind, factor, loads);
+                    let kind = work.kind(body);
+                    on_nodes(deform, body, kind, &load.kind, factor, |node, force| {
+                        put(load, Pushed::Node(node, force));
+                    });
                 }
             }
         }
@@ -36,25 +60,24 @@ pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
 }
 
 /// A load on a rigid block.
-fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32, loads: &mut Account) {
+fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32) -> Wrench {
+    let mut push = Wrench::default();
     match load {
         LoadKind::Point { force, at } => {
-            let force = factor * *force;
-            match at {
-                None => loads.on_block(b, force, Vec3::ZERO),
-                Some(at) => {
-                    let arm = *at - world.reference[b as usize];
-                    let anchor = Anchor::Block { block: b, arm };
-                    world.all_freedoms().push(loads, &anchor, force);
-                }
+            push.force = factor * *force;
+            if let Some(at) = at {
+                let arm = world
+                    .all_freedoms()
+                    .arm(b, *at - world.reference[b as usize]);
+                push.moment = arm.cross(push.force);
             }
         }
-        LoadKind::Moment { moment } => loads.on_block(b, Vec3::ZERO, factor * *moment),
+        LoadKind::Moment { moment } => push.moment = factor * *moment,
         LoadKind::BodyForce { acceleration } => {
-            let force = factor * world.solid_of(b as usize).mass * *acceleration;
-            loads.on_block(b, force, Vec3::ZERO);
+            push.force = factor * world.solid_of(b as usize).mass * *acceleration;
         }
     }
+    push
 }
 
 /// A load on a deformable block: an acceleration or a force without a point is shared by mass, a force at a point goes
@@ -65,19 +88,19 @@ fn on_nodes(
     kind: &BlockClass,
     load: &LoadKind,
     factor: f64,
-    loads: &mut Account,
+    mut put: impl FnMut(u32, Vec3),
 ) {
     let (first, masses) = (body.first, kind.masses());
     match load {
         LoadKind::BodyForce { acceleration } => {
             for (node, m) in (first..).zip(masses) {
-                loads.on_node(node, factor * *m * *acceleration);
+                put(node, factor * *m * *acceleration);
             }
         }
         LoadKind::Point { force, at: None } => {
             let total: f64 = masses.iter().sum();
             for (node, m) in (first..).zip(masses) {
-                loads.on_node(node, factor * *m / total * *force);
+                put(node, factor * *m / total * *force);
             }
         }
         LoadKind::Point {
@@ -86,7 +109,7 @@ fn on_nodes(
         } => {
             let centre = deform.nodes.place[first as usize + kind.mesh.nodes.len() - 1];
             for (node, weight) in holder(kind, *at - centre) {
-                loads.on_node(first + node, factor * weight * *force);
+                put(first + node, factor * weight * *force);
             }
         }
         // Refused when the model is made: nodes take no moment.

@@ -9,30 +9,13 @@ use crate::state::push::Account;
 use crate::state::workspace::Dashpot;
 use crate::state::world::World;
 
-/// Dashpots of viscous faces (Lysmer & Kuhlemeyer 1969), by node: `A (rho c_P n n^T + rho c_S (1 - n n^T))`.
+/// Dashpots of viscous faces (Lysmer & Kuhlemeyer 1969), by node.
 ///
 /// Nodes lie on the face itself, so there is no half block in between as with rigid blocks.
 #[must_use]
 pub fn dashpots(setup: &Setup, deform: &Deform) -> Vec<Dashpot> {
     let mut found: Vec<Dashpot> = Vec::new();
-    for surface in &deform.surfaces {
-        let viscous = |k: usize| matches!(setup.boundaries[k].kind, BoundaryKind::Viscous { .. });
-        if !surface.boundary().is_some_and(viscous) {
-            continue;
-        }
-        let block = deform.bodies[surface.body as usize].block as usize;
-        let material = &setup.materials[usize::from(setup.blocks[block].material)];
-        let moduli = material.constrained_modulus().zip(material.shear_modulus());
-        let Some((m, g)) = moduli else { continue };
-        let [p, s] = [m, g].map(|modulus| (material.density * modulus).sqrt());
-        let n = surface.normal;
-        let dyad = Mat3::from_cols(n.x * n, n.y * n, n.z * n);
-        let per_area = p * dyad + s * (Mat3::IDENTITY - dyad);
-        for &(node, area) in &surface.nodes {
-            let matrix = area * per_area;
-            found.push(Dashpot { node, matrix });
-        }
-    }
+    each_dashpot(setup, deform, |_, dashpot| found.push(dashpot));
     // The order of equal nodes stays that of the surfaces.
     found.sort_by_key(|d| d.node);
     found.dedup_by(|later, first| {
@@ -45,21 +28,51 @@ pub fn dashpots(setup: &Setup, deform: &Deform) -> Vec<Dashpot> {
     found
 }
 
+/// Hands over the dashpots of each viscous face on each of its nodes, `A (rho c_P n n^T + rho c_S (1 - n n^T))`, with the number of
+/// the boundary.
+pub(crate) fn each_dashpot(setup: &Setup, deform: &Deform, mut put: impl FnMut(usize, Dashpot)) {
+    for surface in &deform.surfaces {
+        let viscous = |k: &usize| matches!(setup.boundaries[*k].kind, BoundaryKind::Viscous { .. });
+        let Some(boundary) = surface.boundary().filter(viscous) else {
+            continue;
+        };
+        let block = deform.bodies[surface.body as usize].block as usize;
+        let material = &setup.materials[usize::from(setup.blocks[block].material)];
+        let moduli = material.constrained_modulus().zip(material.shear_modulus());
+        let Some((m, g)) = moduli else { continue };
+        let [p, s] = [m, g].map(|modulus| (material.density * modulus).sqrt());
+        let n = surface.normal;
+        let dyad = Mat3::from_cols(n.x * n, n.y * n, n.z * n);
+        let per_area = p * dyad + s * (Mat3::IDENTITY - dyad);
+        for &(node, area) in &surface.nodes {
+            let matrix = area * per_area;
+            put(boundary, Dashpot { node, matrix });
+        }
+    }
+}
+
 /// Pushes the nodes of faces with a condition with the given tractions.
 pub fn apply(world: &World, deform: &Deform, loads: &mut Account) {
-    let given = |k: usize| {
-        let boundary = &world.setup.boundaries[k];
+    each(world, deform, |_, node, force| {
+        loads.need_nodes(deform.nodes.len());
+        loads.on_node(node, force);
+    });
+}
+
+/// Hands over the number of the boundary, a node and a force (N) of the given tractions on it.
+pub(crate) fn each(world: &World, deform: &Deform, mut put: impl FnMut(usize, u32, Vec3)) {
+    let given = |k: &usize| {
+        let boundary = &world.setup.boundaries[*k];
         boundary.in_situ || matches!(boundary.kind, BoundaryKind::Traction { .. })
     };
     for surface in &deform.surfaces {
-        if !surface.boundary().is_some_and(given) {
+        let Some(boundary) = surface.boundary().filter(given) else {
             continue;
-        }
-        loads.need_nodes(deform.nodes.len());
+        };
         for (k, &(node, area)) in surface.nodes.iter().enumerate() {
             let t = at_node(world, deform, surface, k);
             if t != Vec3::ZERO {
-                loads.on_node(node, area * t);
+                put(boundary, node, area * t);
             }
         }
     }

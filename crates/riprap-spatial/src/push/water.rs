@@ -23,9 +23,7 @@ impl World {
     #[must_use]
     pub fn pore_pressure(&self, at: Vec3) -> f64 {
         let table = self.table();
-        table.map_or(0.0, |table| {
-            table.pressure(-self.gravity.z, table.distance(at.x, at.y), at.z)
-        })
+        table.map_or(0.0, |table| table.pressure(-self.gravity.z, at))
     }
 }
 
@@ -124,6 +122,7 @@ fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
                 Shape::Terrain(_) => {}
             }
         },
+        &|r| start + turn().inverse() * r,
     )
 }
 
@@ -137,11 +136,12 @@ fn on_nodes(
     mut push: impl FnMut(u32, Vec3),
 ) {
     let nodes = &deform.nodes;
-    let place = |node: usize| nodes.place[node] + Vec3::from_array(nodes.displacement[node]);
+    let start = |node: u32| nodes.place[node as usize];
+    let place = |node: u32| start(node) + Vec3::from_array(nodes.displacement[node as usize]);
     for face in 0..kind.faces.len() {
         for triangle in kind.mesh.fan(face) {
             let corners = triangle.map(|k| body.first + k);
-            let pushes = table.on_triangle(gravity, corners.map(|n| place(n as usize)));
+            let pushes = table.on_triangle(gravity, corners.map(place), corners.map(start));
             for (node, force) in corners.into_iter().zip(pushes) {
                 push(node, force);
             }

@@ -33,22 +33,9 @@ pub fn conditions(view: &View<'_>, first: usize) -> Conditions {
             blocks: s.blocks.clone(),
         })
         .collect();
-    out.water = setup
-        .water
-        .iter()
-        .map(|table| {
-            let [x, y] = table.along;
-            let far = x * setup.origin.x + y * setup.origin.y;
-            let points = table.points.iter();
-            Table {
-                name: table.name.clone(),
-                along: table.along,
-                points: points
-                    .map(|p| [p[0] + far, p[1] + setup.origin.z])
-                    .collect(),
-            }
-        })
-        .collect();
+    let tables = setup.water.iter();
+    let tables = tables.map(|table| Table::of(table, setup.origin, false));
+    out.water = tables.collect();
     out.interfaces = setup.interfaces.iter().map(|i| i.name.clone()).collect();
     out.pairs.clone_from(&setup.pair_table);
     out

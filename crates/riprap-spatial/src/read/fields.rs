@@ -331,6 +331,9 @@ fields! {
     "block.sigma2_compressive" "Pa" Block Scalar true "Middle principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[1]);
     "boundary.displacement" "m" Boundary Vector3 true "Mean displacement, by area, of the faces a condition acts on." |v, of| v.on_boundary(first(of)).0;
     "boundary.force" "N" Boundary Vector3 true "Force by which a condition acts on the nodes of deformable blocks: tractions and reactions." |v, of| v.on_boundary(first(of)).1;
+    "boundary.work" "J" Boundary Scalar false "Work of a condition on its faces: of given tractions and of the motion it prescribes, less what its dashpots absorb." |v, of| one(v.world.work_of_boundary(first(of)));
+    "support.work" "J" Support Scalar false "Work of a support on its blocks or nodes; what holds still does none." |v, of| one(v.world.work(first(of)));
+    "load.work" "J" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
     "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
     "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));

@@ -90,6 +90,7 @@ fn shares(setup: &Setup, load: &Load, first_child: &[u32]) -> Vec<Load> {
             blocks,
             kind,
             time: load.time.clone(),
+            account: load.account,
         });
     }
     made

@@ -206,6 +206,7 @@ fn lists_follow_the_split() {
         setup.loads.push(Load {
             blocks: vec![0, 1],
             kind,
+            account: None,
             time: TimeFunction::Constant(1.0),
         });
     }

@@ -25,6 +25,8 @@ struct Along {
     direction: Vec3,
     /// m/s; `None` is held.
     velocity: Option<TimeFunction>,
+    /// Account of the condition that prescribes it, if any.
+    account: Option<u16>,
     /// The direction less its parts along the earlier bases, normalised.
     basis: Vec3,
 }
@@ -40,9 +42,9 @@ impl Hold {
         }
     }
 
-    /// Prescribes the velocity along a unit direction; an earlier one along the same line is replaced, one that follows from
-    /// earlier ones changes nothing.
-    pub fn add(&mut self, direction: Vec3, velocity: Option<TimeFunction>) {
+    /// Prescribes the velocity along a unit direction for the condition on an account; an earlier one along the same line is
+    /// replaced, one that follows from earlier ones changes nothing.
+    pub fn add(&mut self, direction: Vec3, velocity: Option<TimeFunction>, account: Option<u16>) {
         let same = |a: &&mut Along| a.direction.dot(direction).abs() > 1.0 - SAME;
         if let Some(same) = self.along.iter_mut().find(same) {
             if same.direction.dot(direction) < 0.0 {
@@ -50,6 +52,7 @@ impl Hold {
             }
             same.direction = direction;
             same.velocity = velocity;
+            same.account = account;
             return;
         }
         let mut rest = direction;
@@ -64,6 +67,7 @@ impl Hold {
         self.along.push(Along {
             direction,
             velocity,
+            account,
             basis,
         });
     }
@@ -72,6 +76,28 @@ impl Hold {
     #[must_use]
     pub fn is_free(&self) -> bool {
         self.along.is_empty()
+    }
+
+    /// Whether it drives the node on any account: what holds still does no work.
+    #[must_use]
+    pub fn drives(&self) -> bool {
+        let still = |f: &TimeFunction| matches!(f, TimeFunction::Constant(0.0));
+        let drives = |a: &Along| a.velocity.as_ref().is_some_and(|f| !still(f));
+        self.along.iter().any(|a| drives(a) && a.account.is_some())
+    }
+
+    /// Parts of what holds the node, a vector along the prescribed directions, with the accounts of their conditions: each
+    /// along its direction; what is left goes to the first.
+    pub fn parts(&self, vector: Vec3) -> impl Iterator<Item = (Option<u16>, Vec3)> {
+        let mut rest = vector;
+        let mut parts = [Vec3::ZERO; 3];
+        // Bases of later directions are across the earlier ones.
+        for (part, a) in parts.iter_mut().zip(&self.along).rev() {
+            *part = rest.dot(a.basis) / a.direction.dot(a.basis) * a.direction;
+            rest -= *part;
+        }
+        parts[0] += rest;
+        (self.along.iter().map(|a| a.account)).zip(parts)
     }
 
     /// Prescribed velocity at time `t` of the node that was at `place` (m, global) at the start, m/s: the shortest with the
@@ -98,20 +124,32 @@ mod tests {
     fn any_directions_go_together() {
         let two = || Some(TimeFunction::Constant(2.0));
         let mut hold = Hold::new(3);
-        hold.add(Vec3::X, None);
-        hold.add(Vec3::new(0.6, 0.8, 0.0), two());
+        hold.add(Vec3::X, None, None);
+        hold.add(Vec3::new(0.6, 0.8, 0.0), two(), None);
         let v = hold.free * Vec3::new(1.0, 2.0, 3.0);
         assert!((v - Vec3::new(0.0, 0.0, 3.0)).length() < 1e-15);
         let now = |hold: &Hold| hold.velocity(0.0, Vec3::ZERO);
         let v = now(&hold);
         assert!(v.x.abs() < 1e-15 && (Vec3::new(0.6, 0.8, 0.0).dot(v) - 2.0).abs() < 1e-15);
         // Follows from the two.
-        hold.add(Vec3::Y, None);
+        hold.add(Vec3::Y, None, None);
         assert_eq!(now(&hold), v);
-        hold.add(-Vec3::X, two());
+        hold.add(-Vec3::X, two(), None);
         assert!((now(&hold).x + 2.0).abs() < 1e-15);
-        hold.add(-Vec3::Z, two());
+        hold.add(-Vec3::Z, two(), None);
         assert!((now(&hold).z + 2.0).abs() < 1e-15);
         assert!((hold.free * Vec3::ONE).length() < 1e-15 && !hold.is_free());
+    }
+    #[test]
+    fn each_direction_has_its_own_part() {
+        let mut hold = Hold::new(3);
+        hold.add(Vec3::X, None, Some(4));
+        let tilted = Vec3::new(0.6, 0.8, 0.0);
+        hold.add(tilted, Some(TimeFunction::Constant(1.0)), Some(7));
+        assert!(hold.drives());
+        let parts: Vec<_> = hold.parts(Vec3::new(5.0, 4.0, 0.0)).collect();
+        assert_eq!((parts[0].0, parts[1].0), (Some(4), Some(7)));
+        assert!((parts[0].1 - 2.0 * Vec3::X).length() < 1e-14, "{parts:?}");
+        assert!((parts[1].1 - 5.0 * tilted).length() < 1e-14, "{parts:?}");
     }
 }

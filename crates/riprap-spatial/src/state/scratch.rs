@@ -1,8 +1,9 @@
 //! Everything of a spatial model that can be dropped and laid out anew without changing a result.
 
-use super::push::Pushes;
+use super::push::{Pushes, Wrench};
 use super::sums::Sums;
 use super::workspace::Workspace;
+use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::found::cells::CellDesk;
@@ -49,12 +50,25 @@ pub struct Scratch {
     pub(crate) width: Width,
     /// Works of the half step after the present time, booked by `advance`.
     pub(crate) departure: Works,
+    /// Works of single conditions.
+    pub(crate) entries: Entries,
+    /// What the conditions on free faces have done in the kick; empty where nobody keeps accounts.
+    pub(crate) face_entries: Vec<FaceEntry>,
     /// How the work is cut where that is prescribed.
     pub(crate) cut: Option<Cut>,
     pub(crate) lost: Vec<Lost>,
     pub(crate) partial: Vec<Partial>,
     /// Whether a block has turned beyond the bound of small kinematics.
     pub(crate) turning: bool,
+}
+
+/// What the condition on a free face has done in a kick.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct FaceEntry {
+    /// Given tractions on the block.
+    pub(crate) dead: Wrench,
+    /// Works before and after the present time, J.
+    pub(crate) halves: [Account; 2],
 }
 
 /// Energy that left the patches of one group, J.

@@ -16,6 +16,7 @@ use super::face::Face;
 use super::found::FoundContacts;
 use super::lineage::Origin;
 pub use super::patches::{PatchClass, Patches, flag};
+use crate::accounts::{Account, Holder, of};
 use crate::anchor::{Anchor, Freedoms};
 use crate::ledger::Works;
 use crate::setup::{Motion, Setup};
@@ -82,6 +83,8 @@ pub struct World {
     pub events: Vec<EditEvent>,
     /// Running sums of the energy ledger.
     pub works: Works,
+    /// Work of the conditions in `setup.accounts`.
+    pub accounts: Vec<Account>,
     /// Kinetic and stored energy at the start, J; set by the first evaluation.
     pub start_energy: Option<f64>,
 }
@@ -103,6 +106,19 @@ impl World {
     #[must_use]
     pub fn deforms(&self, b: usize) -> bool {
         self.deform.as_ref().is_some_and(|d| d.body(b).is_some())
+    }
+
+    /// Work of the condition on account number `k` since the start, J.
+    #[must_use]
+    pub fn work(&self, k: usize) -> f64 {
+        self.accounts.get(k).map_or(f64::NAN, Account::work)
+    }
+
+    /// Work of boundary number `k` since the start, J.
+    #[must_use]
+    pub fn work_of_boundary(&self, k: usize) -> f64 {
+        let account = of(&self.setup.accounts, Holder::Boundary(k as u16));
+        account.map_or(f64::NAN, |account| self.work(usize::from(account)))
     }
 
     /// An event at the present time, without children.

@@ -184,6 +184,26 @@ pub(super) fn energy(out: &mut String, run: &Run) {
     out.push_str("</table>\n<p><small>The residual is zero but for the error of time integration and rounding.</small></p>\n");
 }
 
+/// Work of boundaries, supports and loads.
+pub(super) fn works(out: &mut String, m: &Manifest) {
+    let some: Vec<_> = m.works.iter().filter(|w| w.work != 0.0).collect();
+    if some.is_empty() {
+        return;
+    }
+    out.push_str("<h2>Work of boundaries, supports and loads</h2>\n<table class=\"grid\"><tr><th></th><th>name</th><th>work</th><th>unit</th></tr>\n");
+    for w in some {
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(&w.of),
+            escape(&w.name),
+            short(w.work),
+            escape(&w.unit)
+        );
+    }
+    out.push_str("</table>\n");
+}
+
 pub(super) fn events(out: &mut String, run: &Run) {
     let lines = run.lines("events.jsonl");
     if lines.is_empty() {

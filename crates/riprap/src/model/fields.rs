@@ -155,14 +155,14 @@ impl Builder<'_> {
         if site == Site::Bolt {
             return self.field_bolts(name, names);
         }
-        if site == Site::Boundary {
-            return self.field_boundary(name, names);
+        if matches!(site, Site::Boundary | Site::Support | Site::Load) {
+            return self.field_condition(name, site, names);
         }
         let (need, example): (usize, &str) = match site {
             Site::Block => (1, "of = \"block\""),
             Site::Pair => (2, "of = [\"a\", \"b\"]"),
             Site::Group => (1, "of = \"group\""),
-            Site::Cavity | Site::Boundary | Site::Bolt => (1, ""),
+            Site::Cavity | Site::Boundary | Site::Support | Site::Load | Site::Bolt => (1, ""),
             Site::Model | Site::Energy => (0, ""),
             Site::Contact => {
                 let help = "use a `pair` field for the sum over the contacts of two blocks";
@@ -273,31 +273,6 @@ impl Builder<'_> {
             all.extend(found);
         }
         Some(all)
-    }
-
-    /// The condition on free faces a field is read at.
-    fn field_boundary(&mut self, name: &Name, names: &[Name]) -> Option<Vec<u32>> {
-        let [one] = names else {
-            let message = format!("`{name}` needs one boundary");
-            let place = names.first().unwrap_or(name);
-            self.error_at(
-                "field.of",
-                place,
-                message,
-                "give the boundary a `name` and write it here",
-            );
-            return None;
-        };
-        let known = self.spatial.boundaries.iter().map(|b| b.name.as_str());
-        if let Some(number) = known.clone().position(|b| b == one.as_str()) {
-            return Some(vec![number as u32]);
-        }
-        let known: Vec<&str> = known.collect();
-        let message = format!("there is no boundary `{one}`");
-        let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
-        error.help = suggest(one.as_str(), known);
-        self.found.push(error);
-        None
     }
 
     /// SI value of a quantity that must suit a unit; `None` after an error.

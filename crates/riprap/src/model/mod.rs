@@ -12,6 +12,7 @@
 //!
 //! Not here: the stable time step and everything else that needs the engine.
 
+mod accounts;
 mod assertions;
 mod behaviour;
 mod blocks;

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use riprap_geom::{Vec2, polygon};
 
+use super::accounts::condition_name;
 use super::builder::Builder;
+use crate::accounts::Holder;
 use crate::dynamics::{Formula, TimeFunction};
 use crate::planar::setup::{Load, LoadKind, Motion, Support};
 use crate::scenario::language::{self, EdgeLoad, Point, Target};
@@ -19,7 +21,7 @@ const ON_BOUNDARY: f64 = 1e-6;
 impl Builder<'_> {
     pub(super) fn supports(&mut self) {
         let mut supported = BTreeSet::new();
-        for support in &self.parsed.scenario.supports {
+        for (number, support) in self.parsed.scenario.supports.iter().enumerate() {
             let Some(blocks) = self.target(&support.on) else {
                 continue;
             };
@@ -50,6 +52,8 @@ impl Builder<'_> {
                 (None, None) => None,
             };
             if let Some(motion) = motion {
+                let name = condition_name(support.name.as_ref(), &support.on, number);
+                self.account(name, Holder::Support(self.setup.supports.len() as u16));
                 self.setup.supports.push(Support { blocks, motion });
             }
         }
@@ -180,7 +184,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn loads(&mut self) {
-        for load in &self.parsed.scenario.loads {
+        for (number, load) in self.parsed.scenario.loads.iter().enumerate() {
             let Some(blocks) = self.target(&load.on) else {
                 continue;
             };
@@ -218,11 +222,14 @@ impl Builder<'_> {
                     acceleration: body.acceleration.xy().into(),
                 });
             }
+            let name = condition_name(load.name.as_ref(), &load.on, number);
+            let account = self.account(name, Holder::Load);
             for kind in kinds {
                 self.setup.loads.push(Load {
                     blocks: blocks.clone(),
                     kind,
                     time: time.clone(),
+                    account,
                 });
             }
         }

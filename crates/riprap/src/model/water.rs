@@ -2,16 +2,21 @@
 
 use super::builder::Builder;
 use crate::laws::seepage::{self, Steady};
-use crate::laws::water::WaterTable;
-use crate::scenario::language::{self, Phase, Seepage, Side, Space, Water};
+use crate::laws::water::{Grid, WaterTable, Zone};
+use crate::scenario::language::{self, BoxRegion, Phase, Seepage, Side, Space, Water};
 use crate::scenario::read::Provenance;
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, NO_WATER, Quantity, Span};
-use crate::spatial::setup::Shape;
-use riprap_geom::Vec3;
+use crate::scenario::{Diagnostic, NO_WATER, Name, Names, Quantity, Span};
+use crate::spatial::setup::{Shape, Solid};
+use riprap_geom::polyhedron::BRICK_FACES;
+use riprap_geom::{Vec2, Vec3};
 
 /// A component of a direction below this is round-off of its angle.
 const ROUND_OFF: f64 = 1e-15;
+/// How far beyond its faces a zone reaches, over the size of the model: faces that lie in them are in it.
+const SLACK: f64 = 1e-7;
+/// Share of a face in two zones from which both claim it.
+const CLAIMED: f64 = 1e-4;
 
 impl Builder<'_> {
     /// All water tables; the blocks must be known.
@@ -33,12 +38,18 @@ impl Builder<'_> {
             let along = self.along(name.as_str(), said);
             let shift = along[0] * origin[0] + along[1] * origin[1];
             let corner = |[d, z]: &[Quantity<_>; 2]| [d.si() - shift, z.si() - height];
-            let points = match (&said.level, &said.points) {
-                (Some(level), _) => vec![[0.0, level.si() - height]],
-                (None, Some(points)) => points.iter().map(corner).collect(),
+            let (mut points, mut grid) = (Vec::new(), None);
+            match (&said.level, &said.points, &said.csv) {
+                (Some(level), ..) => points.push([0.0, level.si() - height]),
+                (None, Some(said), _) => points.extend(said.iter().map(corner)),
+                (None, None, Some(file)) => match self.heights(name, file) {
+                    Some(read) => grid = Some(Box::new(read)),
+                    None => continue,
+                },
                 // Reported by the rules of the language.
-                (None, None) => continue,
-            };
+                (None, None, None) => continue,
+            }
+            let zone = said.within.as_ref().map(|said| self.zone(name, said));
             let seepage = said
                 .seepage
                 .as_ref()
@@ -52,8 +63,86 @@ impl Builder<'_> {
                 density,
                 along,
                 points,
+                grid,
+                zone,
                 seepage,
+                parts: Vec::new(),
             });
+        }
+    }
+
+    /// A table from heights on a grid; `None` after an error.
+    fn heights(&mut self, name: &Name, file: &Name) -> Option<Grid> {
+        let shift = -self.spatial.origin;
+        let read = self.grid_of_csv(file, shift, "file.water")?;
+        let wide = read.x.len();
+        if let Some(missing) = read.z.iter().position(Option::is_none) {
+            let [x, y] = [
+                read.x[missing % wide] - shift.x,
+                read.y[missing / wide] - shift.y,
+            ];
+            let message = format!("`{file}` has no height at ({x} m, {y} m)");
+            let help = "a water table needs all places of its grid";
+            self.error_at("file.water", file, message, help);
+            return None;
+        }
+        if wide < 2 || read.y.len() < 2 {
+            let message = format!("`{file}` has one line of places only");
+            let help = "two lines along x and along y are needed at least";
+            self.error_at("file.water", file, message, help);
+            return None;
+        }
+        let grid = Grid {
+            x: read.x,
+            y: read.y,
+            z: read.z.into_iter().flatten().collect(),
+        };
+        let (low, high) = self.extent();
+        let room = 1e-6 * (high - low).length();
+        let ends = |list: &[f64]| list.first().copied().zip(list.last().copied());
+        let short = [
+            (ends(&grid.x), low.x, high.x),
+            (ends(&grid.y), low.y, high.y),
+        ];
+        let short = short.into_iter().filter_map(|(ends, low, high)| {
+            let (first, last) = ends?;
+            Some((first - low).max(high - last))
+        });
+        let short = short.fold(0.0, f64::max);
+        if short > room {
+            let message = format!("the heights of water.{name} end {short:.3} m inside the model");
+            let help = "beyond them the table has the height of its rim; give a larger grid";
+            let note = Diagnostic::warning("water.extent", message);
+            self.found.push(note.at(file.span.clone()).help(help));
+        }
+        Some(grid)
+    }
+
+    /// Where a table acts, with room for faces that lie in its surface.
+    fn zone(&mut self, name: &Name, said: &BoxRegion) -> Zone {
+        let (min, max) = (said.min.xyz(), said.max.xyz());
+        let axes = match self.space {
+            InSpace::Planar => 2,
+            InSpace::Spatial => 3,
+        };
+        if (0..axes).any(|k| min[k] >= max[k]) {
+            let message = format!("the box of water.{name} has no inside");
+            let error = Diagnostic::error("value.range", message).at(said.min.span.clone());
+            let help = "`min` has the lowest coordinates, `max` the highest";
+            self.found.push(error.help(help));
+        }
+        let [low, high] = [min, max].map(|at| match self.space {
+            InSpace::Planar => Vec3::new(at[0] - self.origin.x, 0.0, at[1] - self.origin.y),
+            InSpace::Spatial => Vec3::from_array(at) - self.spatial.origin,
+        });
+        let (least, most) = self.extent();
+        let mut slack = Vec3::splat(SLACK * (most - least).length());
+        if axes == 2 {
+            slack.y = f64::INFINITY;
+        }
+        Zone {
+            low: low - slack,
+            high: high + slack,
         }
     }
 
@@ -140,16 +229,112 @@ impl Builder<'_> {
     }
 
     /// What a phase changes: the first one sets the only table unless it says otherwise.
-    pub(super) fn table_of(&self, said: &Phase) -> Option<Option<u16>> {
+    pub(super) fn table_of(&mut self, said: &Phase) -> Option<Option<u16>> {
         let scenario = &self.parsed.scenario;
         let first = scenario.phases.first().is_some_and(|p| p.name == said.name);
-        let number = |name: &str| scenario.water.names().position(|one| one == name);
         match &said.water {
-            Some(name) if name.as_str() == NO_WATER => Some(None),
-            Some(name) => Some(number(name.as_str()).map(|k| k as u16)),
+            Some(Names(names)) => match names.as_slice() {
+                [name] if name.as_str() == NO_WATER => Some(None),
+                [name] => Some(self.table_named(name)),
+                names => Some(self.together(names)),
+            },
             None if first && scenario.water.len() == 1 => Some(Some(0)),
             None => None,
         }
+    }
+
+    fn tables(&mut self) -> &mut Vec<WaterTable> {
+        match self.space {
+            InSpace::Planar => &mut self.setup.water,
+            InSpace::Spatial => &mut self.spatial.water,
+        }
+    }
+
+    fn table_named(&mut self, name: &Name) -> Option<u16> {
+        let tables = self.tables().iter();
+        let single = tables.map(|t| t.parts.is_empty().then_some(t.name.as_str()));
+        let number = single
+            .into_iter()
+            .position(|one| one == Some(name.as_str()));
+        number.map(|k| k as u16)
+    }
+
+    /// Several tables as one; no face may lie in the zones of two.
+    fn together(&mut self, names: &[Name]) -> Option<u16> {
+        let numbers: Option<Vec<u16>> = names.iter().map(|n| self.table_named(n)).collect();
+        let tables = self.tables();
+        let numbers = numbers?.into_iter();
+        let parts: Vec<WaterTable> = numbers.map(|k| tables[usize::from(k)].clone()).collect();
+        let everywhere = Zone {
+            low: Vec3::NEG_INFINITY,
+            high: Vec3::INFINITY,
+        };
+        let faces = self.all_faces();
+        for (k, later) in parts.iter().enumerate() {
+            for (earlier, name) in parts[..k].iter().zip(names) {
+                let [a, b] = [earlier, later].map(|t| t.zone.unwrap_or(everywhere));
+                let Some(both) = a.common(&b) else {
+                    continue;
+                };
+                if let Some((block, _)) = faces.iter().find(|(_, f)| claims(&both, f)) {
+                    let block = self.directory.name(*block);
+                    let message = format!(
+                        "water tables `{name}` and `{}` both press on faces of block `{block}`",
+                        names[k]
+                    );
+                    let help = "give each a box (`within`) that has no face in common with those of the others";
+                    let error = Diagnostic::error("water.claimed", message);
+                    self.found.push(error.at(names[k].span.clone()).help(help));
+                    return None;
+                }
+            }
+        }
+        let name = names
+            .iter()
+            .map(Name::as_str)
+            .collect::<Vec<_>>()
+            .join(", ");
+        let whole = WaterTable {
+            name,
+            parts,
+            ..WaterTable::default()
+        };
+        let tables = self.tables();
+        let known = tables.iter().position(|t| *t == whole);
+        if known.is_none() {
+            tables.push(whole);
+        }
+        Some(known.unwrap_or(self.tables().len() - 1) as u16)
+    }
+
+    /// Faces of all blocks but terrain with their blocks, local, m; edges in the plane, with the height as z.
+    fn all_faces(&self) -> Vec<(u32, Vec<Vec3>)> {
+        let mut faces = Vec::new();
+        for (b, block) in (0..).zip(&self.setup.blocks) {
+            let up = |v: &Vec2| Vec3::new(v.x, 0.0, v.y);
+            let n = block.vertices.len();
+            let edge = |k: usize| vec![up(&block.vertices[k]), up(&block.vertices[(k + 1) % n])];
+            faces.extend((0..n).map(|k| (b, edge(k))));
+        }
+        for (b, block) in (0..).zip(&self.spatial.blocks) {
+            let of = |body: &Solid| {
+                let outlines =
+                    (0..body.faces.len()).map(|face| (b, body.polyhedron().outline(face)));
+                outlines.collect::<Vec<_>>()
+            };
+            match &block.shape {
+                Shape::Brick { centre, half } => {
+                    let sign = |k: u8, bit: u8| if k & bit == 0 { -1.0 } else { 1.0 };
+                    let corner =
+                        |k: u8| *centre + Vec3::new(sign(k, 1), sign(k, 2), sign(k, 4)) * *half;
+                    faces.extend(BRICK_FACES.map(|f| (b, f.map(corner).to_vec())));
+                }
+                Shape::Polyhedron(body) => faces.extend(of(body)),
+                Shape::Glued(parts) => faces.extend(parts.iter().flat_map(of)),
+                Shape::Terrain(_) => {}
+            }
+        }
+        faces
     }
 
     /// Warns of tables below which there is nothing; one that seeps there is an error.
@@ -160,8 +345,8 @@ impl Builder<'_> {
             InSpace::Spatial => &self.spatial.water,
         };
         let dry = |t: &WaterTable| {
-            let below = |c: &Vec3| t.height(t.distance(c.x, c.y)) > c.z;
-            !corners.iter().any(below)
+            let below = |c: &Vec3| t.level(c.x, c.y) > c.z;
+            t.parts.is_empty() && !corners.iter().any(below)
         };
         let spans: Vec<(String, Span, bool)> = tables
             .iter()
@@ -207,4 +392,18 @@ impl Builder<'_> {
         }
         corners
     }
+}
+
+/// Whether a zone has a part of a face that counts.
+fn claims(zone: &Zone, face: &[Vec3]) -> bool {
+    if let [from, to] = face {
+        let flat = |at: &Vec3| Vec2::new(at.x, at.z);
+        let [s, t] = zone.shares(flat(from), flat(to));
+        return t - s > CLAIMED;
+    }
+    let area = |face: &[Vec3]| {
+        let spans = (2..face.len()).map(|k| (face[k - 1] - face[0]).cross(face[k] - face[0]));
+        spans.sum::<Vec3>().length()
+    };
+    area(&zone.clip(face, &|r| r)) > CLAIMED * area(face)
 }

@@ -12,12 +12,6 @@ pub enum AskError {
     /// No such field.
     #[error(transparent)]
     Field(#[from] FieldError),
-    /// Of a boundary.
-    #[error("{field} is of a boundary: ask for a history of it in the scenario")]
-    Boundary {
-        /// The field.
-        field: &'static str,
-    },
     /// Of every contact.
     #[error("{field} has a value for each contact: read it from the contacts of a frame")]
     Contact {
@@ -50,7 +44,7 @@ pub enum AskError {
 /// What reads `field` (with its component, `block.velocity.x`) of the blocks or the source with the names `of`.
 ///
 /// # Errors
-/// Unknown fields and names, a wrong number of names, fields of boundaries and of single contacts.
+/// Unknown fields and names, a wrong number of names, fields of single contacts.
 pub fn gauge<S: AsRef<str>>(view: &View<'_>, field: &str, of: &[S]) -> Result<Gauge, AskError> {
     let (info, _) = field::find(view.kind().fields(), field)?;
     Ok(Gauge {
@@ -75,7 +69,9 @@ fn subjects<S: AsRef<str>>(
         Site::Cavity => (Some(1), "one source"),
         Site::Model | Site::Energy => (Some(0), "the whole model"),
         Site::Bolt => (None, "bolts"),
-        Site::Boundary => return Err(AskError::Boundary { field }),
+        Site::Boundary => (Some(1), "one boundary"),
+        Site::Support => (Some(1), "one support"),
+        Site::Load => (Some(1), "one load"),
         Site::Contact => return Err(AskError::Contact { field }),
     };
     if count.is_some_and(|n| n != given) || (count.is_none() && given == 0) {
@@ -85,21 +81,29 @@ fn subjects<S: AsRef<str>>(
             given,
         });
     }
-    let known: Vec<String> = match info.site {
-        Site::Cavity => view.sources().into_iter().map(|s| s.name).collect(),
-        Site::Bolt => view.bolts(),
-        Site::Block | Site::Pair | Site::Group => (0..view.all_blocks() as u32)
-            .map(|b| view.name(b))
+    let known: Vec<(u32, String)> = match info.site {
+        Site::Cavity => (0..)
+            .zip(view.sources().into_iter().map(|s| s.name))
             .collect(),
-        Site::Model | Site::Energy | Site::Contact | Site::Boundary => Vec::new(),
+        Site::Bolt => (0..).zip(view.bolts()).collect(),
+        Site::Block | Site::Pair | Site::Group => (0..view.all_blocks() as u32)
+            .map(|b| (b, view.name(b)))
+            .collect(),
+        Site::Boundary | Site::Support | Site::Load => (0..)
+            .zip(view.accounts())
+            .filter(|(_, c)| c.holder.word() == info.site.word())
+            .map(|(account, c)| (c.holder.number(account), c.name.clone()))
+            .collect(),
+        Site::Model | Site::Energy | Site::Contact => Vec::new(),
     };
     of.iter()
         .map(|name| {
             let name = name.as_ref();
-            let place = known.iter().position(|k| k == name);
-            place.map(|k| k as u32).ok_or_else(|| AskError::Unknown {
+            let place = known.iter().find(|(_, k)| k == name);
+            place.map(|(k, _)| *k).ok_or_else(|| AskError::Unknown {
                 name: name.to_owned(),
-                near: field::nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
+                near: field::nearest(name, known.iter().map(|(_, k)| k.as_str()))
+                    .map(str::to_owned),
             })
         })
         .collect()

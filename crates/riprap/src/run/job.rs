@@ -478,6 +478,7 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
             manifest.warnings.push(text);
         }
     }
+    manifest.works = view.works();
     manifest.dt = view.last_dt();
     manifest.steps = view.step();
     manifest.time = view.time();

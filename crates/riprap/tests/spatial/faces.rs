@@ -58,6 +58,7 @@ fn loaded(strength: Strength, failure: Failure, load: LoadKind) -> Run {
     setup.loads.push(Load {
         blocks: vec![1],
         kind: load,
+        account: None,
         time: TimeFunction::Ramp {
             from: 0.0,
             to: 1.0,

@@ -319,6 +319,7 @@ fn line_source(beyond: i32, half_cell: bool, receivers: &[[i32; 2]]) -> Vec<Vec<
             force: 1e6 * Vec3::new(f64::from(2 * x - 1), f64::from(2 * y - 1), 0.0),
             at: None,
         },
+        account: None,
         time: TimeFunction::Table {
             t: t.clone(),
             v: v.clone(),

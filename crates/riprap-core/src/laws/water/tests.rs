@@ -8,7 +8,7 @@ fn table(points: &[[f64; 2]]) -> WaterTable {
         density: 1000.0,
         along: [1.0, 0.0],
         points: points.to_vec(),
-        seepage: None,
+        ..WaterTable::default()
     }
 }
 
@@ -30,7 +30,15 @@ fn ell() -> (Vec<Vec2>, f64) {
 
 fn on(table: &WaterTable, corners: &[Vec2], area: f64, centre: Vec2) -> (Vec2, f64) {
     let radius = corners.iter().map(|c| c.length()).fold(0.0, f64::max);
-    table.on_polygon(G, centre, radius, area, corners.len(), |k| corners[k])
+    table.on_polygon(
+        G,
+        centre,
+        radius,
+        area,
+        corners.len(),
+        |k| corners[k],
+        &|r| centre + r,
+    )
 }
 
 /// Force and moment by many thin pieces of the edges.
@@ -42,7 +50,7 @@ fn by_edges(table: &WaterTable, corners: &[Vec2], centre: Vec2) -> (Vec2, f64) {
         let inward = along.perp() / f64::from(pieces);
         for i in 0..pieces {
             let r = a + (f64::from(i) + 0.5) / f64::from(pieces) * along;
-            let push = table.pressure(G, centre.x + r.x, centre.y + r.y) * inward;
+            let push = table.pressure(G, Vec3::new(centre.x + r.x, 0.0, centre.y + r.y)) * inward;
             force += push;
             moment += r.perp_dot(push);
         }
@@ -67,9 +75,8 @@ fn the_table_is_found_at_any_distance() {
     assert_eq!(table.strips(-1.0, 2.5).count(), 3);
     assert_eq!(table.strips(0.5, 1.0).count(), 1);
     assert_eq!(table.strips(2.0, 9.0).count(), 2);
-    assert_eq!(table.heights(), [1.0, 5.0]);
-    assert_eq!(table.pressure(G, 0.0, 2.0), 0.0);
-    assert_eq!(table.pressure(G, 1.0, 1.0), 2000.0 * G);
+    assert_eq!(table.pressure(G, Vec3::new(0.0, 0.0, 2.0)), 0.0);
+    assert_eq!(table.pressure(G, Vec3::new(1.0, 0.0, 1.0)), 2000.0 * G);
 }
 
 #[test]
@@ -151,11 +158,8 @@ fn brick(half: Vec3, turn: riprap_geom::Quat) -> Faces {
 fn on_faces(table: &WaterTable, faces: &Faces, volume: f64, centre: Vec3) -> (Vec3, Vec3) {
     let corners = faces.iter().flatten();
     let radius = corners.map(|c| c.length()).fold(0.0, f64::max);
-    table.on_polyhedron(G, centre, radius, volume, |each| {
-        for face in faces {
-            each(face);
-        }
-    })
+    let each = |each: &mut dyn FnMut(&[Vec3])| faces.iter().for_each(|face| each(face));
+    table.on_polyhedron(G, centre, radius, volume, each, &|r| centre + r)
 }
 
 #[test]
@@ -206,6 +210,188 @@ fn a_long_brick_across_the_table_is_pushed_as_its_section() {
     assert!((moment + 4.0 * about * Vec3::Y).length() < 1e-11 * force.length());
 }
 
+/// Nodes of a grid on a plane, and one that bends.
+fn grid(height: impl Fn(f64, f64) -> f64) -> WaterTable {
+    let (x, y) = (vec![-3.0, -1.0, 0.3, 2.0, 4.0], vec![-2.0, 0.1, 1.0, 3.0]);
+    let z = y
+        .iter()
+        .flat_map(|y| x.iter().map(|x| height(*x, *y)).collect::<Vec<_>>());
+    let z = z.collect();
+    WaterTable {
+        grid: Some(Box::new(Grid { x, y, z })),
+        ..table(&[])
+    }
+}
+
+#[test]
+fn heights_on_a_plane_are_those_of_a_slope() {
+    let turn = riprap_geom::Quat::from_scaled_axis(Vec3::new(0.4, -0.7, 1.1));
+    let faces = brick(Vec3::new(1.0, 0.5, 0.75), turn);
+    let plane = grid(|x, y| 0.3 * x - 0.2 * y + 1.0);
+    let steep = 0.13_f64.sqrt();
+    let mut slope = table(&[[-60.0, 1.0 - 60.0 * steep], [60.0, 1.0 + 60.0 * steep]]);
+    slope.along = [0.3 / steep, -0.2 / steep];
+    for centre in [
+        Vec3::new(0.5, 0.4, 1.0),
+        Vec3::new(1.0, 0.5, -9.0),
+        Vec3::new(0.0, 0.0, 9.0),
+    ] {
+        let (force, moment) = on_faces(&plane, &faces, 3.0, centre);
+        let (expected, about) = on_faces(&slope, &faces, 3.0, centre);
+        assert!(
+            (force - expected).length() < 1e-11 * 3e4,
+            "{force} {expected}"
+        );
+        assert!((moment - about).length() < 1e-11 * 3e4, "{moment} {about}");
+    }
+    // Beyond the rim it goes on as the nearest place of the rim.
+    for (x, y, height) in [
+        (0.0, 0.0, 1.0),
+        (9.0, 0.5, 2.1),
+        (9.0, -7.0, 2.6),
+        (1.0, 5.0, 0.7),
+    ] {
+        assert!((plane.level(x, y) - height).abs() < 1e-12, "{x} {y}");
+    }
+}
+
+/// Sum over many small squares of the faces.
+fn by_faces(table: &WaterTable, half: Vec3, turn: riprap_geom::Quat, centre: Vec3) -> (Vec3, Vec3) {
+    let n = 200;
+    let (mut force, mut moment) = (Vec3::ZERO, Vec3::ZERO);
+    for face in brick(half, turn) {
+        let (u, v) = (face[1] - face[0], face[3] - face[0]);
+        let area = u.cross(v) / f64::from(n * n);
+        for i in 0..n {
+            for j in 0..n {
+                let r =
+                    face[0] + ((f64::from(i) + 0.5) * u + (f64::from(j) + 0.5) * v) / f64::from(n);
+                let push = -table.pressure(G, centre + r) * area;
+                force += push;
+                moment += r.cross(push);
+            }
+        }
+    }
+    (force, moment)
+}
+
+#[test]
+fn a_bent_grid_presses_by_the_depth_below_it() {
+    let turn = riprap_geom::Quat::from_scaled_axis(Vec3::new(0.4, -0.7, 1.1));
+    let half = Vec3::new(1.0, 0.5, 0.75);
+    let bent = grid(|x, y| 1.0 + 0.2 * x * y - 0.1 * x * x);
+    for centre in [
+        Vec3::new(0.5, 0.4, 0.8),
+        Vec3::new(3.5, 2.5, 0.0),
+        Vec3::new(-1.0, 0.2, 0.3),
+    ] {
+        let faces = brick(half, turn);
+        let (force, moment) = on_faces(&bent, &faces, 3.0, centre);
+        let (expected, about) = by_faces(&bent, half, turn, centre);
+        assert!(expected.length() > 1e3);
+        assert!(
+            (force - expected).length() < 1e-4 * 3e4,
+            "{force} {expected}"
+        );
+        assert!((moment - about).length() < 1e-4 * 3e4, "{moment} {about}");
+        // And so do its triangles.
+        let (mut sum, mut turning) = (Vec3::ZERO, Vec3::ZERO);
+        for face in &faces {
+            for k in 2..4 {
+                let corners = [face[0], face[k - 1], face[k]];
+                let pushes = bent.on_triangle(G, corners.map(|r| centre + r), corners);
+                for (r, push) in corners.iter().zip(pushes) {
+                    sum += push;
+                    turning += r.cross(push);
+                }
+            }
+        }
+        assert!((sum - force).length() < 1e-11 * 3e4);
+        assert!((turning - moment).length() < 1e-11 * 3e4);
+    }
+}
+
+/// Two tables, one above the other, and a block that both press on: each on what of the faces lies in its zone.
+#[test]
+fn tables_act_where_they_say() {
+    let zone = |low: f64, high: f64| {
+        let wide = Vec3::new(50.0, 50.0, 0.0);
+        let (low, high) = (Vec3::Z * low - wide, Vec3::Z * high + wide);
+        Some(Zone { low, high })
+    };
+    let (upper, lower) = (table(&[[0.0, 2.0]]), table(&[[-9.0, 0.0], [9.0, 1.8]]));
+    let both = WaterTable {
+        parts: vec![
+            WaterTable {
+                zone: zone(0.5, 50.0),
+                ..upper
+            },
+            WaterTable {
+                zone: zone(-50.0, 0.4),
+                ..lower
+            },
+        ],
+        ..WaterTable::default()
+    };
+    let turn = riprap_geom::Quat::from_scaled_axis(Vec3::new(0.4, -0.7, 1.1));
+    let half = Vec3::new(1.0, 0.5, 0.75);
+    let faces = brick(half, turn);
+    for z in [0.3, 0.9, -5.0, 9.0] {
+        let centre = Vec3::new(0.5, 0.4, z);
+        let (force, moment) = on_faces(&both, &faces, 3.0, centre);
+        let (expected, about) = by_faces(&both, half, turn, centre);
+        assert!(
+            (force - expected).length() < 2e-3 * 3e4,
+            "{force} {expected}"
+        );
+        assert!((moment - about).length() < 2e-3 * 3e4, "{moment} {about}");
+        let mut sum = Vec3::ZERO;
+        for face in &faces {
+            for k in 2..4 {
+                let corners = [face[0], face[k - 1], face[k]].map(|r| centre + r);
+                sum += both.on_triangle(G, corners, corners).iter().sum::<Vec3>();
+            }
+        }
+        assert!((sum - force).length() < 1e-11 * 3e4);
+    }
+    // In the plane, with the height as z.
+    let (corners, area) = ell();
+    for y in [0.3, 2.0, -9.0] {
+        let centre = Vec2::new(0.3, y);
+        let (force, moment) = on(&both, &corners, area, centre);
+        let (expected, about) = by_edges(&both, &corners, centre);
+        assert!(
+            (force - expected).length() < 1e-3 * 6e4,
+            "{force} {expected}"
+        );
+        assert!((moment - about).abs() < 1e-3 * 6e4, "{moment} {about}");
+    }
+}
+
+/// A joint belongs to the table in whose zone it was, wherever its sides are now.
+#[test]
+fn both_sides_of_a_joint_go_on_with_one_table() {
+    let table = WaterTable {
+        zone: Some(Zone {
+            low: Vec3::new(-9.0, -9.0, -1e-6),
+            high: Vec3::splat(9.0),
+        }),
+        ..table(&[[0.0, 4.0]])
+    };
+    let level =
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
+    let below: Faces = vec![level.to_vec()];
+    let sunk = |by: f64| {
+        let each = |each: &mut dyn FnMut(&[Vec3])| below.iter().for_each(|face| each(face));
+        let at_start = |r: Vec3| r;
+        table
+            .on_polyhedron(G, Vec3::new(0.0, 0.0, -by), 2.0, 1.0, each, &at_start)
+            .0
+    };
+    assert!((sunk(0.0).z + 4.0 * 4000.0 * G).abs() < 1e-6);
+    assert!((sunk(0.01).z + 4.0 * 4010.0 * G).abs() < 1e-6);
+}
+
 #[test]
 fn triangles_of_a_surface_add_up_to_what_its_faces_get() {
     let bent = table(&[[-1.0, 0.5], [0.4, 0.2], [1.3, 2.0], [4.0, 1.0]]);
@@ -222,7 +408,7 @@ fn triangles_of_a_surface_add_up_to_what_its_faces_get() {
         for face in &faces {
             for k in 2..4 {
                 let corners = [face[0], face[k - 1], face[k]];
-                let pushes = bent.on_triangle(G, corners.map(|r| centre + r));
+                let pushes = bent.on_triangle(G, corners.map(|r| centre + r), corners);
                 for (r, push) in corners.iter().zip(pushes) {
                     force += push;
                     moment += r.cross(push);

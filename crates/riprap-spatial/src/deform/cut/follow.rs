@@ -50,6 +50,7 @@ fn shares(setup: &Setup, load: &Load, family: &Family, made: &mut Vec<Load>) {
             blocks: vec![family.first + k as u32],
             kind,
             time: load.time.clone(),
+            account: load.account,
         });
     };
     match &load.kind {

@@ -108,7 +108,7 @@ impl Builder<'_> {
 
     fn is_carried_in_plane(&self, axis: usize, sign: f64, offset: f64) -> bool {
         let open = self.open_sides();
-        if open.iter().any(|s| s.axis == axis && s.sign == sign) {
+        if open.iter().any(|(s, ..)| s.axis == axis && s.sign == sign) {
             return true;
         }
         let (min, max) = self.extent();

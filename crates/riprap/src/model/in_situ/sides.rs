@@ -2,8 +2,10 @@
 
 use riprap_geom::{Vec2, Vec3, polygon};
 
+use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
+use crate::model::solid::boundary_name;
 use crate::planar::setup::{Load, LoadKind};
 use crate::scenario::Diagnostic;
 use crate::scenario::language::Side;
@@ -59,11 +61,13 @@ impl Builder<'_> {
         self.found.push(error.at(super::place(said)).help(help));
     }
 
-    /// Sides on which the stress acts from outside.
-    pub(super) fn open_sides(&self) -> Vec<Line> {
-        let boundaries = self.parsed.scenario.boundaries.iter();
-        let words = boundaries.filter_map(|said| match &said.on.plane {
-            Some(WordOr::Word(word, _)) if said.in_situ == Some(true) => line(*word),
+    /// Sides on which the stress acts from outside, with the number and the name of their boundary.
+    pub(super) fn open_sides(&self) -> Vec<(Line, u16, String)> {
+        let boundaries = self.parsed.scenario.boundaries.iter().enumerate();
+        let words = boundaries.filter_map(|(number, said)| match &said.on.plane {
+            Some(WordOr::Word(word, _)) if said.in_situ == Some(true) => {
+                Some((line(*word)?, number as u16, boundary_name(said, number)))
+            }
             Some(WordOr::Word(..) | WordOr::Table(..)) | None => None,
         });
         words.collect()
@@ -77,7 +81,8 @@ impl Builder<'_> {
         let (min, max) = self.extent();
         let slack = ON_SIDE * (max - min).max_element();
         let mut loads = Vec::new();
-        for side in self.open_sides() {
+        for (side, number, name) in self.open_sides() {
+            let account = self.account(name, Holder::Boundary(number));
             let (axis, n) = (side.axis, side.normal());
             let end = if side.sign > 0.0 {
                 max[axis]
@@ -100,6 +105,7 @@ impl Builder<'_> {
                                 pressure: [0.0; 2],
                             },
                             time: TimeFunction::Constant(1.0),
+                            account,
                         });
                     }
                 }

@@ -4,6 +4,7 @@ use riprap_geom::Vec3;
 
 use super::global;
 use super::shapes::{bounds, solid};
+use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
 use crate::scenario::diagnostic::suggest;
@@ -61,6 +62,8 @@ impl Builder<'_> {
             let name = boundary_name(said, number);
             let mut read = self.reading(format!("boundaries.{name}"), said);
             let in_situ = read.in_situ_or(in_situ && held, Provenance::Default, "");
+            let count = self.spatial.boundaries.len() as u16;
+            self.account(name.clone(), Holder::Boundary(count));
             self.spatial.boundaries.push(Boundary {
                 name,
                 on,
@@ -214,7 +217,7 @@ impl Builder<'_> {
 }
 
 /// Name for messages; its number in the file, as in `--set boundaries.0...`, where nothing else tells it.
-fn boundary_name(said: &language::Boundary, number: usize) -> String {
+pub(in crate::model) fn boundary_name(said: &language::Boundary, number: usize) -> String {
     let on = &said.on;
     if let Some(name) = &said.name {
         return name.text.clone();

@@ -1,7 +1,10 @@
 //! Blocks in space divided by joints.
 
-use riprap_geom::polyhedron::joints::{Divided, Joint, PlaneSet, divide, normal_of_dip, planes};
+use riprap_geom::polyhedron::joints::{
+    Divided, Extent, Joint, PlaneSet, divide, normal_of_dip, planes,
+};
 use riprap_geom::{GeomError, Vec3};
+use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::boundaries::has_face;
@@ -10,16 +13,18 @@ use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::{Column, Found, csv_table};
+use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{Block, Cut};
 use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name};
+use crate::spatial::setup::{Bridges, Ended};
 
 /// Most joints one by one.
 const MOST_JOINTS: usize = 20_000;
 
 /// Columns of a list of joints; what programs that make networks of fractures write without a unit is in m and degrees.
-const COLUMNS: [Column; 10] = [
+const COLUMNS: [Column; 11] = [
     length(&["x", "center_x", "centre_x", "x_center", "x_centre"]),
     length(&["y", "center_y", "centre_y", "y_center", "y_centre"]),
     length(&["z", "center_z", "centre_z", "z_center", "z_centre"]),
@@ -30,6 +35,19 @@ const COLUMNS: [Column; 10] = [
     angle(&["strike"]),
     angle(&["trend", "pole_trend"]),
     angle(&["plunge", "pole_plunge"]),
+    Column {
+        names: &[
+            "fracture",
+            "fracture_id",
+            "frac_id",
+            "fracture_no",
+            "polygon",
+            "polygon_id",
+            "id",
+        ],
+        dim: Dim::NONE,
+        bare: Some(""),
+    },
 ];
 
 const fn length(names: &'static [&'static str]) -> Column<'static> {
@@ -82,6 +100,10 @@ impl Builder<'_> {
             Some(said) => self.joints_of_csv(&said.csv, shift)?,
             None => Vec::new(),
         };
+        let bridges = cut.joints.as_ref().and_then(|said| said.bridges.as_ref());
+        if let Some(name) = bridges {
+            self.bridge(name, &joints);
+        }
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let boxes = made.shapes.iter().map(bounds);
         let (min, max) = boxes.fold(start, |(a, b), (min, max)| (a.min(min), b.max(max)));
@@ -98,7 +120,7 @@ impl Builder<'_> {
                     divided.spared
                 );
                 let count = divided.solids.len().to_string();
-                self.note_intensity(block, &divided);
+                self.note_intensity(block, &divided, bridges);
                 self.explain(format!("{key}.blocks"), count, Provenance::Derived, &why);
                 Some(handed_on(made, divided))
             }
@@ -114,8 +136,39 @@ impl Builder<'_> {
         }
     }
 
+    /// Gives the parts of cuts beyond the ends of joints an interface of their own.
+    fn bridge(&mut self, name: &Name, joints: &[Joint]) {
+        let table = &self.parsed.scenario.interfaces;
+        let Some(row) = table.names().position(|one| one == name.as_str()) else {
+            let message = format!("there is no interface `{name}`");
+            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
+            let known: Vec<&str> = table.names().collect();
+            error.help = suggest(name.as_str(), known);
+            self.found.push(error);
+            return;
+        };
+        let ended = joints.iter().filter_map(|joint| {
+            let (radius, corners) = match &joint.extent {
+                Extent::Whole => return None,
+                Extent::Disk(radius) => (*radius, Vec::new()),
+                Extent::Polygon(corners) => {
+                    let arms = corners.iter().map(|c| (*c - joint.at).length());
+                    (arms.fold(0.0, f64::max), corners.clone())
+                }
+            };
+            Some(Ended {
+                normal: joint.normal,
+                at: joint.at,
+                radius,
+                corners,
+            })
+        });
+        let bridges = Bridges::new(row as u16, ended.collect());
+        self.spatial.bridges.push(bridges);
+    }
+
     /// Tells the area of joints per volume (P32), measured on the cuts that were made.
-    fn note_intensity(&mut self, block: &Block, divided: &Divided) {
+    fn note_intensity(&mut self, block: &Block, divided: &Divided, bridges: Option<&Name>) {
         let volume: f64 = divided.solids.iter().map(|s| s.moments().volume).sum();
         let [all, within] = [divided.area, divided.within].map(|area| area / volume);
         let mut words = format!("{}: P32 {within:.3} m2/m3 by joints", block.name);
@@ -123,6 +176,15 @@ impl Builder<'_> {
             let beyond = all - within;
             words.push_str(&format!(
                 ", and {beyond:.3} where joints that end in a block were carried on to its faces"
+            ));
+            if let Some(name) = bridges {
+                words.push_str(&format!(", as rock bridges with interfaces.{name}"));
+            }
+        }
+        if divided.spared > 0 {
+            words.push_str(&format!(
+                "; {} cuts not made, whose parts would be thinner than `smallest_edge`",
+                divided.spared
             ));
         }
         self.summary.joints.push(words);
@@ -153,7 +215,25 @@ impl Builder<'_> {
             strike,
             trend,
             plunge,
+            polygon,
         ] = values;
+        let places: Option<Vec<Vec3>> = match (x, y, z) {
+            (Some(x), Some(y), Some(z)) => {
+                let places = x.iter().zip(y).zip(z);
+                Some(
+                    places
+                        .map(|((x, y), z)| Vec3::new(*x, *y, *z) + shift)
+                        .collect(),
+                )
+            }
+            _ => None,
+        };
+        // A number of the fracture beside an attitude is that of a disk.
+        if let (Some(polygon), Some(places), [None, None, None, None]) =
+            (polygon, &places, [dip, strike, trend, plunge])
+        {
+            return self.polygonal_joints(file, polygon, places);
+        }
         let shifted = |angles: &[f64], by: f64| angles.iter().map(|a| a + by).collect();
         // Strike has the dip to its right; the pole points down.
         let (dips, directions): (Vec<f64>, Vec<f64>) = match [dip, direction, strike, trend, plunge]
@@ -167,22 +247,18 @@ impl Builder<'_> {
             _ => {
                 let message = format!("`{file}` does not say how its joints lie");
                 let help = "give columns dip_deg and dip_direction_deg; or dip_deg and strike_deg (the dip is to its right); or \
-                            trend_deg and plunge_deg of the pole";
+                            trend_deg and plunge_deg of the pole; or fracture, its number, with a corner of a polygon in each row";
                 self.error_at("file.csv", file, message, help);
                 return None;
             }
         };
-        let (Some(x), Some(y), Some(z)) = (x, y, z) else {
+        let Some(places) = places else {
             let message = format!("`{file}` does not say where its joints are");
             self.error_at("file.csv", file, message, "give columns x_m, y_m and z_m");
             return None;
         };
-        let count = x.len();
-        if count > MOST_JOINTS {
-            let message = format!("`{file}` has {count} joints");
-            let help =
-                format!("at most {MOST_JOINTS} joints one by one; use `joint_sets` for more");
-            self.error_at("file.csv", file, message, &help);
+        let count = places.len();
+        if self.too_many(file, count) {
             return None;
         }
         let mut joints = Vec::with_capacity(count);
@@ -208,11 +284,64 @@ impl Builder<'_> {
             }
             joints.push(Joint {
                 normal: normal_of_dip(dip, direction),
-                at: Vec3::new(x[row], y[row], z[row]) + shift,
-                radius: Some(given).filter(|radius| *radius > 0.0),
+                at: places[row],
+                extent: match given > 0.0 {
+                    true => Extent::Disk(given),
+                    false => Extent::Whole,
+                },
             });
         }
         Some(joints)
+    }
+
+    /// Joints that are polygons: the number of the fracture of each row, and a corner in each.
+    fn polygonal_joints(
+        &mut self,
+        file: &Name,
+        numbers: &[f64],
+        corners: &[Vec3],
+    ) -> Option<Vec<Joint>> {
+        let mut places: BTreeMap<u64, usize> = BTreeMap::new();
+        let mut outlines: Vec<(f64, Vec<Vec3>)> = Vec::new();
+        for (number, corner) in numbers.iter().zip(corners) {
+            let place = *places.entry(number.to_bits()).or_insert(outlines.len());
+            if place == outlines.len() {
+                outlines.push((*number, Vec::new()));
+            }
+            outlines[place].1.push(*corner);
+        }
+        if self.too_many(file, outlines.len()) {
+            return None;
+        }
+        let mut joints = Vec::with_capacity(outlines.len());
+        for (number, mut outline) in outlines {
+            // Some programs write the first corner again as the last.
+            if outline.len() > 3 && outline.first() == outline.last() {
+                outline.pop();
+            }
+            match Joint::polygon(&outline) {
+                Ok(joint) => joints.push(joint),
+                Err(what) => {
+                    let message = format!("`{file}`: fracture {number} {what}");
+                    let help = "a fracture is a flat convex polygon: its corners in their order, one in each row";
+                    self.error_at("file.csv", file, message, help);
+                    return None;
+                }
+            }
+        }
+        Some(joints)
+    }
+
+    /// Whether a list has more joints than can be.
+    fn too_many(&mut self, file: &Name, count: usize) -> bool {
+        let most = count > MOST_JOINTS;
+        if most {
+            let message = format!("`{file}` has {count} joints");
+            let help =
+                format!("at most {MOST_JOINTS} joints one by one; use `joint_sets` for more");
+            self.error_at("file.csv", file, message, &help);
+        }
+        most
     }
 
     /// Tells which columns name no unit, and what was taken.

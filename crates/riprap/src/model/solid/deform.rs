@@ -1,7 +1,9 @@
 //! Deformable blocks: their sets, bond laws, held nodes.
 
 use super::supports::held_along;
+use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
+use crate::model::accounts::condition_name;
 use crate::model::builder::Builder;
 use crate::scenario::language::{self, Mechanics, Support, Target};
 use crate::scenario::read::{Given, Provenance, Read};
@@ -102,7 +104,7 @@ impl Builder<'_> {
     }
 
     /// A support for nodes; whether it was one.
-    pub(super) fn node_support(&mut self, support: &Support) -> bool {
+    pub(super) fn node_support(&mut self, support: &Support, number: usize) -> bool {
         let Target::Nodes(nodes) = &support.on else {
             return false;
         };
@@ -138,6 +140,8 @@ impl Builder<'_> {
             (None, None) => return true,
         };
         let (min, max) = (self.local(nodes.min.xyz()), self.local(nodes.max.xyz()));
+        let name = condition_name(support.name.as_ref(), &support.on, number);
+        self.account(name, Holder::Nodes(self.spatial.deform.holds.len() as u16));
         self.spatial.deform.holds.push(NodeHold {
             min,
             max,

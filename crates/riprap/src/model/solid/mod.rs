@@ -26,6 +26,7 @@ mod supports;
 mod terrain;
 mod turn;
 
+pub(super) use boundaries::boundary_name;
 pub(super) use joints::{change_joint, reduce_joint};
 
 use riprap_geom::Vec3;

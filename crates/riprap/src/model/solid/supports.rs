@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use riprap_geom::Vec3;
 
+use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
+use crate::model::accounts::condition_name;
 use crate::model::builder::Builder;
 use crate::scenario::language::{self, Fixed};
 use crate::spatial::setup::{Load, LoadKind, Motion, Support};
@@ -34,8 +36,8 @@ fn fixed(said: &Fixed) -> Motion {
 impl Builder<'_> {
     pub(super) fn solid_supports(&mut self) {
         let mut supported = BTreeSet::new();
-        for support in &self.parsed.scenario.supports {
-            if self.node_support(support) {
+        for (number, support) in self.parsed.scenario.supports.iter().enumerate() {
+            if self.node_support(support, number) {
                 continue;
             }
             let Some(blocks) = self.target(&support.on) else {
@@ -71,6 +73,8 @@ impl Builder<'_> {
             {
                 continue;
             }
+            let name = condition_name(support.name.as_ref(), &support.on, number);
+            self.account(name, Holder::Support(self.spatial.supports.len() as u16));
             self.spatial.supports.push(Support { blocks, motion });
         }
     }
@@ -92,7 +96,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn solid_loads(&mut self) {
-        for load in &self.parsed.scenario.loads {
+        for (number, load) in self.parsed.scenario.loads.iter().enumerate() {
             let Some(blocks) = self.target(&load.on) else {
                 continue;
             };
@@ -125,11 +129,14 @@ impl Builder<'_> {
                     acceleration: Vec3::from(body.acceleration.xyz()),
                 });
             }
+            let name = condition_name(load.name.as_ref(), &load.on, number);
+            let account = self.account(name, Holder::Load);
             for kind in kinds {
                 self.spatial.loads.push(Load {
                     blocks: blocks.clone(),
                     kind,
                     time: time.clone(),
+                    account,
                 });
             }
         }

@@ -24,6 +24,15 @@ const NAMED: usize = 10;
 /// A file with fewer places than this share of its grid is none.
 const SCATTERED: f64 = 0.25;
 
+/// Heights on a grid.
+pub(in crate::model) struct GridHeights {
+    /// Its lines along x and y, m, ascending.
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+    /// Height at `(x[i], y[j])` in `z[j * x.len() + i]`, m; places may lack one.
+    pub z: Vec<Option<f64>>,
+}
+
 /// Why a file is no terrain.
 struct Refused {
     message: String,
@@ -51,7 +60,12 @@ impl Builder<'_> {
             let height = |i: usize, j: usize| read.z[j * wide + i].map(|z| unit * z + shift.z);
             (file, HeightField::grid(&x, &y, height))
         } else if let Some(file) = &said.csv {
-            (file, self.grid_of_csv(file, shift)?)
+            let read = self.grid_of_csv(file, shift, "file.terrain")?;
+            let wide = read.x.len();
+            (
+                file,
+                HeightField::grid(&read.x, &read.y, |i, j| read.z[j * wide + i]),
+            )
         } else {
             let file = said.stl.as_ref()?;
             let help = "save it as STL, text or binary";
@@ -107,12 +121,13 @@ impl Builder<'_> {
         ));
     }
 
-    /// A rectangular grid from its places in any order; `None` after an error.
-    fn grid_of_csv(
+    /// Heights on a rectangular grid from its places in any order, shifted; `None` after an error with `code`.
+    pub(in crate::model) fn grid_of_csv(
         &mut self,
         file: &Name,
         shift: Vec3,
-    ) -> Option<Result<HeightField, HeightFieldError>> {
+        code: &'static str,
+    ) -> Option<GridHeights> {
         let needed = [("x", Dim::LENGTH), ("y", Dim::LENGTH), ("z", Dim::LENGTH)];
         let path = self.parsed.folder.join(file.as_str());
         let columns = match csv_quantities(&path, &needed, &[]) {
@@ -143,8 +158,8 @@ impl Builder<'_> {
                 columns.len(),
                 rows.len()
             );
-            let help = "list the places of a rectangular grid; give scattered points as triangles in an STL file";
-            self.error_at("file.terrain", file, message, help);
+            let help = "list the places of a rectangular grid (terrain from scattered points: triangles in an STL file)";
+            self.error_at(code, file, message, help);
             return None;
         }
         let mut heights: Vec<Option<f64>> = vec![None; columns.len() * rows.len()];
@@ -154,14 +169,13 @@ impl Builder<'_> {
             if heights[k].replace(z + shift.z).is_some() {
                 let message = format!("`{file}` has two heights at ({x} m, {y} m)");
                 let help = "keep one of them";
-                self.error_at("file.terrain", file, message, help);
+                self.error_at(code, file, message, help);
                 return None;
             }
         }
-        let wide = columns.len();
         let [x, y] = [(columns, shift.x), (rows, shift.y)]
             .map(|(lines, shift)| lines.into_iter().map(|at| at + shift).collect::<Vec<_>>());
-        Some(HeightField::grid(&x, &y, |i, j| heights[j * wide + i]))
+        Some(GridHeights { x, y, z: heights })
     }
 
     /// An error of a surface, its place in the coordinates of the scenario.

@@ -172,6 +172,15 @@ fn joints_cut_blocks_in_space() {
             assert!((a - b).abs() < 1e-9, "{file}: {a} {b}");
         }
     }
+    // The same two as polygons, a corner in each row: their number alone tells them apart.
+    let (polygons, _) = spatial(&format!(
+        "{brick}cut.joints.csv = \"shapes/joints_polygons.csv\"\n"
+    ));
+    assert_eq!(polygons.blocks.len(), 3);
+    for (a, b) in setup.blocks.iter().zip(&polygons.blocks) {
+        let (a, b) = (volume_of(&a.shape), volume_of(&b.shape));
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
     let (setup, _) = spatial(&format!(
         "{brick}cut = {{ joints.csv = \"shapes/joints.csv\", smallest_edge = \"5 m\" }}\n"
     ));
@@ -187,6 +196,10 @@ fn joints_cut_blocks_in_space() {
     );
     let flat = "cut.joints.csv = \"shapes/joints_flat.csv\"\n";
     refused(of(flat), "does not say how its joints lie");
+    let bent = "cut.joints.csv = \"shapes/joints_bent.csv\"\n";
+    refused(of(bent), "fracture 7 is not flat");
+    let unknown = "cut.joints = { csv = \"shapes/joints_polygons.csv\", bridges = \"intact\" }\n";
+    refused(of(unknown), "there is no interface `intact`");
     let partial = "cut.joint_sets = [{ dip = \"30 deg\", dip_direction = \"0 deg\", spacing = \"1 m\", persistence = 0.5 }]\n";
     refused(of(partial), "is a key of [space.planar]");
     let fine =

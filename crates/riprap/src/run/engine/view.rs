@@ -1,12 +1,14 @@
 //! What can be asked of an engine whose forces are evaluated.
 
 use super::{Kind, Who, notes};
+use crate::accounts::{Account, Condition};
 use crate::ledger::Balance;
 use crate::record::conditions::Conditions;
+use crate::record::field::Site;
 use crate::record::frame::bars;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::{Frame, Surfaces};
-use crate::record::manifest::Source;
+use crate::record::manifest::{Source, Work};
 use crate::record::names::Names;
 use crate::spatial::found::desk::Deepest;
 use crate::{planar, spatial};
@@ -96,6 +98,33 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => v.world.setup.blocks[block as usize].name.clone(),
             Self::Spatial(v) => v.name(block as usize),
+        }
+    }
+
+    /// Boundaries, supports and loads with the work that they have done since the start.
+    #[must_use]
+    pub fn works(&self) -> Vec<Work> {
+        let accounts = match self {
+            Self::Planar(v) => &v.world.accounts,
+            Self::Spatial(v) => &v.world.accounts,
+        };
+        let energy = self.kind().fields().iter().find(|f| f.site == Site::Energy);
+        let unit = energy.map_or("J", |f| f.unit);
+        let work = |(condition, account): (&Condition, &Account)| Work {
+            of: condition.holder.word().to_owned(),
+            name: condition.name.clone(),
+            work: self.slice() * account.work(),
+            unit: unit.to_owned(),
+        };
+        self.accounts().iter().zip(accounts).map(work).collect()
+    }
+
+    /// Boundaries, supports and loads that have accounts.
+    #[must_use]
+    pub fn accounts(&self) -> &'a [Condition] {
+        match self {
+            Self::Planar(v) => &v.world.setup.accounts,
+            Self::Spatial(v) => &v.world.setup.accounts,
         }
     }
 
