@@ -16,6 +16,10 @@ use std::collections::BTreeSet;
 use super::{FLAT, Polyhedron, Sliced, SolidError, from_half_spaces, slice};
 use crate::Vec3;
 
+/// Most parts: all pairs of them are looked at.
+const MOST_PARTS: usize = 256;
+/// Most faces of all parts together: planes are counted in 16 bits.
+const MOST_FACES: usize = 10_000;
 /// Most convex pieces.
 const MOST_PIECES: usize = 64;
 /// Most terms.
@@ -32,6 +36,18 @@ const SAME_PLANE: f64 = 0.9;
 /// Why parts make no solid. Parts are counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GluedError {
+    /// There are no parts, or more than can be looked at pair by pair.
+    #[error(
+        "it has {parts} parts with {faces} faces; there must be 1 to {} with at most {}",
+        MOST_PARTS,
+        MOST_FACES
+    )]
+    Count {
+        /// Number of parts.
+        parts: usize,
+        /// Number of faces of all parts.
+        faces: usize,
+    },
     /// A part is no convex solid.
     #[error("part {}: {error}", part + 1)]
     Part {
@@ -108,7 +124,7 @@ struct Table {
 /// The convex terms of parts that touch each other by faces, by piece.
 ///
 /// # Errors
-/// A part that is not convex, two that overlap, two that nothing joins; too many pieces.
+/// No parts or too many; a part that is not convex, two that overlap, two that nothing joins; too many pieces.
 ///
 /// # Examples
 ///
@@ -125,6 +141,11 @@ struct Table {
 /// # Ok::<(), glued::GluedError>(())
 /// ```
 pub fn terms(parts: &[Polyhedron]) -> Result<Vec<Term>, GluedError> {
+    let faces = parts.iter().map(|part| part.faces.len()).sum();
+    if parts.is_empty() || parts.len() > MOST_PARTS || faces > MOST_FACES {
+        let parts = parts.len();
+        return Err(GluedError::Count { parts, faces });
+    }
     for (part, solid) in parts.iter().enumerate() {
         let checked = solid.validate();
         checked.map_err(|error| GluedError::Part { part, error })?;
@@ -391,6 +412,19 @@ mod tests {
     fn field(terms: &[Term], at: Vec3) -> f64 {
         let shares = terms.iter().map(|t| t.sign * depth(&t.solid, at).max(0.0));
         shares.sum()
+    }
+
+    #[test]
+    fn no_parts_and_too_many_are_refused() {
+        let count = |parts: usize, faces: usize| Err(GluedError::Count { parts, faces });
+        assert_eq!(terms(&[]), count(0, 0));
+        let row: Vec<Polyhedron> = (0..257u32)
+            .map(|k| brick([f64::from(k), 0.0, 0.0], [f64::from(k) + 1.0, 1.0, 1.0]))
+            .collect();
+        assert_eq!(terms(&row), count(257, 6 * 257));
+        // Not for their number: bridged two by two they are too many pieces on the way.
+        let parts = 256;
+        assert_eq!(terms(&row[..256]), Err(GluedError::TooMany { parts }));
     }
 
     #[test]

@@ -3,9 +3,10 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{GluedError, Polyhedron, glued};
 
-use super::mesh::shape_of;
+use super::mesh::{Made, shape_of};
 use super::shapes::{brick, solid};
 use crate::model::builder::Builder;
+use crate::scenario::Diagnostic;
 use crate::scenario::language::{self, Block};
 use crate::spatial::setup::{Shape, Solid};
 
@@ -34,6 +35,35 @@ impl Builder<'_> {
         self.glued(block, &shapes)
     }
 
+    /// One block of all cells of a mesh. What the file names stays named: a group that holds a cell holds the block.
+    pub(super) fn glued_mesh(&mut self, block: &Block, made: Made) -> Option<Made> {
+        let cells = made.shapes.len();
+        for (name, members) in &made.groups {
+            let of_faces = made.surfaces.iter().any(|(surface, _)| surface == name);
+            if members.len() < cells && !of_faces {
+                let message = format!(
+                    "group `{name}` of the mesh has {} of the {cells} cells that are glued to block `{}`: it gets all of the block",
+                    members.len(),
+                    block.name
+                );
+                let note = Diagnostic::warning("geometry.parts", message);
+                let note = note.at(block.name.span.clone());
+                let help = "take only its cells with `mesh.volume`, or leave the group unused";
+                self.found.push(note.help(help));
+            }
+        }
+        let groups = made.groups.into_iter().map(|(name, _)| (name, vec![0]));
+        let surfaces = made.surfaces.into_iter().map(|(name, mut faces)| {
+            faces.iter_mut().for_each(|face| face.0 = 0);
+            (name, faces)
+        });
+        Some(Made {
+            shapes: vec![self.glued(block, &made.shapes)?],
+            groups: groups.collect(),
+            surfaces: surfaces.collect(),
+        })
+    }
+
     /// One block of convex shapes that touch by faces; a plain one where all of it is convex.
     pub(super) fn glued(&mut self, block: &Block, shapes: &[Shape]) -> Option<Shape> {
         let parts: Vec<Polyhedron> = shapes.iter().map(solid).collect();
@@ -42,6 +72,9 @@ impl Builder<'_> {
             Err(error) => {
                 let message = format!("block `{}`: {error}", block.name);
                 let help = match error {
+                    GluedError::Count { parts: 0, .. } => {
+                        "say of which convex parts the block is made; a single one is `brick` or `polyhedron`"
+                    }
                     GluedError::Overlap { .. } => {
                         "parts share faces, no volume: cut one of them back"
                     }
@@ -49,9 +82,9 @@ impl Builder<'_> {
                         "parts touch by a part of a face at least; make two blocks, or close the gap"
                     }
                     GluedError::Part { .. } => "parts are convex: divide this one",
-                    GluedError::TooMany { .. } | GluedError::Unsure { .. } => {
-                        "give fewer and larger convex parts"
-                    }
+                    GluedError::Count { .. }
+                    | GluedError::TooMany { .. }
+                    | GluedError::Unsure { .. } => "give fewer and larger convex parts",
                 };
                 self.error_at("geometry.parts", &block.name, message, help);
                 return None;

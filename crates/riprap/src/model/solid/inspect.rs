@@ -198,24 +198,42 @@ impl Builder<'_> {
             let strength = setup.interfaces[row as usize].joint.strength;
             strength.is_some_and(|s| s.cohesion > 0.0 || s.tension > 0.0)
         };
-        if !setup.pair_table.iter().any(|row| acts(*row)) {
+        let glued = |block: u32| setup.blocks[block as usize].shape.is_glued();
+        let some = (0..setup.blocks.len() as u32).any(glued);
+        if !some || !setup.pair_table.iter().any(|row| acts(*row)) {
             return;
         }
         let boxes: Vec<_> = setup.blocks.iter().map(|b| bounds(&b.shape)).collect();
-        let meets = |a: usize, b: usize| {
-            let ((min_a, max_a), (min_b, max_b)) = (boxes[a], boxes[b]);
+        let meets = |pair: [u32; 2]| {
+            let [(min_a, max_a), (min_b, max_b)] = pair.map(|k| boxes[k as usize]);
             let slack = ACCEPTED * (max_a - min_a).min(max_b - min_b).min_element();
             (max_a.min(max_b) - min_a.max(min_b)).min_element() >= -slack
         };
-        let glued = (0..boxes.len()).filter(|b| setup.blocks[*b].shape.is_glued());
-        let found = glued.filter_map(|a| {
-            let other = (0..boxes.len()).find(|&b| {
-                let of = |k: usize| setup.blocks[k].material as usize;
-                let row = setup.pair_table[of(a) * setup.materials.len() + of(b)];
-                b != a && acts(row) && meets(a, b)
-            });
-            other.map(|b| [a as u32, b as u32])
+        let acts_between = |pair: [u32; 2]| {
+            let [a, b] = pair.map(|k| setup.blocks[k as usize].material as usize);
+            acts(setup.pair_table[a * setup.materials.len() + b])
+        };
+        // A little larger: two boxes with a common plane overlap then.
+        let slack = |(min, max): &(Vec3, Vec3)| 3.0 * ACCEPTED * (*max - *min).min_element();
+        let wider = boxes
+            .iter()
+            .map(|b| (b.0 - slack(b), b.1 + slack(b)))
+            .collect::<Vec<_>>();
+        let mut first: Vec<Option<u32>> = vec![None; boxes.len()];
+        // Where it gives up, `solid_overlaps` has said that not all pairs were looked at.
+        deep_pairs(&wider, 0.0, |pair| {
+            let [a, b] = pair;
+            for [a, b] in [[a, b], [b, a]] {
+                if glued(a) && meets(pair) && acts_between([a, b]) {
+                    let known = first[a as usize].get_or_insert(b);
+                    *known = b.min(*known);
+                }
+            }
+            true
         });
+        let found = (0u32..)
+            .zip(first)
+            .filter_map(|(a, other)| Some([a, other?]));
         for [block, other] in found.take(NAMED).collect::<Vec<_>>() {
             let [name, other] = [block, other].map(|b| self.directory.name(b));
             let message = format!(

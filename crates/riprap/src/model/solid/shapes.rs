@@ -149,8 +149,7 @@ impl Builder<'_> {
                 Some(Geometry::Mesh(said)) => {
                     let made = self.mesh(block, said, shift);
                     let made = if said.glued == Some(true) {
-                        made.and_then(|made| self.glued(block, &made.shapes))
-                            .map(|shape| Made::of(vec![shape]))
+                        made.and_then(|made| self.glued_mesh(block, made))
                     } else {
                         made
                     };

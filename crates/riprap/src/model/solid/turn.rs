@@ -108,17 +108,38 @@ fn rotation(axis: Vec3, angle: f64) -> Mat3 {
     Mat3::from_cols(column(Vec3::X), column(Vec3::Y), column(Vec3::Z))
 }
 
-/// Repeats the shapes of a table.
+/// Repeats the shapes of a table, and what is named among them.
 pub(super) fn copies(block: &Block, made: Made) -> Made {
     let Some(said) = &block.copies else {
         return made;
     };
-    let step = Vec3::from(said.step.xyz());
-    let shapes = (0..said.count).flat_map(|k| {
-        let shift = f64::from(k) * step;
-        made.shapes.iter().map(move |shape| moved(shape, shift))
+    let (step, own) = (Vec3::from(said.step.xyz()), made.shapes.len() as u32);
+    let shifts = || (0..said.count).map(|k| (k * own, f64::from(k) * step));
+    let shapes = shifts().flat_map(|(_, shift)| {
+        let shapes = made.shapes.iter();
+        shapes.map(move |shape| moved(shape, shift))
     });
-    Made::of(shapes.collect())
+    let members = |all: &[u32]| -> Vec<u32> {
+        let of = |(first, _)| all.iter().map(move |b| first + b);
+        shifts().flat_map(of).collect()
+    };
+    let faces = |all: &[(u32, Vec3, f64)]| -> Vec<(u32, Vec3, f64)> {
+        let of = |(first, shift)| {
+            let faces = all.iter();
+            faces.map(move |(b, n, d)| (first + b, *n, d + n.dot(shift)))
+        };
+        shifts().flat_map(of).collect()
+    };
+    let (groups, surfaces) = (made.groups.iter(), made.surfaces.iter());
+    Made {
+        shapes: shapes.collect(),
+        groups: groups
+            .map(|(name, all)| (name.clone(), members(all)))
+            .collect(),
+        surfaces: surfaces
+            .map(|(name, all)| (name.clone(), faces(all)))
+            .collect(),
+    }
 }
 
 fn moved(shape: &Shape, shift: Vec3) -> Shape {

@@ -255,3 +255,24 @@ fn physical_surfaces_are_sets_of_faces() {
         "there is no surface `end`",
     );
 }
+
+#[test]
+fn a_glued_mesh_keeps_its_groups() {
+    let glued = "mesh.msh = \"msh/bricks_41_ascii.msh\"\nmesh.glued = true\n";
+    let groups = |middle: &str| -> Vec<Vec<u32>> {
+        let (setup, _) = spatial(middle);
+        let of = |name| setup.groups.iter().find(move |g| g.name == name);
+        ["left", "right"]
+            .map(|name| of(name).unwrap().blocks.clone())
+            .to_vec()
+    };
+    assert_eq!(groups(glued), [[0], [0]]);
+    // And so do copies of it.
+    let copies = "copies = { count = 3, step = [\"5 m\", \"0 m\", \"0 m\"] }\n";
+    assert_eq!(groups(&format!("{glued}{copies}")), [[0, 1, 2], [0, 1, 2]]);
+    // The block is larger than what the file calls so.
+    let fields = crate::run::engine::Kind::Spatial.fields();
+    let model = built(format!("{SPACE}{GRAIN}{glued}{TAIL}"), fields).unwrap();
+    let told = |w: &Diagnostic| w.message.contains("group `left` of the mesh has");
+    assert!(model.warnings.iter().any(told), "{:?}", model.warnings);
+}

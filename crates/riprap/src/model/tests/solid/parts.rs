@@ -87,3 +87,32 @@ fn strengths_that_do_not_act_on_glued_parts_are_told() {
     );
     assert!(!told(&strong, &shifted).contains("cohesion and tension do not act"));
 }
+
+#[test]
+fn a_block_of_no_parts_or_of_too_many_is_refused() {
+    let none = wrong(
+        "[[blocks]]\nname = \"ell\"\nmaterial = \"rock\"\nparts = []\n[[supports]]\non.block = \"ell\"\nfixed = {}\n",
+    );
+    assert!(
+        none.contains("`ell`: it has 0 parts") && none.contains("a single one is `brick`"),
+        "{none}"
+    );
+}
+
+#[test]
+fn each_glued_block_names_the_first_block_that_it_touches() {
+    let strong = SPACE.replace("friction_angle", "cohesion = \"1 MPa\"\nfriction_angle");
+    let row = ell(r#"["0 m", "0 m", "1 m"]"#).replace(
+        "name = \"ell\"",
+        "name = \"ell\"\ncopies = { count = 3, step = [\"0 m\", \"1.5 m\", \"0 m\"] }",
+    );
+    let model = try_solid(&format!("{strong}{row}{TAIL}")).unwrap();
+    let words: Vec<&str> = model
+        .warnings
+        .iter()
+        .map(|w| w.message.as_str())
+        .filter(|w| w.contains("do not act between"))
+        .collect();
+    assert_eq!(words.len(), 3, "{words:?}");
+    assert!(words.iter().all(|w| w.contains("and `floor`")), "{words:?}");
+}
