@@ -6,7 +6,7 @@ use super::convex::Side;
 use super::energy;
 use super::search::Candidate;
 use super::setup::NormalLaw;
-use super::step::Scratch;
+use super::step::{Change, Scratch};
 use super::water;
 use super::world::{Contact, World, Wrench};
 use crate::ledger::Balance;
@@ -56,11 +56,37 @@ impl View<'_> {
         self.world.bodies[b].angle - self.world.reference_angle[b]
     }
 
+    /// Change of velocity (m/s) and spin (rad/s) of block `b` in the coming kick, without freedoms whose velocity is given.
+    fn ungiven_change(&self, b: usize) -> Change {
+        let change = self.scratch.changes[b];
+        let Some(motion) = &self.world.motion[b] else {
+            return change;
+        };
+        let targets = motion.targets();
+        let [x, y, spin] = targets.map(|t| if t.gives_velocity() { 0.0 } else { 1.0 });
+        Change {
+            velocity: change.velocity * Vec2::new(x, y),
+            spin: change.spin * spin,
+        }
+    }
+
+    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs at the start.
+    #[must_use]
+    pub fn half_kick(&self) -> f64 {
+        let shapes = &self.scratch.shapes;
+        let one = |b: usize| {
+            let change = self.ungiven_change(b);
+            shapes.mass[b] * change.velocity.length_squared()
+                + shapes.inertia[b] * change.spin * change.spin
+        };
+        self.living().map(one).sum()
+    }
+
     /// Kinetic energy of block `b`, J/m: `m v(n-1/2).v(n+1/2)/2`, with the second velocity taken half a
-    /// step as long as the last one after the present time.
+    /// step as long as the last one after the present time. A given velocity stays until then ([`crate::dynamics::kick::Support`]).
     #[must_use]
     pub fn kinetic(&self, b: usize) -> f64 {
-        let (body, change) = (&self.world.bodies[b], &self.scratch.changes[b]);
+        let (body, change) = (&self.world.bodies[b], self.ungiven_change(b));
         let (mass, inertia) = (self.scratch.shapes.mass[b], self.scratch.shapes.inertia[b]);
         let whole = 2.0 * self.past();
         0.5 * mass * body.velocity.dot(body.velocity + whole * change.velocity)

@@ -7,6 +7,7 @@ use riprap_geom::Vec3;
 
 use crate::accounts::{self, Entries, Holder, Line, add};
 use crate::deform::step;
+use crate::dynamics::kick::Support;
 use crate::ledger::Works;
 use crate::push::loads::{self, Pushed};
 use crate::push::surface;
@@ -145,10 +146,10 @@ impl Booking<'_> {
             let node = hold.node as usize;
             let held = kick.held(hold, work.net[node]);
             let [v, dv] = rates(deform, work, hold.node);
-            for (account, support) in hold.parts(held.support) {
+            let blows = hold.parts(held.support.blow);
+            for ((account, steady), (_, blow)) in hold.parts(held.support.steady).zip(blows) {
                 let Some(account) = account else { continue };
-                let [before, after] = self.half;
-                let work = [before * support.dot(v), after * support.dot(v + dv)];
+                let work = Support { steady, blow }.works(self.half, [v, v + dv], Vec3::dot);
                 entries.book(account, Line::Supports, work);
             }
         }

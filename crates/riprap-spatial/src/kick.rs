@@ -7,7 +7,7 @@ use super::setup::Motion;
 use super::state::scratch::Scratch;
 use super::world::{SolidClass, Turned, World};
 use crate::dynamics::damping::Damping;
-use crate::dynamics::kick::{self, Target};
+use crate::dynamics::kick::{self, Support, Target};
 use crate::ledger::Works;
 
 /// Velocity change of one block in the coming kick.
@@ -71,8 +71,8 @@ pub struct Moving<'a> {
 struct Extra {
     damping: Vec3,
     damping_moment: Vec3,
-    support: Vec3,
-    support_moment: Vec3,
+    support: Support<Vec3>,
+    support_moment: Support<Vec3>,
 }
 
 impl Kick<'_> {
@@ -124,8 +124,11 @@ impl Kick<'_> {
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
             dl = inertia * dw;
             if self.span > 0.0 {
-                extra.support = kick::reaction(mass, fade, self.span, dv - free.0);
-                extra.support_moment = kick::reaction(1.0, fade_turn, self.span, dl - free.1);
+                let [along, about] = motion.given();
+                let force = kick::reaction(mass, fade, self.span, dv - free.0);
+                extra.support = Support::of(force, along * mass * dv, self.span);
+                let moment = kick::reaction(1.0, fade_turn, self.span, dl - free.1);
+                extra.support_moment = Support::of(moment, about * dl, self.span);
             }
         }
         extra.damping = acting.drag + drag - kick::mass_drag(alpha, mass, v, dv);
@@ -153,22 +156,20 @@ impl Kick<'_> {
         let (change, extra) = self.full(b, moving, acting);
         let (v, w) = (moving.velocity, moving.spin);
         let weight = self.solid_of(b).mass * self.gravity;
-        let moved = self.motion[b].is_some();
+        let after = [v + change.velocity, w + change.spin];
+        if self.motion[b].is_some() {
+            let along = (extra.support).works(self.half, [v, after[0]], Vec3::dot);
+            let about = (extra.support_moment).works(self.half, [w, after[1]], Vec3::dot);
+            arrival.supports += along[0] + about[0];
+            departure.supports += along[1] + about[1];
+        }
         for (half, v, w, works) in [
             (self.half[0], v, w, arrival),
-            (
-                self.half[1],
-                v + change.velocity,
-                w + change.spin,
-                departure,
-            ),
+            (self.half[1], after[0], after[1], departure),
         ] {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.0.dot(v) + load.1.dot(w));
             works.damping -= half * (extra.damping.dot(v) + extra.damping_moment.dot(w));
-            if moved {
-                works.supports += half * (extra.support.dot(v) + extra.support_moment.dot(w));
-            }
         }
         change
     }
@@ -254,6 +255,20 @@ impl World {
             let free = held.map(|held| if held { 0.0 } else { 1.0 });
             Vec3::from_array(free)
         })
+    }
+
+    /// The change `change` of block `b` without the freedoms whose velocity is given.
+    #[must_use]
+    pub fn ungiven(&self, b: usize, change: Change) -> Change {
+        let Some(motion) = &self.motion[b] else {
+            return change;
+        };
+        let [along, about] = motion.given().map(|given| Vec3::ONE - given);
+        Change {
+            velocity: along * change.velocity,
+            spin: about * change.spin,
+            momentum: about * change.momentum,
+        }
     }
 
     /// Whether block `b` can move in any freedom by forces.

@@ -316,6 +316,13 @@ impl Motion {
         }
     }
 
+    /// 1 for each freedom whose velocity it gives, else 0: translation along, and rotation about x, y, z.
+    #[must_use]
+    pub fn given(&self) -> [Vec3; 2] {
+        let one = |t: Target| f64::from(t.gives_velocity());
+        self.targets().map(|of| Vec3::from_array(of.map(one)))
+    }
+
     /// Which freedoms it prescribes: translation along, and rotation about x, y, z.
     #[must_use]
     pub fn prescribes(&self) -> [[bool; 3]; 2] {

@@ -59,6 +59,41 @@ where
     gap * ((1.0 + fade) * inertia / span)
 }
 
+/// Works before and after the present time of what prescribes a motion: `reaction` is its force over the whole span, `blow` the
+/// momentum that the freedoms with a given velocity change by. These keep their velocity until the present time and have the new one from
+/// then on: so much of the reaction as balances all other forces acts in the halves of the steps, the rest is a blow between them. A
+/// velocity that jumps where the step changes would leave work that nobody has done else.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Support<V> {
+    /// Force in both halves, N; a moment, N m.
+    pub steady: V,
+    /// Impulse at the present time, N s; of a moment, N m s.
+    pub blow: V,
+}
+
+impl<V> Support<V>
+where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<f64, Output = V> + Div<f64, Output = V>,
+{
+    /// Of a `reaction` over `span` (s).
+    #[inline(always)]
+    #[must_use]
+    pub fn of(reaction: V, blow: V, span: f64) -> Self {
+        let steady = reaction - blow / span;
+        Self { steady, blow }
+    }
+
+    /// Works in the `half` steps (s) before and after the present time, with the velocities there; of the blow after it.
+    #[inline(always)]
+    #[must_use]
+    pub fn works(&self, half: [f64; 2], [v, after]: [V; 2], dot: impl Fn(V, V) -> f64) -> [f64; 2] {
+        [
+            half[0] * dot(self.steady, v),
+            half[1] * dot(self.steady, after) + 0.5 * dot(self.blow, v + after),
+        ]
+    }
+}
+
 /// What is prescribed for a freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target<'a> {
@@ -95,6 +130,12 @@ impl<'a> Target<'a> {
     #[must_use]
     pub fn is_free(&self) -> bool {
         matches!(self, Self::Free)
+    }
+
+    /// Whether its velocity is given: what the kick makes of it is a jump, whatever the span.
+    #[must_use]
+    pub fn gives_velocity(&self) -> bool {
+        matches!(self, Self::Still | Self::Velocity(_))
     }
 
     /// Velocity change in a kick at `time` (s) before a step of twice `half` (s), over `span` (s): a prescribed velocity is met in
@@ -139,6 +180,26 @@ mod tests {
         let work = 0.5 * span * all * v + 0.5 * span * all * (v + dv);
         let kinetic = 0.5 * m * ((v + dv) * (v + dv) - v * v);
         assert!((work - kinetic).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_velocity_that_jumps_where_the_step_changes_makes_no_energy() {
+        // Steps of 10 and 30 ms: the kinetic energies before and after the present time are those of the two velocities.
+        let (m, v, f, half, alpha) = (3.0, 0.7, -5.0, [0.005, 0.015], 4.0);
+        let span = half[0] + half[1];
+        let fade = fade(alpha, span);
+        let free = change(span / m, f, fade, v);
+        let velocity = TimeFunction::Constant(9.3);
+        let target = Target::Velocity(&velocity);
+        assert!(target.gives_velocity() && !Target::Free.gives_velocity());
+        let dv = target.change(v, free, 0.0, half[1], span);
+        let support = Support::of(reaction(m, fade, span, dv - free), m * dv, span);
+        let other = f - mass_drag(alpha, m, v, dv);
+        let works = support.works(half, [v, v + dv], |a, b| a * b);
+        assert!((works[0] + half[0] * other * v).abs() < 1e-14);
+        let kinetic = 0.5 * m * ((v + dv) * (v + dv) - v * v);
+        let after = works[1] + half[1] * other * (v + dv);
+        assert!((after - kinetic).abs() < 1e-12 * kinetic);
     }
 
     #[test]

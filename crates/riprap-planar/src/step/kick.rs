@@ -3,7 +3,7 @@
 use riprap_geom::Vec2;
 
 use super::{Damping, NonFinite, Partial, Scratch, nobody};
-use crate::dynamics::kick::{self, Target};
+use crate::dynamics::kick::{self, Support, Target};
 use crate::loads::Applied;
 use crate::shapes::Shapes;
 use crate::sums::{self, GROUP};
@@ -170,14 +170,25 @@ impl Kick<'_> {
         };
 
         // Works before and after the present time, with the velocity of each half.
-        let reaction = if self.span > 0.0 {
-            (
+        if let Some(motion) = motion
+            && self.span > 0.0
+        {
+            let [x, y, spin] = motion.targets().map(|t| f64::from(t.gives_velocity()));
+            let push = Support::of(
                 kick::reaction(mass, fade, self.span, dv - free.0),
+                mass * dv * Vec2::new(x, y),
+                self.span,
+            );
+            let twist = Support::of(
                 kick::reaction(inertia, fade, self.span, dw - free.1),
-            )
-        } else {
-            (Vec2::ZERO, 0.0)
-        };
+                inertia * dw * spin,
+                self.span,
+            );
+            let along = push.works(self.half, [body.velocity, body.velocity + dv], Vec2::dot);
+            let about = twist.works(self.half, [body.spin, body.spin + dw], |m, w| m * w);
+            partial.arrival.supports += along[0] + about[0];
+            partial.departure.supports += along[1] + about[1];
+        }
         let damping = drag - kick::mass_drag(self.damping.mass, mass, body.velocity, dv);
         let slowing = twist - kick::mass_drag(self.damping.mass, inertia, body.spin, dw);
         for (half, v, w, works) in [
@@ -192,9 +203,6 @@ impl Kick<'_> {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.force.dot(v) + load.moment * w);
             works.damping -= half * (damping.dot(v) + slowing * w);
-            if motion.is_some() {
-                works.supports += half * (reaction.0.dot(v) + reaction.1 * w);
-            }
         }
     }
 }

@@ -7,7 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::hold::Hold;
 use crate::dynamics::damping::Damping;
-use crate::dynamics::kick;
+use crate::dynamics::kick::{self, Support};
 use crate::lanes::{LANES, Lanes, Vectors, Width, dot, minus, plus, scaled, vectors, write};
 use crate::state::workspace::{Dashpot, KickSums};
 
@@ -66,8 +66,8 @@ struct Free {
 pub(crate) struct Held {
     /// Velocity change, m/s.
     change: Vec3,
-    /// Its force, N.
-    pub(crate) support: Vec3,
+    /// Its force and its blow.
+    pub(crate) support: Support<Vec3>,
 }
 
 impl Kick<'_> {
@@ -234,7 +234,7 @@ impl Kick<'_> {
         let v = Vec3::from_array(self.velocity[node.node]);
         let Free { drag, change: free } = self.free(node.node, node.net, dashpot);
         let mut change = free;
-        let mut support = Vec3::ZERO;
+        let mut support = Support::default();
         let [of_free, of_held, of_loads] = &mut sums.squares;
         *of_loads += (node.weight + node.load + node.push).length_squared();
         match hold {
@@ -257,9 +257,11 @@ impl Kick<'_> {
             works.gravity += half * node.weight.dot(v);
             works.loads += half * node.load.dot(v);
             works.damping -= half * damping.dot(v);
-            works.supports += half * support.dot(v);
             works.absorbed += half * absorbed.dot(v);
         }
+        let [before, after] = support.works(self.half, [v, v + change], Vec3::dot);
+        sums.arrival.supports += before;
+        sums.departure.supports += after;
         change
     }
 
@@ -288,14 +290,16 @@ impl Kick<'_> {
         let place = self.places.0[node] + self.places.1;
         let target = self.drive.1 * hold.velocity(self.drive.0, place);
         let change = hold.free * free + (target - (v - hold.free * v));
-        let mut support = Vec3::ZERO;
+        let mut support = Support::default();
         if self.span > 0.0 {
             let fade = kick::fade(self.damping.mass, self.span);
             let gap = change - free;
-            support = kick::reaction(mass, fade, self.span, gap);
+            let mut reaction = kick::reaction(mass, fade, self.span, gap);
             if let Some(d) = dashpot {
-                support += 0.5 * (d.matrix * gap);
+                reaction += 0.5 * (d.matrix * gap);
             }
+            let blow = mass * (change - hold.free * change);
+            support = Support::of(reaction, blow, self.span);
         }
         Held { change, support }
     }

@@ -117,7 +117,8 @@ impl<'a> DeformableView<'a> {
         })
     }
 
-    /// Time-centred kinetic energy, J; while relaxing that of the fictitious masses.
+    /// Time-centred kinetic energy, J; while relaxing that of the fictitious masses. A given velocity stays until the present time
+    /// ([`crate::dynamics::kick::Support`]).
     #[must_use]
     pub fn kinetic(&self) -> f64 {
         let whole = 2.0 * self.past;
@@ -130,15 +131,22 @@ impl<'a> DeformableView<'a> {
         2.0 * self.weighted(|_, dv| dv.length_squared())
     }
 
-    /// Half the sum of the masses that move now times a function of velocity and change.
+    /// Half the sum of the masses that move now times a function of velocity and change, this without what is given.
     fn weighted(&self, get: impl Fn(Vec3, Vec3) -> f64) -> f64 {
         let masses = self.kind.masses();
         let fictitious = &self.work.fictitious;
         let nodes = self.body.nodes().zip(masses);
+        let holds = &self.deform.holds;
+        let first = holds.partition_point(|hold| (hold.node as usize) < self.body.first as usize);
+        let mut holds = holds[first..].iter().peekable();
         let terms = nodes.map(|(n, m)| {
             let m = fictitious.get(n).unwrap_or(m);
             let v = Vec3::from_array(self.deform.nodes.velocity[n]);
-            m * get(v, Vec3::from_array(self.work.change[n]))
+            let mut change = Vec3::from_array(self.work.change[n]);
+            if let Some(hold) = holds.next_if(|hold| hold.node as usize == n) {
+                change = hold.free * change;
+            }
+            m * get(v, change)
         });
         0.5 * terms.sum::<f64>()
     }

@@ -27,7 +27,8 @@ impl View<'_> {
             if let Some(deformable) = self.deformable(b) {
                 return deformable.half_kick();
             }
-            let (solid, change) = (self.world.solid_of(b), self.scratch.change(self.world, b));
+            let solid = self.world.solid_of(b);
+            let change = (self.world).ungiven(b, self.scratch.change(self.world, b));
             solid.mass * change.velocity.length_squared()
                 + change.spin.dot(solid.inertia * change.spin)
         };

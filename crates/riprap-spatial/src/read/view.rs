@@ -105,14 +105,16 @@ impl View<'_> {
     }
 
     /// Kinetic energy of block `b`, J: `m v(n-1/2).v(n+1/2)/2` and the same for rotation, with the second
-    /// velocity taken half a step as long as the last one after the present time.
+    /// velocity taken half a step as long as the last one after the present time. A given velocity stays until then
+    /// ([`crate::dynamics::kick::Support`]).
     #[must_use]
     pub fn kinetic(&self, b: usize) -> f64 {
         if let Some(deformable) = self.deformable(b) {
             return deformable.kinetic();
         }
         let world = self.world;
-        let (solid, change) = (world.solid_of(b), self.scratch.change(world, b));
+        let solid = world.solid_of(b);
+        let change = world.ungiven(b, self.scratch.change(world, b));
         let whole = 2.0 * self.past();
         let v = world.bodies.velocity(b);
         let turning = match &world.turned[b] {

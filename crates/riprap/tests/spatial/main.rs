@@ -11,6 +11,7 @@ mod blast;
 mod conserve;
 mod cut;
 mod deform;
+mod driven;
 mod dynamic;
 mod edit;
 mod faces;

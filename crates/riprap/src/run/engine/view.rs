@@ -141,15 +141,7 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         match self {
-            Self::Planar(v) => {
-                let shapes = &v.scratch.shapes;
-                let one = |b: usize| {
-                    let change = &v.scratch.changes[b];
-                    shapes.mass[b] * change.velocity.length_squared()
-                        + shapes.inertia[b] * change.spin * change.spin
-                };
-                v.living().map(one).sum()
-            }
+            Self::Planar(v) => v.half_kick(),
             Self::Spatial(v) => v.half_kick(),
         }
     }
