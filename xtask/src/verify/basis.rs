@@ -9,11 +9,17 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 4] = [
+const SCOPES: [(&str, Concerns); 5] = [
     ("In the plane:", |scene| !in_space(scene)),
     ("In space:", in_space),
     ("Found contact in space:", |scene| {
         in_space(scene) && !scene.contains("found_contacts = false")
+    }),
+    // Joints of rigid blocks that can give way to found contact.
+    ("Rigid joints in space:", |scene| {
+        in_space(scene)
+            && !scene.contains("found_contacts = false")
+            && !scene.contains("deformable")
     }),
     ("Seepage:", |scene| scene.contains("seepage")),
 ];
@@ -131,11 +137,12 @@ mod tests {
 
     #[test]
     fn an_entry_can_concern_some_scenes_only() {
-        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Seepage: d\n- e\n";
+        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Seepage: d\n- e\n";
         let space = "[space.spatial]\n";
         assert_eq!(numerics(text, "[space.planar]"), 2);
         assert_eq!(numerics(text, "[space.planar]\nwater.seepage = {}"), 3);
-        assert_eq!(numerics(text, space), 3);
+        assert_eq!(numerics(text, space), 4);
+        assert_eq!(numerics(text, &format!("{space}mechanics.deformable")), 3);
         assert_eq!(numerics(text, &format!("{space}found_contacts = false")), 2);
     }
 

@@ -3,7 +3,9 @@
 //! A patch knows two faces as they lay on each other when it was built. Once nothing holds its points together and it has slid,
 //! turned or opened too far for that, it goes, and its pair becomes one that is searched for. What opens and closes in place
 //! stays a patch, which is far cheaper. What hinges goes at once: the four points of a patch lie inside the face, and a block that rocks
-//! about two of them has its hinge there instead of at its edge (a cube would topple at 30 deg).
+//! about two of them has its hinge there instead of at its edge (a cube would topple at 30 deg). A patch of which some points still hold
+//! is a hinge as long as its blocks stay nearly parallel; where they fold, the plane between them means nothing any more (at half a
+//! turn it is not even defined), so its last points fail and it goes.
 //!
 //! Shear and torsion go on as springs of the found contact. What the patch carries across its plane beyond the pressure of found
 //! contact goes on too, and fades with further slip ([`crate::found::offset`]). Differences in stored energy are booked with edits.
@@ -31,6 +33,11 @@ const OPEN: f64 = 0.01;
 const TURNED: f64 = 0.02;
 /// The same where some points are open and others are pressed, rad.
 const HINGED: f64 = 2e-5;
+/// Rotation at which the last points of a patch fail that has failed in part, rad.
+///
+/// `Deviation:` of this program; no source says when a strength at points ends by rotation. At 0.3 rad a patch 0.1 m wide has opened by
+/// 30 mm at its far edge, far beyond what rock bears; what is left of its strength by then is an error of the points, not of the rock.
+const FOLDED: f64 = 0.3;
 
 /// Lets patches go that no longer describe where their blocks touch; every [`LOOK`] steps.
 pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
@@ -38,10 +45,16 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
     if !world.setup.found_contacts || !look {
         return;
     }
-    let mut pairs: Vec<[u32; 2]> = (0..world.patches.len())
-        .filter(|&p| is_loose(world, p) && is_past(world, scratch, p))
-        .map(|p| sorted(world.patches.ends[p]))
-        .collect();
+    let mut pairs = Vec::new();
+    for p in 0..world.patches.len() {
+        let folds = is_folded(world, p);
+        if folds {
+            fail(world, scratch, p);
+        }
+        if folds || (is_loose(world, p) && is_past(world, scratch, p)) {
+            pairs.push(sorted(world.patches.ends[p]));
+        }
+    }
     if pairs.is_empty() {
         return;
     }
@@ -122,11 +135,41 @@ fn is_past(world: &World, scratch: &Scratch, p: usize) -> bool {
     if slip[0] * slip[0] + slip[1] * slip[1] > (SLID * side) * (SLID * side) {
         return true;
     }
-    let [i, j] = list.ends[p].map(|b| poses.attitude(b as usize));
+    let turned = turned(&poses, list.ends[p]);
+    turned > TURNED || (turned > HINGED && hinges(world, scratch, p))
+}
+
+/// Rotation of two blocks against each other, rad: exact where it is small, 0.3 rad less at half a turn.
+fn turned(poses: &Poses, ends: [u32; 2]) -> f64 {
+    let [i, j] = ends.map(|b| poses.attitude(b as usize));
     // Quaternions of attitudes an angle a apart differ by 2 sin(a/4).
     let apart = (i - j).length_squared().min((i + j).length_squared());
-    let turned = 2.0 * apart.sqrt();
-    turned > TURNED || (turned > HINGED && hinges(world, scratch, p))
+    2.0 * apart.sqrt()
+}
+
+/// Whether a patch of which some points have failed and others hold has folded.
+fn is_folded(world: &World, p: usize) -> bool {
+    let broken = world.patches.flags[p] & flag::BROKEN;
+    let poses = Poses {
+        bodies: &world.bodies,
+        turned: &world.turned,
+    };
+    broken != 0 && broken != flag::BROKEN && turned(&poses, world.patches.ends[p]) > FOLDED
+}
+
+/// Lets the points of patch `p` fail that still hold; what their springs give up is fracture.
+fn fail(world: &mut World, scratch: &Scratch, p: usize) {
+    let stored = |world: &World| View { world, scratch }.patch_energy(p).iter().sum::<f64>();
+    let before = stored(world);
+    let tractions = View { world, scratch }.patch_tractions(p);
+    let flags = &mut world.patches.flags[p];
+    *flags |= flag::BROKEN;
+    for (q, traction) in tractions.iter().enumerate() {
+        if traction[0] > 0.0 {
+            *flags |= flag::of(flag::OPEN, q);
+        }
+    }
+    world.works.dissipate(0.0, before - stored(world));
 }
 
 /// Whether some points of a patch are open while others are pressed.
@@ -262,6 +305,39 @@ mod tests {
         assert!(run.place(1).z < -0.5, "{}", run.place(1));
         let balance = run.view().balance();
         assert!(balance.residual_relative().abs() < 1e-3, "{balance:?}");
+    }
+
+    /// A brick whose joint to the floor holds at two of four points turns about them by a quarter turn and more.
+    #[test]
+    fn a_joint_that_has_partly_failed_lets_go_when_it_folds() {
+        let mut block = brick([2.0, -0.25, 0.0], [0.5; 3]);
+        let rate = 4.0;
+        block.spin = Vec3::new(0.0, rate, 0.0);
+        let hinge = Vec3::new(2.25 + 0.25 / 3.0f64.sqrt(), 0.0, 0.0);
+        block.velocity = block.spin.cross(Vec3::new(2.25, 0.0, 0.25) - hinge);
+        let mut setup = above_floor(vec![block], 0.5, 0.1);
+        setup.gravity = Vec3::ZERO;
+        let strength = setup.interfaces[0].joint.strength.as_mut().unwrap();
+        (strength.cohesion, strength.tension) = (1e9, 1e9);
+        let mut run = Run::new(setup, 1, 2e-5);
+        let class = run.world.classes[run.world.patches.class[0] as usize];
+        for q in 0..4 {
+            if crate::patch::place(&class, q).dot(Vec3::X) < 0.0 {
+                run.world.patches.flags[0] |= flag::of(flag::BROKEN, q) | flag::of(flag::OPEN, q);
+            }
+        }
+        run.until(0.3 / rate - 0.01);
+        assert_eq!(run.world.patches.len(), 1);
+        run.until(0.3 / rate + 0.01);
+        assert!(run.world.patches.is_empty());
+        let works = run.world.works;
+        let energy = run.view().balance().kinetic;
+        assert!(works.fracture > 0.0, "{works:?}");
+        run.until(3.0 / rate);
+        let balance = run.view().balance();
+        assert!(balance.residual_relative().abs() < 1e-3, "{balance:?}");
+        // Nothing but a blow on the floor takes from it what the hinge left.
+        assert!(balance.kinetic <= 1.001 * energy, "{balance:?} {energy}");
     }
 
     #[test]
