@@ -208,46 +208,66 @@ pub fn times(a: &Vectors, b: &Vectors) -> Vectors {
     [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
 }
 
-/// Instruction set that wide code runs on.
+/// Instruction set that wide code runs on. Every value is one that this machine has: there is no other way to one than [`Width::detect`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Width {
-    /// What every machine of the kind has.
+pub struct Width(Set);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Set {
     Plain,
-    /// AVX2.
     Four,
-    /// AVX-512.
     Eight,
 }
 
 impl Width {
-    /// The widest set of this machine.
+    /// What every machine of the kind has.
+    pub const PLAIN: Self = Self(Set::Plain);
+
+    /// The widest set of this machine: AVX-512, AVX2 or neither.
     #[must_use]
     pub fn detect() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
             if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-                return Self::Eight;
+                return Self(Set::Eight);
             }
             if is_x86_feature_detected!("avx2") {
-                return Self::Four;
+                return Self(Set::Four);
             }
         }
-        Self::Plain
+        Self::PLAIN
+    }
+
+    /// The widest set up to this one with no more than so many numbers in a register.
+    #[must_use]
+    pub fn at_most(self, numbers: usize) -> Self {
+        let limit = match numbers {
+            0..4 => Set::Plain,
+            4..8 => Set::Four,
+            _ => Set::Eight,
+        };
+        Self(self.0.min(limit))
+    }
+
+    /// Whether registers hold eight numbers.
+    #[must_use]
+    pub fn is_eight(self) -> bool {
+        self.0 == Set::Eight
     }
 
     /// Runs `f` compiled for this width. `f` must be small enough to be inlined whole.
     #[inline]
     pub fn run<R>(self, f: impl FnOnce() -> R) -> R {
-        match self {
-            Self::Plain => f(),
+        match self.0 {
+            Set::Plain => f(),
             #[cfg(target_arch = "x86_64")]
             // Safety: `detect` has seen that the machine has these instructions.
-            Self::Four => unsafe { four(f) },
+            Set::Four => unsafe { four(f) },
             #[cfg(target_arch = "x86_64")]
             // Safety: as above.
-            Self::Eight => unsafe { eight(f) },
+            Set::Eight => unsafe { eight(f) },
             #[cfg(not(target_arch = "x86_64"))]
-            Self::Four | Self::Eight => f(),
+            Set::Four | Set::Eight => f(),
         }
     }
 }

@@ -368,7 +368,7 @@ mod tests {
             holds: &[hold],
             places: (&vec![Vec3::ZERO; count], Vec3::ZERO),
             dashpots: &[dashpot],
-            width: width.unwrap_or(Width::Plain),
+            width: width.unwrap_or(Width::PLAIN),
         };
         let (mut change, mut sums) = (vec![[0.0; 3]; count], KickSums::default());
         match width {
@@ -386,7 +386,7 @@ mod tests {
         let local = Damping { local: 0.8, ..none };
         for (damping, loaded) in [(none, false), (mass, true), (local, true), (mass, false)] {
             let single = kicked(None, damping, loaded);
-            for width in [Width::Plain, Width::detect()] {
+            for width in [Width::PLAIN, Width::detect()] {
                 let eight = kicked(Some(width), damping, loaded);
                 assert_eq!(format!("{single:?}"), format!("{eight:?}"));
             }

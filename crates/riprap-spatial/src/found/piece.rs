@@ -206,7 +206,7 @@ pub struct Cutter {
 impl Cutter {
     /// Uses no wider instructions than `width` from now on.
     pub fn limit_width(&mut self, width: Width) {
-        self.wide = width.min(Width::detect()) == Width::Eight;
+        self.wide = width.is_eight();
     }
 
     /// Makes piece (f, g) in the plane of `frame`; whether anything is left. `tied(k)` says that plane k does not cut.

@@ -499,7 +499,7 @@ mod tests {
                 // Blocks that follow each other, and others.
                 let other = |k: u32| if runs { k + 9 } else { 3 * k + 1 };
                 let ends: [[u32; 2]; LANES] = std::array::from_fn(|k| [k as u32, other(k as u32)]);
-                for width in [Width::Plain, Width::detect()] {
+                for width in [Width::PLAIN, Width::detect()] {
                     let all = width.run(
                         #[inline(always)]
                         || {

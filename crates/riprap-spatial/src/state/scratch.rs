@@ -108,7 +108,7 @@ pub struct NonFinite {
 impl Scratch {
     /// Uses no wider instructions than `width` from now on; results stay the same bits.
     pub fn limit_width(&mut self, width: Width) {
-        self.width = Width::detect().min(width);
+        self.width = width;
     }
 
     /// Whether nothing but patches and gravity acts on blocks in rows.

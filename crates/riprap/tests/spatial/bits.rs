@@ -103,8 +103,8 @@ fn the_width_of_instructions_does_not_change_a_bit() {
         run.steps(20, DT);
         bytes(&run.world)
     };
-    let expected = run(Width::Plain);
-    assert!(run(Width::Four) == expected && run(Width::Eight) == expected);
+    let expected = run(Width::PLAIN);
+    assert!(run(Width::detect().at_most(4)) == expected && run(Width::detect()) == expected);
 }
 
 /// Each patch alone or beside any others in its packet, and pieces of any size.
