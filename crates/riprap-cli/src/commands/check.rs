@@ -18,6 +18,10 @@ const MEMORY_BLOCK: f64 = 1050.0;
 /// For each deformable block, B: `check` of 30,000 bricks in a bar takes 211 MB at its peak, a run of them 208 MB.
 const MEMORY_DEFORMABLE: f64 = 6300.0;
 
+/// Fewer blocks than these have no distribution of sizes, nor have those whose sizes differ by less than this factor.
+const FEW: usize = 10;
+const ALIKE: f64 = 1.01;
+
 pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, false)?;
     let (model, summary) = (&prepared.model, &prepared.model.summary);
@@ -89,6 +93,7 @@ fn model_text(s: &Summary) -> String {
         ));
     }
     text.push('\n');
+    text.push_str(&passing_text(s));
     if !s.slivers.is_empty() {
         text.push_str(&format!(
             "  slivers    {} (see the warnings)\n",
@@ -96,6 +101,18 @@ fn model_text(s: &Summary) -> String {
         ));
     }
     text
+}
+
+/// The distribution of sizes, where there is one.
+fn passing_text(s: &Summary) -> String {
+    let [smallest, _, largest] = s.size;
+    if s.blocks < FEW || largest < ALIKE * smallest {
+        return String::new();
+    }
+    let [fifth, half, most] = s.passing.map(|size| si(size, "m"));
+    format!(
+        "  rock       20 % of it in blocks up to {fifth}, 50 % up to {half}, 80 % up to {most}\n"
+    )
 }
 
 /// From where to where a model reaches along each axis.
@@ -149,6 +166,7 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
             text.push_str(&format!("  splitting  {}\n", all.join(", ")));
         }
     }
+    text.push_str(&passing_text(s));
     for joints in &s.joints {
         text.push_str(&format!("  joints     {joints}\n"));
     }

@@ -1,6 +1,6 @@
 //! Convex solids divided by joints: planes, disks, convex polygons, and sets of parallel planes.
 //!
-//! A plane cuts every solid that it meets. A disk or a polygon cuts the solids whose section with its plane it touches, and
+//! A plane cuts every solid that it meets; one that is not persistent cuts each of them with a chance, so that it ends at the joints before it. A disk or a polygon cuts the solids whose section with its plane it touches, and
 //! those all through, so that every part stays convex: the usual convention of block-cutting codes.
 
 use super::{Polyhedron, Sliced, slice};
@@ -31,6 +31,8 @@ pub struct Joint {
 pub enum Extent {
     /// Without end.
     Whole,
+    /// Without end, but each solid that it meets is cut with this chance only.
+    Partly(f64),
     /// A disk about its point, with its radius, m.
     Disk(f64),
     /// A convex polygon, its corners anticlockwise about the normal, m.
@@ -91,6 +93,8 @@ pub struct PlaneSet {
     pub spacing_scatter: f64,
     /// Standard deviation of the turns of a normal about two axes across it, rad; at most 3 of them.
     pub angle_scatter: f64,
+    /// Chance with which a joint cuts a solid that it meets, above 0 and at most 1.
+    pub persistence: f64,
 }
 
 /// What joints have made of solids.
@@ -132,6 +136,13 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
         )?;
         let far = set.at.abs().max_element();
         demand("the origin of a joint set", far, far < 1e150, "finite")?;
+        let share = set.persistence;
+        demand(
+            "the persistence of a joint set",
+            share,
+            share > 0.0 && share <= 1.0,
+            "above 0 and at most 1",
+        )?;
         let (centre, half) = (0.5 * (min + max), 0.5 * (max - min));
         let reach = set.normal.abs().dot(half)
             + libm::tan(3.0 * set.angle_scatter.min(0.3)) * half.length();
@@ -157,7 +168,10 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
             joints.push(Joint {
                 normal: turned.normalize(),
                 at: centre + (height - middle) * set.normal,
-                extent: Extent::Whole,
+                extent: match share < 1.0 {
+                    true => Extent::Partly(share),
+                    false => Extent::Whole,
+                },
             });
         }
     }
@@ -165,7 +179,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
 }
 
 /// Cuts solids by joints, one joint after the other. A cut that would leave a part thinner than `thinnest` (m) across the
-/// joint is not made.
+/// joint is not made. `seed` draws which solids joints that are not persistent cut.
 ///
 /// # Errors
 /// A joint without direction or place; more than `tol::MAX_BLOCKS` parts.
@@ -173,7 +187,9 @@ pub fn divide(
     solids: Vec<Polyhedron>,
     joints: &[Joint],
     thinnest: f64,
+    seed: u64,
 ) -> Result<Divided, GeomError> {
+    let mut chance = Chance::new(seed);
     for joint in joints {
         let far = joint.at.abs().max_element();
         demand("the place of a joint", far, far < 1e150, "finite")?;
@@ -204,6 +220,7 @@ pub fn divide(
             match halves(&divided.solids[k], joint, offset, thinnest) {
                 Halves::Beside => {}
                 Halves::Thin => divided.spared += 1,
+                Halves::Cut { .. } if ends(joint, &mut chance) => {}
                 Halves::Cut {
                     below,
                     above,
@@ -229,6 +246,11 @@ pub fn divide(
         }
     }
     Ok(divided)
+}
+
+/// Whether a joint that is not persistent ends at a solid, drawn anew for each.
+fn ends(joint: &Joint, chance: &mut Chance) -> bool {
+    matches!(joint.extent, Extent::Partly(share) if chance.unit() >= share)
 }
 
 fn centre_and_half(solid: &Polyhedron) -> (Vec3, Vec3) {
@@ -268,7 +290,7 @@ fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halv
     let section = low.outline(low.faces.len() - 1);
     let area = area(&section, joint);
     let within = match &joint.extent {
-        Extent::Whole => Some(area),
+        Extent::Whole | Extent::Partly(_) => Some(area),
         Extent::Disk(radius) => {
             (distance(&section, joint) <= *radius).then(|| covered(&section, joint, *radius))
         }
@@ -378,6 +400,7 @@ mod tests {
             spacing,
             spacing_scatter: 0.0,
             angle_scatter: 0.0,
+            persistence: 1.0,
         }
     }
 
@@ -400,13 +423,13 @@ mod tests {
             set(90.0, 90.0, 0.25),
         ];
         let joints = planes(&sets, CUBE.0, CUBE.1, 1).unwrap();
-        let divided = divide(cube(), &joints, 0.0).unwrap();
+        let divided = divide(cube(), &joints, 0.0, 0).unwrap();
         // Planes at 0.05, 0.3, 0.55, 0.8 along each axis.
         assert_eq!((divided.solids.len(), divided.spared), (125, 0));
         assert!((volume(&divided) - 1.0).abs() < 1e-12);
         assert!(divided.parents.iter().all(|p| *p == 0));
         // Parts of 0.05 across are not cut off.
-        let thick = divide(cube(), &joints, 0.1).unwrap();
+        let thick = divide(cube(), &joints, 0.1, 0).unwrap();
         assert_eq!(thick.solids.len(), 64);
         assert!((volume(&thick) - 1.0).abs() < 1e-12);
     }
@@ -423,7 +446,7 @@ mod tests {
         }
         let made = |seed| {
             let joints = planes(&sets, CUBE.0, CUBE.1, seed).unwrap();
-            divide(cube(), &joints, 0.0).unwrap()
+            divide(cube(), &joints, 0.0, 0).unwrap()
         };
         let (one, again, other) = (made(1), made(1), made(2));
         assert!(one == again && one != other);
@@ -450,7 +473,7 @@ mod tests {
             extent: Extent::Disk(radius),
             ..plane(0.5)
         };
-        let count = |joints: &[Joint]| divide(cube(), joints, 0.0).unwrap().solids.len();
+        let count = |joints: &[Joint]| divide(cube(), joints, 0.0, 0).unwrap().solids.len();
         assert_eq!(count(&[across.clone(), plane(0.5)]), 4);
         assert_eq!(count(&[across.clone(), disk(0.29)]), 3);
         assert_eq!(count(&[across, disk(0.31)]), 4);
@@ -473,7 +496,7 @@ mod tests {
             extent: Extent::Disk(radius),
         };
         let areas = |joint: Joint| {
-            let divided = divide(cube(), &[joint], 0.0).unwrap();
+            let divided = divide(cube(), &[joint], 0.0, 0).unwrap();
             [divided.area, divided.within]
         };
         let circle = |radius: f64| std::f64::consts::PI * radius * radius;
@@ -516,7 +539,7 @@ mod tests {
                 (Vec3::new(0.5, 0.5, 1.5), [0.2, 0.3], false, 0.0),
             ] {
                 let joint = Joint::polygon(&rectangle(at, half, 0.0, turn)).unwrap();
-                let divided = divide(cube(), &[joint], 0.0).unwrap();
+                let divided = divide(cube(), &[joint], 0.0, 0).unwrap();
                 assert_eq!(divided.solids.len(), if cut { 2 } else { 1 });
                 assert!(
                     (divided.within - within).abs() < 1e-14,
@@ -529,7 +552,7 @@ mod tests {
         }
         // Across at 30 degrees to the horizontal: the section is longer by 1/cos.
         let joint = Joint::polygon(&rectangle(middle, [0.1, 0.2], 30_f64.to_radians(), false));
-        let divided = divide(cube(), &[joint.unwrap()], 0.0).unwrap();
+        let divided = divide(cube(), &[joint.unwrap()], 0.0, 0).unwrap();
         assert!((divided.area - 1.0 / 0.75_f64.sqrt()).abs() < 1e-14);
         assert!((divided.within - 0.08).abs() < 1e-14, "{}", divided.within);
     }
@@ -552,6 +575,46 @@ mod tests {
     }
 
     #[test]
+    fn joints_of_half_persistence_have_half_the_area() {
+        let mut sets = [
+            set(0.0, 0.0, 0.05),
+            set(90.0, 0.0, 0.05),
+            set(90.0, 90.0, 0.05),
+        ];
+        let area = |sets: &[PlaneSet], seed| {
+            let joints = planes(sets, CUBE.0, CUBE.1, 1).unwrap();
+            let divided = divide(cube(), &joints, 0.0, seed).unwrap();
+            assert!((volume(&divided) - 1.0).abs() < 1e-11);
+            (divided.area, divided.solids.len())
+        };
+        // 19 planes of 1 m2 each way.
+        let (whole, blocks) = area(&sets, 3);
+        assert!(
+            (whole - 57.0).abs() < 1e-9 && blocks == 8000,
+            "{whole} {blocks}"
+        );
+        sets[2].persistence = 0.5;
+        let (half, fewer) = area(&sets, 3);
+        // 400 columns of 0.0025 m2 with 19 places each, cut at half of them: 9.5 m2, give or take 0.11.
+        assert!(
+            (half - 47.5).abs() < 0.5 && fewer < blocks,
+            "{half} {fewer}"
+        );
+        assert_eq!(area(&sets, 3), (half, fewer));
+        assert_ne!(area(&sets, 4), (half, fewer));
+        // Of the first set a joint meets one solid: it cuts all of it, or nothing.
+        sets[0].persistence = 0.5;
+        sets[2].persistence = 1.0;
+        let (layers, _) = area(&sets, 3);
+        assert!(
+            (layers - layers.round()).abs() < 1e-9 && layers < 57.0,
+            "{layers}"
+        );
+        sets[0].persistence = 0.0;
+        assert!(planes(&sets, CUBE.0, CUBE.1, 1).is_err());
+    }
+
+    #[test]
     fn too_many_planes_are_refused() {
         let fine = set(10.0, 0.0, 1e-5);
         let error = planes(&[fine], CUBE.0, CUBE.1, 1).unwrap_err();
@@ -561,6 +624,6 @@ mod tests {
         );
         let thin = [set(0.0, 0.0, 1e-3), set(90.0, 0.0, 1e-3)];
         let joints = planes(&thin, CUBE.0, CUBE.1, 1).unwrap();
-        assert!(divide(cube(), &joints[..300], 0.0).is_ok());
+        assert!(divide(cube(), &joints[..300], 0.0, 0).is_ok());
     }
 }

@@ -26,17 +26,13 @@ pub struct JointSet {
     /// Standard deviation of the angle; in space of the normal about each of two axes.
     #[key(default = "0 deg")]
     pub angle_scatter: Option<Quantity<NotNegativeAngle>>,
-    /// Share of the length of a trace that is cut; 1 is fully persistent.
+    /// Share of the length of a trace that is cut, in space chance of each block that a joint meets to be cut; 1 is fully persistent.
     #[key(default = "1")]
-    #[key(
-        space = "planar",
-        instead = "give joints one by one with a radius (`joints.csv`)"
-    )]
     pub persistence: Option<Quantity<Share>>,
     /// Mean length of one cut piece when `persistence` is less than 1, m.
     #[key(
         space = "planar",
-        instead = "give joints one by one with a radius (`joints.csv`)"
+        instead = "give `persistence` alone: joints end at others"
     )]
     pub trace_length: Option<Quantity<PositiveLength>>,
     /// A point [x, y, z] through which a joint of the set goes, m. Default the origin.

@@ -379,7 +379,7 @@ impl Rules {
                 self.error("value.range", &set.dip.span, message, help);
             }
             let partial = set.persistence.as_ref().filter(|share| share.si() < 1.0);
-            if let (Some(share), None) = (partial, &set.trace_length) {
+            if let (Some(share), None, InSpace::Planar) = (partial, &set.trace_length, self.space) {
                 let message =
                     "a joint set with persistence below 1 needs `trace_length`".to_owned();
                 let help = "write for example trace_length = \"5 m\"";

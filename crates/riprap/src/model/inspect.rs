@@ -7,6 +7,7 @@ use riprap_geom::pairs::touching_boxes;
 use riprap_geom::polygon::{self, Aabb};
 
 use super::builder::Builder;
+use super::summary::passing;
 use crate::plan::PhaseKind;
 use crate::planar::setup::Motion;
 use crate::scenario::Diagnostic;
@@ -78,6 +79,7 @@ fn sizes(b: &mut Builder<'_>) {
         .map(|(block, area)| block.density * area)
         .sum();
     s.size = [size[0], size[size.len() / 2], size[size.len() - 1]];
+    s.passing = passing(&size, 2);
     s.shortest_edge = shortest;
 }
 

@@ -29,6 +29,8 @@ pub struct Summary {
     /// Square root of the area (in space cube root of the volume) of the smallest, the median and the
     /// largest block, m.
     pub size: [f64; 3],
+    /// Sizes, as above, m: blocks up to them hold a fifth, half and four fifths of the rock.
+    pub passing: [f64; 3],
     /// Shortest edge, m, and the block that has it.
     pub shortest_edge: (f64, String),
     /// Pairs of blocks that touch or nearly do at the start.
@@ -49,6 +51,26 @@ pub struct Summary {
     pub charges: Vec<Charge>,
     /// Sum of the durations of all phases, s, if each has one.
     pub duration: Option<f64>,
+}
+
+/// Sizes (m) up to which blocks hold a fifth, half and four fifths of the rock, as a sieve would tell; `sizes` are roots of this `power` of their areas or
+/// volumes, ascending.
+pub(super) fn passing(sizes: &[f64], power: i32) -> [f64; 3] {
+    let content = |size: &f64| (0..power).fold(1.0, |all, _| all * size);
+    let whole: f64 = sizes.iter().map(content).sum();
+    [0.2, 0.5, 0.8].map(|share| {
+        let mut below = 0.0;
+        let reaches = |size: &&f64| {
+            below += content(size);
+            below >= share * whole
+        };
+        sizes
+            .iter()
+            .find(reaches)
+            .or(sizes.last())
+            .copied()
+            .unwrap_or_default()
+    })
 }
 
 /// A charge or another cavity, and the blocks that it replaces.
@@ -83,4 +105,19 @@ pub struct Region {
     pub dead_ends: usize,
     /// Joint pieces left out because they enclose nothing that is connected.
     pub islands: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sieve_counts_rock_and_not_blocks() {
+        // Nine blocks of 1 m3 and one of 27: a quarter of the rock is in the small ones.
+        let mut sizes = vec![1.0; 9];
+        sizes.push(3.0);
+        assert_eq!(passing(&sizes, 3), [1.0, 3.0, 3.0]);
+        assert_eq!(passing(&sizes, 2), [1.0, 1.0, 3.0]);
+        assert_eq!(passing(&[], 3), [0.0; 3]);
+    }
 }

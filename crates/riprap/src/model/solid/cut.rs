@@ -93,6 +93,7 @@ impl Builder<'_> {
                     spacing: read.spacing(),
                     spacing_scatter: read.spacing_scatter(),
                     angle_scatter: read.angle_scatter(),
+                    persistence: read.persistence(),
                 }
             })
             .collect();
@@ -110,7 +111,7 @@ impl Builder<'_> {
         let solids = made.shapes.iter().map(solid).collect();
         let divided = planes(&sets, min, max, seed).and_then(|more| {
             joints.extend(more);
-            divide(solids, &joints, thinnest)
+            divide(solids, &joints, thinnest, seed)
         });
         match divided {
             Ok(divided) => {
@@ -149,7 +150,7 @@ impl Builder<'_> {
         };
         let ended = joints.iter().filter_map(|joint| {
             let (radius, corners) = match &joint.extent {
-                Extent::Whole => return None,
+                Extent::Whole | Extent::Partly(_) => return None,
                 Extent::Disk(radius) => (*radius, Vec::new()),
                 Extent::Polygon(corners) => {
                     let arms = corners.iter().map(|c| (*c - joint.at).length());

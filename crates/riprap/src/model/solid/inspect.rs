@@ -7,6 +7,7 @@ use super::grid::grid_of;
 use super::shapes::{bounds, solid, volume};
 use super::triple;
 use crate::model::builder::Builder;
+use crate::model::summary::passing;
 use crate::scenario::language::Space;
 use crate::scenario::read::with_unit;
 use crate::scenario::{Diagnostic, Quantity, Span};
@@ -79,6 +80,7 @@ impl Builder<'_> {
         s.solid_bounds = Some([(min + origin).into(), (max + origin).into()]);
         s.mass = mass;
         s.size = [sizes[0], sizes[sizes.len() / 2], sizes[sizes.len() - 1]];
+        s.passing = passing(&sizes, 3);
     }
 
     fn solid_overlaps(&mut self) {

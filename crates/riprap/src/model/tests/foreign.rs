@@ -200,7 +200,7 @@ fn joints_cut_blocks_in_space() {
     refused(of(bent), "fracture 7 is not flat");
     let unknown = "cut.joints = { csv = \"shapes/joints_polygons.csv\", bridges = \"intact\" }\n";
     refused(of(unknown), "there is no interface `intact`");
-    let partial = "cut.joint_sets = [{ dip = \"30 deg\", dip_direction = \"0 deg\", spacing = \"1 m\", persistence = 0.5 }]\n";
+    let partial = "cut.joint_sets = [{ dip = \"30 deg\", dip_direction = \"0 deg\", spacing = \"1 m\", persistence = 0.5, trace_length = \"1 m\" }]\n";
     refused(of(partial), "is a key of [space.planar]");
     let fine =
         "cut.joint_sets = [{ dip = \"30 deg\", dip_direction = \"0 deg\", spacing = \"1 um\" }]\n";
