@@ -268,6 +268,7 @@ pub struct Bisect {
 Examples:
   riprap safety slope.toml
   riprap safety slope.toml --interfaces plane --width 0.002
+  riprap safety slope.toml --groups wedge
   riprap safety arch.toml --quantity blocks.arch.arch.thickness --range '1 m..1.15 m' --width '2 mm'
 
 A trial is stable when the unbalanced forces have died down, failing when a block has moved more than --moved
@@ -288,6 +289,22 @@ pub struct Safety {
         conflicts_with = "quantity"
     )]
     pub interfaces: Vec<String>,
+    /// Materials: only strengths between a block of one of them and any other are reduced [default: all]
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        conflicts_with = "quantity"
+    )]
+    pub materials: Vec<String>,
+    /// Groups of blocks: only strengths between a block of one of them and any other are reduced [default: all]
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        conflicts_with = "quantity"
+    )]
+    pub groups: Vec<String>,
     /// Search for the limit of this key, in place of the factor of safety
     #[arg(long, value_name = "KEY", requires = "range")]
     pub quantity: Option<String>,

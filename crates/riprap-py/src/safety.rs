@@ -27,6 +27,8 @@ const FRAMES: u64 = 20;
 pub struct Options {
     width: Option<String>,
     interfaces: Vec<String>,
+    materials: Vec<String>,
+    groups: Vec<String>,
     moved: Option<String>,
     balance: f64,
     steps: u64,
@@ -72,6 +74,8 @@ pub fn safety(
     let rules = Rules {
         width,
         interfaces: options.interfaces,
+        materials: options.materials,
+        groups: options.groups,
         moved: moved.transpose()?,
         balance: options.balance,
         steps: options.steps,
@@ -144,7 +148,7 @@ pub fn safety(
 fn error(py: Python<'_>, wrong: &SafetyError) -> PyErr {
     match wrong {
         SafetyError::Scene(wrong) => errors::scenario(py, wrong),
-        SafetyError::Interface { .. }
+        SafetyError::Unknown { .. }
         | SafetyError::NoStrength(_)
         | SafetyError::Range(_)
         | SafetyError::NotANumber => PyValueError::new_err(wrong.to_string()),

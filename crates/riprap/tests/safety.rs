@@ -113,6 +113,79 @@ fn below_one_it_is_found_too() {
     assert_ne!(answer.trials[0].state, State::Stable);
 }
 
+/// Two stones of two rocks on one slope, with friction angles of 40 and 35 deg.
+fn two_stones() -> Scene {
+    let second = "[materials.shale]
+density = \"2500 kg/m3\"
+[interfaces.bedding]
+between = [\"rock\", \"shale\"]
+normal_stiffness = \"1 GPa/m\"
+shear_stiffness = \"1 GPa/m\"
+friction_angle = \"35 deg\"
+damping_ratio = 0.2
+[[blocks]]
+name = \"other\"
+groups = [\"loose\"]
+material = \"shale\"
+rectangle = { size = [\"2 m\", \"1 m\"], corner = [\"4 m\", \"0 m\"] }
+[[supports]]
+";
+    let text = STONE.replacen("[[supports]]\n", second, 1);
+    let named = text.replace("name = \"stone\"", "name = \"stone\"\ngroups = [\"firm\"]");
+    assert_ne!(named, text);
+    scene(&named)
+}
+
+#[test]
+fn the_strengths_of_a_material_or_a_group_are_reduced_alone() {
+    let scene = two_stones();
+    let of = |angle: f64| libm::tan(angle.to_radians()) / libm::tan(30f64.to_radians());
+    let list = |name: &str| vec![name.to_owned()];
+    for (materials, groups, wanted, moving) in [
+        // All: the weaker one fails first.
+        (vec![], vec![], of(35.0), "other"),
+        (list("shale"), vec![], of(35.0), "other"),
+        (vec![], list("firm"), of(40.0), "stone"),
+        (list("rock"), list("firm"), of(40.0), "stone"),
+        (vec![], list("loose"), of(35.0), "other"),
+    ] {
+        let rules = Rules {
+            width: 0.005,
+            materials,
+            groups,
+            ..Rules::default()
+        };
+        let answer = safety(&scene, "default", &rules).unwrap();
+        agrees(&answer, wanted, rules.width);
+        let names: Vec<&str> = answer.moving.iter().map(|m| m.0.as_str()).collect();
+        assert_eq!(names, [moving], "{rules:?}");
+    }
+    let rules = |materials: &str, groups: &str, interfaces: &str| Rules {
+        materials: list(materials),
+        groups: list(groups),
+        interfaces: list(interfaces),
+        ..Rules::default()
+    };
+    for (rules, told) in [
+        (
+            rules("chalk", "firm", "default"),
+            "no material is called `chalk`; there are: rock, shale",
+        ),
+        (
+            rules("rock", "firmer", "default"),
+            "no group is called `firmer`; there are: ",
+        ),
+        // The stone of the group has no joint with shale.
+        (
+            rules("shale", "firm", "bedding"),
+            "none of the chosen interfaces has a strength",
+        ),
+    ] {
+        let wrong = safety(&scene, "default", &rules).unwrap_err().to_string();
+        assert!(wrong.contains(told), "{wrong}");
+    }
+}
+
 #[test]
 fn what_cannot_be_reduced_is_told() {
     let smooth = STONE.replace("friction_angle = \"40 deg\"", "friction_angle = \"0 deg\"");

@@ -48,6 +48,8 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
     let rules = Rules {
         width,
         interfaces: args.interfaces.clone(),
+        materials: args.materials.clone(),
+        groups: args.groups.clone(),
         moved: (args.moved.as_deref())
             .map(|text| quantity(text, Dim::LENGTH, "length", "--moved '5 mm'"))
             .transpose()?,
@@ -176,7 +178,7 @@ impl From<SafetyError> for Failure {
             SafetyError::Stopped => Failure::Interrupted("no answer yet".to_owned()),
             SafetyError::Build(_)
             | SafetyError::Exec(_)
-            | SafetyError::Interface { .. }
+            | SafetyError::Unknown { .. }
             | SafetyError::NoStrength(_)
             | SafetyError::Range(_)
             | SafetyError::NotANumber => Failure::Input(error.to_string()),

@@ -66,6 +66,8 @@ def safety(
     between: "tuple[str | float, str | float] | None" = None,
     width: "str | float | None" = None,
     interfaces: "list[str] | None" = None,
+    materials: "list[str] | None" = None,
+    groups: "list[str] | None" = None,
     moved: "str | float | None" = None,
     balance: float = 1e-5,
     steps: int = 100_000,
@@ -86,6 +88,8 @@ def safety(
         between: values of the key between which the limit lies, ``("1 m", "1.2 m")``; either may be the one that stands.
         width: width of the answer, of a quantity with its unit; by default 0.01, or a hundredth of the range.
         interfaces: those whose strength is reduced; by default all.
+        materials: only strengths between a block of one of these and any other are reduced; by default all.
+        groups: the same for groups of blocks.
         moved: displacement from which on a trial may count as failing, m or with its unit; by default a thousandth of a block.
         balance: unbalanced forces over all forces at which a trial is stable.
         steps: steps after which a trial is undecided.
@@ -100,8 +104,8 @@ def safety(
     """
     if (quantity is None) != (between is None):
         raise ValueError("quantity and between go together")
-    if quantity is not None and (interfaces or from_start):
-        raise ValueError("interfaces and from_start are for the factor of safety, not for a quantity")
+    if quantity is not None and (interfaces or materials or groups or from_start):
+        raise ValueError("interfaces, materials, groups and from_start are for the factor of safety, not for a quantity")
     what = scenario(source)
     folder = Path(out) if out is not None else default_folder(what, "safety")
 
@@ -112,6 +116,8 @@ def safety(
     options = {
         "width": None if width is None else str(width),
         "interfaces": list(interfaces or []),
+        "materials": list(materials or []),
+        "groups": list(groups or []),
         "moved": moved if moved is None or isinstance(moved, str) else f"{moved} m",
         "balance": balance,
         "steps": steps,

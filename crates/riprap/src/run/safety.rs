@@ -20,6 +20,7 @@
 #[cfg(feature = "scenario")]
 mod quantity;
 mod record;
+mod scope;
 mod trial;
 mod verdict;
 
@@ -39,6 +40,7 @@ pub use super::bracket::State;
 pub(in crate::run) use quantity::with_value;
 #[cfg(feature = "scenario")]
 pub use quantity::{Quantity, RangeError, over_quantity};
+use scope::{Scope, scope};
 use trial::{Done, Made, Maker};
 pub use trial::{reduced_from_start, trial_phase};
 pub use verdict::Mechanism;
@@ -59,6 +61,10 @@ pub struct Rules {
     pub width: f64,
     /// Interfaces whose strength is reduced, by name; empty: all.
     pub interfaces: Vec<String>,
+    /// Materials: only strengths between a block of one of these and any other are reduced; empty: all.
+    pub materials: Vec<String>,
+    /// Groups of blocks: only strengths between a block of one of these and any other are reduced; empty: all.
+    pub groups: Vec<String>,
     /// Displacement in a trial from which on it may count as failing, m; `None`: a thousandth of the size of the middle one of the blocks.
     pub moved: Option<f64>,
     /// Ratio of unbalanced forces at which a trial is stable.
@@ -74,6 +80,8 @@ impl Default for Rules {
         Self {
             width: 0.01,
             interfaces: Vec::new(),
+            materials: Vec::new(),
+            groups: Vec::new(),
             moved: None,
             balance: 1e-5,
             steps: 100_000,
@@ -142,9 +150,11 @@ pub enum SafetyError {
     /// No threads.
     #[error(transparent)]
     Exec(#[from] ExecError),
-    /// An unknown interface.
-    #[error("no interface is called `{name}`; there are: {known}")]
-    Interface {
+    /// The name of nothing.
+    #[error("no {what} is called `{name}`; there are: {known}")]
+    Unknown {
+        /// An interface, a material or a group.
+        what: &'static str,
         /// What was asked for.
         name: String,
         /// What there is.
@@ -233,7 +243,7 @@ pub fn search(
 ) -> Result<Answer, SafetyError> {
     sound(rules)?;
     let search = Search::from_one(MOST, rules.width).map_err(|_| SafetyError::NotANumber)?;
-    let rows = rows(setup, rules)?;
+    let Scope { setup, plan, rows } = scope(setup, plan, rules)?;
     let maker = Maker {
         rules,
         rows: &rows,
@@ -248,12 +258,12 @@ pub fn search(
             },
         )) = task.from
         {
-            return maker.weaker(state, plan, factor / from, factor, threads, task.useless);
+            return maker.weaker(state, &plan, factor / from, factor, threads, task.useless);
         }
         let plan = if factor == 1.0 {
             plan.clone()
         } else {
-            reduced_from_start(plan, &rows, factor)
+            reduced_from_start(&plan, &rows, factor)
         };
         let model = (setup.clone(), plan);
         maker.anew(model, factor, factor != 1.0, threads, task.useless)
@@ -309,60 +319,12 @@ fn answer(
     })
 }
 
-/// Rows of the interface table whose strength is reduced.
-fn rows(setup: &Setup, rules: &Rules) -> Result<Vec<u16>, SafetyError> {
-    // Name and whether it has a strength.
-    let table: Vec<(&str, bool)> = match setup {
-        Setup::Planar(setup) => {
-            let all = setup.interfaces.iter();
-            all.map(|i| {
-                (
-                    i.name.as_str(),
-                    i.contact.has_strength() || i.bond.is_some(),
-                )
-            })
-            .collect()
-        }
-        Setup::Spatial(setup) => {
-            let all = setup.interfaces.iter();
-            all.map(|i| {
-                let bond =
-                    (i.bond.as_ref()).is_some_and(|b| b.strength.is_some() || b.cohesive.is_some());
-                (i.name.as_str(), i.joint.strength.is_some() || bond)
-            })
-            .collect()
-        }
-    };
-    for name in &rules.interfaces {
-        if !table.iter().any(|(known, _)| known == name) {
-            let known: Vec<&str> = table.iter().map(|(known, _)| *known).collect();
-            return Err(SafetyError::Interface {
-                name: name.clone(),
-                known: known.join(", "),
-            });
-        }
-    }
-    let chosen =
-        |name: &str| rules.interfaces.is_empty() || rules.interfaces.iter().any(|n| n == name);
-    let picked: Vec<usize> = (0..table.len())
-        .filter(|row| chosen(table[*row].0))
-        .collect();
-    if !picked.iter().any(|row| table[*row].1) {
-        let names: Vec<&str> = picked.iter().map(|row| table[*row].0).collect();
-        return Err(SafetyError::NoStrength(names.join(", ")));
-    }
-    Ok(picked
-        .iter()
-        .filter_map(|row| u16::try_from(*row).ok())
-        .collect())
-}
-
 /// The job of a run that shows the mechanism, of the model `job` is of: that of the scene, or for a quantity that of the value at which it
 /// fails. It has the phases of the scene and one of as many steps as the trial that fails nearest to the limit had, with about `frames`
 /// frames; `None` where nothing failed.
 ///
 /// # Errors
-/// As [`search`] for the names of interfaces.
+/// As [`search`] for the names of interfaces, materials and groups.
 pub fn mechanism_job(
     mut job: Job,
     rules: &Rules,
@@ -376,7 +338,8 @@ pub fn mechanism_job(
     let steps = trial.steps.max(1);
     let (mut rows_of, mut factor) = (Vec::new(), 1.0);
     if answer.quantity.is_none() {
-        rows_of = rows(&job.setup, rules)?;
+        let Scope { setup, plan, rows } = scope(&job.setup, &job.plan, rules)?;
+        (job.setup, job.plan, rows_of) = (setup, plan, rows);
         // Below 1 the scene needs its greater strength from the start, or it has failed before.
         if (rules.from_start && trial.value != 1.0) || trial.value < 1.0 {
             job.plan = reduced_from_start(&job.plan, &rows_of, trial.value);
