@@ -31,6 +31,8 @@ interface Table {
   /** Lowest and highest coordinates of where it acts. */
   within?: [number[], number[]];
   parts?: Table[];
+  /** Water seeps through joints from it. */
+  seeps?: boolean;
 }
 
 type Triple = [number, number, number];

@@ -276,11 +276,13 @@ export class Panel {
     const hint = missing ? [el("p.hint", {}, "Of arrows and contacts this report has what it had room for; riprap view shows all.")] : [];
     const stress = this.runs.some((r) => r.hasStress);
     if (vectors.length === 0 && !contacts && !stress) return hint;
+    const seeps = this.runs.some((r) => r.conditions?.water.some((table) => table.seeps));
+    const ofContacts = contacts ? ["contact force", ...(seeps ? ["seepage flow"] : [])] : [];
     const rows: HTMLElement[] = [
       row(
         "Arrows",
         choice(
-          [["", "none"], ...vectors.map((k): [string, string] => [k, k]), ...(contacts ? [["contact force", "contact force"] as [string, string]] : [])],
+          [["", "none"], ...[...vectors, ...ofContacts].map((k): [string, string] => [k, k])],
           now.vectors,
           (v) => choices.set({ vectors: v as Settings["vectors"] }),
           "vectors",

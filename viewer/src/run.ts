@@ -120,6 +120,9 @@ export interface ContactInfo {
   fields: Field[];
   forceUnit: string | null;
   longest: number | null;
+  flowUnit: string | null;
+  /** The largest flow. */
+  fastest: number | null;
   /** Area (in the plane: length) in each state. */
   areas: number[];
   areaUnit: string;

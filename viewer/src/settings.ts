@@ -32,7 +32,7 @@ export interface Settings {
   clipDirection: number;
   /** Only blocks whose value is in the range. */
   only: boolean;
-  vectors: "" | "displacement" | "velocity" | "force" | "contact force";
+  vectors: "" | "displacement" | "velocity" | "force" | "contact force" | "seepage flow";
   vectorSize: number;
   /** Principal stresses of the blocks as crosses. */
   stress: boolean;

@@ -154,8 +154,9 @@ export class View {
   private async fetch(k: number, settings: Settings): Promise<Fetched> {
     const { field, vectors, rangeMode } = settings;
     const { held } = this.run.summary;
-    const needContacts = (settings.contacts || settings.cracks || vectors === "contact force") && (!held || held.contacts);
-    const needVectors = vectors !== "" && vectors !== "contact force" && this.run.hasField(vectors) && (!held || held.vectors.includes(vectors));
+    const ofContacts = vectors === "contact force" || vectors === "seepage flow";
+    const needContacts = (settings.contacts || settings.cracks || ofContacts) && (!held || held.contacts);
+    const needVectors = vectors !== "" && !ofContacts && this.run.hasField(vectors) && (!held || held.vectors.includes(vectors));
     const none = Promise.resolve(null);
     const withField = field !== "" && this.run.hasField(field);
     const needCracks = settings.cracks && this.run.summary.cracks;
@@ -371,14 +372,16 @@ export class View {
     const arrows = this.flat ? this.arrows.plane : this.arrows.space;
     const place = new THREE.Vector3();
     const length = 0.08 * this.modelSize() * settings.vectorSize;
-    if (settings.vectors === "contact force" && last!.contacts?.has("forces")) {
+    const flows = settings.vectors === "seepage flow";
+    const name = flows ? "flows" : "forces";
+    if ((flows || settings.vectors === "contact force") && last!.contacts?.has(name)) {
       const contacts = last!.contacts;
-      const longest = contacts.info.longest ?? 0;
+      const longest = (flows ? contacts.info.fastest : contacts.info.longest) ?? 0;
       const places = this.contactPlaces(settings);
       for (let k = 0; k < places.length; k += 3) if (blocks!.isAway(place.fromArray(places, k))) places[k] = NaN;
-      if (longest > 0) arrows.draw(places, contacts.f32("forces"), longest, length);
+      if (longest > 0) arrows.draw(places, contacts.f32(name), longest, length);
       else arrows.clear();
-      this.arrow = { longest, unit: contacts.info.forceUnit ?? "" };
+      this.arrow = { longest, unit: (flows ? contacts.info.flowUnit : contacts.info.forceUnit) ?? "" };
     } else if (last!.vectors) {
       const places = new Float32Array(3 * blocks!.count);
       const vectors = last!.vectors.f32("values");

@@ -307,6 +307,17 @@ test("loads, water and joints of the plane can be shown", async ({ view }) => {
   await expect(legend).toContainText("default: 5 m");
 });
 
+test("water that seeps has arrows", async ({ view }) => {
+  const file = join(mkdtempSync(join(tmpdir(), "riprap-seeing-")), "seeping.toml");
+  writeFileSync(file, PLATES.replace("[[phases]]", '[water.river.seepage]\naperture = "1 mm"\n[[phases]]'));
+  const page = await view(file);
+  const plain = await settled(page);
+  await page.getByLabel("vectors").selectOption("seepage flow");
+  await expect(page.locator(".legend")).toContainText(/longest seepage flow .*m2\/s/);
+  expect(await settled(page)).not.toBe(plain);
+  await shoot(page, "seepage");
+});
+
 test("a line between two places has a length and the field along it", async ({ view }) => {
   const file = join(mkdtempSync(join(tmpdir(), "riprap-seeing-")), "plates.toml");
   writeFileSync(file, PLATES);

@@ -12,7 +12,10 @@ import { settled, stage, test } from "./serve";
 const TEMPLATES: [string, string][] = [
   ["slope", "block"],
   ["wet_slope", "block"],
+  ["wet_block", "block"],
+  ["dam", "block"],
   ["tunnel", "block"],
+  ["bolted_tunnel", "block"],
   ["rockfall", "material"],
   ["blast", ""],
   ["shaken_wall", "material"],

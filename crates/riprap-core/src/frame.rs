@@ -8,6 +8,9 @@ pub mod conditions;
 pub mod fragments;
 pub mod stress;
 
+/// Column of contacts: flow of water through the joint at each, a vector along it.
+pub const SEEPAGE_FLOW: &str = "seepage_flow";
+
 /// Numbers on blocks or contacts, one to three for each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {

@@ -7,7 +7,7 @@ use super::fields::unit_of_slice;
 use super::view::View;
 use super::world::Contact;
 use crate::field::Site;
-use crate::frame::{Column, Frame, stress};
+use crate::frame::{Column, Frame, SEEPAGE_FLOW, stress};
 
 /// Joints beyond which a frame holds only those of which a point has failed.
 pub const MANY_JOINTS: usize = 200_000;
@@ -82,6 +82,10 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
                 .map(|r| slice * world.seepage_between(between(r)));
             let unit = told(view, "m2/s");
             let column = Column::scalar("seepage_rate", unit, rates.collect());
+            frame.contact_columns.push(column);
+            let flow = |r: &Row| slice * world.seepage_flow(between(r), r.place);
+            let flows: Vec<[f64; 2]> = rows.iter().map(|r| flow(r).into()).collect();
+            let column = Column::vector(SEEPAGE_FLOW, unit, &flows);
             frame.contact_columns.push(column);
         }
     }

@@ -80,16 +80,31 @@ impl World {
             return self.pore_pressure(at);
         };
         let weight = table.density * -self.gravity.y;
+        self.nearest_conduit(pair, at).map_or(0.0, |(k, _, s)| {
+            let [p, q] = found.ends[k].map(|p| weight * p);
+            (p + s * (q - p)).max(0.0)
+        })
+    }
+
+    /// Flow (m²/s, for each metre of thickness) through the conduit between two blocks that is nearest to a place (local, m), along it.
+    #[must_use]
+    pub fn seepage_flow(&self, pair: (u32, u32), at: Vec2) -> Vec2 {
+        let nearest = self.nearest_conduit(pair, at);
+        nearest.map_or(Vec2::ZERO, |(k, along, _)| {
+            self.seepage_rate(k) * along.normalize_or_zero()
+        })
+    }
+
+    /// The conduit between two blocks that is nearest to a place (local, m), the way from its first to its second node (m), and how far along it that is.
+    fn nearest_conduit(&self, pair: (u32, u32), at: Vec2) -> Option<(usize, Vec2, f64)> {
         let place = |(k, c): (usize, &Conduit)| {
             let [a, b] = c.on[0].map(|arm| self.on_body(c.blocks[0], arm));
             let along = b - a;
             let s = ((at - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            let [p, q] = found.ends[k].map(|p| weight * p);
-            ((a + s * along).distance(at), (p + s * (q - p)).max(0.0))
+            ((a + s * along).distance(at), (k, along, s))
         };
         let all = self.conduits(pair).map(place);
-        all.min_by(|a, b| a.0.total_cmp(&b.0))
-            .map_or(0.0, |(_, p)| p)
+        all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|near| near.1)
     }
 
     /// Largest rate of the conduits between two blocks, m²/s for each metre of thickness.

@@ -1,4 +1,4 @@
-//! Arrows on blocks: displacement or velocity.
+//! Arrows: displacement or velocity of blocks, flow through joints.
 
 use super::section::{Vectors, middle};
 use super::svg::Page;
@@ -14,8 +14,26 @@ const CELL: f64 = 11.0;
 /// Shorter arrows are not drawn, pixels.
 const SHORTEST: f64 = 3.0;
 
-fn column(frame: &Frame, vectors: Vectors) -> Option<&Column> {
-    frame.column(vectors.column()).filter(|c| c.components >= 2)
+/// The vectors of a frame.
+pub(super) fn column(frame: &Frame, vectors: Vectors) -> Option<&Column> {
+    let name = vectors.column();
+    let mut of_joints = frame.contact_columns.iter();
+    let column = match vectors {
+        Vectors::Displacement | Vectors::Velocity => frame.column(name),
+        Vectors::Flow => of_joints.find(|c| c.name == name),
+    };
+    column.filter(|c| c.components >= 2)
+}
+
+/// Where arrow `i` begins: in the middle of its block, or at its joint.
+fn place(frame: &Frame, vectors: Vectors, i: usize) -> [f64; 2] {
+    match vectors {
+        Vectors::Displacement | Vectors::Velocity => middle(frame.outline(i)),
+        Vectors::Flow => {
+            let [x, y, _] = frame.contact_points[i];
+            [x, y]
+        }
+    }
 }
 
 /// Lengths in the picture plane of the vectors of all frames.
@@ -36,7 +54,7 @@ pub(super) fn beyond(frames: &[Frame], vectors: Vectors, longest: f64) -> usize 
     all.iter().filter(|v| **v > 1.001 * longest).count()
 }
 
-/// Draws arrows from the middles of the blocks; vectors of the length `longest` and above are equally long everywhere.
+/// Draws arrows from the middles of blocks or joints; vectors of the length `longest` and above are equally long everywhere.
 pub(super) fn draw(
     page: &mut Page,
     frame: &Frame,
@@ -54,7 +72,7 @@ pub(super) fn draw(
     for (i, v) in column.data.chunks(column.components).enumerate() {
         let size = v[0].hypot(v[1]).max(longest);
         let (dx, dy) = (v[0] * reach / size, -v[1] * reach / size);
-        let [x, y] = pixel(middle(frame.outline(i)));
+        let [x, y] = pixel(place(frame, vectors, i));
         let length = dx.hypot(dy);
         let cell = [x, y].map(|v| (v / CELL).floor() as i64);
         if length.is_finite() && length >= SHORTEST && taken.insert(cell) {

@@ -231,6 +231,17 @@ pub(super) fn draw(
             what: "no frames were chosen".to_owned(),
         });
     };
+    let flows = options.vectors == Some(Vectors::Flow);
+    if flows
+        && !frames
+            .iter()
+            .any(|f| arrows::column(f, Vectors::Flow).is_some())
+    {
+        return Err(PlotError::NothingToDraw {
+            what: "no water seeps through joints in these frames; `water.*.seepage` of a scene lets it"
+                .to_owned(),
+        });
+    }
     if options.isolines > 0 && words.kinds.is_some() {
         return Err(PlotError::Unsuitable {
             picture: "a picture with lines of equal value",
@@ -351,7 +362,8 @@ fn notes(frames: &[Frame], options: BlockOptions) -> String {
     }
     if let Some(vectors) = options.vectors {
         let longest = arrows::longest(frames, Some(vectors));
-        let (name, unit) = (vectors.column(), vectors.unit());
+        let mut columns = frames.iter().filter_map(|f| arrows::column(f, vectors));
+        let (name, unit) = (vectors.column(), columns.next().map_or("", |c| &c.unit));
         let also = match arrows::beyond(frames, vectors, longest) {
             0 => String::new(),
             more => format!(" or more ({more})"),

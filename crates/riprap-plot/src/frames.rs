@@ -1,7 +1,7 @@
 //! Pictures of frames: block outlines in the plane, cuts through solids in space.
 
 use super::blocks::{self, BlockOptions, Chosen, Words};
-use super::section::{self, middle};
+use super::section::{self, Vectors, middle};
 use super::{PlotError, suffix, write};
 use riprap_record::field::number;
 use riprap_record::field::with_unit;
@@ -104,7 +104,8 @@ pub(super) fn drawn(
             Ok(blocks::choose(f, field)?)
         })
         .collect::<Result<Vec<_>, PlotError>>()?;
-    if let Some(vectors) = options.vectors {
+    // Flows are no field of blocks.
+    if let Some(vectors) = options.vectors.filter(|v| *v != Vectors::Flow) {
         for frame in &loaded {
             blocks::choose(frame, vectors.column())?;
         }

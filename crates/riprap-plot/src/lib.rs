@@ -8,6 +8,7 @@
     reason = "pictures only: no result depends on the functions of the platform here"
 )]
 
+mod along;
 mod arrows;
 mod blocks;
 mod bolts;
@@ -33,6 +34,7 @@ mod surface;
 mod svg;
 mod ticks;
 
+pub use along::{Along, along};
 pub use blocks::BlockOptions;
 pub use colour::ColourMap;
 pub use compare::{Labels, Line, compare};

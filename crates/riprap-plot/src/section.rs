@@ -9,7 +9,7 @@ use super::frames::{Which, drawn, load_frames};
 use super::solid::{self, Body};
 use super::{PlotError, blocks::short};
 use riprap_geom::Vec3;
-use riprap_record::frame::{Column, Frame, Surfaces, stress};
+use riprap_record::frame::{Column, Frame, SEEPAGE_FLOW, Surfaces, stress};
 use riprap_record::manifest::Manifest;
 use std::path::{Path, PathBuf};
 
@@ -52,13 +52,15 @@ impl Normal {
     }
 }
 
-/// What arrows on blocks show.
+/// What arrows show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Vectors {
     /// Displacement.
     Displacement,
     /// Velocity.
     Velocity,
+    /// Flow of water through joints, at their middles.
+    Flow,
 }
 
 impl Vectors {
@@ -67,13 +69,7 @@ impl Vectors {
         match self {
             Vectors::Displacement => "displacement",
             Vectors::Velocity => "velocity",
-        }
-    }
-
-    pub(super) fn unit(self) -> &'static str {
-        match self {
-            Vectors::Displacement => "m",
-            Vectors::Velocity => "m/s",
+            Vectors::Flow => SEEPAGE_FLOW,
         }
     }
 }
@@ -237,6 +233,7 @@ fn sliced(
             bars
         });
     out.cracks = (factor == 1.0).then(|| traces(frame, normal, at));
+    flows(frame, normal, at, &mut out);
     for name in ["block", "displacement", "velocity"] {
         if let Some(column) = frame.column(name) {
             out.block_columns.push(picked(column, &kept, [h, v]));
@@ -285,6 +282,20 @@ fn traces(frame: &Frame, normal: Normal, at: f64) -> Surfaces {
         }
     }
     out
+}
+
+/// Flows through the joints that the plane meets, in the axes of the picture. A joint counts as a square of its area.
+fn flows(frame: &Frame, normal: Normal, at: f64, out: &mut Frame) {
+    let column = |name: &str| frame.contact_columns.iter().find(|c| c.name == name);
+    let (Some(flow), Some(area)) = (column(SEEPAGE_FLOW), column("area")) else {
+        return;
+    };
+    let ([h, v], k) = (normal.across(), normal.index());
+    let met = |i: &usize| (frame.contact_points[*i][k] - at).abs() <= 0.5 * area.data[*i].sqrt();
+    let met: Vec<usize> = (0..frame.contact_points.len()).filter(met).collect();
+    out.contact_columns.push(picked(flow, &met, [h, v]));
+    let places = met.iter().map(|i| frame.contact_points[*i]);
+    out.contact_points = places.map(|p| [p[h], p[v], 0.0]).collect();
 }
 
 /// A column of the blocks of the cut; of vectors the two parts in its plane.

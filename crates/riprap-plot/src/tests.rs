@@ -272,6 +272,31 @@ fn a_time_outside_the_run_is_an_error() {
 }
 
 #[test]
+fn arrows_of_flow_begin_at_joints() {
+    let mut frame = Frame {
+        points: [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]]
+            .map(|[x, y]| [x, y, 0.0])
+            .to_vec(),
+        offsets: vec![0, 4],
+        contact_points: vec![[1.0, 1.0, 0.0], [3.0, 1.0, 0.0]],
+        ..Frame::default()
+    };
+    let flows = [[0.0, 2e-6], [1e-6, 0.0]];
+    let column = riprap_record::frame::Column::vector("seepage_flow", "m2/s", &flows);
+    frame.contact_columns = vec![column];
+    let longest = arrows::longest(std::slice::from_ref(&frame), Some(Vectors::Flow));
+    assert_eq!(longest, 2e-6);
+    let mut page = Page::new(400.0, 200.0);
+    let pixel = |p: [f64; 2]| [100.0 * p[0], 200.0 - 100.0 * p[1]];
+    let size = [400.0, 200.0];
+    arrows::draw(&mut page, &frame, Vectors::Flow, longest, &pixel, size);
+    let svg = page.svg();
+    assert_eq!(svg.matches("<polygon").count(), 2);
+    // Upwards from the first joint.
+    assert!(svg.contains("x1=\"100.00\" y1=\"100.00\" x2=\"100.00\""), "{svg}");
+}
+
+#[test]
 fn one_block_that_flies_off_does_not_shorten_the_other_arrows() {
     let mut frame = Frame {
         offsets: vec![0],

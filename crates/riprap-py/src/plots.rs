@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::plot as drawn;
-use riprap::plot::{BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which};
+use riprap::plot::{
+    Along, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
+};
 
 use crate::errors;
 
@@ -26,6 +28,7 @@ pub struct Options {
     exaggerate: Option<f64>,
     normal: String,
     at: Option<f64>,
+    line: Option<[Vec<f64>; 2]>,
     surface: bool,
     uplift: Option<f64>,
     source: Option<String>,
@@ -48,6 +51,7 @@ pub fn plot(
         "energy",
         "blocks",
         "section",
+        "line",
         "ppv",
         "crater",
         "heave",
@@ -89,8 +93,13 @@ impl Options {
             None => None,
             Some("displacement") => Some(Vectors::Displacement),
             Some("velocity") => Some(Vectors::Velocity),
+            Some("flow") => Some(Vectors::Flow),
             Some(other) => {
-                return Err(wrong("vectors", other, "\"displacement\" or \"velocity\""));
+                return Err(wrong(
+                    "vectors",
+                    other,
+                    "\"displacement\", \"velocity\" or \"flow\"",
+                ));
             }
         };
         let normal = match self.normal.as_str() {
@@ -131,6 +140,22 @@ impl Options {
             "energy" => drawn::energy(folder, out),
             "blocks" => drawn::strip(folder, &frames, &self.by, blocks, out),
             "section" => drawn::section(folder, &frames, &self.by, blocks, out),
+            "line" => {
+                let nowhere = || PlotError::NothingToDraw {
+                    what: "a line has two ends: line=((0, 3), (0, 12))".to_owned(),
+                };
+                let [from, to] = self.line.as_ref().ok_or_else(nowhere)?;
+                let place = |list: &[f64]| match *list {
+                    [x, y] => Ok([x, y, 0.0]),
+                    [x, y, z] => Ok([x, y, z]),
+                    _ => Err(nowhere()),
+                };
+                let line = Along {
+                    from: place(from)?,
+                    to: place(to)?,
+                };
+                drawn::along(folder, &frames, &self.by, line, out)
+            }
             "ppv" => drawn::ppv(folder, frames[0], self.surface, out),
             "crater" => {
                 let options = CraterOptions {

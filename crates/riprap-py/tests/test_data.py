@@ -135,6 +135,10 @@ def test_pictures(slide, blast, tmp_path):
     assert slide.plot("energy", out=tmp_path / "e.png")._repr_png_().startswith(b"\x89PNG")
     assert slide.plot("blocks", by="velocity.x", times=[0.0, 0.5]).file(".csv")
     assert blast.plot("section", by="velocity", at="0.1 m", vectors="velocity", stress=True).file(".svg")
+    line = blast.plot("line", by="velocity", line=((0.1, 0.1, "-1 m"), (4.0, 0.1, -1.0))).file(".csv")
+    assert line.name == "line_velocity_data.csv" and line.read_text().startswith('"distance, t')
+    with pytest.raises(riprap.PlotError, match="meets no block"):
+        blast.plot("line", line=((0, 0, 50), (1, 0, 50)))
     assert blast.plot("cavity").file(".svg")
     with pytest.raises(riprap.PlotError, match="velocity"):
         slide.plot("blocks", by="velocty")

@@ -1,5 +1,6 @@
 //! What is between the blocks: places, forces and states of contacts, patches, facets and joints; cracks as surfaces.
 
+use riprap_record::frame::SEEPAGE_FLOW;
 use riprap_record::{Column, Part};
 use serde_json::{Value, json};
 
@@ -83,11 +84,19 @@ pub fn wire(touches: &Touches) -> Vec<u8> {
     if let Some(force) = force {
         out = out.f32("forces", &flat3(force));
     }
-    let longest = force.and_then(|f| extremes(&f.numbers(Part::Magnitude)));
+    let flow = columns.iter().find(|c| c.name == SEEPAGE_FLOW);
+    if let Some(flow) = flow {
+        out = out.f32("flows", &flat3(flow));
+    }
+    let longest = |column: Option<&Column>| {
+        column.and_then(|c| Some(extremes(&c.numbers(Part::Magnitude))?[1]))
+    };
     out.finish(&json!({
         "fields": columns.iter().map(described).collect::<Vec<Value>>(),
         "forceUnit": force.map(|f| &f.unit),
-        "longest": longest.map(|r| r[1]),
+        "longest": longest(force),
+        "flowUnit": flow.map(|f| &f.unit),
+        "fastest": longest(flow),
         "areas": sums,
         "areaUnit": if has_area { "m2" } else { "m" },
     }))

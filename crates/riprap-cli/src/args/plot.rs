@@ -14,6 +14,7 @@ Pictures:
   energy             the energy ledger over time
   blocks             blocks coloured by a field; of a run in space a section
   section            cut through a run in space
+  line               a field along a line through the rock as it was before it moved, --from and --to
   ppv                peak particle velocity against scaled distance, with the site law
   crater             uplift of the surface around a charge, radius of the crater
   heave              profiles of the surface over a charge
@@ -37,6 +38,7 @@ Examples:
   riprap plot hill.run blocks --window '2 m' '0 m' '6 m' '3 m'
   riprap plot blast.run section --normal z --at '-0.5 m' --by peak_speed --log
   riprap plot blast.run section --time '5 ms' --time '20 ms' --exaggerate 20
+  riprap plot tunnel.run line --by displacement.y --from '0 m, 3 m' --to '0 m, 12 m' --time '1 s' --time '2 s'
   riprap plot blast.run ppv --surface
   riprap plot blast.run crater --time '20 ms' --uplift '40 mm'
   riprap plot blast.run heave --time '5 ms' --time '10 ms' --time '20 ms'
@@ -72,13 +74,13 @@ pub struct Plot {
         default_value = "displacement"
     )]
     pub by: String,
-    /// Time of the frame that is drawn; repeatable for blocks, sections and heave [default: the last]
+    /// Time of the frame that is drawn; repeatable for blocks, sections, lines and heave [default: the last]
     #[arg(long, value_name = "TIME")]
     pub time: Vec<String>,
     /// Colours over powers of ten
     #[arg(long)]
     pub log: bool,
-    /// Arrows on the blocks
+    /// Arrows on the blocks, or of the flow through joints
     #[arg(long, value_enum, value_name = "VECTOR")]
     pub vectors: Option<Arrows>,
     /// Principal stresses of the blocks as crosses
@@ -102,6 +104,12 @@ pub struct Plot {
     /// Where the section lies along its normal [default: through the first source, or the middle]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub at: Option<String>,
+    /// Where a line begins: x, y and in space z, with commas between
+    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "to")]
+    pub from: Option<String>,
+    /// Where it ends
+    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "from")]
+    pub to: Option<String>,
     /// Projection of the stereonet
     #[arg(long, value_enum, value_name = "PROJECTION", default_value_t = Net::EqualArea)]
     pub projection: Net,
@@ -121,6 +129,8 @@ pub struct Plot {
 pub enum Arrows {
     Displacement,
     Velocity,
+    /// Water that seeps
+    Flow,
 }
 
 /// How a hemisphere is laid flat.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use riprap::plot::{
-    self, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
+    self, Along, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
 };
 use riprap::scenario::units::{self, Dim};
 
@@ -17,7 +17,7 @@ use crate::screen;
 /// Pictures of blasts that are part of everything, as far as the run has what they need.
 const OF_BLASTS: [&str; 4] = ["ppv", "crater", "heave", "cavity"];
 /// Pictures of numbers that are not histories, and of blocks.
-const OF_BLOCKS: [&str; 4] = ["energy", "blocks", "section", "spectrum"];
+const OF_BLOCKS: [&str; 5] = ["energy", "blocks", "section", "line", "spectrum"];
 /// Pictures of any run that are part of everything where they show something.
 const OF_ANY: [&str; 3] = ["stereonet", "rose", "fragments"];
 
@@ -73,7 +73,7 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
         }
         (Some(what), Some(history)) => {
             let other = match what {
-                "blocks" | "section" => format!("a field is named with --by {history}"),
+                "blocks" | "section" | "line" => format!("a field is named with --by {history}"),
                 _ => "only spectrum does".to_owned(),
             };
             return Err(Failure::Input(format!(
@@ -133,12 +133,37 @@ fn window(given: Option<&[String]>) -> Result<Option<[f64; 4]>, Failure> {
     ))
 }
 
+/// A line, m.
+fn line(args: &Plot) -> Result<Option<Along>, Failure> {
+    let (Some(from), Some(to)) = (&args.from, &args.to) else {
+        return Ok(None);
+    };
+    let place = |text: &str| {
+        let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+        if !(2..=3).contains(&parts.len()) {
+            return Err(Failure::Input(format!(
+                "{text:?} is no place; write x, y and in space z: --from '0 m, 3 m'"
+            )));
+        }
+        let mut at = [0.0; 3];
+        for (x, part) in at.iter_mut().zip(parts) {
+            *x = quantity(part, Dim::LENGTH, "length", "--from '0 m, 3 m'")?;
+        }
+        Ok(at)
+    };
+    Ok(Some(Along {
+        from: place(from)?,
+        to: place(to)?,
+    }))
+}
+
 /// The arguments, read.
 struct Asked<'a> {
     args: &'a Plot,
     frames: Vec<Which>,
     options: BlockOptions,
     uplift: Option<f64>,
+    line: Option<Along>,
 }
 
 impl<'a> Asked<'a> {
@@ -165,6 +190,7 @@ impl<'a> Asked<'a> {
             vectors: args.vectors.map(|v| match v {
                 Arrows::Displacement => Vectors::Displacement,
                 Arrows::Velocity => Vectors::Velocity,
+                Arrows::Flow => Vectors::Flow,
             }),
             stress: args.stress,
             cracks: args.cracks,
@@ -183,6 +209,7 @@ impl<'a> Asked<'a> {
             frames,
             options,
             uplift: length(&args.uplift, "--uplift '40 mm'")?,
+            line: line(args)?,
         })
     }
 
@@ -219,6 +246,10 @@ impl<'a> Asked<'a> {
         if ["ppv", "crater", "stereonet", "rose"].contains(&what) {
             self.frame(what)?;
         }
+        if what == "line" && self.line.is_none() {
+            let text = "a line from where to where? write for example riprap plot RUN line --from '0 m, 3 m' --to '0 m, 12 m'";
+            return Err(Failure::Input(text.to_owned()));
+        }
         Ok(self.drawn(what)?)
     }
 
@@ -243,6 +274,13 @@ impl<'a> Asked<'a> {
                 let out = self.out(&format!("section_{by}"));
                 plot::section(folder, frames, by, self.options, &out)
             }
+            "line" => match self.line {
+                Some(line) => {
+                    let out = self.out(&format!("line_{by}"));
+                    plot::along(folder, frames, by, line, &out)
+                }
+                None => Ok(Vec::new()),
+            },
             "ppv" => plot::ppv(folder, frames[0], self.args.surface, &self.out(what)),
             "crater" => {
                 let options = CraterOptions {

@@ -121,6 +121,9 @@ pub struct Table {
     /// The tables of which it is made.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<Table>,
+    /// Whether water seeps through joints from it, so that frames have the flow.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub seeps: bool,
 }
 
 impl Table {
@@ -155,6 +158,7 @@ impl Table {
                 .iter()
                 .map(|part| Self::of(part, origin, is_flat))
                 .collect(),
+            seeps: table.seepage.is_some(),
         }
     }
 }

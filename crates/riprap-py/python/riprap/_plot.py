@@ -49,6 +49,7 @@ def plot(
     exaggerate: float | None = None,
     normal: str = "y",
     at: "str | float | None" = None,
+    line: "tuple[tuple[str | float, ...], tuple[str | float, ...]] | None" = None,
     surface: bool = False,
     uplift: "str | float | None" = None,
     source: str | None = None,
@@ -59,14 +60,14 @@ def plot(
 
     Args:
         run: the run folder.
-        what: ``histories``, ``energy``, ``blocks``, ``section``, ``ppv``, ``crater``, ``heave``, ``cavity``,
+        what: ``histories``, ``energy``, ``blocks``, ``section``, ``line``, ``ppv``, ``crater``, ``heave``, ``cavity``,
             ``spectrum``, ``stereonet``, ``rose``, ``fragments``.
         names: histories to draw (all by default); the one history of a spectrum.
         out: ``.svg``, ``.png``, or both without an ending; by default an SVG in ``plots/`` of the run.
         by: field that colours blocks, such as ``velocity.x``.
         times: model times of frames [s]; by default the last frame.
         log: logarithmic colours.
-        vectors: arrows of ``displacement`` or ``velocity`` on blocks.
+        vectors: arrows of ``displacement`` or ``velocity`` on blocks, or of ``flow`` through joints.
         stress: principal stresses of the blocks as crosses.
         cracks: faces that have broken, on sections.
         isolines: about so many lines of equal value over blocks, at round values.
@@ -74,6 +75,7 @@ def plot(
         exaggerate: factor on displacements.
         normal: axis across a section: ``x``, ``y`` or ``z``.
         at: place of a section along its normal, ``"2 m"`` or a number [m].
+        line: two places, with units or in m: the ``line`` along which a field is drawn, in the rock as it was before it moved.
         surface: only peak velocities on the surface (``ppv``).
         uplift: least uplift that counts as crater, ``"40 mm"`` or a number [m].
         source: name of the charge (``crater``, ``heave``).
@@ -84,7 +86,7 @@ def plot(
         PlotError: the run has not what the picture needs.
     """
     folder = run.path if isinstance(run, RunFolder) else Path(run)
-    parts = [what, *names[:1], *([by] if what in ("blocks", "section") else [])]
+    parts = [what, *names[:1], *([by] if what in ("blocks", "section", "line") else [])]
     name = "_".join(parts if against is None else [*parts, "against", against])
     target = Path(out) if out is not None else folder / "plots" / f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}.svg"
     listed = [] if times is None else [times] if isinstance(times, (int, float)) else list(times)
@@ -102,6 +104,7 @@ def plot(
         "exaggerate": exaggerate,
         "normal": normal,
         "at": _metres(at),
+        "line": None if line is None else [[_metres(x) for x in end] for end in line],
         "surface": surface,
         "uplift": _metres(uplift),
         "source": source,
