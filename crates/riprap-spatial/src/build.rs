@@ -51,6 +51,7 @@ impl World {
         let mut world = Self {
             gravity: setup.gravity,
             water: None,
+            seepage: None,
             time: 0.0,
             step: 0,
             last_dt: 0.0,

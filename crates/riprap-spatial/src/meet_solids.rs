@@ -44,11 +44,45 @@ pub fn meet_solids(
     tolerance: f64,
 ) -> (Vec<Overlap>, Vec<Face>) {
     let sides = sides(blocks, chosen, periodic, tolerance);
-    let mut order: Vec<usize> = (0..sides.len()).collect();
-    order.sort_by(|&a, &b| sides[a].min.x.total_cmp(&sides[b].min.x).then(a.cmp(&b)));
     let count = sides.iter().filter(|s| s.shift == Vec3::ZERO).count();
     let mut covered: Vec<Vec<face_overlap::Overlap>> = vec![Vec::new(); count];
     let mut overlaps = Vec::new();
+    each_touch(&sides, tolerance, |pair, shared| {
+        overlaps.push(joined(pair, &shared, reference));
+        let mut back = shared.clone();
+        back.centroid -= pair[1].shift;
+        covered[pair[0].face].push(shared);
+        covered[pair[1].face].push(back);
+    });
+    overlaps.sort_by_key(|o| o.blocks);
+    let originals = sides.iter().filter(|s| s.shift == Vec3::ZERO);
+    let free = originals.filter_map(|s| left(s, &covered[s.face], reference));
+    (overlaps, free.collect())
+}
+
+/// The shared polygons alone, in a model that is not periodic: blocks, and corners anticlockwise seen from the side of the second one (m).
+#[must_use]
+pub fn outlines(
+    blocks: &[BlockSpec],
+    chosen: &[u32],
+    tolerance: f64,
+) -> Vec<([u32; 2], Vec<Vec3>)> {
+    let sides = sides(blocks, chosen, [None; 3], tolerance);
+    let mut outlines = Vec::new();
+    each_touch(&sides, tolerance, |[a, b], shared| {
+        outlines.push(([a.block, b.block], shared.outline));
+    });
+    outlines
+}
+
+/// Calls `found` with all faces that touch and the polygon that they share.
+fn each_touch(
+    sides: &[Side],
+    tolerance: f64,
+    mut found: impl FnMut([&Side; 2], face_overlap::Overlap),
+) {
+    let mut order: Vec<usize> = (0..sides.len()).collect();
+    order.sort_by(|&a, &b| sides[a].min.x.total_cmp(&sides[b].min.x).then(a.cmp(&b)));
     let mut active: Vec<usize> = Vec::new();
     for b in order {
         active.retain(|&a| sides[a].max.x >= sides[b].min.x - tolerance);
@@ -59,19 +93,11 @@ pub fn meet_solids(
             let (first, second) = if key(a) < key(b) { (a, b) } else { (b, a) };
             let pair = [&sides[first], &sides[second]];
             if let Some(shared) = touch(pair, tolerance) {
-                covered[pair[0].face].push(shared.clone());
-                let mut back = shared.clone();
-                back.centroid -= pair[1].shift;
-                covered[pair[1].face].push(back);
-                overlaps.push(joined(pair, &shared, reference));
+                found(pair, shared);
             }
         }
         active.push(b);
     }
-    overlaps.sort_by_key(|o| o.blocks);
-    let originals = sides.iter().filter(|s| s.shift == Vec3::ZERO);
-    let free = originals.filter_map(|s| left(s, &covered[s.face], reference));
-    (overlaps, free.collect())
 }
 
 /// All faces, then the images of those at the lower end of a periodic axis.

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 
 use super::meet::{self, Cell, Free, Rectangle, Shared};
-use super::meet_solids::meet_solids;
+use super::meet_solids::{self, meet_solids};
 use super::setup::{Points, Shape};
 use super::state::face::Face;
 use super::state::world::World;
@@ -84,21 +84,58 @@ pub(super) fn touching(world: &World, chosen: &[u32], tolerance: f64) -> (Vec<Ov
     } else {
         chosen
     };
-    let is_brick = |b: &u32| matches!(blocks[*b as usize].shape, Shape::Brick { .. });
-    if !chosen.iter().all(is_brick) {
+    let Some(cells) = cells(world, chosen) else {
         return meet_solids(blocks, chosen, &world.reference, periodic, tolerance);
-    }
-    let cells: Vec<Cell> = chosen
-        .iter()
-        .map(|&block| Cell {
-            block,
-            centre: world.reference[block as usize],
-            half: world.solid_of(block as usize).half,
-        })
-        .collect();
+    };
     let (shared, free) = meet::meet(&cells, periodic, tolerance);
     let overlaps = shared.iter().map(|s| overlap(&cells, s)).collect();
     (overlaps, free.iter().map(|f| face(&cells, f)).collect())
+}
+
+/// Blocks that share a part of a face, and its corners, anticlockwise seen from the second one (m); not in periodic models.
+pub(super) fn outlines(
+    world: &World,
+    chosen: &[u32],
+    tolerance: f64,
+) -> Vec<([u32; 2], Vec<Vec3>)> {
+    let Some(cells) = cells(world, chosen) else {
+        return meet_solids::outlines(&world.setup.blocks, chosen, tolerance);
+    };
+    let (shared, _) = meet::meet(&cells, [None; 3], tolerance);
+    let outline = |s: &Shared| {
+        let (low, [b, c]) = (&cells[s.low], [1, 2].map(|k| (s.axis + k) % 3));
+        let Rectangle { min, max } = s.part;
+        let corners = [
+            [min[0], min[1]],
+            [max[0], min[1]],
+            [max[0], max[1]],
+            [min[0], max[1]],
+        ];
+        let place = |[x, y]: [f64; 2]| {
+            let mut at = Vec3::ZERO;
+            at[s.axis] = low.centre[s.axis] + low.half[s.axis];
+            (at[b], at[c]) = (x, y);
+            at
+        };
+        (
+            [low.block, cells[s.high].block],
+            corners.map(place).to_vec(),
+        )
+    };
+    shared.iter().map(outline).collect()
+}
+
+/// The blocks as boxes along the axes; `None` if one of them is none.
+fn cells(world: &World, chosen: &[u32]) -> Option<Vec<Cell>> {
+    let cell = |&block: &u32| match world.setup.blocks[block as usize].shape {
+        Shape::Brick { .. } => Some(Cell {
+            block,
+            centre: world.reference[block as usize],
+            half: world.solid_of(block as usize).half,
+        }),
+        Shape::Polyhedron(_) | Shape::Glued(_) | Shape::Terrain(_) => None,
+    };
+    chosen.iter().map(cell).collect()
 }
 
 /// Axis frame: normal along `axis`, b and c the next two axes.

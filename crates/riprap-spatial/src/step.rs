@@ -41,6 +41,9 @@ pub fn evaluate(
 ) -> Result<(), NonFinite> {
     scratch.damping = *damping;
     scratch.coming_dt = dt;
+    if !world.setup.water.is_empty() {
+        stage(scratch, "seepage", |_| push::seepage::update(world));
+    }
     stage(scratch, "loads", |scratch| {
         push::begin(scratch);
         push::loads::apply(world, scratch.deform.as_deref(), &mut scratch.pushes.loads);

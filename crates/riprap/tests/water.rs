@@ -160,6 +160,52 @@ fn seeping() -> String {
     PLANE.replace(table, &format!("{table}{rules}"))
 }
 
+/// Cut blocks and bricks in space that water seeps through, with a row of drains, while joints open and a block is taken out.
+const SEEPING_SPACE: &str = r#"
+riprap = 1
+title = "seepage in space"
+[space.spatial]
+gravity = "9.81 m/s2"
+[materials.rock]
+density = "2500 kg/m3"
+young = "1 GPa"
+poisson = 0.2
+[interfaces.default]
+friction_angle = "30 deg"
+[[blocks]]
+name = "floor"
+material = "rock"
+grid.box = { size = ["12 m", "6 m", "1 m"], cell = "1 m", corner = ["-2 m", "-1 m", "-1 m"] }
+[[blocks]]
+name = "rock"
+material = "rock"
+brick = { size = ["8 m", "4 m", "5 m"], corner = ["0 m", "0 m", "0 m"] }
+[blocks.cut]
+smallest_edge = "0.1 m"
+joint_sets = [
+  { dip = "15 deg", dip_direction = "80 deg", spacing = "1.2 m" },
+  { dip = "80 deg", dip_direction = "270 deg", spacing = "1.5 m" },
+  { dip = "85 deg", dip_direction = "10 deg", spacing = "1.5 m" },
+]
+[[supports]]
+on.group = "floor"
+fixed = {}
+[water.high]
+points = [["-2 m", "4.5 m"], ["0 m", "4.5 m"], ["8 m", "1 m"], ["10 m", "1 m"]]
+[water.high.seepage]
+aperture = "1 mm"
+every = 20
+closed = ["z-min"]
+drains = [{ from = ["6 m", "0.1 m", "3 m"], to = ["6.5 m", "0.1 m", "-0.5 m"], row_end = ["6 m", "3.9 m", "3 m"] }]
+[[phases]]
+name = "wet"
+until = { steps = 100 }
+[[phases]]
+name = "pit"
+remove = ["rock.2"]
+until = { steps = 1000 }
+"#;
+
 /// Perched water and deep water in turn with both, and a table on a grid from a file in this folder.
 fn several(folder: &std::path::Path) -> String {
     let grid = folder.join("heads.csv");
@@ -181,7 +227,8 @@ fn several(folder: &std::path::Path) -> String {
 #[test]
 fn same_bits_for_any_number_of_threads() {
     let folder = tempfile::tempdir().unwrap();
-    for text in [PLANE, SPACE, &seeping(), &several(folder.path())] {
+    let (seeping, several) = (seeping(), several(folder.path()));
+    for text in [PLANE, SPACE, SEEPING_SPACE, &seeping, &several] {
         let hash = |threads| {
             let mut simulation = simulation(text, threads);
             run(&mut simulation, 300);
@@ -202,6 +249,7 @@ fn a_checkpoint_changes_nothing() {
         (PLANE, "planar"),
         (SPACE, "spatial"),
         (&seeping, "planar"),
+        (SEEPING_SPACE, "spatial"),
         (&several, "spatial"),
     ] {
         let mut straight = simulation(text, 1);
@@ -216,6 +264,88 @@ fn a_checkpoint_changes_nothing() {
             stopped = Simulation::resume(snapshot, Exec::serial());
         }
         assert_eq!(straight.engine().hash(), stopped.engine().hash());
+    }
+}
+
+#[test]
+fn seepage_in_space_pushes_both_sides_of_a_joint_alike() {
+    let mut simulation = simulation(SEEPING_SPACE, 1);
+    run(&mut simulation, 130);
+    let riprap::run::engine::View::Spatial(view) = simulation.view() else {
+        panic!("a model in space");
+    };
+    let world = view.world;
+    assert!(world.seepage_inflow() > 0.0);
+    let found = world.seepage.as_ref().unwrap();
+    assert!(
+        found.is_found() && found.joints.len() > 100,
+        "{}",
+        found.left
+    );
+    // A closed box of blocks is pushed from outside alone: here by still water under a level table, all of it wet, with Archimedes' force in the end.
+    let dry = found.pressures.iter().filter(|p| p[0] <= 0.0).count();
+    assert!(dry > 0 && dry < found.joints.len(), "{dry}");
+    let level = SEEPING_SPACE.replace(
+        "points = [[\"-2 m\", \"4.5 m\"], [\"0 m\", \"4.5 m\"], [\"8 m\", \"1 m\"], [\"10 m\", \"1 m\"]]",
+        "level = \"9 m\"",
+    );
+    let level = level.replace("closed = [\"z-min\"]\ndrains", "closed = []\n#");
+    let mut still = self::simulation(&level, 1);
+    run(&mut still, 1);
+    let riprap::run::engine::View::Spatial(view) = still.view() else {
+        panic!("a model in space");
+    };
+    for b in 0..view.world.alive.len() {
+        let wanted = 1000.0 * 9.81 * view.world.solid_of(b).volume;
+        let force = view.water_force(b);
+        let off = force - riprap::Vec3::new(0.0, 0.0, wanted);
+        assert!(off.length() < 1e-6 * wanted, "{b}: {force} {wanted}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_seepage_in_space_is_told() {
+    let with = |from: &str, to: &str| {
+        assert!(SEEPING_SPACE.contains(from), "{from}");
+        told(&SEEPING_SPACE.replace(from, to))
+    };
+    let row = ", row_end = [\"6 m\", \"3.9 m\", \"3 m\"]";
+    for (told, words) in [
+        (with(row, ""), "is a single hole"),
+        (
+            with(row, ", row_end = [\"6.5 m\", \"0.1 m\", \"-0.5 m\"]"),
+            "lie on one line",
+        ),
+        (
+            with(
+                "to = [\"6.5 m\", \"0.1 m\", \"-0.5 m\"]",
+                "to = [\"6 m\", \"0.1 m\", \"3 m\"]",
+            ),
+            "has no length",
+        ),
+        (
+            with(
+                "grid.box = { size = [\"12 m\", \"6 m\", \"1 m\"]",
+                "mechanics.deformable = {}\ngrid.box = { size = [\"12 m\", \"6 m\", \"1 m\"]",
+            ),
+            "seeps in deformable blocks",
+        ),
+        (
+            with(
+                "gravity = \"9.81 m/s2\"\n",
+                "gravity = \"9.81 m/s2\"\nperiodic = [\"none\", \"6 m\", \"none\"]\n",
+            ),
+            "seeps in a periodic model",
+        ),
+        (
+            with(
+                "from = [\"6 m\", \"0.1 m\", \"3 m\"]",
+                "from = [\"6 m\", \"3 m\"]",
+            ),
+            "from",
+        ),
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
     }
 }
 

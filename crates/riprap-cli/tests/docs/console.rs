@@ -186,6 +186,11 @@ fn the_first_rockfall_works() {
 }
 
 #[test]
+fn the_first_support_works() {
+    run_page("first-support.md");
+}
+
+#[test]
 fn the_first_water_works() {
     run_page("first-water.md");
 }

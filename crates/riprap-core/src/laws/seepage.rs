@@ -28,12 +28,13 @@ mod linear;
 mod rows;
 mod rules;
 mod search;
+pub mod sheet;
 #[cfg(test)]
 mod tests;
 
 use serde::{Deserialize, Serialize};
 
-pub use rules::{Drain, Side, Steady};
+pub use rules::{Curtain, Drain, Side, Steady};
 use search::{PATIENCE, Search};
 
 /// What of the rates may not add up at a node, as a share of the largest possible rate, where the flow counts as found.

@@ -619,6 +619,20 @@ where
     kept
 }
 
+/// `int p n dA` (N) and `int p r x n dA` (N m) of a pressure (Pa) that is linear over a flat polygon, over the part of it where the pressure is positive;
+/// `n` is its normal, about which its corners (m) go anticlockwise.
+#[must_use]
+pub fn pressed_where_positive(face: &[Vec3], pressure: &dyn Fn(Vec3) -> f64) -> (Vec3, Vec3) {
+    let at = |corner: &Vec3| pressure(*corner);
+    if face.iter().all(|corner| at(corner) <= 0.0) {
+        return (Vec3::ZERO, Vec3::ZERO);
+    }
+    if face.iter().all(|corner| at(corner) >= 0.0) {
+        return pressed(face, pressure);
+    }
+    pressed(&keep(face, pressure), pressure)
+}
+
 /// `int p n dA` and `int p r x n dA` of a pressure that is linear over a flat polygon, `n` being its normal.
 fn pressed(face: &[Vec3], pressure: &dyn Fn(Vec3) -> f64) -> (Vec3, Vec3) {
     let (mut force, mut moment) = (Vec3::ZERO, Vec3::ZERO);

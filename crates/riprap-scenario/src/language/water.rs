@@ -3,9 +3,10 @@
 use riprap_keys::Keys;
 use serde::Deserialize;
 
+use super::BoxRegion;
 use super::ground::Side;
-use super::{BoxRegion, Point};
 use crate::quantity::{Angle, Density, Length, Name, PositiveLength, Quantity, Viscosity};
+use crate::vectors::Vector;
 
 /// Below the table all faces of blocks are pressed by `density` times gravity times depth. Exactly one of `level`, `points` and `csv`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
@@ -27,7 +28,6 @@ pub struct Water {
     /// Box in which faces of blocks lie at the start that the table presses on. Default everywhere.
     pub within: Option<BoxRegion>,
     /// Steady flow through the joints: the table is then the head on open faces alone.
-    #[key(space = "planar")]
     pub seepage: Option<Seepage>,
 }
 
@@ -44,7 +44,7 @@ pub struct Seepage {
     /// Dynamic viscosity of the water, Pa s.
     #[key(default = "1e-3 Pa s")]
     pub viscosity: Option<Quantity<Viscosity>>,
-    /// Sides of the model through which no water goes. Default `["y-min"]`.
+    /// Sides of the model through which no water goes. Default `["y-min"]`, in space `["z-min"]`.
     pub closed: Option<Vec<Side>>,
     /// Steps after which heads are found anew with the apertures of the moment.
     #[key(default = 100, min = 1)]
@@ -58,10 +58,13 @@ pub struct Seepage {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Drain {
-    /// One end [x, y], m.
-    pub from: Point,
-    /// The other end [x, y], m.
-    pub to: Point,
+    /// One end, m.
+    pub from: Vector<Length>,
+    /// The other end, m.
+    pub to: Vector<Length>,
+    /// Where the last hole of the row begins, m: all holes are as long and as steep as that from `from` to `to`.
+    #[key(space = "spatial", instead = "a line drains along all of its length")]
+    pub row_end: Option<Vector<Length>>,
     /// Head that it holds, m. Default none: there is no pressure at the drain.
     pub head: Option<Quantity<Length>>,
 }

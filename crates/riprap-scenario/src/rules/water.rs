@@ -1,9 +1,10 @@
 //! Rules of water tables.
 
 use super::Rules;
-use crate::language::{Point, Scenario, Seepage, Side, Water};
+use crate::language::{Scenario, Seepage, Side, Water};
 use crate::names::{Name, Names};
 use crate::references::NO_WATER;
+use crate::vectors::{Components, InSpace};
 
 impl Rules {
     pub(super) fn water(&mut self, scenario: &Scenario) {
@@ -112,18 +113,36 @@ impl Rules {
             self.error("value.range", &wrong.span, message, help);
         }
         for side in said.closed.iter().flatten() {
-            if matches!(side, Side::ZMin | Side::ZMax) {
+            let of_space = matches!(side, Side::ZMin | Side::ZMax);
+            if of_space && self.space == InSpace::Planar {
                 let message = format!("`closed` of {of}.seepage names a side of space");
                 let help = "in the plane sides are x-min, x-max, y-min, y-max";
                 self.error("value.word", &said.aperture.span, message, help);
             }
         }
         for drain in &said.drains {
-            let place = |point: &Point| [point[0].si(), point[1].si()];
-            if place(&drain.from) == place(&drain.to) {
+            let [from, to] = [&drain.from, &drain.to].map(Components::xyz);
+            if from == to {
                 let message = format!("a drain of {of}.seepage has no length");
                 let help = "give the two ends of the line of holes";
-                self.error("value.range", &drain.from[0].span, message, help);
+                self.error("value.range", &drain.from.span, message, help);
+            }
+            if self.space == InSpace::Planar {
+                continue;
+            }
+            let Some(end) = &drain.row_end else {
+                let message = format!("a drain of {of}.seepage is a single hole");
+                let help = "what a hole draws hangs on the size of blocks: give `row_end`, where the last hole of its row begins";
+                self.error("key.missing", &drain.from.span, message, help);
+                continue;
+            };
+            let way = |at: [f64; 3]| [0, 1, 2].map(|k| at[k] - from[k]);
+            let ([a, b, c], [d, e, f]) = (way(to), way(end.xyz()));
+            if [b * f - c * e, c * d - a * f, a * e - b * d] == [0.0; 3] {
+                let message = format!("the drain holes of a row of {of}.seepage lie on one line");
+                let help =
+                    "`row_end` is where the last hole begins, beside the line from `from` to `to`";
+                self.error("value.range", &end.span, message, help);
             }
         }
     }

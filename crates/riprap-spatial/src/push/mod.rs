@@ -15,6 +15,7 @@
 
 pub mod cavity;
 pub mod loads;
+pub mod seepage;
 pub mod surface;
 pub mod traction;
 pub mod water;

@@ -6,6 +6,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::BRICK_FACES;
 
 use crate::patch;
+use crate::push::seepage;
 use crate::setup::{Shape, WaterTable};
 use crate::state::deform::{Body, Deform};
 use crate::state::scratch::Scratch;
@@ -38,7 +39,7 @@ pub(crate) fn apply(world: &World, scratch: &mut Scratch) {
         for (k, wrench) in list.iter_mut().enumerate() {
             let b = first + k;
             if world.alive[b] && !world.is_terrain(b) && !world.deforms(b) {
-                let (force, moment) = on_rigid(world, table, b);
+                let (force, moment) = on_block_of(world, table, b);
                 wrench.force += force;
                 wrench.moment += moment;
             }
@@ -62,7 +63,7 @@ pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec
     let soft = world.deform.as_deref().zip(work);
     let soft = soft.and_then(|(deform, work)| Some((deform, deform.body(b)?, work)));
     match soft {
-        None => on_rigid(world, table, b).0,
+        None => on_block_of(world, table, b).0,
         Some((deform, body, work)) => {
             let mut force = Vec3::ZERO;
             on_nodes(
@@ -79,7 +80,16 @@ pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec
 }
 
 /// Force (N) and moment about the centroid (N m) on a rigid block.
-fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
+fn on_block_of(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
+    if table.seepage.is_some() {
+        seepage::on_block(world, table, b)
+    } else {
+        on_rigid(world, table, b)
+    }
+}
+
+/// The same of water that stands.
+pub(crate) fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Vec3) {
     let solid = world.solid_of(b);
     let start = world.reference[b];
     let turn = || match &world.turned[b] {

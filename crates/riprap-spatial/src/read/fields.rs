@@ -259,6 +259,7 @@ fields! {
     "pair.force" "N" Pair Vector3 true "Sum of the forces of patches, bonds and the found contact of the second block on the first, without dashpots." |v, of| { let (a, b) = pair(of); between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum::<Vec3>() + v.facet_force((a, b)) + v.contact_between(a, b).map_or(Vec3::ZERO, |(_, force)| force) };
     "pair.overlap" "m" Pair Scalar true "How far two blocks lie in each other by their found contact; 0 when apart or joined." |v, of| { let (a, b) = pair(of); one(v.contact_between(a, b).map_or(0.0, |(c, _)| c.depth)) };
     "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of patches, facets and contacts between the two." |v, of| { let (a, b) = pair(of); one(v.pore_pressure_between(a, b)) };
+    "pair.seepage_rate" "m3/s" Pair Scalar true "Largest rate of flow through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
@@ -360,6 +361,7 @@ fields! {
     "model.utilisation" "-" Model Scalar true "Largest traction over strength of a spring that is not broken." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
     "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
     "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
+    "model.seepage_inflow" "m3/s" Model Scalar true "Rate at which water comes in from the open." |v, _| one(v.world.seepage_inflow());
     "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(crate::stable::stable_step(v.world, v.scratch, 0.0).dt);
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed." |v, _| one(v.fragments().list.len() as f64);
     "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));

@@ -3,7 +3,7 @@
 use riprap_geom::{Mat3, Vec3};
 
 use crate::deform::store::{Memory, State};
-use crate::frame::{BRICK, Column, Frame, Solids, stress};
+use crate::frame::{BRICK, Column, Frame, SEEPAGE_FLOW, Solids, stress};
 use crate::laws::norm;
 use crate::patch;
 use crate::read::fields::principal;
@@ -42,11 +42,33 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     put_contacts(view, &mut frame);
     put_facets(view, &mut frame);
     if world.water.is_some() {
-        let places = frame.contact_points.iter();
-        let at = |p: &[f64; 3]| world.pore_pressure(Vec3::from_array(*p) - world.setup.origin);
-        let pressures = places.map(at).collect();
-        let column = Column::scalar("pore_pressure", "Pa", pressures);
+        let blocks = ["block_a", "block_b"].map(|name| {
+            let mut columns = frame.contact_columns.iter();
+            let column = columns.find(|column| column.name == name);
+            column.map_or(&[][..], |column| &column.data[..])
+        });
+        let rows = frame.contact_points.iter().enumerate().map(|(k, p)| {
+            let pair = blocks.map(|list| list.get(k).map_or(0, |b| *b as u32));
+            (pair, Vec3::from_array(*p) - world.setup.origin)
+        });
+        let rows: Vec<([u32; 2], Vec3)> = rows.collect();
+        let pressures = rows
+            .iter()
+            .map(|(pair, at)| world.pressure_between(*pair, *at));
+        let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
+        if world.seepage.is_some() {
+            let rates = rows.iter().map(|(pair, _)| world.seepage_between(*pair));
+            let flows = rows
+                .iter()
+                .map(|(pair, at)| world.seepage_flow(*pair, *at).to_array());
+            let flows: Vec<[f64; 3]> = flows.collect();
+            let rates = Column::scalar("seepage_rate", "m3/s", rates.collect());
+            frame.contact_columns.push(rates);
+            frame
+                .contact_columns
+                .push(Column::vector3(SEEPAGE_FLOW, "m2/s", &flows));
+        }
     }
     frame.cracks = crate::read::cracks::surfaces(view);
     frame.bolts = crate::frame::bars::surfaces(&crate::read::bars::bars(view));

@@ -57,7 +57,7 @@ impl View<'_> {
         let contacts = self.contacts().filter(|c| between(&c.ends));
         let contacts = contacts.map(|c| self.contact_place(&c));
         let places = patches.chain(facets).chain(contacts);
-        let pressures = places.map(|at| self.world.pore_pressure(at));
+        let pressures = places.map(|at| self.world.pressure_between([a, b], at));
         pressures.fold(0.0, f64::max)
     }
 }

@@ -27,6 +27,9 @@ impl World {
                 hash.numbers(&t.momentum.to_array());
             }
         }
+        if let Some(found) = &self.seepage {
+            hash.numbers(found.pressures.as_flattened());
+        }
         self.patches(&mut hash);
         for cavity in &self.cavities {
             hash.numbers(&[

@@ -20,6 +20,7 @@ pub mod patches;
 pub mod push;
 pub mod relax;
 pub mod scratch;
+pub mod seepage;
 pub mod sums;
 pub mod workspace;
 pub mod world;

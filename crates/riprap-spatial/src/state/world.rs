@@ -16,6 +16,7 @@ use super::face::Face;
 use super::found::FoundContacts;
 use super::lineage::Origin;
 pub use super::patches::{PatchClass, Patches, flag};
+use super::seepage::Seepage;
 use crate::accounts::{Account, Holder, of};
 use crate::anchor::{Anchor, Freedoms};
 use crate::ledger::Works;
@@ -42,6 +43,8 @@ pub struct World {
     pub gravity: Vec3,
     /// The water table that stands now, an index into `setup.water`.
     pub water: Option<u16>,
+    /// The network of joints through which the table seeps that stands now, if it does.
+    pub seepage: Option<Box<Seepage>>,
     /// Motion of the blocks.
     pub bodies: Bodies,
     /// Centroids that displacements are measured from, m.

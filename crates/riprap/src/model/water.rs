@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use crate::laws::seepage::{self, Steady};
 use crate::laws::water::{Grid, WaterTable, Zone};
-use crate::scenario::language::{self, BoxRegion, Phase, Seepage, Side, Space, Water};
+use crate::scenario::language::{BoxRegion, Phase, Seepage, Side, Space, Water};
 use crate::scenario::read::Provenance;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, NO_WATER, Name, Names, Quantity, Span};
@@ -50,10 +50,7 @@ impl Builder<'_> {
                 (None, None, None) => continue,
             }
             let zone = said.within.as_ref().map(|said| self.zone(name, said));
-            let seepage = said
-                .seepage
-                .as_ref()
-                .map(|s| self.seepage(name.as_str(), s));
+            let seepage = said.seepage.as_ref().map(|s| self.seepage(name, s));
             let tables = match self.space {
                 InSpace::Planar => &mut self.setup.water,
                 InSpace::Spatial => &mut self.spatial.water,
@@ -146,8 +143,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Rules of seepage in the plane.
-    fn seepage(&mut self, name: &str, said: &Seepage) -> Steady {
+    /// Rules of seepage.
+    fn seepage(&mut self, name: &Name, said: &Seepage) -> Steady {
         let mut read = self.reading(format!("water.{name}.seepage"), said);
         let aperture = said.aperture.si();
         let (from, why) = (Provenance::Derived, "of `aperture`");
@@ -161,25 +158,59 @@ impl Builder<'_> {
                 Side::XMax => (0, high.x),
                 Side::YMin => (1, low.y),
                 Side::YMax => (1, high.y),
-                // Refused by the rules of the language.
-                Side::ZMin | Side::ZMax => return None,
+                // Refused in the plane by the rules of the language.
+                Side::ZMin => (2, low.z),
+                Side::ZMax => (2, high.z),
             };
-            Some(seepage::Side { axis, at })
+            seepage::Side { axis, at }
         };
-        let closed = said.closed.as_deref().unwrap_or(&[Side::YMin]);
-        let drain = |said: &language::Drain| seepage::Drain {
-            from: self.point(&said.from).into(),
-            to: self.point(&said.to).into(),
-            head: said.head.as_ref().map(|h| h.si() - self.origin.y),
+        let floor = match self.space {
+            InSpace::Planar => &[Side::YMin],
+            InSpace::Spatial => &[Side::ZMin],
         };
-        Steady {
+        let closed = said.closed.as_deref().unwrap_or(floor);
+        let mut rules = Steady {
             viscosity,
             aperture,
             limits: [least, most],
             every,
-            closed: closed.iter().filter_map(side).collect(),
-            drains: said.drains.iter().map(drain).collect(),
+            closed: closed.iter().map(side).collect(),
+            ..Steady::default()
+        };
+        for drain in &said.drains {
+            let [from, to] = [&drain.from, &drain.to].map(|at| Vec3::from_array(at.xyz()));
+            let flat = |at: Vec3| [at.x - self.origin.x, at.y - self.origin.y];
+            let head = |up: f64| drain.head.as_ref().map(|h| h.si() - up);
+            match &drain.row_end {
+                Some(end) => rules.curtains.push(seepage::Curtain {
+                    from: (from - self.spatial.origin).into(),
+                    hole: (to - from).into(),
+                    row: (Vec3::from_array(end.xyz()) - from).into(),
+                    head: head(self.spatial.origin.z),
+                }),
+                None => rules.drains.push(seepage::Drain {
+                    from: flat(from),
+                    to: flat(to),
+                    head: head(self.origin.y),
+                }),
+            }
         }
+        self.can_seep(name);
+        rules
+    }
+
+    /// Refuses seepage in models in space that it does not know.
+    fn can_seep(&mut self, name: &Name) {
+        let soft = !self.spatial.deform.sets.is_empty();
+        let periodic = self.spatial.periodic.iter().any(Option::is_some);
+        let why = match (self.space, soft, periodic) {
+            (InSpace::Spatial, true, _) => "deformable blocks",
+            (InSpace::Spatial, _, true) => "a periodic model",
+            _ => return,
+        };
+        let message = format!("water.{name} seeps in {why}");
+        let help = "in space water seeps between rigid blocks of models with ends: leave `seepage` out, then the table is the head everywhere";
+        self.error_at("water.seepage", name, message, help);
     }
 
     fn along(&mut self, name: &str, said: &Water) -> [f64; 2] {

@@ -15,14 +15,16 @@ pub struct Steady {
     pub every: u64,
     /// Sides of the model through which no water goes.
     pub closed: Vec<Side>,
-    /// Drains.
+    /// Drains in the plane.
     pub drains: Vec<Drain>,
+    /// Drains in space.
+    pub curtains: Vec<Curtain>,
 }
 
-/// A side of a model in the plane: the line on which one coordinate has a value.
+/// A side of a model: the line or plane on which one coordinate has a value.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Side {
-    /// 0 for x, 1 for y.
+    /// 0 for x, 1 for y, 2 for z.
     pub axis: usize,
     /// m.
     pub at: f64,
@@ -31,7 +33,7 @@ pub struct Side {
 impl Side {
     /// Whether a place lies on it, within `slack` (m).
     #[must_use]
-    pub fn holds(&self, place: [f64; 2], slack: f64) -> bool {
+    pub fn holds<const N: usize>(&self, place: [f64; N], slack: f64) -> bool {
         (place[self.axis] - self.at).abs() <= slack
     }
 }
@@ -58,4 +60,17 @@ impl Drain {
         let share = share.clamp(0.0, 1.0);
         super::super::norm(out[0] - share * along[0], out[1] - share * along[1])
     }
+}
+
+/// A row of drain holes in space, side by side like a curtain: the parallelogram between the first and the last.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Curtain {
+    /// Mouth of the first hole, m.
+    pub from: [f64; 3],
+    /// From its mouth to its end, m.
+    pub hole: [f64; 3],
+    /// From it to the last one, m.
+    pub row: [f64; 3],
+    /// Head that it holds, m; where it is not given the drain is open: no pressure.
+    pub head: Option<f64>,
 }

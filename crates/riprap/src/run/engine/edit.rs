@@ -70,6 +70,7 @@ pub(super) fn spatial(
     }
     if let Some(table) = phase.water {
         world.water = table;
+        world.seepage = None;
     }
     for (row, law) in &phase.joints {
         world.setup.interfaces[*row as usize].joint = *law;

@@ -2,7 +2,11 @@
 
 use super::{PhaseEnd, Simulation, Thrown, Unconverged, stop};
 use crate::plan::PhaseKind;
+use crate::run::engine::View;
 use crate::run::{meeting, rough};
+
+/// Share of what a joint conducts that its shape leaves out from which on it is told.
+const OBTUSE: f64 = 0.05;
 
 impl Simulation {
     /// Whether the present phase, which is over, ends without equilibrium; noted once.
@@ -72,8 +76,25 @@ impl Simulation {
             .left_terrain()
             .into_iter()
             .chain(self.unbalanced_bolt())
+            .chain(self.obtuse_joint())
             .chain(rough::crushed(&self.view()));
         all.chain(supports).collect()
+    }
+
+    /// The joint in space that water seeps through least exactly, in words.
+    fn obtuse_joint(&self) -> Option<String> {
+        let View::Spatial(v) = self.view() else {
+            return None;
+        };
+        let (lost, blocks) = v.world.seepage.as_ref()?.lost;
+        let [a, b] = blocks.map(|b| self.view().name(b));
+        (lost > OBTUSE).then(|| {
+            format!(
+                "the joint between `{a}` and `{b}` has so obtuse a shape that {:.0} % of what the stretches of its rim conduct to each other would be \
+                 negative: that is left out, and seepage through it is wrong by about as much",
+                100.0 * lost
+            )
+        })
     }
 
     /// The bolt whose equilibrium was missed by most, in words.

@@ -5,6 +5,7 @@ use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
 use crate::ledger::{Balance, COLUMNS};
 use crate::plan::{PhaseKind, Relaxing};
+use crate::run::engine::View;
 use crate::spatial::found::desk::Deepest;
 use crate::spatial::found::limits::{self, Depth};
 
@@ -104,13 +105,17 @@ impl Simulation {
     /// Stops a run whose seepage was not found.
     fn look_at_seepage(&self) -> Result<(), RunError> {
         let view = self.view();
-        match view.planar().and_then(|v| v.world.seepage.as_deref()) {
-            Some(found) if !found.is_found() => Err(RunError::NoFlow {
-                left: found.left,
+        let left = match &view {
+            View::Planar(v) => v.world.seepage.as_ref().map(|f| (f.left, f.is_found())),
+            View::Spatial(v) => v.world.seepage.as_ref().map(|f| (f.left, f.is_found())),
+        };
+        match left.and_then(|(left, found)| (!found).then_some(left)) {
+            Some(left) => Err(RunError::NoFlow {
+                left,
                 step: self.steps(),
                 time: self.time(),
             }),
-            Some(_) | None => Ok(()),
+            None => Ok(()),
         }
     }
 
