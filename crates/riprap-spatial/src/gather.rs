@@ -21,7 +21,7 @@ use super::found::desk::Acting as Found;
 use super::kick::{Acting, Kick, Moving};
 use super::lanes::{LANES, Lanes, Width};
 use super::patch::Poses;
-use super::state::bodies::{Bodies, Turned};
+use super::state::bodies::{Bodies, SolidClass, Turned};
 use super::state::face::Face;
 use super::state::push::{Pushes, Wrench};
 use super::state::scratch::{FaceEntry, NonFinite, Partial, Scratch};
@@ -137,7 +137,7 @@ struct Gathering<'a> {
     pushes: &'a Pushes,
     /// What found contacts do to each block; empty without any.
     found: &'a [Found],
-    /// Whether blocks in rows need nothing but gravity.
+    /// Whether blocks in rows need nothing but gravity and water.
     plain: bool,
     width: Width,
 }
@@ -200,7 +200,7 @@ impl Gathering<'_> {
         }
     }
 
-    /// Gravity and its works for a row of free blocks.
+    /// Gravity, the pushes of water and their works for a row of free blocks.
     #[inline(always)]
     fn row(&self, row: &Row, base: usize, net: &mut [Part; 2], partial: &mut Partial) {
         let solid = &self.kick.solids[row.solid as usize];
@@ -211,16 +211,27 @@ impl Gathering<'_> {
         let rates = &self.bodies.velocity;
         let change = self.kick.span / solid.mass;
         let mut sum = Lanes::default();
+        let loads = match self.pushes.wet {
+            true => &self.pushes.loads.blocks[row.blocks.clone()],
+            false => &[],
+        };
         for (k, rates) in rates.iter().take(3).enumerate() {
             let weight = solid.mass * self.kick.gravity[k];
             let list = &mut net.0[k][here.clone()];
+            if !loads.is_empty() {
+                // With the weight in one sum, as in `block`: no bit of a motion hangs on where a block stands.
+                for (f, load) in list.iter_mut().zip(loads) {
+                    *f += weight + load.force[k];
+                }
+            }
             if weight != 0.0 {
+                let add = if loads.is_empty() { weight } else { 0.0 };
                 let v = &rates[row.blocks.clone()];
                 let (mut early, mut late) = (Lanes::default(), Lanes::default());
                 let chunks = list.chunks_mut(LANES).zip(v.chunks(LANES));
                 for (at, (f, v)) in chunks.enumerate() {
                     for (l, (f, v)) in f.iter_mut().zip(v).enumerate() {
-                        *f += weight;
+                        *f += add;
                         let at = here.start + LANES * at + l;
                         let push = if damped { *f + drag.0[k][at] } else { *f };
                         early.0[l] += v;
@@ -230,6 +241,9 @@ impl Gathering<'_> {
                 partial.arrival.gravity += before * weight * early.sum();
                 partial.departure.gravity += after * weight * late.sum();
             }
+        }
+        if !loads.is_empty() {
+            self.row_loads(row, base, (loads, solid), net, drag, partial);
         }
         for list in net.0.iter().chain(&drag.0) {
             if list.is_empty() {
@@ -252,6 +266,50 @@ impl Gathering<'_> {
             };
             let bad = row.blocks.clone().find(|b| !finite(*b));
             partial.bad = Some(bad.unwrap_or(row.blocks.start) as u32);
+        }
+    }
+
+    /// Moments of the pushes of water on a row of free blocks, and the works of both.
+    #[inline(always)]
+    fn row_loads(
+        &self,
+        row: &Row,
+        base: usize,
+        (loads, solid): (&[Wrench], &SolidClass),
+        net: &mut Part,
+        drag: &Part,
+        partial: &mut Partial,
+    ) {
+        let here = row.blocks.start - base..row.blocks.end - base;
+        let [before, after] = self.kick.half;
+        for k in 0..6 {
+            let ease = match k {
+                0..3 => 1.0 / solid.mass,
+                _ => solid.inverse.col(k - 3)[k - 3],
+            };
+            let change = self.kick.span * ease;
+            let push = |load: &Wrench| match k {
+                0..3 => load.force[k],
+                _ => load.moment[k - 3],
+            };
+            let list = &mut net.0[k][here.clone()];
+            if k >= 3 {
+                for (f, load) in list.iter_mut().zip(loads) {
+                    *f += push(load);
+                }
+            }
+            let v = &self.bodies.velocity[k][row.blocks.clone()];
+            let (mut early, mut late) = (0.0, 0.0);
+            for (at, ((f, v), load)) in list.iter().zip(v).zip(loads).enumerate() {
+                let all = match drag.0[k].get(here.start + at) {
+                    Some(d) => f + d,
+                    None => *f,
+                };
+                early += push(load) * v;
+                late += push(load) * (v + change * all);
+            }
+            partial.arrival.loads += before * early;
+            partial.departure.loads += after * late;
         }
     }
 

@@ -1,6 +1,7 @@
 //! Standing water: same bits for any number of threads and after a restart, and what `check` says of wrong words.
 
 use riprap::exec::Exec;
+use riprap::ledger::Balance;
 use riprap::record::checkpoint;
 use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
@@ -264,6 +265,75 @@ fn a_checkpoint_changes_nothing() {
             stopped = Simulation::resume(snapshot, Exec::serial());
         }
         assert_eq!(straight.engine().hash(), stopped.engine().hash());
+    }
+}
+
+/// Bricks in rows, of which nothing but gravity and water is asked, and the same with a load of nothing on each, which are done one by one.
+#[test]
+fn bricks_in_rows_are_pushed_as_others_are() {
+    let lattice = r#"
+riprap = 1
+title = "wet bricks"
+[space.spatial]
+gravity = "9.81 m/s2"
+[materials.rock]
+density = "2500 kg/m3"
+young = "1 GPa"
+poisson = 0.2
+[interfaces.default]
+friction_angle = "40 deg"
+cohesion = "1 GPa"
+tension = "1 GPa"
+[[blocks]]
+name = "rock"
+groups = ["all"]
+material = "rock"
+grid.box = { size = ["4 m", "4 m", "4 m"], cell = "1 m" }
+[[boundaries]]
+on.plane = "z-min"
+held = {}
+[water.high]
+points = [["0 m", "1.3 m"], ["2.5 m", "3.1 m"], ["9 m", "3.6 m"]]
+[[phases]]
+name = "wet"
+water = "high"
+until = { steps = 100 }
+[[phases]]
+name = "dry"
+water = "none"
+until = { steps = 100 }
+"#;
+    let idle = "[[loads]]\non = { group = \"all\" }\nbody.acceleration = [\"0 m/s2\", \"0 m/s2\", \"0 m/s2\"]\n[water.high]";
+    let told = |text: &str| {
+        let mut simulation = simulation(text, 1);
+        let mut seen = Vec::new();
+        for _ in 0..2 {
+            run(&mut simulation, 100);
+            let riprap::run::engine::View::Spatial(view) = simulation.view() else {
+                panic!("a model in space");
+            };
+            let moved = |b| (view.displacement(b), view.velocity(b));
+            let all: Vec<_> = (0..view.world.alive.len()).map(moved).collect();
+            seen.push((all, view.balance()));
+        }
+        seen
+    };
+    let (rows, single) = (told(lattice), told(&lattice.replace("[water.high]", idle)));
+    for ((rows, ledger), (single, other)) in rows.into_iter().zip(single) {
+        let size = rows.iter().map(|(u, _)| u.length()).fold(0.0, f64::max);
+        let speed = rows.iter().map(|(_, v)| v.length()).fold(0.0, f64::max);
+        assert!(size > 1e-5 && speed > 1e-4, "{size} {speed}");
+        for ((u, v), (x, w)) in rows.into_iter().zip(single) {
+            assert!((u - x).length() < 1e-10 * size, "{u} {x}");
+            assert!((v - w).length() < 1e-10 * speed, "{v} {w}");
+        }
+        let scale = other.works.loads.abs();
+        assert!(
+            (ledger.works.loads - other.works.loads).abs() < 1e-9 * scale,
+            "{ledger:?} {other:?}"
+        );
+        let [residual, same] = [&ledger, &other].map(Balance::residual);
+        assert!((residual - same).abs() < 1e-9 * scale, "{residual} {same}");
     }
 }
 

@@ -110,7 +110,11 @@ impl WaterTable {
     /// The strips that overlap the distances from `low` to `high`, ascending.
     pub fn strips(&self, low: f64, high: f64) -> impl Iterator<Item = Strip> + '_ {
         // Strip k ends at corner k; the last one has no end.
-        let first = self.points.partition_point(|p| p[0] <= low);
+        let first = match self.points.len() {
+            // A level one has no corner at which anything changes.
+            1 => 1,
+            _ => self.points.partition_point(|p| p[0] <= low),
+        };
         (first..=self.points.len())
             .map(|k| self.strip(k))
             .take_while(move |s| s.from < high || s.from == f64::NEG_INFINITY)
@@ -120,10 +124,10 @@ impl WaterTable {
         let n = self.points.len();
         let corner = self.points[k.min(n - 1)];
         if k == 0 || k == n {
-            let (from, to) = if k == 0 {
-                (f64::NEG_INFINITY, corner[0])
-            } else {
-                (corner[0], f64::INFINITY)
+            let (from, to) = match (n, k) {
+                (1, _) => (f64::NEG_INFINITY, f64::INFINITY),
+                (_, 0) => (f64::NEG_INFINITY, corner[0]),
+                _ => (corner[0], f64::INFINITY),
             };
             return Strip {
                 from,

@@ -21,18 +21,22 @@ pub mod traction;
 pub mod water;
 
 use super::state::bolts::Bolt;
+use super::state::push::Wrench;
 use super::state::scratch::Scratch;
 use super::state::world::World;
 
 /// Clears the buffer for a new evaluation.
 pub(crate) fn begin(scratch: &mut Scratch) {
+    if std::mem::take(&mut scratch.pushes.wet) {
+        scratch.pushes.loads.blocks.fill(Wrench::default());
+    }
     for account in [&mut scratch.pushes.loads, &mut scratch.pushes.own] {
         account.clear(&scratch.tiles.special);
     }
 }
 
 impl World {
-    /// Whether somebody may push each rigid block from outside, faces with a condition apart.
+    /// Whether somebody may push each rigid block from outside, faces with a condition and water apart: that pushes blocks in rows, too.
     #[must_use]
     pub fn pushed(&self) -> Vec<bool> {
         let mut pushed = vec![false; self.alive.len()];
@@ -43,10 +47,6 @@ impl World {
         let all = loads.copied().chain(walls.map(|w| w.block)).chain(bolts);
         for b in all.chain(facets.flat_map(|f| f.blocks)) {
             pushed[b as usize] = true;
-        }
-        // A block that is dry now can fall into the water.
-        if self.table().is_some() {
-            pushed.fill(true);
         }
         pushed
     }

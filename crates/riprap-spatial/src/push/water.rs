@@ -33,6 +33,7 @@ pub(crate) fn apply(world: &World, scratch: &mut Scratch) {
     let Some(table) = world.table() else {
         return;
     };
+    scratch.pushes.wet = true;
     let loads = &mut scratch.pushes.loads;
     loads.need_blocks(world.alive.len());
     scratch.exec.chunks(&mut loads.blocks, |first, list| {

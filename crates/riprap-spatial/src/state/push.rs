@@ -79,4 +79,6 @@ pub struct Pushes {
     pub loads: Account,
     /// Forces of what books its work itself.
     pub own: Account,
+    /// Whether water pushes in this evaluation: all blocks, those in rows too, by `loads`.
+    pub wet: bool,
 }
