@@ -74,11 +74,26 @@ pub struct Factors {
     pivot: Vec<f64>,
     /// Its factors below the diagonal.
     below: Vec<f64>,
-    residual: Vec<f64>,
+    /// What was found at the present motion, and at one that is tried.
+    here: Looked,
+    there: Looked,
     direction: Vec<f64>,
     trial: Vec<f64>,
+}
+
+/// A chain at one motion.
+#[derive(Clone, Debug, Default)]
+struct Looked {
+    /// What is left of the equilibrium at each node, N.
+    residual: Vec<f64>,
+    /// Tangents of what holds the nodes and of the bars, N/m.
     tangent: [Vec<f64>; 2],
-    now: [Vec<f64>; 2],
+    /// Force in each bar, N.
+    force: Vec<f64>,
+    /// Largest force, N, and the stiffest bar times the largest motion, N.
+    scale: (f64, f64),
+    /// Whether anything gives way.
+    gives: bool,
 }
 
 impl Chain {
@@ -157,9 +172,10 @@ impl Chain {
         let mut r = std::mem::take(&mut self.motion);
         let mut elastic = true;
         let mut left = f64::INFINITY;
-        for _ in 0..STEPS {
-            let scale = self.residual(&r, apart, pull, work);
-            left = work.residual.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        self.look(&r, apart, pull, &mut work.here);
+        for step in 0..STEPS {
+            let (residual, scale) = (&work.here.residual, work.here.scale);
+            left = residual.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
             if left <= CLOSE * scale.0 + ROUND * scale.1 {
                 left = 0.0;
                 break;
@@ -171,12 +187,20 @@ impl Chain {
                 work.tangent_direction(self);
             }
             elastic = false;
-            let share = self.search(&r, apart, pull, work);
-            for (r, d) in r.iter_mut().zip(&work.direction) {
-                *r += share * d;
+            if step + 1 == STEPS {
+                break;
             }
+            // The last motion that was tried is the one that is taken: what was found there holds.
+            self.search(&r, apart, pull, work);
+            std::mem::swap(&mut r, &mut work.trial);
+            std::mem::swap(&mut work.here, &mut work.there);
         }
         losses.left = left;
+        if !work.here.gives && pull.is_none() {
+            std::mem::swap(&mut self.force, &mut work.here.force);
+            self.motion = r;
+            return losses;
+        }
         for k in 0..self.bars.len() {
             let along = r[k + 1] - r[k] + apart[k];
             let found = self.bars[k].map(along - self.plastic[k], self.path[k]);
@@ -196,17 +220,11 @@ impl Chain {
         losses
     }
 
-    /// Finds what is left of the equilibrium at `r`, and the tangents there. Answers with the largest force, and the stiffest bar times the
-    /// largest motion.
-    fn residual(
-        &self,
-        r: &[f64],
-        apart: &[f64],
-        pull: Option<f64>,
-        work: &mut Factors,
-    ) -> (f64, f64) {
+    /// Looks at the chain where its bar has moved by `r`.
+    fn look(&self, r: &[f64], apart: &[f64], pull: Option<f64>, found: &mut Looked) {
         let (mut largest, mut round) = (0.0_f64, 0.0_f64);
         let mut before = 0.0;
+        let mut gives = false;
         for k in 0..r.len() {
             let held = match (k, pull) {
                 (0, Some(pull)) => super::Mapped {
@@ -220,20 +238,24 @@ impl Chain {
             if k < self.bars.len() {
                 let bar = &self.bars[k];
                 let along = r[k + 1] - r[k] + apart[k];
-                let found = bar.map(along - self.plastic[k], self.path[k]);
-                force = found.force;
-                work.tangent[1][k] = found.tangent;
+                let mapped = bar.map(along - self.plastic[k], self.path[k]);
+                force = mapped.force;
+                found.tangent[1][k] = mapped.tangent;
+                found.force[k] = force;
+                gives |= mapped.plastic != 0.0;
                 round = round.max(bar.stiffness * (r[k].abs() + apart[k].abs()));
             }
-            work.tangent[0][k] = held.tangent;
-            work.residual[k] = held.force + before - force;
+            gives |= held.plastic != 0.0;
+            found.tangent[0][k] = held.tangent;
+            found.residual[k] = held.force + before - force;
             largest = largest.max(held.force.abs()).max(force.abs());
             before = force;
         }
-        (largest, round)
+        found.scale = (largest, round);
+        found.gives = gives;
     }
 
-    /// Slope of the potential along the direction at a share of it.
+    /// Slope of the potential along the direction at a share of it; what is found there stays in `work.there`.
     fn slope(
         &self,
         r: &[f64],
@@ -242,28 +264,23 @@ impl Chain {
         pull: Option<f64>,
         work: &mut Factors,
     ) -> f64 {
-        let mut trial = std::mem::take(&mut work.trial);
-        for (t, (r, d)) in trial.iter_mut().zip(r.iter().zip(&work.direction)) {
+        for (t, (r, d)) in work.trial.iter_mut().zip(r.iter().zip(&work.direction)) {
             *t = r + share * d;
         }
-        let tangent = std::mem::take(&mut work.tangent);
-        work.tangent = std::mem::take(&mut work.now);
-        self.residual(&trial, apart, pull, work);
-        work.now = std::mem::replace(&mut work.tangent, tangent);
-        work.trial = trial;
-        let both = work.residual.iter().zip(&work.direction);
+        self.look(&work.trial, apart, pull, &mut work.there);
+        let both = work.there.residual.iter().zip(&work.direction);
         both.map(|(x, d)| x * d).sum()
     }
 
-    /// Share of the direction at which its slope is nearly nil: all of it unless that goes too far.
-    fn search(&self, r: &[f64], apart: &[f64], pull: Option<f64>, work: &mut Factors) -> f64 {
-        let start: f64 = (work.residual.iter().zip(&work.direction))
+    /// Goes along the direction to where its slope is nearly nil, all of it unless that goes too far: there is `work.trial` then.
+    fn search(&self, r: &[f64], apart: &[f64], pull: Option<f64>, work: &mut Factors) {
+        let start: f64 = (work.here.residual.iter().zip(&work.direction))
             .map(|(x, d)| x * d)
             .sum();
         let enough = SEARCH.1 * start.abs();
         let end = self.slope(r, 1.0, apart, pull, work);
         if end <= enough {
-            return 1.0;
+            return;
         }
         // Between a falling and a rising end: the secant, with halves of the weight of an end that stays (Illinois).
         let (mut low, mut high) = ((0.0, start), (1.0, end));
@@ -272,7 +289,7 @@ impl Chain {
             let share = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
             let here = self.slope(r, share, apart, pull, work);
             if here.abs() <= enough {
-                return share;
+                return;
             }
             if here < 0.0 {
                 low = (share, here);
@@ -284,7 +301,7 @@ impl Chain {
                 last = 1;
             }
         }
-        low.0.max(f64::MIN_POSITIVE)
+        self.slope(r, low.0.max(f64::MIN_POSITIVE), apart, pull, work);
     }
 }
 
@@ -292,12 +309,14 @@ impl Factors {
     /// Factors of the elastic matrix of a chain as it is now.
     pub fn refresh(&mut self, chain: &Chain) {
         let nodes = chain.holds.len();
-        for list in [&mut self.residual, &mut self.direction, &mut self.trial] {
+        for list in [&mut self.direction, &mut self.trial] {
             list.resize(nodes, 0.0);
         }
-        for lists in [&mut self.tangent, &mut self.now] {
-            lists[0].resize(nodes, 0.0);
-            lists[1].resize(chain.bars.len(), 0.0);
+        for looked in [&mut self.here, &mut self.there] {
+            looked.residual.resize(nodes, 0.0);
+            looked.tangent[0].resize(nodes, 0.0);
+            looked.tangent[1].resize(chain.bars.len(), 0.0);
+            looked.force.resize(chain.bars.len(), 0.0);
         }
         self.pivot.resize(nodes, 0.0);
         self.below.resize(chain.bars.len(), 0.0);
@@ -315,10 +334,10 @@ impl Factors {
     /// `-A^-1 R` with the elastic matrix.
     #[inline(always)]
     fn elastic_direction(&mut self) {
-        let nodes = self.residual.len();
+        let nodes = self.direction.len();
         let mut carried = 0.0;
         for k in 0..nodes {
-            let y = -self.residual[k] + carried;
+            let y = -self.here.residual[k] + carried;
             self.direction[k] = y;
             if k + 1 < nodes {
                 carried = self.below[k] * y;
@@ -334,15 +353,15 @@ impl Factors {
 
     /// `-A^-1 R` with the tangents that were found last.
     fn tangent_direction(&mut self, chain: &Chain) {
-        let nodes = self.residual.len();
+        let nodes = self.direction.len();
         let floor = |tangent: f64, elastic: f64| tangent.max(FLOOR * elastic);
         let mut carried = (0.0, 0.0);
         for k in 0..nodes {
             let bar = chain.bars.get(k);
-            let ahead = bar.map_or(0.0, |bar| floor(self.tangent[1][k], bar.stiffness));
-            let held = floor(self.tangent[0][k], chain.holds[k].stiffness);
+            let ahead = bar.map_or(0.0, |bar| floor(self.here.tangent[1][k], bar.stiffness));
+            let held = floor(self.here.tangent[0][k], chain.holds[k].stiffness);
             let pivot = 1.0 / (held + carried.0 + ahead);
-            let y = -self.residual[k] + carried.1;
+            let y = -self.here.residual[k] + carried.1;
             // The factors stand where nothing of this step is needed any more.
             self.trial[k] = ahead * pivot;
             self.direction[k] = y * pivot;
@@ -367,7 +386,7 @@ impl Factors {
             } else {
                 0.0
             };
-            self.residual[k] = before - after;
+            self.here.residual[k] = before - after;
         }
         self.elastic_direction();
         for (k, force) in forces.iter_mut().enumerate() {
