@@ -293,7 +293,10 @@ fn arrows_of_flow_begin_at_joints() {
     let svg = page.svg();
     assert_eq!(svg.matches("<polygon").count(), 2);
     // Upwards from the first joint.
-    assert!(svg.contains("x1=\"100.00\" y1=\"100.00\" x2=\"100.00\""), "{svg}");
+    assert!(
+        svg.contains("x1=\"100.00\" y1=\"100.00\" x2=\"100.00\""),
+        "{svg}"
+    );
 }
 
 #[test]

@@ -105,10 +105,20 @@ pub struct Plot {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub at: Option<String>,
     /// Where a line begins: x, y and in space z, with commas between
-    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "to")]
+    #[arg(
+        long,
+        value_name = "PLACE",
+        allow_hyphen_values = true,
+        requires = "to"
+    )]
     pub from: Option<String>,
     /// Where it ends
-    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "from")]
+    #[arg(
+        long,
+        value_name = "PLACE",
+        allow_hyphen_values = true,
+        requires = "from"
+    )]
     pub to: Option<String>,
     /// Projection of the stereonet
     #[arg(long, value_enum, value_name = "PROJECTION", default_value_t = Net::EqualArea)]

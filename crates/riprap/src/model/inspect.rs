@@ -61,7 +61,15 @@ fn sizes(b: &mut Builder<'_>) {
             .iter()
             .for_each(|&block| supported[block as usize] = true);
     }
+    // What is held stands for the rock around.
+    let held = supported.iter();
+    let free = blocks.iter().zip(held).filter(|(_, held)| !**held);
+    let mut free: Vec<f64> = free
+        .map(|(block, _)| polygon::signed_area(&block.vertices).sqrt())
+        .collect();
+    free.sort_by(f64::total_cmp);
     let s = &mut b.summary;
+    s.passing = passing(&free, 2);
     s.blocks = blocks.len();
     s.vertices = blocks.iter().map(|block| block.vertices.len()).sum();
     s.supported = supported.iter().filter(|&&held| held).count();
@@ -79,7 +87,6 @@ fn sizes(b: &mut Builder<'_>) {
         .map(|(block, area)| block.density * area)
         .sum();
     s.size = [size[0], size[size.len() / 2], size[size.len() - 1]];
-    s.passing = passing(&size, 2);
     s.shortest_edge = shortest;
 }
 

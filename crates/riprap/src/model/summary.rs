@@ -29,7 +29,7 @@ pub struct Summary {
     /// Square root of the area (in space cube root of the volume) of the smallest, the median and the
     /// largest block, m.
     pub size: [f64; 3],
-    /// Sizes, as above, m: blocks up to them hold a fifth, half and four fifths of the rock.
+    /// Sizes, as above, m: blocks without supports up to them hold a fifth, half and four fifths of the rock.
     pub passing: [f64; 3],
     /// Shortest edge, m, and the block that has it.
     pub shortest_edge: (f64, String),

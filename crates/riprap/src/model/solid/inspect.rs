@@ -67,6 +67,10 @@ impl Builder<'_> {
                 supported[block as usize] = true;
             }
         }
+        // What is held stands for the rock around.
+        let free = blocks.iter().zip(&supported).filter(|(_, held)| !**held);
+        let mut free: Vec<f64> = free.map(|(b, _)| libm::cbrt(volume(&b.shape))).collect();
+        free.sort_by(f64::total_cmp);
         let (min, max) = self.model_bounds();
         let origin = self.spatial.origin;
         let s = &mut self.summary;
@@ -79,8 +83,8 @@ impl Builder<'_> {
         s.origin = [origin.x, origin.y];
         s.solid_bounds = Some([(min + origin).into(), (max + origin).into()]);
         s.mass = mass;
+        s.passing = passing(&free, 3);
         s.size = [sizes[0], sizes[sizes.len() / 2], sizes[sizes.len() - 1]];
-        s.passing = passing(&sizes, 3);
     }
 
     fn solid_overlaps(&mut self) {

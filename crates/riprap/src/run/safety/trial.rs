@@ -9,6 +9,9 @@ use crate::plan::{Damping, Deforming, Phase, PhaseKind, Plan, Reduction, TimeSte
 use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot, Stage};
 use crate::setup::Setup;
 
+/// Share of the stable step that trials take at least: what they pass through on the way to rest need not be exact.
+const SHARE: f64 = 0.5;
+
 /// What a trial leaves.
 pub struct Done {
     /// As it is told.
@@ -304,7 +307,9 @@ pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Pha
     let mut phase = Phase::settle("safety", rules.balance);
     phase.until.steps = Some(rules.steps);
     phase.time_step = match time_step {
-        Some(rule @ TimeStep::Auto { .. }) => rule,
+        Some(TimeStep::Auto { safety }) => TimeStep::Auto {
+            safety: safety.max(SHARE),
+        },
         Some(TimeStep::Given { .. }) | None => phase.time_step,
     };
     phase.damping = Damping::default();
