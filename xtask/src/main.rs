@@ -12,6 +12,7 @@ mod modules;
 mod mutate;
 mod python;
 mod shell;
+mod soak;
 mod source_tree;
 mod steps;
 mod tidy;
@@ -39,6 +40,8 @@ Tasks:
   mutate [SCENE]...
                    break scenes on purpose (gravity, stiffness, friction, strength, loads, time ...) and list the checks that never fail;
                    --seconds S (3): only scenes as quick as that; --binary FILE
+  soak             an hour of a run that never ends beside a viewer: memory, descriptors, speed; writes docs/src/soak.md;
+                   --minutes N (60), --binary FILE
   arrows CRATE     print each module of a crate with the modules it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   wheel [portable] build the Python package: a release wheel in target/wheels; portable: for Linux from glibc 2.17 on
@@ -64,6 +67,7 @@ fn main() -> ExitCode {
         ["verify-all", scenes @ ..] => verify::all(&root, scenes),
         ["attack", words @ ..] => attack::run(&root, words),
         ["mutate", words @ ..] => mutate::run(&root, words),
+        ["soak", words @ ..] => soak::run(&root, words),
         ["arrows", name] => match modules::print_arrows(&root, name) {
             Ok(()) => ExitCode::SUCCESS,
             Err(why) => {
