@@ -187,14 +187,20 @@ impl Balance {
         self.total() - expected
     }
 
+    /// The largest energy that has moved so far.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        let stored = self.contact_normal + self.contact_shear + self.bond + self.bolts;
+        [self.kinetic, stored, self.start, self.works.peak]
+            .into_iter()
+            .fold(0.0_f64, |m, x| m.max(x.abs()))
+    }
+
     /// The residual over the largest energy that has moved so far, so that it can be judged; 0 when
     /// nothing has moved.
     #[must_use]
     pub fn residual_relative(&self) -> f64 {
-        let stored = self.contact_normal + self.contact_shear + self.bond + self.bolts;
-        let scale = [self.kinetic, stored, self.start, self.works.peak]
-            .into_iter()
-            .fold(0.0_f64, |m, x| m.max(x.abs()));
+        let scale = self.scale();
         if scale > 0.0 {
             self.residual() / scale
         } else {

@@ -5,6 +5,9 @@ use crate::plan::PhaseKind;
 use crate::run::engine::View;
 use crate::run::{meeting, rough};
 
+/// Share of the largest energy that moved from which on what edits have added is told.
+const MADE: f64 = 0.05;
+
 /// Share of what a joint conducts that its shape leaves out from which on it is told.
 const OBTUSE: f64 = 0.05;
 
@@ -77,8 +80,25 @@ impl Simulation {
             .into_iter()
             .chain(self.unbalanced_bolt())
             .chain(self.obtuse_joint())
+            .chain(self.made_by_edits())
             .chain(rough::crushed(&self.view()));
         all.chain(supports).collect()
+    }
+
+    /// Energy that edits of a model in space have added, if it is not small, in words.
+    fn made_by_edits(&self) -> Option<String> {
+        let View::Spatial(_) = self.view() else {
+            return None;
+        };
+        let balance = self.view().balance();
+        let (made, scale) = (balance.works.edit_defect, balance.scale());
+        (made > MADE * scale).then(|| {
+            format!(
+                "edits of the model have added {made:.3e} J, {:.0} % of the largest energy that moved (`energy.edit_defect`): joints that handed over to \
+                 found contact, splits, cuts, laws that changed; what moves afterwards moves by that, too",
+                100.0 * made / scale
+            )
+        })
     }
 
     /// The joint in space that water seeps through least exactly, in words.
