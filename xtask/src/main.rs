@@ -41,7 +41,7 @@ Tasks:
                    break scenes on purpose (gravity, stiffness, friction, strength, loads, time ...) and list the checks that never fail;
                    --seconds S (3): only scenes as quick as that; --binary FILE
   soak             an hour of a run that never ends beside a viewer: memory, descriptors, speed; writes docs/src/soak.md;
-                   --minutes N (60), --binary FILE
+                   --minutes N (60), --binary FILE; --table: run nothing, write the page from docs/src/soak.csv
   arrows CRATE     print each module of a crate with the modules it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   wheel [portable] build the Python package: a release wheel in target/wheels; portable: for Linux from glibc 2.17 on
