@@ -219,7 +219,7 @@ impl Gathering<'_> {
             let weight = solid.mass * self.kick.gravity[k];
             let list = &mut net.0[k][here.clone()];
             if !loads.is_empty() {
-                // With the weight in one sum, as in `block`: no bit of a motion hangs on where a block stands.
+                // With the weight in one sum, as in `block`.
                 for (f, load) in list.iter_mut().zip(loads) {
                     *f += weight + load.force[k];
                 }
