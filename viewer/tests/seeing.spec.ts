@@ -1,11 +1,12 @@
 // What a first user looked for: the end first, cuts that can be read, a range that one stray does not spoil, supports, a
 // scene before it is run.
 
+import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "@playwright/test";
-import { ROOT } from "./runs";
+import { BINARY, ROOT } from "./runs";
 import { expect, frame, pixels, settled, shoot, stage, test } from "./serve";
 
 /** Two bricks on a held one; gravity along -y. */
@@ -308,9 +309,12 @@ test("loads, water and joints of the plane can be shown", async ({ view }) => {
 });
 
 test("water that seeps has arrows", async ({ view }) => {
-  const file = join(mkdtempSync(join(tmpdir(), "riprap-seeing-")), "seeping.toml");
+  // Of a run: before the first step nothing has flowed.
+  const folder = mkdtempSync(join(tmpdir(), "riprap-seeing-"));
+  const [file, out] = [join(folder, "seeping.toml"), join(folder, "seeping.run")];
   writeFileSync(file, PLATES.replace("[[phases]]", '[water.river.seepage]\naperture = "1 mm"\n[[phases]]'));
-  const page = await view(file);
+  execFileSync(BINARY, ["run", file, "-q", "-o", out], { stdio: "ignore" });
+  const page = await view(out);
   const plain = await settled(page);
   await page.getByLabel("vectors").selectOption("seepage flow");
   await expect(page.locator(".legend")).toContainText(/longest seepage flow .*m2\/s/);
