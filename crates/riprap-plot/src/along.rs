@@ -17,13 +17,13 @@ const NONE: f64 = 1e-7;
 /// The line is moved aside by this share of its length, so that it runs along no face, edge or corner of what was built on round numbers.
 const ASIDE: [f64; 3] = [1.7e-9, 2.9e-9, 2.3e-9];
 
-/// A line from one place to another, m; in the plane the third coordinates are 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A line from one place to another, m: x, y and in space z.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Along {
     /// Where it begins.
-    pub from: [f64; 3],
+    pub from: Vec<f64>,
     /// Where it ends.
-    pub to: [f64; 3],
+    pub to: Vec<f64>,
 }
 
 /// A stretch of the line inside a block: shares of its length.
@@ -36,32 +36,33 @@ struct Piece {
 /// Draws a field (`displacement.x`, `sigma1`...) along a line, a curve for each frame; each block has one value.
 ///
 /// # Errors
-/// Unknown fields (with the nearest name), frames that do not exist, a line without length or that meets no block, files that cannot be read or written.
+/// Unknown fields (with the nearest name), frames that do not exist, places with too many or too few coordinates for the space of the
+/// run, a line without length or that meets no block, files that cannot be read or written.
 pub fn along(
     folder: &Path,
     frames: &[Which],
     field: &str,
-    line: Along,
+    line: &Along,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
-    let [a, b] = [line.from, line.to].map(Vec3::from);
-    let length = a.distance(b);
-    if length.is_nan() || length <= 0.0 {
-        let what = "the line has no length; give two places".to_owned();
-        return Err(PlotError::NothingToDraw { what });
-    }
     let (mut curves, mut columns): (Vec<Curve>, Vec<Series>) = (Vec::new(), Vec::new());
     let mut unit = String::new();
     for which in frames {
         let frame = load_frame(folder, *which)?;
         let chosen = choose(&frame, field)?;
+        let [a, b] = [within(&frame, &line.from)?, within(&frame, &line.to)?];
+        let length = a.distance(b);
+        if length.is_nan() || length <= 0.0 {
+            let what = "the line has no length; give two places".to_owned();
+            return Err(PlotError::NothingToDraw { what });
+        }
         let pieces = pieces(&frame, a, b);
         if pieces.is_empty() {
             let what = format!(
                 "the line from {} to {} meets no block where it was before it moved",
-                place(&frame, line.from),
-                place(&frame, line.to)
+                place(&line.from),
+                place(&line.to)
             );
             return Err(PlotError::NothingToDraw { what });
         }
@@ -100,10 +101,29 @@ pub fn along(
     write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)
 }
 
-fn place(frame: &Frame, at: [f64; 3]) -> String {
-    let count = if frame.solids.is_some() { 3 } else { 2 };
-    let all: Vec<String> = at[..count].iter().map(|x| short(*x)).collect();
+fn place(at: &[f64]) -> String {
+    let all: Vec<String> = at.iter().map(|x| short(*x)).collect();
     format!("({}) m", all.join(", "))
+}
+
+/// A place in the space of a frame.
+fn within(frame: &Frame, at: &[f64]) -> Result<Vec3, PlotError> {
+    match (frame.solids.is_some(), at) {
+        (false, &[x, y]) => Ok(Vec3::new(x, y, 0.0)),
+        (true, &[x, y, z]) => Ok(Vec3::new(x, y, z)),
+        (in_space, _) => {
+            let (wanted, space) = match in_space {
+                true => ("x, y and z", "in space"),
+                false => ("x and y", "in the plane"),
+            };
+            let given = at.len();
+            let place = place(at);
+            let what = format!(
+                "the run is {space}, where a place has {wanted}; {place} has {given} coordinates"
+            );
+            Err(PlotError::NothingToDraw { what })
+        }
+    }
 }
 
 /// The stretches of the line that lie in blocks, in their order.

@@ -145,16 +145,11 @@ impl Options {
                     what: "a line has two ends: line=((0, 3), (0, 12))".to_owned(),
                 };
                 let [from, to] = self.line.as_ref().ok_or_else(nowhere)?;
-                let place = |list: &[f64]| match *list {
-                    [x, y] => Ok([x, y, 0.0]),
-                    [x, y, z] => Ok([x, y, z]),
-                    _ => Err(nowhere()),
-                };
                 let line = Along {
-                    from: place(from)?,
-                    to: place(to)?,
+                    from: from.clone(),
+                    to: to.clone(),
                 };
-                drawn::along(folder, &frames, &self.by, line, out)
+                drawn::along(folder, &frames, &self.by, &line, out)
             }
             "ppv" => drawn::ppv(folder, frames[0], self.surface, out),
             "crater" => {

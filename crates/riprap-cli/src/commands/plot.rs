@@ -145,11 +145,8 @@ fn line(args: &Plot) -> Result<Option<Along>, Failure> {
                 "{text:?} is no place; write x, y and in space z: --from '0 m, 3 m'"
             )));
         }
-        let mut at = [0.0; 3];
-        for (x, part) in at.iter_mut().zip(parts) {
-            *x = quantity(part, Dim::LENGTH, "length", "--from '0 m, 3 m'")?;
-        }
-        Ok(at)
+        let length = |part| quantity(part, Dim::LENGTH, "length", "--from '0 m, 3 m'");
+        parts.into_iter().map(length).collect()
     };
     Ok(Some(Along {
         from: place(from)?,
@@ -274,7 +271,7 @@ impl<'a> Asked<'a> {
                 let out = self.out(&format!("section_{by}"));
                 plot::section(folder, frames, by, self.options, &out)
             }
-            "line" => match self.line {
+            "line" => match &self.line {
                 Some(line) => {
                     let out = self.out(&format!("line_{by}"));
                     plot::along(folder, frames, by, line, &out)

@@ -475,6 +475,13 @@ fn plots_are_drawn() {
         let words = [&["plot", "fall.run"], words].concat();
         bench.run(&words).expect(2).warns(&[said]);
     }
+    // A line in the plane takes two coordinates, no more.
+    let line = |from, to| ["plot", "fall.run", "line", "--from", from, "--to", to];
+    bench.run(&line("0.5 m, -9 m", "0.5 m, 9 m")).expect(0);
+    bench
+        .run(&line("0.5 m, -9 m, 0 m", "0.5 m, 9 m"))
+        .expect(2)
+        .warns(&["in the plane, where a place has x and y; (0.5, -9, 0) m has 3 coordinates"]);
     bench
         .run(&["plot", "fall.run", "spectrum", "height"])
         .expect(0)
