@@ -1,6 +1,7 @@
 //! What a run says of its phases when they are over, and of itself at its end.
 
 use super::{PhaseEnd, Simulation, Thrown, Unconverged, stop};
+use crate::ledger::Balance;
 use crate::plan::PhaseKind;
 use crate::run::engine::View;
 use crate::run::{meeting, rough};
@@ -87,18 +88,10 @@ impl Simulation {
 
     /// Energy that edits of a model in space have added, if it is not small, in words.
     fn made_by_edits(&self) -> Option<String> {
-        let View::Spatial(_) = self.view() else {
-            return None;
-        };
-        let balance = self.view().balance();
-        let (made, scale) = (balance.works.edit_defect, balance.scale());
-        (made > MADE * scale).then(|| {
-            format!(
-                "edits of the model have added {made:.3e} J, {:.0} % of the largest energy that moved (`energy.edit_defect`): joints that handed over to \
-                 found contact, splits, cuts, laws that changed; what moves afterwards moves by that, too",
-                100.0 * made / scale
-            )
-        })
+        match self.view() {
+            View::Spatial(_) => made_by_edits(&self.view().balance()),
+            View::Planar(_) => None,
+        }
     }
 
     /// The joint in space that water seeps through least exactly, in words.
@@ -139,5 +132,40 @@ impl Simulation {
                 "{n} blocks have gone over the rim of the terrain and fall for ever, `{name}` the first in number"
             ),
         })
+    }
+}
+
+/// Energy that edits have added, if it is not small, in words.
+fn made_by_edits(balance: &Balance) -> Option<String> {
+    let (made, scale) = (balance.works.edit_defect, balance.scale());
+    (made > MADE * scale).then(|| {
+        format!(
+            "edits of the model have added {made:.3e} J, {:.0} % of the largest energy that moved (`energy.edit_defect`): joints that handed over to \
+             found contact, splits, cuts, laws that changed; what moves afterwards moves by that, too",
+            100.0 * made / scale
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Balance, made_by_edits};
+
+    #[test]
+    fn energy_that_edits_have_added_is_told_when_it_is_not_small() {
+        let mut balance = Balance {
+            kinetic: 4e6,
+            start: 1e6,
+            ..Balance::default()
+        };
+        // Nothing moved is no reason, nor is what edits have taken.
+        assert_eq!(made_by_edits(&Balance::default()), None);
+        for quiet in [0.0, -3e6, 1.9e5] {
+            balance.works.edit_defect = quiet;
+            assert_eq!(made_by_edits(&balance), None, "{quiet}");
+        }
+        balance.works.edit_defect = 3e5;
+        let said = made_by_edits(&balance).expect("a warning");
+        assert!(said.contains("3.000e5 J, 8 % of"), "{said}");
     }
 }
