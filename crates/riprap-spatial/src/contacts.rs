@@ -27,7 +27,7 @@ use super::setup::{self, Setup};
 use super::state::found::FoundPair;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Turned, World, flag};
-use crate::exec::CHUNK;
+use crate::exec::piece;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
@@ -413,7 +413,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     desk.slots.clear();
     desk.slots.resize(pairs.len(), Slot::default());
     desk.workspaces
-        .resize_with(pairs.len().div_ceil(CHUNK), Workspace::default);
+        .resize_with(pairs.len().div_ceil(piece(pairs.len())), Workspace::default);
     incidence(world, desk);
     desk.ready = true;
     scratch.tiles.make_rows(world);

@@ -3,15 +3,18 @@
 //! Every pair writes what it exerts to its own slot, and each block adds its slots in the order of the pairs: the same bits for
 //! any number of threads.
 
+use riprap_core::sums::{GROUP, tree};
 use riprap_geom::{Mat3, Vec3};
 
 use super::glued::Asked;
 use super::limit::{self, Speeds};
 use super::{glued, left};
 use crate::exec::{CHUNK, Exec};
-use crate::found::desk::{Acting, Constants, Deepest, Desk, Slot, Workspace};
+use crate::found::desk::{Acting, Constants, Deepest, Desk, PairSums, Slot, Workspace};
 use crate::found::glued::{Glued, Placed};
-use crate::found::{Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, planes, respond};
+use crate::found::{
+    Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, part, planes, respond,
+};
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
@@ -26,7 +29,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let desk = &mut scratch.desk;
     place(world, desk, &scratch.exec);
     let Desk {
-        slots, workspaces, ..
+        slots,
+        workspaces,
+        sums,
+        ..
     } = desk;
     let evaluation = Evaluation {
         bodies: BodiesInPairs {
@@ -49,32 +55,29 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         dt: world.pending,
     };
     let width = scratch.width;
-    scratch.exec.chunks2(
+    sums.clear();
+    sums.resize(slots.len().div_ceil(GROUP), PairSums::default());
+    scratch.exec.groups2(
         &mut world.found.pairs,
         slots,
+        sums,
         workspaces,
-        |first, pairs, slots, workspace| {
-            (workspace.friction, workspace.offset) = (0.0, 0.0);
-            (workspace.taken_over, workspace.left) = (0.0, 0.0);
-            workspace.deepest = None;
+        |first, pairs, slots, sums, workspace| {
             workspace.walker.cutter.limit_width(width);
             let gluer = &mut workspace.glued.gluer;
             gluer.walker.cutter.limit_width(width);
             gluer.other.cutter.limit_width(width);
-            workspace.glued.friction = 0.0;
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
-                evaluation.pair(first + k, pair, slot, workspace);
+                evaluation.pair(first + k, pair, slot, sums, workspace);
             }
         },
     );
-    desk.deepest = None;
-    for workspace in &desk.workspaces {
-        let handed_over = workspace.taken_over + workspace.offset;
-        world.works.friction += workspace.friction + workspace.glued.friction;
-        world.works.contact_path += handed_over;
-        world.works.edit_defect += handed_over - workspace.left;
-        desk.deepest = Deepest::deeper(desk.deepest, workspace.deepest);
-    }
+    tree(sums, PairSums::add);
+    let sums = sums.first().copied().unwrap_or_default();
+    world.works.friction += sums.friction;
+    world.works.contact_path += sums.booked;
+    world.works.edit_defect += sums.booked - sums.left;
+    desk.deepest = sums.deepest;
     sum(desk, &scratch.exec);
     let stable = limit::longest_step(world, desk, &scratch.exec);
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
@@ -174,7 +177,14 @@ impl Evaluation<'_> {
         })
     }
 
-    fn pair(&self, k: usize, pair: &mut FoundPair, slot: &mut Slot, workspace: &mut Workspace) {
+    fn pair(
+        &self,
+        k: usize,
+        pair: &mut FoundPair,
+        slot: &mut Slot,
+        sums: &mut PairSums,
+        workspace: &mut Workspace,
+    ) {
         let candidate = &self.candidates.pairs[k];
         let nearing = self.speeds.nearing(pair.ends);
         slot.nearing = nearing;
@@ -195,8 +205,7 @@ impl Evaluation<'_> {
                 dt: self.dt,
                 nearing,
             };
-            let Workspace { glued, deepest, .. } = workspace;
-            glued::act(&asked, pair, slot, glued, deepest);
+            glued::act(&asked, pair, slot, &mut workspace.glued, sums);
             return;
         }
         let faces = candidate.faces(&self.candidates.lists);
@@ -215,15 +224,13 @@ impl Evaluation<'_> {
             ties: candidate.ties,
             hint,
         });
-        let sums = match found {
-            Found::Touching(sums) => sums,
+        let surface = match found {
+            Found::Touching(surface) => surface,
             Found::Apart(gap) => {
                 let motion = self.motion(k, pair);
-                workspace.friction += pair.memory.work(&motion, self.dt) + pair.stored;
-                if let Some(offset) = &pair.offset {
-                    workspace.offset += offset.work(&motion, pair.memory.arms, self.dt);
-                    workspace.left += left(pair);
-                }
+                sums.friction += pair.memory.work(&motion, self.dt) + pair.stored;
+                sums.left += left(pair);
+                sums.booked += part(pair.offset.take(), &motion, &pair.memory, self.dt);
                 *pair = FoundPair {
                     ends: pair.ends,
                     gap: gap - ROUNDING * gap,
@@ -244,7 +251,7 @@ impl Evaluation<'_> {
                 };
                 slot.elastic.force = Vec3::NAN;
                 pair.depth = 2.0 * radius;
-                workspace.deepest = Some(Deepest {
+                sums.deepest = Some(Deepest {
                     ends: pair.ends,
                     depth: pair.depth,
                     ratio: f64::INFINITY,
@@ -252,19 +259,19 @@ impl Evaluation<'_> {
                 return;
             }
         };
-        workspace.unlabelled += u64::from(sums.unlabelled);
-        pair.next = sums
+        workspace.unlabelled += u64::from(surface.unlabelled);
+        pair.next = surface
             .hint
             .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
         let constants = &self.constants[k];
         if pair.offset.as_ref().is_some_and(|o| o.joint.is_some()) {
             // The springs along the contact have the stiffness of its law from now on.
-            workspace.left += left(pair) + pair.stored - pair.memory.stored(&constants.law);
+            sums.left += left(pair) + pair.stored - pair.memory.stored(&constants.law);
         }
         let reply = respond(
             &constants.law,
             &Question {
-                sums: &sums,
+                sums: &surface,
                 mean_radius: &|point| workspace.walker.mean_radius(point),
                 origin: planes::origin(&bodies[0], &bodies[1]),
                 centres: bodies.map(|b| b.position),
@@ -273,25 +280,21 @@ impl Evaluation<'_> {
                 dt: self.dt,
             },
             &mut pair.memory,
-            pair.offset.as_deref_mut(),
+            &mut pair.offset,
         );
-        workspace.friction += reply.friction;
-        workspace.offset += reply.offset_work;
-        workspace.taken_over += reply.taken_over;
-        if pair.offset.as_ref().is_some_and(|o| o.is_gone(reply.area)) {
-            pair.offset = None;
-        }
+        sums.friction += reply.friction;
+        sums.booked += reply.booked;
         pair.stored = pair.memory.stored(&constants.law);
         pair.force = reply.wrench.force;
-        pair.depth = sums.depth;
+        pair.depth = surface.depth;
         pair.gap = 0.0;
-        let ratio = sums.depth / constants.inradius;
+        let ratio = surface.depth / constants.inradius;
         let deep = Deepest {
             ends: pair.ends,
-            depth: sums.depth,
+            depth: surface.depth,
             ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
         };
-        workspace.deepest = Deepest::deeper(workspace.deepest, Some(deep));
+        sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
         *slot = Slot {
             elastic: reply.elastic.plus(&reply.offset),
             spring: reply.spring,

@@ -245,6 +245,7 @@ fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
         rocking: carried.rocking - sign * rocking + arm.cross(load),
         at: about,
         energy: carried.energy + normal_energy,
+        mean: carried.mean + 0.5 * pressed * pressed / (class.stiffness[0] * class.area),
     })));
     let memory = Memory {
         shear: pair.memory.shear + shear,

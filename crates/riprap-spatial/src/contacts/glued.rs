@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 
 use super::limit;
 use crate::build::BuildError;
-use crate::found::desk::{Deepest, Facing, GluedWorkspace, Slot};
+use crate::found::desk::{Deepest, Facing, GluedWorkspace, PairSums, Slot};
 use crate::found::glued::{Glued, Placed, Touch};
 use crate::found::{ContactLaw, Motion, Pose, Question, respond};
 use crate::setup::{FaceSet, Setup, Shape, Solid};
@@ -40,12 +40,11 @@ pub(super) fn act(
     pair: &mut FoundPair,
     slot: &mut Slot,
     room: &mut GluedWorkspace,
-    deepest: &mut Option<Deepest>,
+    sums: &mut PairSums,
 ) {
     let GluedWorkspace {
         gluer,
         old,
-        friction,
         unlabelled,
     } = room;
     let Asked {
@@ -68,7 +67,7 @@ pub(super) fn act(
     gluer.place(placed);
     for a in 0..placed.blocks[0].pieces() {
         for b in 0..placed.blocks[1].pieces() {
-            let (sums, origin) = match gluer.find(placed, [a, b]) {
+            let (surface, origin) = match gluer.find(placed, [a, b]) {
                 Touch::Apart(found) => {
                     gap = gap.min(found);
                     continue;
@@ -81,7 +80,7 @@ pub(super) fn act(
                     // No force can be given: not a number stops the run, and the deepest contact is to blame.
                     new.elastic.force = Vec3::NAN;
                     pair.depth = 2.0 * radius;
-                    *deepest = Some(Deepest {
+                    sums.deepest = Some(Deepest {
                         ends: pair.ends,
                         depth: pair.depth,
                         ratio: f64::INFINITY,
@@ -89,10 +88,10 @@ pub(super) fn act(
                     *slot = new;
                     return;
                 }
-                Touch::Touching(sums, origin) => (sums, origin),
+                Touch::Touching(surface, origin) => (surface, origin),
             };
             gap = 0.0;
-            *unlabelled += u64::from(sums.unlabelled);
+            *unlabelled += u64::from(surface.unlabelled);
             let pieces = [a as u16, b as u16];
             let known = old.iter().position(|contact| contact.pieces == pieces);
             let mut contact = known.map_or_else(
@@ -105,7 +104,7 @@ pub(super) fn act(
             let reply = respond(
                 law,
                 &Question {
-                    sums: &sums,
+                    sums: &surface,
                     mean_radius: &|point| gluer.walker.mean_radius(point),
                     origin,
                     centres: placed.poses.map(|pose| pose.position),
@@ -114,12 +113,12 @@ pub(super) fn act(
                     dt: *dt,
                 },
                 &mut contact.memory,
-                None,
+                &mut None,
             );
-            *friction += reply.friction;
+            sums.friction += reply.friction;
             contact.stored = contact.memory.stored(law);
             contact.force = reply.elastic.force + reply.spring.force;
-            contact.depth = sums.depth;
+            contact.depth = surface.depth;
             contact.area = reply.area;
             new.elastic = new.elastic.plus(&reply.elastic);
             new.spring = new.spring.plus(&reply.spring);
@@ -139,7 +138,7 @@ pub(super) fn act(
     }
     // What is left has parted.
     for gone in old.drain(..) {
-        *friction += gone.memory.work(motion, *dt) + gone.stored;
+        sums.friction += gone.memory.work(motion, *dt) + gone.stored;
     }
     pair.gap = gap - ROUNDING * gap;
     if new.touching {
@@ -149,7 +148,7 @@ pub(super) fn act(
             depth: pair.depth,
             ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
         };
-        *deepest = Deepest::deeper(*deepest, Some(deep));
+        sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
     }
     *slot = new;
 }

@@ -24,7 +24,7 @@ use riprap_geom::Vec3;
 
 use super::felt::{Felt, Spread};
 use crate::exec::Exec;
-use crate::found::desk::{Desk, Facing, Impact, Slot};
+use crate::found::desk::{Constants, Desk, Facing, Impact, Slot};
 use crate::found::{Memory, Pose, Role, Shape};
 use crate::state::found::FoundPair;
 use crate::world::{Bodies, SolidClass, World};
@@ -51,7 +51,7 @@ const FACING: f64 = -0.98;
 /// Longest step, s.
 pub(super) fn longest_step(world: &World, desk: &mut Desk, exec: &Exec) -> f64 {
     let transit = transit(world, desk, exec);
-    find_slight(world, desk);
+    find_slight(world, desk, exec);
     let limit = StepLimit {
         world,
         desk,
@@ -98,7 +98,7 @@ impl StepLimit<'_> {
             let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
             let flat = constants.facing.as_ref();
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-            let slight = slot.slight;
+            let slight = desk.all_slight || slot.slight;
             let share = if slight { BOUNDED } else { SAFETY };
             let as_joint = pair.in_place || slight;
             let alone = flat.map_or(f64::INFINITY, |flat| {
@@ -197,52 +197,60 @@ fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
 /// Says of each pair whether its impact is slight: the stiffest ones, whose steps would be the shortest, as long as all of them together
 /// are. Their energy is that of the approach, by its bound, and of the pressure; pairs that cannot meet in a step that is as long as joints
 /// allow have none, and those that lie in place are left out.
-fn find_slight(world: &World, desk: &mut Desk) {
-    let gravity = world.gravity.length();
+fn find_slight(world: &World, desk: &mut Desk, exec: &Exec) {
     let slight = SLIGHT * world.works.peak;
-    let mut all = 0.0;
-    desk.impacts.clear();
-    for (k, pair) in world.found.pairs.iter().enumerate() {
-        desk.slots[k].slight = false;
-        if pair.in_place {
-            continue;
-        }
-        let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
-        let kn = constants.law.normal_stiffness;
-        let ease: f64 = constants.inverse_masses.iter().sum();
-        let flat = constants.facing.as_ref();
-        let square = flat.map_or(2.0 * kn * constants.largest * ease, |flat| flat.square);
-        let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
-        if slot.touching {
-            energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
-        } else if until_change(pair, slot, gravity) > BOUNDED * 2.0 / square.sqrt() {
-            continue;
-        }
-        all += energy;
-        desk.impacts.push(Impact {
-            square,
-            energy,
-            pair: k as u32,
-        });
-    }
-    if all <= slight {
-        for slot in &mut desk.slots {
-            slot.slight = true;
-        }
+    let Desk {
+        slots,
+        constants,
+        impacts,
+        ..
+    } = desk;
+    let count = world.found.pairs.len();
+    let of = |k: usize| impact(world, slots, constants, k);
+    desk.all_slight = exec.sum(count, |k| of(k).map_or(0.0, |impact| impact.energy)) <= slight;
+    if desk.all_slight {
         return;
     }
-    (desk.impacts).sort_unstable_by(|a, b| {
+    impacts.clear();
+    impacts.extend((0..count).filter_map(of));
+    impacts.sort_unstable_by(|a, b| {
         let stiffer = b.square.total_cmp(&a.square);
         stiffer.then(a.pair.cmp(&b.pair))
     });
+    for slot in slots.iter_mut() {
+        slot.slight = false;
+    }
     let mut so_far = 0.0;
-    for impact in &desk.impacts {
+    for impact in impacts {
         so_far += impact.energy;
         if so_far > slight {
             break;
         }
-        desk.slots[impact.pair as usize].slight = true;
+        slots[impact.pair as usize].slight = true;
     }
+}
+
+/// The impact of pair `k`: `None` where it lies in place or cannot meet in a step that is as long as joints allow.
+fn impact(world: &World, slots: &[Slot], constants: &[Constants], k: usize) -> Option<Impact> {
+    let (pair, slot, constants) = (&world.found.pairs[k], &slots[k], &constants[k]);
+    if pair.in_place {
+        return None;
+    }
+    let kn = constants.law.normal_stiffness;
+    let ease: f64 = constants.inverse_masses.iter().sum();
+    let flat = constants.facing.as_ref();
+    let square = flat.map_or(2.0 * kn * constants.largest * ease, |flat| flat.square);
+    let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
+    if slot.touching {
+        energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
+    } else if until_change(pair, slot, world.gravity.length()) > BOUNDED * 2.0 / square.sqrt() {
+        return None;
+    }
+    Some(Impact {
+        square,
+        energy,
+        pair: k as u32,
+    })
 }
 
 /// How fast rigid blocks move.

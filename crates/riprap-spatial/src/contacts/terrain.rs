@@ -3,10 +3,11 @@
 //! Every such block has a state of its own, [`OnTerrain`]: how far it can go before it can touch, and its springs on each facet. Terrain
 //! needs no candidate list; a block looks at the triangles near it when it has gone far enough.
 
+use riprap_core::sums::{GROUP, tree};
 use riprap_geom::Vec3;
 
 use super::make_shapes;
-use crate::exec::CHUNK;
+use crate::exec::piece;
 use crate::found::desk::{Acting, Desk, TerrainWorkspace};
 use crate::found::{
     Body, ContactLaw, Motion, Question, Reached, Shape, Terrain, Wrench, respond, turn,
@@ -54,28 +55,36 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     let mut exerted = std::mem::take(&mut desk.terrain.exerted);
     exerted.resize(n, Acting::default());
     let mut workspaces = std::mem::take(&mut desk.terrain.workspaces);
-    workspaces.resize_with(n.div_ceil(CHUNK), TerrainWorkspace::default);
+    workspaces.resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
+    for room in &mut workspaces {
+        room.left.clear();
+    }
+    let mut sums = std::mem::take(&mut desk.terrain.sums);
+    sums.clear();
+    sums.resize(n.div_ceil(GROUP), 0.0);
     let evaluation = Evaluation {
         world,
         desk,
         dt: world.pending,
     };
     let width = scratch.width;
-    scratch.exec.chunks2(
+    scratch.exec.groups2(
         &mut states,
         &mut exerted,
+        &mut sums,
         &mut workspaces,
-        |first, states, exerted, room| {
+        |first, states, exerted, friction, room| {
             room.friction = 0.0;
-            room.left.clear();
             room.treader.cutter.limit_width(width);
             for (k, (state, exerted)) in states.iter_mut().zip(exerted).enumerate() {
                 evaluation.block(first + k, state, exerted, room);
             }
+            *friction = room.friction;
         },
     );
+    tree(&mut sums, |sum, other| *sum += other);
+    world.works.friction += sums.first().copied().unwrap_or(0.0);
     for room in &workspaces {
-        world.works.friction += room.friction;
         for &b in &room.left {
             let event = world.event(EditKind::LeftTerrain, b);
             world.events.push(event);
@@ -89,6 +98,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     world.found.terrain = states;
     desk.terrain.exerted = exerted;
     desk.terrain.workspaces = workspaces;
+    desk.terrain.sums = sums;
     let limit = longest_step(world, &scratch.desk);
     world.found.longest_step = world.found.longest_step.map(|step| step.min(limit));
 }
@@ -274,7 +284,7 @@ impl Evaluation<'_> {
                     dt: self.dt,
                 },
                 &mut contact.memory,
-                None,
+                &mut None,
             );
             room.friction += reply.friction;
             contact.stored = contact.memory.stored(&law);

@@ -137,7 +137,7 @@ pub struct PairSlot {
     pub area: f64,
 }
 
-/// Workspace and sums of a run of pairs.
+/// Workspace of a piece of the pairs, and sums of the group at hand.
 #[derive(Debug, Default)]
 pub struct PairWorkspace {
     /// For overlaps of cells.
@@ -156,8 +156,6 @@ pub struct PairWorkspace {
     pub damping: f64,
     /// Energy that pairs brought along, J.
     pub brought: f64,
-    /// Pairs of tetrahedra that touch.
-    pub touching: u64,
 }
 
 /// Workspace for all found contacts of deformable blocks.
@@ -173,8 +171,10 @@ pub struct CellDesk {
     pub constants: Vec<PairConstants>,
     /// Per pair.
     pub slots: Vec<PairSlot>,
-    /// Per run of pairs.
+    /// Per piece of the pairs.
     pub workspaces: Vec<PairWorkspace>,
+    /// Per group of pairs: heat of friction, heat of dashpots, energy that pairs brought along, J.
+    pub sums: Vec<[f64; 3]>,
     /// For the search.
     pub grid: Grid,
     /// For the search: boxes of all blocks.

@@ -39,6 +39,8 @@ pub struct Desk {
     pub slots: Vec<Slot>,
     /// Workspace: the impacts of an instant.
     pub impacts: Vec<Impact>,
+    /// Whether all of them together are slight.
+    pub all_slight: bool,
     /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
     pub incidence: Vec<(u32, bool)>,
     /// Where the pairs of each of `blocks` begin; one entry more.
@@ -47,6 +49,8 @@ pub struct Desk {
     pub acting: Vec<Acting>,
     /// Workspace of each run of pairs.
     pub workspaces: Vec<Workspace>,
+    /// Sums over groups of pairs.
+    pub sums: Vec<PairSums>,
     /// Whether any contact has dashpots.
     pub damped: bool,
     /// The contact that is deepest for its blocks; `None` where none touch.
@@ -88,13 +92,15 @@ pub struct TerrainDesk {
     pub laws: Vec<Vec<ContactLaw>>,
     /// What terrain does to each block.
     pub exerted: Vec<Acting>,
-    /// Workspace of each run of blocks.
+    /// Workspace of each piece of the blocks.
     pub workspaces: Vec<TerrainWorkspace>,
+    /// Heat of friction of each group of blocks in this step, J.
+    pub sums: Vec<f64>,
     /// Whether any contact has dashpots.
     pub damped: bool,
 }
 
-/// Workspace and sums of a run of blocks on terrain.
+/// Workspace of a piece of the blocks on terrain, and sums of the group at hand.
 #[derive(Debug, Default)]
 pub struct TerrainWorkspace {
     /// Finds surfaces.
@@ -164,7 +170,7 @@ pub struct Slot {
     pub area: f64,
     /// Bound of the speed at which points of the two blocks come nearer to each other, m/s.
     pub nearing: f64,
-    /// Whether the energy of its impact is so small that a step need not resolve it.
+    /// Whether the energy of its impact is so small that a step need not resolve it, where not that of all is.
     pub slight: bool,
 }
 
@@ -218,36 +224,47 @@ pub struct Acting {
     pub drag: Share,
 }
 
-/// Workspace and sums of pairs with blocks of glued parts.
+/// Workspace of pairs with blocks of glued parts.
 #[derive(Debug, Default)]
 pub struct GluedWorkspace {
     /// Finds what pieces share.
     pub gluer: Gluer,
     /// Contacts of the pair that have not been found yet.
     pub old: Vec<PieceContact>,
-    /// Heat of friction in this step, J.
-    pub friction: f64,
     /// Edges that no plane has made: none, or the kernel is wrong.
     pub unlabelled: u64,
 }
 
-/// Workspace and sums of a run of pairs.
+/// Workspace of a piece of the pairs.
 #[derive(Debug, Default)]
 pub struct Workspace {
     /// Walks over surfaces.
     pub walker: Walker,
     /// For blocks of glued parts.
     pub glued: GluedWorkspace,
-    /// Heat of friction in this step, J.
-    pub friction: f64,
-    /// Work of what joints have left to their contacts in this step, J.
-    pub offset: f64,
-    /// Energy of the pressure of contacts that have just taken over from a joint, J.
-    pub taken_over: f64,
-    /// Energy of the normal springs of these joints, J.
-    pub left: f64,
     /// Edges that no listed plane has made: none, or the lists are wrong.
     pub unlabelled: u64,
-    /// The deepest contact of the run.
+}
+
+/// Sums over a group of pairs in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PairSums {
+    /// Heat of friction, J.
+    pub friction: f64,
+    /// What contacts store beyond what their forces have taken up ([`super::Reply::booked`]), J.
+    pub booked: f64,
+    /// Energy of the normal springs of joints from which they have just taken over, J.
+    pub left: f64,
+    /// The deepest contact.
     pub deepest: Option<Deepest>,
+}
+
+impl PairSums {
+    /// Adds those of the groups behind.
+    pub fn add(&mut self, other: &Self) {
+        self.friction += other.friction;
+        self.booked += other.booked;
+        self.left += other.left;
+        self.deepest = Deepest::deeper(self.deepest, other.deepest);
+    }
 }

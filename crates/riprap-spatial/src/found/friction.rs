@@ -130,10 +130,9 @@ pub struct Reply {
     pub spring: Wrench,
     /// What goes on of a joint's load.
     pub offset: Wrench,
-    /// Its work in this step, J.
-    pub offset_work: f64,
-    /// Energy of the pressure where it has just taken over from a joint, J.
-    pub taken_over: f64,
+    /// What the contact stores across itself beyond what its forces have taken up in this step, J: the energy of a joint where it has
+    /// just taken over from it, and the difference to its own law where what the joint had left has ended.
+    pub booked: f64,
     /// All dashpots.
     pub drag: Wrench,
     /// Normal force, N: pressure and dashpot, never negative.
@@ -199,24 +198,25 @@ struct Relative {
 /// Forces of a contact; `memory` goes on to this instant.
 ///
 /// The friction of a step is the work on the shear springs less the change of what they store; springs that a shrinking
-/// contact loses take their share with them, which is friction too. `offset` is what a joint has left, if one has let go.
+/// contact loses take their share with them, which is friction too. `offset` is what a joint has left, if one has let go; it is
+/// taken away where nothing is left of it.
 pub fn respond(
     law: &ContactLaw,
     q: &Question,
     memory: &mut Memory,
-    mut offset: Option<&mut Offset>,
+    offset: &mut Option<Box<Offset>>,
 ) -> Reply {
     let k = 2.0 * law.normal_stiffness;
     let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
     let mut work = memory.work(&q.motion, q.dt);
     let Some(c) = contact(law, q) else {
         let lost = memory.stored(law);
-        let offset_work = end(offset, &q.motion, memory, q.dt);
+        let booked = part(offset.take(), &q.motion, memory, q.dt);
         *memory = Memory::default();
         return Reply {
             wrench: elastic,
             elastic,
-            offset_work,
+            booked,
             friction: work + lost,
             stored: -lost,
             point: q.origin,
@@ -231,18 +231,24 @@ pub fn respond(
     let mass = if inverse > 0.0 { 1.0 / inverse } else { 0.0 };
     let dashpot = |stiffness: f64| 2.0 * law.damping_ratio * (stiffness * c.area * mass).sqrt();
 
-    let (mut offset_work, mut taken_over) = (0.0, 0.0);
+    let mut booked = 0.0;
     let mut offset_wrench = Wrench::default();
-    if let Some(offset) = offset.as_deref_mut() {
-        offset_work = offset.work(&q.motion, memory.arms, q.dt);
+    let mut pressed = c.elastic;
+    if let Some(offset) = offset {
+        offset.pass(&q.motion, memory.arms, q.dt);
         if let Some(joint) = offset.joint {
-            taken_over = energy(law, q.sums, &c);
+            booked = joint.energy;
             // The shear of the joint acted at its own point.
             memory.torsion += (joint.at - at).cross(memory.shear).dot(c.normal);
         }
         let here = offset::Here {
             normal: c.normal,
             elastic: c.elastic,
+            pressure: [
+                elastic.force,
+                elastic.moment_b - arms[1].cross(elastic.force),
+            ],
+            energy: energy(law, q.sums, &c),
             overlap: q.sums.force.length(),
             point: at,
             area: c.area,
@@ -251,10 +257,13 @@ pub fn respond(
             before: memory.normal,
         };
         offset.advance(&here, q.dt);
-        offset_work += offset.work(&q.motion, arms, q.dt);
+        offset.pass(&q.motion, arms, q.dt);
         offset_wrench = about(arms, offset.force, offset.couple);
+        pressed += offset.force.dot(c.normal);
     }
-    let pressed = c.elastic + offset.map_or(0.0, |offset| offset.force.dot(c.normal));
+    if let Some(gone) = offset.take_if(|offset| offset.is_gone(c.area)) {
+        booked += energy(law, q.sums, &c) - gone.stored;
+    }
     let across = dashpot(law.normal_stiffness);
     let normal = (pressed - across * v.normal).max(0.0);
     // Dashpots spread evenly over the area; half its polar moment for both axes would be many times too much about the long
@@ -296,8 +305,7 @@ pub fn respond(
         elastic,
         spring,
         offset: offset_wrench,
-        offset_work,
-        taken_over,
+        booked,
         drag,
         normal,
         shear,
@@ -322,13 +330,17 @@ fn about(arms: [Vec3; 2], force: Vec3, couple: Vec3) -> Wrench {
     }
 }
 
-/// Ends what a joint has left where there is no contact with one normal any more: its work in the last half step.
-fn end(offset: Option<&mut Offset>, motion: &[Motion; 2], memory: &Memory, dt: f64) -> f64 {
-    offset.map_or(0.0, |offset| {
-        let work = offset.work(motion, memory.arms, dt);
-        (offset.joint, offset.normal, offset.rocking) = (None, 0.0, Vec3::ZERO);
-        (offset.force, offset.couple) = (Vec3::ZERO, Vec3::ZERO);
-        work
+/// Ends what a joint has left where its blocks have parted, or where there is no contact with one normal any more, after the last half
+/// step; what is to be booked, J (see [`Reply::booked`]).
+pub(crate) fn part(
+    offset: Option<Box<Offset>>,
+    motion: &[Motion; 2],
+    memory: &Memory,
+    dt: f64,
+) -> f64 {
+    offset.map_or(0.0, |mut offset| {
+        offset.pass(motion, memory.arms, dt);
+        -offset.stored
     })
 }
 

@@ -4,7 +4,10 @@ use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Quat, Vec3};
 
 use super::kit::{Chance, KINDS, Kind, Placed, block};
-use super::{ContactLaw, Found, Memory, Motion, Pose, Question, Reply, Shape, Walker, respond};
+use super::offset::{Carried, Offset};
+use super::{
+    ContactLaw, Found, Memory, Motion, Pose, Question, Reply, Shape, Walker, part, respond,
+};
 
 /// A block that moves freely, or stands still when its mass is infinite.
 struct Free {
@@ -92,6 +95,9 @@ struct Two {
     blocks: [Free; 2],
     law: ContactLaw,
     memory: Memory,
+    offset: Option<Box<Offset>>,
+    /// What the contact was booked to store beyond what its forces took up, J.
+    booked: f64,
     gravity: Vec3,
     walker: Walker,
     lowest: f64,
@@ -106,6 +112,8 @@ impl Two {
             blocks,
             law,
             memory: Memory::default(),
+            offset: None,
+            booked: 0.0,
             gravity: Vec3::ZERO,
             walker: Walker::default(),
             lowest: f64::INFINITY,
@@ -121,6 +129,8 @@ impl Two {
             [self.blocks[0].pose, self.blocks[1].pose],
         );
         let Found::Touching(sums) = placed.find_all(&mut self.walker) else {
+            let motion = [0, 1].map(|s| self.blocks[s].motion());
+            self.booked += part(self.offset.take(), &motion, &self.memory, dt);
             self.memory = Memory::default();
             return None;
         };
@@ -135,7 +145,8 @@ impl Two {
             radius: self.blocks[0].shape.radius.min(self.blocks[1].shape.radius),
             dt,
         };
-        let reply = respond(&self.law, &question, &mut self.memory, None);
+        let reply = respond(&self.law, &question, &mut self.memory, &mut self.offset);
+        self.booked += reply.booked;
         self.lost += reply.friction - reply.damping * dt;
         Some(reply)
     }
@@ -401,4 +412,71 @@ fn friction_and_damping_are_what_is_lost() {
         "{} of {before}",
         two.lost
     );
+}
+
+/// A cube of 1 m that lies 1 mm deep in a fixed plate; the joint that has let go carried `share` of the pressure there, with springs
+/// `softness` times as stiff as those of the law.
+fn let_go(share: f64, softness: f64, velocity: Vec3) -> (Two, f64) {
+    let (stiffness, depth) = (1e9, 1e-3);
+    let mut cube = Free::brick(Vec3::ONE, 2500.0);
+    cube.pose.position = Vec3::new(0.0, 0.0, 1.0 - depth);
+    cube.velocity = velocity;
+    let floor = Free::fixed(Vec3::new(4.0, 4.0, 1.0));
+    let mut two = Two::new([floor, cube], law(stiffness, 0.0, 0.0));
+    let normal = share * stiffness * depth;
+    let energy = 0.5 * normal * normal / (softness * stiffness);
+    two.offset = Some(Box::new(Offset::new(Carried {
+        normal,
+        rocking: Vec3::ZERO,
+        at: Vec3::new(0.0, 0.0, 0.5),
+        energy,
+        mean: energy,
+    })));
+    (two, energy)
+}
+
+/// Blocks that lie deeper in each other than any force has pressed them gain nothing from that depth, however far they slide.
+#[test]
+fn what_a_joint_did_not_carry_gives_no_energy() {
+    // 1 m along the plate, ten times the way over which what is too much fades.
+    let (mut two, _) = let_go(0.0, 1.0, Vec3::new(1.0, 0.0, 0.0));
+    let before = two.energy();
+    for n in 0..10_000 {
+        two.step(1e-4, n == 0);
+    }
+    let cube = &two.blocks[1];
+    assert!(
+        (cube.pose.position.z - 0.999).abs() < 1e-9,
+        "{}",
+        cube.pose.position
+    );
+    assert!((two.energy() / before - 1.0).abs() < 1e-9);
+    assert!(two.offset.is_some());
+    // Over the edge of the plate, where its overlap ends.
+    for _ in 0..30_000 {
+        two.step(1e-4, false);
+    }
+    assert!((two.energy() / before - 1.0).abs() < 1e-9);
+    assert!(two.offset.is_none() && two.booked.abs() < 1e-9 * before);
+}
+
+/// A joint that pressed half as hard gives back what its springs had stored, whether it was as stiff as the law or half as stiff, and a
+/// blow from outside the same energy again.
+#[test]
+fn a_joint_that_pressed_softer_gives_back_what_it_had_stored() {
+    for softness in [1.0, 0.5] {
+        let (mut two, energy) = let_go(0.5, softness, Vec3::ZERO);
+        two.collide(2e-5);
+        let gained = two.energy() / energy;
+        assert!((gained - 1.0).abs() < 5e-3, "{softness}: {gained}");
+        // All of it came from the joint: what it brought was booked, and nothing was left at the end.
+        let made = two.booked / energy - 1.0;
+        assert!(made.abs() < 5e-3, "{softness}: {made}");
+        // Pressed further in, it takes up energy and gives the same again.
+        let (mut two, energy) = let_go(0.5, softness, Vec3::new(0.0, 0.0, -0.5));
+        let before = two.energy();
+        two.collide(2e-5);
+        let gained = (two.energy() - before) / energy;
+        assert!((gained - 1.0).abs() < 1e-2, "{softness}: {gained}");
+    }
 }

@@ -31,6 +31,7 @@ pub mod surface;
 pub mod terrain;
 pub mod tetra;
 
+pub(crate) use friction::part;
 pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
 pub use grid::Role;
 pub use peak::{Peak, peak};

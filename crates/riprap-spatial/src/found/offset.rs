@@ -1,8 +1,10 @@
 //! What a joint carried beyond the pressure of the found contact that takes over from it.
 //!
 //! A joint that lets go can press harder or softer than the law of found contact at the same overlap: it has another stiffness, carried
-//! stress from the start, or rocked. The difference, of both signs, goes on as a normal force and a rocking couple; it turns with
-//! the contact, fades while the blocks slide or rock on, and goes with the overlap when they part:
+//! stress from the start, or rocked.
+//!
+//! **It pressed harder.** The difference goes on as a normal force; it turns with the contact, fades while the blocks slide or rock on, and
+//! goes with the overlap when they part. So does the rocking couple in every case:
 //!
 //! ```text
 //! H = H_0 max(0, 1 - slip/(0.1 sqrt A) - turned/0.0002) min(1, |S_F|/|S_F|_0)
@@ -10,7 +12,31 @@
 //!
 //! The rocking is ours: a couple that stayed would move the hinge of a block for good, which the found contact has at its edge.
 //!
-//! Its work is booked as what the edit has made.
+//! **It pressed softer.** Then the joint has a smaller stiffness, or the blocks lie in each other deeper than any force has pressed them: a
+//! hinge about the points of a joint folds its blocks into each other, and pairs that joints hold in place are not looked at. Let the
+//! difference fade, and the blocks get the energy of that depth from nothing. Instead, a part `E_h` of the energy `E` of the pressure stays
+//! hidden, what is left is as soft as the joint, and forces follow from that energy:
+//!
+//! ```text
+//! U = s (sqrt E - sqrt E_h)²,  force and couple: dU/dE = s (1 - sqrt(E_h/E)) times those of the pressure
+//!
+//!   force               /
+//!     |                /   /      flat faces, E = k A d²/2:
+//!     |               /  /        s k A (d - d_h): the joint goes on with its own stiffness, s k, and its own depth, d - d_h
+//!     |              / /
+//!     |             //
+//!     +-----------/+---------- depth d
+//!                  d_h
+//!
+//! at the hand-over, r = N_joint/N and q = (energy of the mean pressure of the joint)/E:  1 - sqrt(E_h/E) = q/r,  s = r²/q,  s <= 1
+//! ```
+//!
+//! These forces have a potential, whatever slides, turns or rocks (a constant force at the point of the pressure has none: blocks begin to
+//! rock on it by themselves). `E_h` never exceeds `E`: depth that the blocks have left by themselves is not hidden any more, nor is what then
+//! presses soft; this changes no energy, since U is 0 there. `Deviation:` the note on free contact (section 6.2) fades the difference of both signs.
+//!
+//! Books: the pair stores the energy of the joint from the hand-over on, less what its pressure and these forces have done since. When
+//! they end, the difference to what the law stores then (nothing, where the blocks have parted) is what the edit has made.
 
 use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
@@ -27,8 +53,12 @@ const TURNED: f64 = 2e-4;
 pub struct Offset {
     /// What the joint carried, until the contact has been found for the first time.
     pub joint: Option<Carried>,
-    /// Normal force at the hand-over, N.
+    /// Normal force beyond the pressure at the hand-over, N; 0 where the joint pressed softer.
     pub normal: f64,
+    /// Energy of the pressure that stays hidden, J; 0 where the joint pressed harder.
+    pub hidden: f64,
+    /// Stiffness over that of the law; 1 where the joint pressed harder.
+    pub softness: f64,
     /// Couple on B across the normal at the hand-over, turned with the contact since, N m.
     pub rocking: Vec3,
     /// Length of |S_F| at the hand-over, m³.
@@ -41,6 +71,12 @@ pub struct Offset {
     pub force: Vec3,
     /// Couple on B now, N m.
     pub couple: Vec3,
+    /// Force of the pressure on B now, N.
+    pub pressure: Vec3,
+    /// Couple of the pressure on B about its point now, N m.
+    pub moment: Vec3,
+    /// What the pair stores across the contact, J.
+    pub stored: f64,
 }
 
 /// What a joint carried across its plane.
@@ -54,6 +90,8 @@ pub struct Carried {
     pub at: Vec3,
     /// Energy of its normal springs, J.
     pub energy: f64,
+    /// What it would be if the pressure were the same everywhere, J.
+    pub mean: f64,
 }
 
 /// What the contact is at this instant.
@@ -63,6 +101,10 @@ pub(super) struct Here {
     pub normal: Vec3,
     /// Elastic normal force, N.
     pub elastic: f64,
+    /// Force of the pressure on B, N, and its couple about the point, N m.
+    pub pressure: [Vec3; 2],
+    /// Energy of the pressure, J.
+    pub energy: f64,
     /// |S_F|, m³.
     pub overlap: f64,
     /// Point of the pressure, m.
@@ -84,12 +126,17 @@ impl Offset {
         Self {
             joint: Some(joint),
             normal: 0.0,
+            hidden: 0.0,
+            softness: 1.0,
             rocking: Vec3::ZERO,
             overlap: 0.0,
             slip: 0.0,
             turned: 0.0,
             force: Vec3::ZERO,
             couple: Vec3::ZERO,
+            pressure: Vec3::ZERO,
+            moment: Vec3::ZERO,
+            stored: 0.0,
         }
     }
 
@@ -99,9 +146,17 @@ impl Offset {
         if let Some(joint) = self.joint.take() {
             let arm = joint.at - here.point;
             let rocking = joint.rocking + arm.cross(joint.normal * n);
-            self.normal = joint.normal - here.elastic;
+            self.normal = (joint.normal - here.elastic).max(0.0);
+            if joint.normal < here.elastic {
+                self.soften(
+                    joint.normal.max(0.0) / here.elastic,
+                    joint.mean / here.energy,
+                );
+                self.hidden *= here.energy;
+            }
             self.rocking = rocking - rocking.dot(n) * n;
             self.overlap = here.overlap;
+            self.stored = joint.energy;
         } else if dt > 0.0 {
             self.slip += here.sliding * dt;
             self.turned += here.turning * dt;
@@ -121,27 +176,51 @@ impl Offset {
         } else {
             left
         };
-        // The contact never pulls.
-        self.force = (share * self.normal).max(-here.elastic) * n;
-        self.couple = share * self.rocking;
+        if here.energy < self.hidden {
+            (self.hidden, self.softness) = (here.energy, 1.0);
+        }
+        let missing = if self.hidden > 0.0 {
+            1.0 - self.softness * (1.0 - (self.hidden / here.energy).sqrt())
+        } else {
+            1.0 - self.softness
+        };
+        let [pressure, moment] = here.pressure;
+        self.force = share * self.normal * n - missing * pressure;
+        self.couple = share * self.rocking - missing * moment;
+        (self.pressure, self.moment) = (pressure, moment);
     }
 
-    /// The share of it that sliding and rocking have left.
+    /// Finds the stiffness and the hidden share of the energy, from force and energy of the joint over those of the pressure.
+    fn soften(&mut self, force: f64, energy: f64) {
+        let depth = if force > 0.0 {
+            (energy / force).min(1.0)
+        } else {
+            0.0
+        };
+        // Stiffer than the law, which steps are made for, it does not get: then it keeps its energy, not its force.
+        (self.softness, self.hidden) = if depth > 0.0 && force <= depth {
+            (force / depth, (1.0 - depth) * (1.0 - depth))
+        } else {
+            let depth = energy.max(0.0).sqrt().min(1.0);
+            (1.0, (1.0 - depth) * (1.0 - depth))
+        };
+    }
+
+    /// The share of what was too much that sliding and rocking have left.
     fn left(&self, area: f64) -> f64 {
         (1.0 - self.slip / (FADED * area.sqrt()) - self.turned / TURNED).max(0.0)
     }
 
     /// Whether nothing is left of it for good.
-    #[must_use]
-    pub fn is_gone(&self, area: f64) -> bool {
-        self.joint.is_none() && self.left(area) == 0.0
+    pub(super) fn is_gone(&self, area: f64) -> bool {
+        self.joint.is_none() && self.hidden == 0.0 && self.softness == 1.0 && self.left(area) == 0.0
     }
 
-    /// Work on both blocks in half a step of `dt` (s) with the force it has, J; `arms` are those of its point from the centroids, m.
-    #[must_use]
-    pub fn work(&self, [a, b]: &[Motion; 2], arms: [Vec3; 2], dt: f64) -> f64 {
+    /// Goes on through half a step of `dt` (s) with the forces it has; `arms` are those of their point from the centroids, m.
+    pub(crate) fn pass(&mut self, [a, b]: &[Motion; 2], arms: [Vec3; 2], dt: f64) {
         let velocity = (b.velocity + b.spin.cross(arms[1])) - (a.velocity + a.spin.cross(arms[0]));
-        0.5 * dt * (self.force.dot(velocity) + self.couple.dot(b.spin - a.spin))
+        let (force, couple) = (self.force + self.pressure, self.couple + self.moment);
+        self.stored -= 0.5 * dt * (force.dot(velocity) + couple.dot(b.spin - a.spin));
     }
 }
 

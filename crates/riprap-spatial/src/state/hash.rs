@@ -68,7 +68,8 @@ impl World {
             }
             if let Some(offset) = &pair.offset {
                 hash.numbers(&offset.rocking.to_array());
-                hash.numbers(&[offset.normal, offset.overlap, offset.slip]);
+                hash.numbers(&[offset.normal, offset.hidden, offset.softness]);
+                hash.numbers(&[offset.overlap, offset.slip, offset.turned, offset.stored]);
             }
         }
         for pair in self.found.deformable.pairs.iter().filter(|p| p.depth > 0.0) {

@@ -1,5 +1,6 @@
 //! What pairs of blocks of cells exert on each other in a step.
 
+use riprap_core::sums::{GROUP, tree};
 use riprap_geom::{Mat3, Vec3};
 
 use super::law::{Asked, Sides, respond};
@@ -57,16 +58,19 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         dt: *pending,
         relaxing: deform.relax.is_some(),
     };
-    exec.chunks2(
+    desk.sums.clear();
+    desk.sums.resize(desk.slots.len().div_ceil(GROUP), [0.0; 3]);
+    exec.groups2(
         &mut found.deformable.pairs,
         &mut desk.slots,
+        &mut desk.sums,
         &mut desk.workspaces,
-        |first, pairs, slots, room| {
+        |first, pairs, slots, sums, room| {
             [room.friction, room.damping, room.brought] = [0.0; 3];
-            room.touching = 0;
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
                 evaluation.pair(first + k, pair, slot, room);
             }
+            *sums = [room.friction, room.damping, room.brought];
         },
     );
     let own = &mut pushes.own;
@@ -89,13 +93,17 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             }
         }
     }
-    for room in &desk.workspaces {
-        works.friction += room.friction;
-        works.damping += room.damping;
-        // What stands pressed at the start of a run is part of the energy that it starts with.
-        if start_energy.is_some() {
-            works.edit_defect += room.brought;
+    tree(&mut desk.sums, |sum, other| {
+        for (sum, other) in sum.iter_mut().zip(other) {
+            *sum += other;
         }
+    });
+    let [friction, damping, brought] = desk.sums.first().copied().unwrap_or_default();
+    works.friction += friction;
+    works.damping += damping;
+    // What stands pressed at the start of a run is part of the energy that it starts with.
+    if start_energy.is_some() {
+        works.edit_defect += brought;
     }
     let longest = limit::longest_step(world, desk);
     let deformable = &mut world.found.deformable;
@@ -277,7 +285,6 @@ fn press(
                 continue;
             };
             slot.touching = true;
-            room.touching += 1;
             for (side, (cell, tet)) in [(first, i), (second, j)].into_iter().enumerate() {
                 let half = &overlap.halves[side];
                 if half.volume == 0.0 {

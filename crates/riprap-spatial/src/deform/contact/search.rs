@@ -10,7 +10,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use crate::deform::relax;
 use crate::deform::shape::centred;
-use crate::exec::{CHUNK, Exec};
+use crate::exec::{CHUNK, Exec, piece};
 use crate::found::cells::{CellDesk, Member, PairConstants, PairSlot, PairWorkspace, Star, peak};
 use crate::found::grid::{Box3, Role};
 use crate::found::search::path_bound;
@@ -379,8 +379,10 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
             ..PairSlot::default()
         }
     }));
-    desk.workspaces
-        .resize_with(pairs.len().div_ceil(CHUNK), PairWorkspace::default);
+    desk.workspaces.resize_with(
+        pairs.len().div_ceil(piece(pairs.len())),
+        PairWorkspace::default,
+    );
 }
 
 fn member(
