@@ -6,7 +6,7 @@
 use riprap_core::sums::{GROUP, tree};
 use riprap_geom::Vec3;
 
-use super::make_shapes;
+use super::{make_shapes, pose};
 use crate::exec::piece;
 use crate::found::desk::{Acting, Desk, TerrainWorkspace};
 use crate::found::{
@@ -16,7 +16,7 @@ use crate::setup;
 use crate::state::event::EditKind;
 use crate::state::found::{FacetContact, OnTerrain};
 use crate::state::scratch::Scratch;
-use crate::world::World;
+use crate::world::{Bodies, Turned, World};
 
 /// How far a block looks for terrain, over its radius.
 const REACH: f64 = 1.0;
@@ -42,37 +42,46 @@ impl World {
 /// What terrain does to all blocks, added to what found contacts do; `met` says whether those were found in this step.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     let n = world.alive.len();
-    let desk = &mut scratch.desk;
-    desk.acting.resize(n, Acting::default());
+    let Desk {
+        shapes,
+        acting,
+        place,
+        terrain: desk,
+        ..
+    } = &mut scratch.desk;
+    acting.resize(n, Acting::default());
     // Blocks without pairs still have what terrain did to them before.
-    for (b, acting) in desk.acting.iter_mut().enumerate() {
-        if !met || desk.place.get(b).is_none_or(|place| *place == u32::MAX) {
+    for (b, acting) in acting.iter_mut().enumerate() {
+        if !met || place.get(b).is_none_or(|place| *place == u32::MAX) {
             *acting = Acting::default();
         }
     }
-    let mut states = std::mem::take(&mut world.found.terrain);
-    states.resize_with(n, OnTerrain::default);
-    let mut exerted = std::mem::take(&mut desk.terrain.exerted);
-    exerted.resize(n, Acting::default());
-    let mut workspaces = std::mem::take(&mut desk.terrain.workspaces);
-    workspaces.resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
-    for room in &mut workspaces {
+    world.found.terrain.resize_with(n, OnTerrain::default);
+    desk.exerted.resize(n, Acting::default());
+    desk.workspaces
+        .resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
+    for room in &mut desk.workspaces {
         room.left.clear();
     }
-    let mut sums = std::mem::take(&mut desk.terrain.sums);
-    sums.clear();
-    sums.resize(n.div_ceil(GROUP), 0.0);
+    desk.sums.clear();
+    desk.sums.resize(n.div_ceil(GROUP), 0.0);
     let evaluation = Evaluation {
-        world,
-        desk,
+        bodies: &world.bodies,
+        turned: &world.turned,
+        reference: &world.reference,
+        solid: &world.solid,
+        shapes,
+        grounds: &desk.grounds,
+        laws: &desk.laws,
+        inverse_masses: &desk.inverse_masses,
         dt: world.pending,
     };
     let width = scratch.width;
     scratch.exec.groups2(
-        &mut states,
-        &mut exerted,
-        &mut sums,
-        &mut workspaces,
+        &mut world.found.terrain,
+        &mut desk.exerted,
+        &mut desk.sums,
+        &mut desk.workspaces,
         |first, states, exerted, friction, room| {
             room.friction = 0.0;
             room.treader.cutter.limit_width(width);
@@ -82,23 +91,17 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
             *friction = room.friction;
         },
     );
-    tree(&mut sums, |sum, other| *sum += other);
-    world.works.friction += sums.first().copied().unwrap_or(0.0);
-    for room in &workspaces {
-        for &b in &room.left {
-            let event = world.event(EditKind::LeftTerrain, b);
-            world.events.push(event);
-        }
+    tree(&mut desk.sums, |sum, other| *sum += other);
+    world.works.friction += desk.sums.first().copied().unwrap_or(0.0);
+    for &b in desk.workspaces.iter().flat_map(|room| &room.left) {
+        let event = world.event(EditKind::LeftTerrain, b);
+        world.events.push(event);
     }
-    for (acting, exerted) in desk.acting.iter_mut().zip(&exerted) {
+    for (acting, exerted) in acting.iter_mut().zip(&desk.exerted) {
         acting.elastic.plus(&exerted.elastic);
         acting.spring.plus(&exerted.spring);
         acting.drag.plus(&exerted.drag);
     }
-    world.found.terrain = states;
-    desk.terrain.exerted = exerted;
-    desk.terrain.workspaces = workspaces;
-    desk.terrain.sums = sums;
     let limit = longest_step(world, &scratch.desk);
     world.found.longest_step = world.found.longest_step.map(|step| step.min(limit));
 }
@@ -121,6 +124,9 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
         desk.blocks = blocks;
     }
     desk.laws.clear();
+    desk.inverse_masses.clear();
+    desk.inverse_masses
+        .extend((0..n).map(|b| inverse_mass(world, b)));
     desk.damped = false;
     for b in 0..n {
         let shapes = &scratch.desk.shapes;
@@ -157,8 +163,17 @@ fn ground(world: &World, b: u32) -> Terrain {
 }
 
 struct Evaluation<'a> {
-    world: &'a World,
-    desk: &'a Desk,
+    bodies: &'a Bodies,
+    turned: &'a [Option<Box<Turned>>],
+    reference: &'a [Vec3],
+    /// Index into `shapes`, per block.
+    solid: &'a [u32],
+    shapes: &'a [Shape],
+    grounds: &'a [Terrain],
+    /// The law of each block on each of the grounds; none for blocks that do not meet terrain.
+    laws: &'a [Vec<ContactLaw>],
+    /// 1/kg.
+    inverse_masses: &'a [f64],
     dt: f64,
 }
 
@@ -171,31 +186,30 @@ impl Evaluation<'_> {
         room: &mut TerrainWorkspace,
     ) {
         *exerted = Acting::default();
-        if !self.world.meets_terrain(b) {
+        if self.laws[b].is_empty() {
             for facet in std::mem::take(&mut state.facets) {
                 room.friction += facet.stored;
             }
             return;
         }
-        let bodies = &self.world.bodies;
-        let shape = &self.desk.shapes[self.world.solid[b] as usize];
+        let shape = &self.shapes[self.solid[b] as usize];
         let motion = Motion {
-            velocity: bodies.velocity(b),
-            spin: bodies.spin(b),
-            inverse_mass: inverse_mass(self.world, b),
+            velocity: self.bodies.velocity(b),
+            spin: self.bodies.spin(b),
+            inverse_mass: self.inverse_masses[b],
         };
         let way = motion.velocity.length() + motion.spin.length() * shape.radius;
         state.clear -= way * self.dt;
         if state.clear > 0.0 && state.facets.is_empty() {
             return;
         }
-        let pose = self.world.pose(b);
+        let pose = pose(self.bodies, self.turned, self.reference, b);
         room.normals.clear();
         let turn = turn(shape, pose.rotation, &mut room.normals);
         room.old.clear();
         room.old.append(&mut state.facets);
         let mut clear = f64::INFINITY;
-        for (k, terrain) in self.desk.terrain.grounds.iter().enumerate() {
+        for (k, terrain) in self.grounds.iter().enumerate() {
             let body = Body {
                 shape,
                 normals: &room.normals,
@@ -211,7 +225,7 @@ impl Evaluation<'_> {
                 }
                 Reached::Touching => {
                     clear = 0.0;
-                    let law = &self.desk.terrain.laws[b][k];
+                    let law = &self.laws[b][k];
                     self.facets(
                         k as u32,
                         law,
@@ -227,8 +241,7 @@ impl Evaluation<'_> {
         }
         state.clear = clear;
         let beside = |terrain: &Terrain| terrain.depth(pose.position).is_none();
-        let grounds = &self.desk.terrain.grounds;
-        if !state.left && !grounds.is_empty() && grounds.iter().all(beside) {
+        if !state.left && self.grounds.iter().all(beside) {
             state.left = true;
             room.left.push(b as u32);
         }

@@ -90,6 +90,8 @@ pub struct TerrainDesk {
     pub grounds: Vec<Terrain>,
     /// The law of each block on each of them; none for blocks that do not meet terrain.
     pub laws: Vec<Vec<ContactLaw>>,
+    /// 1 over the mass of each block, 1/kg; 0 for what no contact can move.
+    pub inverse_masses: Vec<f64>,
     /// What terrain does to each block.
     pub exerted: Vec<Acting>,
     /// Workspace of each piece of the blocks.
