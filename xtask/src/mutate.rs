@@ -2,7 +2,8 @@
 //!
 //! A check that passes whatever is done to its scene checks nothing, or an invariant (a ledger that closes, a momentum that is kept), which no
 //! wrong input can break. Each scene is run as it is and, one after the other, with its gravity, stiffnesses, friction, strength, density, loads,
-//! speeds or duration changed; what none of these makes fail is listed, to be looked at by a person.
+//! speeds, stress at the start, bolts, water or duration changed; what none of these makes fail is listed, to be looked at by a person. A check whose
+//! expected value is a formula of the changed key follows it, and is listed where nothing else reaches it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,7 +16,7 @@ use crate::verify;
 use riprap_fuzz::damage::numbers;
 
 /// What is changed: a name, the keys, and the factor on the numbers behind them.
-const CHANGES: [(&str, &[&str], f64); 10] = [
+const CHANGES: [(&str, &[&str], f64); 13] = [
     ("gravity", &["gravity", "acceleration"], 1.1),
     (
         "stiffness",
@@ -60,6 +61,17 @@ const CHANGES: [(&str, &[&str], f64); 10] = [
         0.5,
     ),
     ("half the time", &["time", "steps"], 0.5),
+    (
+        "stress at the start",
+        &["vertical", "in_situ.x", "in_situ.y", "k0", "stress"],
+        1.2,
+    ),
+    (
+        "bolts",
+        &["diameter", "bolts.stiffness", "bolts.strength", "pretension"],
+        1.2,
+    ),
+    ("water", &["level", "points", "head"], 0.8),
 ];
 
 /// Slowest scene that is broken, s, when nothing else is asked for.
@@ -219,20 +231,28 @@ impl Copy {
     }
 }
 
-/// The text with the numbers behind these keys multiplied, checks apart.
+/// The text with the numbers behind these keys multiplied, checks apart. A key with a dot is looked for in tables of that name alone.
 fn scaled(text: &str, keys: &[&str], factor: f64) -> String {
     let mut checks = false;
+    let mut own: Vec<&str> = Vec::new();
     let lines = text.split_inclusive('\n').map(|line| {
         let start = line.trim_start();
         if start.starts_with('[') && !line.starts_with(' ') {
             checks = ["[[checks]]", "[checks", "[[outputs]]", "[bisect"]
                 .iter()
                 .any(|t| start.starts_with(t));
+            let table = start.trim_start_matches('[');
+            own = (keys.iter())
+                .filter_map(|key| match key.split_once('.') {
+                    Some((name, key)) => table.starts_with(name).then_some(key),
+                    None => Some(*key),
+                })
+                .collect();
         }
         if checks || start.starts_with('#') {
             line.to_owned()
         } else {
-            scaled_line(line, keys, factor)
+            scaled_line(line, &own, factor)
         }
     });
     lines.collect()
@@ -271,7 +291,7 @@ mod tests {
 
     #[test]
     fn numbers_behind_keys_are_multiplied() {
-        let text = "gravity = [\"0 m/s2\", \"-10 m/s2\"]\na = { density = \"2e3 kg/m3\", steps = 7 }\n\"a.density\" = [\"2e3 kg/m3\"]\n[[checks]]\ngravity = 1\n";
+        let text = "[a]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\na = { density = \"2e3 kg/m3\", steps = 7 }\n\"a.density\" = [\"2e3 kg/m3\"]\n[[checks]]\ngravity = 1\n";
         let gravity = scaled(text, &["gravity"], 1.5);
         assert_eq!(gravity, text.replace("-10 m", "-15 m"));
         assert_eq!(
@@ -279,5 +299,8 @@ mod tests {
             text.replace("steps = 7", "steps = 3")
         );
         assert_eq!(scaled(text, &["density"], 2.0), text.replace("2e3", "4000"));
+        let text = "[[bolts]]\ngrout = { stiffness = \"4 MPa\" }\n[b]\nstiffness = 4\n[[checks]]\nstiffness = 4\n";
+        let bolts = scaled(text, &["bolts.stiffness"], 2.0);
+        assert_eq!(bolts, text.replace("4 MPa", "8 MPa"));
     }
 }
