@@ -17,6 +17,8 @@ mod limit;
 mod outlook;
 pub(crate) mod terrain;
 
+use std::collections::BTreeMap;
+
 use super::build::{BuildError, stiffness};
 use super::found::desk::{Acting, Constants, Desk, Facing, Slot, Workspace};
 use super::found::glued::Glued;
@@ -25,9 +27,11 @@ use super::found::{Blocks, ContactLaw, Pose, Role, Shape};
 use super::patch;
 use super::setup::{self, Setup};
 use super::state::found::FoundPair;
+use super::state::lineage::Origin;
 use super::state::scratch::Scratch;
 use super::world::{Bodies, Turned, World, flag};
 use crate::exec::piece;
+use crate::ledger::Works;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
@@ -146,8 +150,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
 /// Ends all found contacts: what their springs still hold is friction.
 fn leave(world: &mut World, scratch: &mut Scratch) {
     for pair in std::mem::take(&mut world.found.pairs) {
-        world.works.friction += pair.stored;
-        world.works.edit_defect -= left(&pair);
+        drop_pair(&mut world.works, &pair);
     }
     world.found.search = Default::default();
     world.found.held.clear();
@@ -159,6 +162,23 @@ fn leave(world: &mut World, scratch: &mut Scratch) {
 fn left(pair: &FoundPair) -> f64 {
     let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
     joint.map_or(0.0, |joint| joint.energy)
+}
+
+/// Books what a pair still holds that is no longer looked at: friction what its springs, an edit what a joint has left.
+fn drop_pair(works: &mut Works, pair: &FoundPair) {
+    works.friction += pair.stored;
+    works.edit_defect -= left(pair);
+    if let Some(offset) = &pair.offset {
+        works.contact_path -= offset.stored;
+        works.edit_defect -= offset.stored;
+    }
+}
+
+/// What pairs of which a block has been split hide of their pressure ([`Offset::of_parts`]), by their blocks.
+fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f64; 2]> {
+    let split = |pair: &&FoundPair| pair.ends.iter().any(|b| !world.alive[*b as usize]);
+    let of = |pair: &FoundPair| Some((pair.ends, pair.offset.as_ref()?.of_parts()?));
+    pairs.iter().filter(split).filter_map(of).collect()
 }
 
 /// Who can meet whom.
@@ -371,27 +391,40 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     );
     let before = std::mem::replace(&mut world.found.held, desk.candidates.held.clone());
     let old = std::mem::take(&mut world.found.pairs);
-    let (mut lost, mut joints) = (0.0, 0.0);
+    let hidden = hidden_of_split(world, &old);
+    let lineage = &world.lineage;
+    let of_parents = |[i, j]: [u32; 2]| {
+        let up = |b: u32| {
+            let parent = |b: &u32| Some(lineage[*b as usize].parent).filter(|p| *p != Origin::NONE);
+            std::iter::successors(Some(b), parent)
+        };
+        let pair = |i: u32, j: u32| hidden.get(&[i.min(j), i.max(j)]).copied();
+        up(i).find_map(|i| up(j).find_map(|j| pair(i, j)))
+    };
+    let mut dropped = Works::default();
     world.found.pairs = desk.candidates.carry(
         old.into_iter().map(|pair| (pair.ends, pair)),
         |candidate| {
             let ends = [candidate.i, candidate.j];
             // Nobody looked as long as joints held the pair: what it overlaps by presses from now on only with what comes on top.
             let was_held = before.binary_search(&ends).is_ok();
+            let offset = if was_held {
+                Some(Offset::new(Carried::default()))
+            } else if hidden.is_empty() {
+                None
+            } else {
+                of_parents(ends).map(Offset::begin)
+            };
             FoundPair {
                 ends,
-                offset: was_held.then(|| Box::new(Offset::new(Carried::default()))),
+                offset: offset.map(Box::new),
                 in_place: was_held,
                 ..FoundPair::default()
             }
         },
-        |_, pair| {
-            lost += pair.stored;
-            joints += left(&pair);
-        },
+        |_, pair| drop_pair(&mut dropped, &pair),
     );
-    world.works.friction += lost;
-    world.works.edit_defect -= joints;
+    world.works.add(&dropped);
     let pairs = &world.found.pairs;
     let (lists, shapes, glued) = (&desk.candidates.lists, &desk.shapes, &desk.glued);
     let candidates = &desk.candidates.pairs;

@@ -264,10 +264,8 @@ impl Evaluation<'_> {
             .hint
             .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
         let constants = &self.constants[k];
-        if pair.offset.as_ref().is_some_and(|o| o.joint.is_some()) {
-            // The springs along the contact have the stiffness of its law from now on.
-            sums.left += left(pair) + pair.stored - pair.memory.stored(&constants.law);
-        }
+        let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
+        let before = left(pair) + pair.stored;
         let reply = respond(
             &constants.law,
             &Question {
@@ -284,6 +282,10 @@ impl Evaluation<'_> {
         );
         sums.friction += reply.friction;
         sums.booked += reply.booked;
+        if handed_over {
+            // The springs along the contact have the stiffness of its law from now on, and act at its point.
+            sums.left += before - reply.sprung;
+        }
         pair.stored = pair.memory.stored(&constants.law);
         pair.force = reply.wrench.force;
         pair.depth = surface.depth;

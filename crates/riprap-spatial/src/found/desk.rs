@@ -47,7 +47,7 @@ pub struct Desk {
     pub first_pair: Vec<u32>,
     /// What acts on each block of the model; empty without pairs.
     pub acting: Vec<Acting>,
-    /// Workspace of each run of pairs.
+    /// Workspace of each piece of the pairs.
     pub workspaces: Vec<Workspace>,
     /// Sums over groups of pairs.
     pub sums: Vec<PairSums>,

@@ -133,6 +133,8 @@ pub struct Reply {
     /// What the contact stores across itself beyond what its forces have taken up in this step, J: the energy of a joint where it has
     /// just taken over from it, and the difference to its own law where what the joint had left has ended.
     pub booked: f64,
+    /// Energy of the shear springs as they were when this step began: where a joint has let go, about the point of the pressure, J.
+    pub sprung: f64,
     /// All dashpots.
     pub drag: Wrench,
     /// Normal force, N: pressure and dashpot, never negative.
@@ -217,6 +219,7 @@ pub fn respond(
             wrench: elastic,
             elastic,
             booked,
+            sprung: lost,
             friction: work + lost,
             stored: -lost,
             point: q.origin,
@@ -237,7 +240,6 @@ pub fn respond(
     if let Some(offset) = offset {
         offset.pass(&q.motion, memory.arms, q.dt);
         if let Some(joint) = offset.joint {
-            booked = joint.energy;
             // The shear of the joint acted at its own point.
             memory.torsion += (joint.at - at).cross(memory.shear).dot(c.normal);
         }
@@ -256,7 +258,7 @@ pub fn respond(
             turning: c.normal.cross(b.spin - a.spin).length(),
             before: memory.normal,
         };
-        offset.advance(&here, q.dt);
+        booked = offset.advance(&here, q.dt);
         offset.pass(&q.motion, arms, q.dt);
         offset_wrench = about(arms, offset.force, offset.couple);
         pressed += offset.force.dot(c.normal);
@@ -306,6 +308,7 @@ pub fn respond(
         spring,
         offset: offset_wrench,
         booked,
+        sprung: before,
         drag,
         normal,
         shear,

@@ -430,7 +430,6 @@ fn let_go(share: f64, softness: f64, velocity: Vec3) -> (Two, f64) {
         rocking: Vec3::ZERO,
         at: Vec3::new(0.0, 0.0, 0.5),
         energy,
-        mean: energy,
     })));
     (two, energy)
 }

@@ -28,12 +28,14 @@
 //!     +-----------/+---------- depth d
 //!                  d_h
 //!
-//! at the hand-over, r = N_joint/N and q = (energy of the mean pressure of the joint)/E:  1 - sqrt(E_h/E) = q/r,  s = r²/q,  s <= 1
+//! at the hand-over, r = N_joint/N and q = E_joint/E:  1 - sqrt(E_h/E) = q/r, at most 1, and s = r/(1 - sqrt(E_h/E)): force and energy go on
+//! where q >= r² and q <= r. A joint that rocked has more energy than that (q > r): its force goes on, the rest of its energy with the
+//! couple that fades. One that was stiffer than the law (q < r²) keeps its energy, not its force: s = 1, since steps are made for the law.
 //! ```
 //!
 //! These forces have a potential, whatever slides, turns or rocks (a constant force at the point of the pressure has none: blocks begin to
 //! rock on it by themselves). `E_h` never exceeds `E`: depth that the blocks have left by themselves is not hidden any more, nor is what then
-//! presses soft; this changes no energy, since U is 0 there. `Deviation:` the note on free contact (section 6.2) fades the difference of both signs.
+//! presses soft; this changes no energy, since U is 0 there. Parts of a block that is split begin with its share `E_h/E` and its `s`. `Deviation:` the note on free contact (section 6.2) fades the difference of both signs.
 //!
 //! Books: the pair stores the energy of the joint from the hand-over on, less what its pressure and these forces have done since. When
 //! they end, the difference to what the law stores then (nothing, where the blocks have parted) is what the edit has made.
@@ -59,6 +61,11 @@ pub struct Offset {
     pub hidden: f64,
     /// Stiffness over that of the law; 1 where the joint pressed harder.
     pub softness: f64,
+    /// Energy of the pressure now, J.
+    pub energy: f64,
+    /// Of parts of a block that was split: hidden share of the energy and stiffness over that of the law, until the contact has been found
+    /// for the first time.
+    pub begins: Option<[f64; 2]>,
     /// Couple on B across the normal at the hand-over, turned with the contact since, N m.
     pub rocking: Vec3,
     /// Length of |S_F| at the hand-over, m³.
@@ -90,8 +97,6 @@ pub struct Carried {
     pub at: Vec3,
     /// Energy of its normal springs, J.
     pub energy: f64,
-    /// What it would be if the pressure were the same everywhere, J.
-    pub mean: f64,
 }
 
 /// What the contact is at this instant.
@@ -128,6 +133,8 @@ impl Offset {
             normal: 0.0,
             hidden: 0.0,
             softness: 1.0,
+            energy: 0.0,
+            begins: None,
             rocking: Vec3::ZERO,
             overlap: 0.0,
             slip: 0.0,
@@ -140,23 +147,48 @@ impl Offset {
         }
     }
 
-    /// Goes on to this instant, `dt` (s) later; finds the difference when the contact is found for the first time.
-    pub(super) fn advance(&mut self, here: &Here, dt: f64) {
+    /// What parts of its blocks begin with; `None` where nothing is missing.
+    #[must_use]
+    pub(crate) fn of_parts(&self) -> Option<[f64; 2]> {
+        let missing = self.energy > 0.0 && (self.hidden > 0.0 || self.softness < 1.0);
+        missing.then(|| [self.hidden / self.energy, self.softness])
+    }
+
+    /// Of parts of blocks that were split.
+    #[must_use]
+    pub(crate) fn begin(begins: [f64; 2]) -> Self {
+        Self {
+            joint: None,
+            begins: Some(begins),
+            ..Self::new(Carried::default())
+        }
+    }
+
+    /// Goes on to this instant, `dt` (s) later; finds the difference when the contact is found for the first time, and returns what it stores
+    /// from there on, J (0 later).
+    pub(super) fn advance(&mut self, here: &Here, dt: f64) -> f64 {
         let n = here.normal;
-        if let Some(joint) = self.joint.take() {
+        let mut begun = 0.0;
+        if let Some([share, softness]) = self.begins.take() {
+            (self.hidden, self.softness) = (share * here.energy, softness);
+            let depth = 1.0 - share.sqrt();
+            self.stored = softness * depth * depth * here.energy;
+            begun = self.stored;
+        } else if let Some(joint) = self.joint.take() {
             let arm = joint.at - here.point;
             let rocking = joint.rocking + arm.cross(joint.normal * n);
             self.normal = (joint.normal - here.elastic).max(0.0);
             if joint.normal < here.elastic {
                 self.soften(
                     joint.normal.max(0.0) / here.elastic,
-                    joint.mean / here.energy,
+                    joint.energy / here.energy,
                 );
                 self.hidden *= here.energy;
             }
             self.rocking = rocking - rocking.dot(n) * n;
             self.overlap = here.overlap;
             self.stored = joint.energy;
+            begun = joint.energy;
         } else if dt > 0.0 {
             self.slip += here.sliding * dt;
             self.turned += here.turning * dt;
@@ -188,22 +220,22 @@ impl Offset {
         self.force = share * self.normal * n - missing * pressure;
         self.couple = share * self.rocking - missing * moment;
         (self.pressure, self.moment) = (pressure, moment);
+        self.energy = here.energy;
+        begun
     }
 
     /// Finds the stiffness and the hidden share of the energy, from force and energy of the joint over those of the pressure.
     fn soften(&mut self, force: f64, energy: f64) {
-        let depth = if force > 0.0 {
-            (energy / force).min(1.0)
+        let (softness, depth) = if energy < force * force {
+            // Stiffer than the law, which steps are made for, it does not get.
+            (1.0, energy.max(0.0).sqrt())
+        } else if force > 0.0 {
+            let depth = (energy / force).min(1.0);
+            (force / depth, depth)
         } else {
-            0.0
+            (1.0, 0.0)
         };
-        // Stiffer than the law, which steps are made for, it does not get: then it keeps its energy, not its force.
-        (self.softness, self.hidden) = if depth > 0.0 && force <= depth {
-            (force / depth, (1.0 - depth) * (1.0 - depth))
-        } else {
-            let depth = energy.max(0.0).sqrt().min(1.0);
-            (1.0, (1.0 - depth) * (1.0 - depth))
-        };
+        (self.softness, self.hidden) = (softness, (1.0 - depth) * (1.0 - depth));
     }
 
     /// The share of what was too much that sliding and rocking have left.
@@ -254,4 +286,32 @@ pub(super) fn energy(
         0.0
     };
     0.5 * force * force / stiffness * (1.0 / area + tilt)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Carried, Offset};
+
+    /// Force and energy of the joint over those of the pressure, as they stand and as they go on.
+    #[test]
+    fn force_goes_on_and_energy_is_never_made() {
+        for r in [0.0, 1e-3, 0.2, 0.5, 0.958, 0.999] {
+            for q in [0.0, 1e-6, 0.04, 0.25, 0.5, 0.9, 1.03, 3.0] {
+                let mut offset = Offset::new(Carried::default());
+                offset.soften(r, q);
+                let (s, depth) = (offset.softness, 1.0 - offset.hidden.sqrt());
+                let (force, energy) = (s * depth, s * depth * depth);
+                assert!((0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&depth));
+                assert!(energy <= q + 1e-12, "{r} {q}: {energy}");
+                if q >= r * r {
+                    assert!((force - r).abs() < 1e-9, "{r} {q}: {force}");
+                } else {
+                    assert!(force < r && (energy - q).abs() < 1e-9, "{r} {q}: {force}");
+                }
+                if q >= r * r && q <= r {
+                    assert!((energy - q).abs() < 1e-9, "{r} {q}: {energy}");
+                }
+            }
+        }
+    }
 }
