@@ -74,7 +74,7 @@ const CHANGES: [(&str, &[&str], f64); 13] = [
             "bolts.strength",
             "pretension",
         ],
-        1.2,
+        0.5,
     ),
     ("water", &["level", "points", "head"], 0.8),
 ];

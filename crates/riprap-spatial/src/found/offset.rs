@@ -35,7 +35,8 @@
 //!
 //! These forces have a potential, whatever slides, turns or rocks (a constant force at the point of the pressure has none: blocks begin to
 //! rock on it by themselves). `E_h` never exceeds `E`: depth that the blocks have left by themselves is not hidden any more, nor is what then
-//! presses soft; this changes no energy, since U is 0 there. Parts of a block that is split begin with its share `E_h/E` and its `s`. `Deviation:` the note on free contact (section 6.2) fades the difference of both signs.
+//! presses soft; this changes no energy, since U is 0 there. Parts of a block that is split begin with its
+//! share `E_h/E` and its `s`. `Deviation:` the note on free contact (section 6.2) fades the difference of both signs.
 //!
 //! Books: the pair stores the energy of the joint from the hand-over on, less what its pressure and these forces have done since. When
 //! they end, the difference to what the law stores then (nothing, where the blocks have parted) is what the edit has made.
