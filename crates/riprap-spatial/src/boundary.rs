@@ -12,7 +12,7 @@ use super::build::error::BuildError;
 use super::patch::Poses;
 use super::push::traction::{Spot, traction};
 use super::setup::{Boundary, BoundaryKind, FaceSet};
-pub use super::state::face::Face;
+pub use super::state::face::{Face, HalfBlock};
 use super::state::push::Wrench;
 use super::world::{SolidClass, World};
 use crate::accounts::Account;
@@ -32,6 +32,7 @@ pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError
             }
             found = true;
             face.boundary = Some(index as u16);
+            face.half_block = None;
             if matches!(boundary.kind, BoundaryKind::Traction { .. }) {
                 continue;
             }
@@ -43,8 +44,11 @@ pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError
                 need: "the boundary on its faces",
             })?;
             let depth = face.arm.dot(face.frame[0]);
-            face.stiffness = [m / depth, 2.0 * g / depth];
-            face.impedance = [m, g].map(|modulus| (material.density * modulus).sqrt());
+            face.half_block = Some(Box::new(HalfBlock {
+                stiffness: [m / depth, 2.0 * g / depth],
+                impedance: [m, g].map(|modulus| (material.density * modulus).sqrt()),
+                ..HalfBlock::default()
+            }));
         }
         if !found {
             let boundary = boundary.name.clone();
@@ -262,14 +266,16 @@ impl<'a> Context<'a> {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return out;
         };
-        let creep = [0, 1].map(|k| 0.5 * self.pending * face.stiffness[k] / face.impedance[k]);
+        let half = face.behind();
+        let creep = [0, 1].map(|k| 0.5 * self.pending * half.stiffness[k] / half.impedance[k]);
         for p in 0..4 {
             let motion = self.motion(face, p);
-            let before = face.anchor[p];
-            let after = self.anchor(boundary, face, p, creep, &motion);
-            let pull = face.spring(boundary, motion.u - after);
+            let before = half.anchor[p];
+            let after = self.anchor(boundary, face, (p, before), creep, &motion);
+            let spring = |stretch| half.spring(boundary, face.frame[0], stretch);
+            let pull = spring(motion.u - after);
             if after != before {
-                let old = face.spring(boundary, motion.u - self.pending * motion.v - before);
+                let old = spring(motion.u - self.pending * motion.v - before);
                 let work = 0.125 * face.area * (old + pull).dot(after - before);
                 match boundary.kind {
                     BoundaryKind::Viscous { .. } => {
@@ -283,14 +289,16 @@ impl<'a> Context<'a> {
                         out.booked.supports -= work;
                     }
                 }
-                face.anchor[p] = after;
+                if let Some(half) = &mut face.half_block {
+                    half.anchor[p] = after;
+                }
             }
             let [spring, dead] = self.forces(boundary, face, p, pull);
             out.spring.add(spring, motion.arm);
             out.dead.add(dead, motion.arm);
             if let BoundaryKind::Viscous { half_cell: false } = boundary.kind {
                 let dashpots = dashpots.get_or_insert_default();
-                dashpots.add(0.25 * face.area, face.impedance, face.frame[0], motion.arm);
+                dashpots.add(0.25 * face.area, half.impedance, face.frame[0], motion.arm);
             }
         }
         out
@@ -306,7 +314,8 @@ impl<'a> Context<'a> {
         let mut dashpots = Dashpots::default();
         for p in 0..4 {
             let arm = self.motion(face, p).arm;
-            dashpots.add(0.25 * face.area, face.impedance, face.frame[0], arm);
+            let impedance = face.behind().impedance;
+            dashpots.add(0.25 * face.area, impedance, face.frame[0], arm);
         }
         Some(dashpots)
     }
@@ -360,9 +369,11 @@ impl<'a> Context<'a> {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return 0.0;
         };
+        let half = face.behind();
         let energy = |p: usize| {
-            let stretch = self.motion(face, p).u - face.anchor[p];
-            0.125 * face.area * face.spring(boundary, stretch).dot(stretch)
+            let stretch = self.motion(face, p).u - half.anchor[p];
+            let pull = half.spring(boundary, face.frame[0], stretch);
+            0.125 * face.area * pull.dot(stretch)
         };
         (0..4).map(energy).sum()
     }
@@ -374,10 +385,11 @@ impl<'a> Context<'a> {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return Mat3::ZERO;
         };
+        let half = face.behind();
         let mut sum = Mat3::ZERO;
         for p in 0..4 {
             let motion = self.motion(face, p);
-            let pull = face.spring(boundary, motion.u - face.anchor[p]);
+            let pull = half.spring(boundary, face.frame[0], motion.u - half.anchor[p]);
             let force: Vec3 = self.forces(boundary, face, p, pull).into_iter().sum();
             let r = motion.arm;
             sum += Mat3::from_cols(force.x * r, force.y * r, force.z * r);
@@ -385,18 +397,17 @@ impl<'a> Context<'a> {
         sum
     }
 
-    /// Present place of the far end of the spring at point `p`, from that before. `creep`: half the way, along the normal
+    /// Present place of the far end of the spring at point `p`, from that `before`. `creep`: half the way, along the normal
     /// and across it, that a dashpot goes in the pending time for each metre its spring is stretched.
     #[inline]
     fn anchor(
         &self,
         boundary: &Boundary,
         face: &Face,
-        p: usize,
+        (p, before): (usize, Vec3),
         creep: [f64; 2],
         motion: &PointMotion,
     ) -> Vec3 {
-        let before = face.anchor[p];
         match &boundary.kind {
             BoundaryKind::Viscous { .. } => {
                 if self.pending == 0.0 {
@@ -424,18 +435,18 @@ impl<'a> Context<'a> {
     }
 }
 
-impl Face {
-    /// Stress (Pa) of the face spring that is stretched by `stretch` (m).
+impl HalfBlock {
+    /// Stress (Pa) of the spring behind a face with this normal that is stretched by `stretch` (m).
     #[inline]
-    fn spring(&self, boundary: &Boundary, stretch: Vec3) -> Vec3 {
+    fn spring(&self, boundary: &Boundary, face: Vec3, stretch: Vec3) -> Vec3 {
         let [kn, ks] = self.stiffness;
         let full = |stretch: Vec3| {
-            let (n, t) = parts(stretch, self.frame[0]);
+            let (n, t) = parts(stretch, face);
             kn * n + ks * t
         };
         match &boundary.kind {
             BoundaryKind::Held { normal, shear } => {
-                let (n, t) = parts(stretch, self.frame[0]);
+                let (n, t) = parts(stretch, face);
                 f64::from(u8::from(*normal)) * kn * n + f64::from(u8::from(*shear)) * ks * t
             }
             BoundaryKind::Viscous { half_cell: true } => full(stretch),

@@ -297,9 +297,7 @@ fn left(side: &Side, covered: &[face_overlap::Overlap], reference: &[Vec3]) -> O
         arm: whole.centroid + offset - reference[side.block as usize],
         area,
         half_spacing: radii,
-        stiffness: [0.0; 2],
-        impedance: [0.0; 2],
-        anchor: [Vec3::ZERO; 4],
+        half_block: None,
         parted: false,
     })
 }

@@ -64,9 +64,7 @@ fn plain(block: u32, frame: [Vec3; 3], arm: Vec3, area: f64, gyration: [f64; 2])
         arm,
         area,
         half_spacing: gyration,
-        stiffness: [0.0; 2],
-        impedance: [0.0; 2],
-        anchor: [Vec3::ZERO; 4],
+        half_block: None,
         parted: false,
     }
 }

@@ -14,10 +14,9 @@ use crate::overlap::{self, Overlap};
 use crate::patch::turned_inertia;
 use crate::read::view::View;
 use crate::refine;
-use crate::setup::BoundaryKind;
 use crate::state::cavity::Wall;
 use crate::state::event::{EditEvent, EditKind};
-use crate::state::face::Face;
+use crate::state::face::{Face, HalfBlock};
 use crate::state::interface::Origin;
 use crate::world::{Turned, World};
 
@@ -368,14 +367,14 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     face.boundary = Some(index);
     let depth = |f: &Face| f.arm.dot(f.frame[0]);
     let ratio = depth(parent) / depth(face);
-    face.stiffness = parent.stiffness.map(|k| ratio * k);
-    face.impedance = parent.impedance;
-    if matches!(
-        world.setup.boundaries[index as usize].kind,
-        BoundaryKind::Traction { .. }
-    ) {
+    let Some(behind) = &parent.half_block else {
         return;
-    }
+    };
+    let mut half = HalfBlock {
+        stiffness: behind.stiffness.map(|k| ratio * k),
+        impedance: behind.impedance,
+        ..HalfBlock::default()
+    };
     for p in 0..4 {
         let at = face.place(p);
         let from = reference(face.block) + at - (reference(root) + parent.arm);
@@ -385,9 +384,10 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
             .unwrap_or(0);
         let own = moved(world, face.block, at);
         let theirs = moved(world, root, parent.place(nearest));
-        let stretch = theirs - parent.anchor[nearest];
-        face.anchor[p] = own - stretch / ratio;
+        let stretch = theirs - behind.anchor[nearest];
+        half.anchor[p] = own - stretch / ratio;
     }
+    face.half_block = Some(Box::new(half));
 }
 
 /// Displacement of a point of a block given from its centroid at the start, m.

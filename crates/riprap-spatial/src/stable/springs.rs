@@ -115,7 +115,8 @@ impl Springs {
             .iter()
             .filter_map(|f| {
                 let boundary = &boundaries[f.boundary? as usize];
-                let [kn, ks] = f.stiffness;
+                let behind = f.behind();
+                let [kn, ks] = behind.stiffness;
                 let none = [0.0; 2];
                 let (stiffness, impedance) = match &boundary.kind {
                     BoundaryKind::Held { normal, shear } => {
@@ -125,7 +126,7 @@ impl Springs {
                     BoundaryKind::Moved { .. } | BoundaryKind::Viscous { half_cell: true } => {
                         ([kn, ks], none)
                     }
-                    BoundaryKind::Viscous { half_cell: false } => (none, f.impedance),
+                    BoundaryKind::Viscous { half_cell: false } => (none, behind.impedance),
                     BoundaryKind::Traction { .. } => return None,
                 };
                 Some(FaceSpring {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::laws::face_joint::SIGNS;
 
 /// A face, or a part of one, that no patch covers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Face {
     /// Block it belongs to.
     pub block: u32,
@@ -20,17 +20,30 @@ pub struct Face {
     pub area: f64,
     /// Distance of the four points from the centre along b and c, m.
     pub half_spacing: [f64; 2],
-    /// Normal and shear stiffness of the half block behind the face, Pa/m; 0 without a boundary.
-    pub stiffness: [f64; 2],
-    /// Impedances rho c_P and rho c_S, Pa s/m; 0 without a boundary.
-    pub impedance: [f64; 2],
-    /// Displacement of the far end of the face spring at the four points, m.
-    pub anchor: [Vec3; 4],
+    /// What a condition acts through (boxed: of a million free faces few have one); `None` without a condition and under given tractions.
+    pub half_block: Option<Box<HalfBlock>>,
     /// Whether it lay in a joint that has given way: nothing covers it, but it is inside the rock and no part of its surface.
     pub parted: bool,
 }
 
+/// The half block between a face and the centroid behind it, through which a condition acts on the block.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct HalfBlock {
+    /// Normal and shear stiffness, Pa/m.
+    pub stiffness: [f64; 2],
+    /// Impedances rho c_P and rho c_S, Pa s/m.
+    pub impedance: [f64; 2],
+    /// Displacement of the far end of the face spring at the four points, m.
+    pub anchor: [Vec3; 4],
+}
+
 impl Face {
+    /// What a condition acts through: nothing where there is none.
+    #[must_use]
+    pub fn behind(&self) -> HalfBlock {
+        self.half_block.as_deref().copied().unwrap_or_default()
+    }
+
     /// Place of point `p` from the centroid of the block at the start, m.
     #[must_use]
     pub fn place(&self, p: usize) -> Vec3 {

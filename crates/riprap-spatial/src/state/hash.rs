@@ -50,7 +50,7 @@ impl World {
                 }
             }
         }
-        for anchor in self.faces.iter().flat_map(|f| f.anchor) {
+        for anchor in self.faces.iter().flat_map(|f| f.behind().anchor) {
             hash.numbers(&anchor.to_array());
         }
         for pair in self.found.pairs.iter().filter(|p| p.depth > 0.0) {
