@@ -212,6 +212,7 @@ impl World {
         self.patches.sort(&self.classes);
         let living = |f: &Face| self.alive[f.block as usize];
         self.faces = faces.into_iter().filter(living).collect();
+        self.faces.shrink_to_fit();
         self.faces.sort_by_key(|f| f.block);
         boundary::assign(self, tolerance)?;
         let faces = std::mem::take(&mut self.faces);

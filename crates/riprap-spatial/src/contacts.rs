@@ -5,6 +5,7 @@
 //! blocks with a joint that has failed at any of its points. Pairs that a patch joins are its business, and two blocks whose
 //! motion is prescribed never act on each other.
 
+use riprap_core::sums::GROUP;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
 
@@ -20,12 +21,12 @@ pub(crate) mod terrain;
 use std::collections::BTreeMap;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Constants, Desk, Facing, Slot, Workspace};
+use super::found::desk::{Acting, Constants, Desk, Facing, PairGroup, Slot, Workspace};
 use super::found::glued::Glued;
 use super::found::offset::{Carried, Offset};
 use super::found::{Blocks, ContactLaw, Pose, Role, Shape};
 use super::patch;
-use super::setup::{self, Setup};
+use super::setup::{self, InterfaceLaw, Setup};
 use super::state::found::FoundPair;
 use super::state::lineage::Origin;
 use super::state::scratch::Scratch;
@@ -425,26 +426,49 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         |_, pair| drop_pair(&mut dropped, &pair),
     );
     world.works.add(&dropped);
+    desk.rows = world.setup.interfaces.iter().map(of_row).collect();
+    let blocks = 0..world.alive.len();
+    desk.inverse_masses = blocks.map(|b| inverse_mass(world, b)).collect();
     let pairs = &world.found.pairs;
     let (lists, shapes, glued) = (&desk.candidates.lists, &desk.shapes, &desk.glued);
     let candidates = &desk.candidates.pairs;
-    let of_run = |run: std::ops::Range<usize>| -> Vec<Constants> {
-        (candidates[run].iter())
-            .map(|c| {
-                let plain = constants(world, shapes, [c.i, c.j], c.faces(lists));
-                if world.is_glued(c.i as usize) || world.is_glued(c.j as usize) {
-                    constants_of_glued(world, (shapes, glued), [c.i, c.j], plain)
-                } else {
-                    plain
-                }
-            })
-            .collect()
+    let rows = &desk.rows;
+    let of_run = |run: std::ops::Range<usize>| -> (Vec<Constants>, Vec<Facing>) {
+        let mut constants = Vec::with_capacity(run.len());
+        let mut facings = Vec::new();
+        for c in &candidates[run] {
+            let ends = [c.i, c.j];
+            let (mut found, facing) = if ends.iter().any(|b| world.is_glued(*b as usize)) {
+                constants_of_glued(world, (shapes, glued), ends, rows)
+            } else {
+                constants_of(world, shapes, ends, rows, c.faces(lists))
+            };
+            if let Some(facing) = facing {
+                found.facing = facings.len() as u32;
+                facings.push(facing);
+            }
+            constants.push(found);
+        }
+        (constants, facings)
     };
     let runs = scratch.exec.chunked(candidates.len(), of_run);
-    desk.constants = runs.into_iter().flatten().collect();
-    desk.damped = desk.constants.iter().any(|c| c.law.damping_ratio > 0.0);
-    desk.slots.clear();
-    desk.slots.resize(pairs.len(), Slot::default());
+    desk.constants = Vec::with_capacity(candidates.len());
+    desk.facings = Vec::with_capacity(runs.iter().map(|run| run.1.len()).sum());
+    for (constants, facings) in runs {
+        let first = desk.facings.len() as u32;
+        desk.constants
+            .extend(constants.into_iter().map(|mut found| {
+                if found.facing != Constants::NO_FACING {
+                    found.facing += first;
+                }
+                found
+            }));
+        desk.facings.extend(facings);
+    }
+    let damps = |c: &Constants| desk.rows[usize::from(c.row)].damping_ratio > 0.0;
+    desk.damped = desk.constants.iter().any(damps);
+    desk.slots = vec![Slot::default(); pairs.len()];
+    desk.groups = vec![PairGroup::default(); pairs.len().div_ceil(GROUP)];
     desk.workspaces
         .resize_with(pairs.len().div_ceil(piece(pairs.len())), Workspace::default);
     incidence(world, desk);
@@ -486,79 +510,99 @@ fn incidence(world: &World, desk: &mut Desk) {
     desk.acting = vec![Acting::default(); world.alive.len()];
 }
 
-/// What is the same in all steps for a pair.
-fn constants(world: &World, shapes: &[Shape], ends: [u32; 2], faces: [&[u16]; 2]) -> Constants {
+/// 1 over the mass of a block, 1/kg; 0 for what no contact can move.
+fn inverse_mass(world: &World, b: usize) -> f64 {
+    let [free, _] = world.freedoms(b);
+    if free == Vec3::ZERO {
+        0.0
+    } else {
+        1.0 / world.solid_of(b).mass
+    }
+}
+
+/// What is the same in all steps for a pair, and faces of both that can come flat onto each other.
+fn constants_of(
+    world: &World,
+    shapes: &[Shape],
+    ends: [u32; 2],
+    rows: &[ContactLaw],
+    faces: [&[u16]; 2],
+) -> (Constants, Option<Facing>) {
     let search = &world.found.search;
     let poses = ends.map(|b| search.pose[b as usize]);
     let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
     let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
-    let law = law(&world.setup, ends, shape.map(|s| s.inradius));
-    Constants {
-        law,
-        inverse_masses: ends.map(|b| {
-            let [free, _] = world.freedoms(b as usize);
-            if free == Vec3::ZERO {
-                0.0
-            } else {
-                1.0 / world.solid_of(b as usize).mass
-            }
-        }),
-        radius: shape[0].radius.min(shape[1].radius),
-        inradius: shape[0].inradius.min(shape[1].inradius),
-        facing: limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied())).map(
-            |found| {
-                let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-                found.with_square(eases, poses, &law)
-            },
-        ),
+    let constants = Constants {
         largest: limit::largest_area(shape, faces),
-        glued: None,
-    }
-}
-
-/// The same for a pair with a block of glued parts, from what its hull says.
-fn constants_of_glued(
-    world: &World,
-    (shapes, glued): (&[Shape], &[Glued]),
-    ends: [u32; 2],
-    plain: Constants,
-) -> Constants {
-    let search = &world.found.search;
-    let poses = ends.map(|b| search.pose[b as usize]);
-    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
-    let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
-    let law = law(&world.setup, ends, of.map(|glued| glued.inradius));
+        ..plain(&world.setup, ends, shape.map(|s| s.inradius))
+    };
+    let law = constants.law(rows);
+    let facing = limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied()));
     let with_square = |found: Facing| {
         let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
         found.with_square(eases, poses, &law)
     };
-    Constants {
-        law,
-        inradius: of[0].inradius.min(of[1].inradius),
-        facing: glued::facing(of, poses, margin, with_square),
+    (constants, facing.map(with_square))
+}
+
+/// The same for a pair with a block of glued parts.
+fn constants_of_glued(
+    world: &World,
+    (shapes, glued): (&[Shape], &[Glued]),
+    ends: [u32; 2],
+    rows: &[ContactLaw],
+) -> (Constants, Option<Facing>) {
+    let search = &world.found.search;
+    let poses = ends.map(|b| search.pose[b as usize]);
+    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
+    let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
+    let constants = Constants {
         largest: of[0].largest.min(of[1].largest),
-        glued: Some(of[0].half_surface.min(of[1].half_surface)),
-        ..plain
+        glued: true,
+        ..plain(&world.setup, ends, of.map(|glued| glued.inradius))
+    };
+    let law = constants.law(rows);
+    let with_square = |found: Facing| {
+        let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
+        found.with_square(eases, poses, &law)
+    };
+    let facing = glued::facing(of, poses, margin, with_square);
+    (constants, facing)
+}
+
+/// The interface of two blocks and its stiffness; `depths` are their inradii, m.
+fn plain(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> Constants {
+    let materials = ends.map(|b| setup.blocks[b as usize].material as usize);
+    let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
+    // Checked when the model was built; NaN would stop the run at once.
+    let stiffness = stiffness(setup, row, materials, depths).map_or([f64::NAN; 2], |found| found.0);
+    Constants {
+        stiffness,
+        inradius: depths[0].min(depths[1]),
+        largest: 0.0,
+        facing: Constants::NO_FACING,
+        row,
+        glued: false,
     }
 }
 
-/// The law between two blocks: stiffness, residual strength and damping of their interface; `depths` are their inradii, m.
+/// The law between two blocks; `depths` are their inradii, m.
 fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
-    let materials = ends.map(|b| setup.blocks[b as usize].material as usize);
-    let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
-    let interface = &setup.interfaces[row as usize];
+    let Constants { stiffness, row, .. } = plain(setup, ends, depths);
+    of_row(&setup.interfaces[usize::from(row)]).with_stiffness(stiffness)
+}
+
+/// The law of an interface but for its stiffness, which hangs on the blocks: residual strength and damping.
+fn of_row(interface: &InterfaceLaw) -> ContactLaw {
     let joint = &interface.joint;
-    // Checked when the model was built; NaN would stop the run at once.
-    let [normal_stiffness, shear_stiffness] =
-        stiffness(setup, row, materials, depths).map_or([f64::NAN; 2], |found| found.0);
     // An elastic joint neither opens nor slides; a found contact under its law must open, and slides if it is told when.
     let elastic = interface.friction.unwrap_or(f64::INFINITY);
     let (friction, cohesion) = joint.strength.map_or((elastic, 0.0), |s| {
         (s.residual_friction, s.residual_cohesion)
     });
     ContactLaw {
-        normal_stiffness,
-        shear_stiffness,
+        normal_stiffness: f64::NAN,
+        shear_stiffness: f64::NAN,
         friction,
         cohesion,
         damping_ratio: joint.contact_damping,

@@ -1,19 +1,21 @@
 //! What all pairs exert in a step, and the sums on each block.
 //!
-//! Every pair writes what it exerts to its own slot, and each block adds its slots in the order of the pairs: the same bits for
+//! Every pair adds what it exerts to its group, and each block adds that of its pairs in their order: the same bits for
 //! any number of threads.
 
-use riprap_core::sums::{GROUP, tree};
+use riprap_core::sums::tree;
 use riprap_geom::{Mat3, Vec3};
 
 use super::glued::Asked;
 use super::limit::{self, Speeds};
 use super::{glued, left};
 use crate::exec::{CHUNK, Exec};
-use crate::found::desk::{Acting, Constants, Deepest, Desk, PairSums, Slot, Workspace};
+use crate::found::desk::{
+    Acting, Constants, Deepest, Desk, Exerted, PairGroup, PairSums, Slot, Workspace, exerted,
+};
 use crate::found::glued::{Glued, Placed};
 use crate::found::{
-    Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, part, planes, respond,
+    Body, Candidates, ContactLaw, Found, Motion, Pair, Pose, Question, Shape, part, planes, respond,
 };
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
@@ -30,6 +32,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     place(world, desk, &scratch.exec);
     let Desk {
         slots,
+        groups,
         workspaces,
         sums,
         ..
@@ -52,26 +55,30 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         },
         candidates: &desk.candidates,
         constants: &desk.constants,
+        rows: &desk.rows,
+        inverse_masses: &desk.inverse_masses,
         dt: world.pending,
     };
     let width = scratch.width;
-    sums.clear();
-    sums.resize(slots.len().div_ceil(GROUP), PairSums::default());
     scratch.exec.groups2(
         &mut world.found.pairs,
         slots,
-        sums,
+        groups,
         workspaces,
-        |first, pairs, slots, sums, workspace| {
+        |first, pairs, slots, group, workspace| {
+            group.exerted.clear();
+            group.sums = PairSums::default();
             workspace.walker.cutter.limit_width(width);
             let gluer = &mut workspace.glued.gluer;
             gluer.walker.cutter.limit_width(width);
             gluer.other.cutter.limit_width(width);
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
-                evaluation.pair(first + k, pair, slot, sums, workspace);
+                evaluation.pair(first + k, pair, slot, group, workspace);
             }
         },
     );
+    sums.clear();
+    sums.extend(groups.iter().map(|group| group.sums));
     tree(sums, PairSums::add);
     let sums = sums.first().copied().unwrap_or_default();
     world.works.friction += sums.friction;
@@ -163,17 +170,21 @@ struct Evaluation<'a> {
     speeds: Speeds<'a>,
     candidates: &'a Candidates,
     constants: &'a [Constants],
+    /// As in [`Desk`].
+    rows: &'a [ContactLaw],
+    /// As in [`Desk`].
+    inverse_masses: &'a [f64],
     /// Time moved since the last evaluation, s.
     dt: f64,
 }
 
 impl Evaluation<'_> {
-    /// Motion of both blocks of pair `k`, half a step ago.
-    fn motion(&self, k: usize, pair: &FoundPair) -> [Motion; 2] {
-        [0, 1].map(|s| Motion {
-            velocity: self.speeds.bodies.velocity(pair.ends[s] as usize),
-            spin: self.speeds.bodies.spin(pair.ends[s] as usize),
-            inverse_mass: self.constants[k].inverse_masses[s],
+    /// Motion of both blocks of a pair, half a step ago.
+    fn motion(&self, ends: [u32; 2]) -> [Motion; 2] {
+        ends.map(|b| Motion {
+            velocity: self.speeds.bodies.velocity(b as usize),
+            spin: self.speeds.bodies.spin(b as usize),
+            inverse_mass: self.inverse_masses[b as usize],
         })
     }
 
@@ -182,7 +193,7 @@ impl Evaluation<'_> {
         k: usize,
         pair: &mut FoundPair,
         slot: &mut Slot,
-        sums: &mut PairSums,
+        group: &mut PairGroup,
         workspace: &mut Workspace,
     ) {
         let candidate = &self.candidates.pairs[k];
@@ -194,20 +205,23 @@ impl Evaluation<'_> {
                 return;
             }
         }
-        if self.constants[k].glued.is_some() {
-            let constants = &self.constants[k];
+        let constants = &self.constants[k];
+        let bodies = pair.ends.map(|b| self.bodies.body(b));
+        let radius = bodies[0].shape.radius.min(bodies[1].shape.radius);
+        if constants.glued {
             let asked = Asked {
                 placed: self.bodies.placed(pair.ends),
-                law: &constants.law,
-                motion: self.motion(k, pair),
-                radius: constants.radius,
+                law: &constants.law(self.rows),
+                motion: self.motion(pair.ends),
+                radius,
                 inradius: constants.inradius,
                 dt: self.dt,
                 nearing,
             };
-            glued::act(&asked, pair, slot, &mut workspace.glued, sums);
+            glued::act(&asked, pair, slot, &mut workspace.glued, group);
             return;
         }
+        let sums = &mut group.sums;
         let faces = candidate.faces(&self.candidates.lists);
         if self.dt > 0.0 {
             pair.start = pair.next;
@@ -217,7 +231,6 @@ impl Evaluation<'_> {
         let hint = pair
             .start
             .and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
-        let bodies = pair.ends.map(|b| self.bodies.body(b));
         let found = workspace.walker.find(&Pair {
             bodies: [&bodies[0], &bodies[1]],
             faces,
@@ -227,14 +240,14 @@ impl Evaluation<'_> {
         let surface = match found {
             Found::Touching(surface) => surface,
             Found::Apart(gap) => {
-                let motion = self.motion(k, pair);
+                let motion = self.motion(pair.ends);
                 sums.friction += pair.memory.work(&motion, self.dt) + pair.stored;
                 sums.left += left(pair);
                 sums.booked += part(pair.offset.take(), &motion, &pair.memory, self.dt);
                 *pair = FoundPair {
                     ends: pair.ends,
                     gap: gap - ROUNDING * gap,
-                    in_place: pair.in_place && gap <= IN_PLACE * self.constants[k].inradius,
+                    in_place: pair.in_place && gap <= IN_PLACE * constants.inradius,
                     ..FoundPair::default()
                 };
                 *slot = Slot {
@@ -245,11 +258,14 @@ impl Evaluation<'_> {
             }
             Found::Swallowed(radius) => {
                 // No force can be given: not a number stops the run, and the deepest contact is to blame.
+                let mut unknown = Exerted::default();
+                unknown.elastic.force = Vec3::NAN;
                 *slot = Slot {
+                    at: group.push(unknown),
                     nearing,
                     ..Slot::default()
                 };
-                slot.elastic.force = Vec3::NAN;
+                let sums = &mut group.sums;
                 pair.depth = 2.0 * radius;
                 sums.deepest = Some(Deepest {
                     ends: pair.ends,
@@ -263,18 +279,18 @@ impl Evaluation<'_> {
         pair.next = surface
             .hint
             .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
-        let constants = &self.constants[k];
+        let law = constants.law(self.rows);
         let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
         let before = left(pair) + pair.stored;
         let reply = respond(
-            &constants.law,
+            &law,
             &Question {
                 sums: &surface,
                 mean_radius: &|point| workspace.walker.mean_radius(point),
                 origin: planes::origin(&bodies[0], &bodies[1]),
                 centres: bodies.map(|b| b.position),
-                motion: self.motion(k, pair),
-                radius: constants.radius,
+                motion: self.motion(pair.ends),
+                radius,
                 dt: self.dt,
             },
             &mut pair.memory,
@@ -286,7 +302,7 @@ impl Evaluation<'_> {
             // The springs along the contact have the stiffness of its law from now on, and act at its point.
             sums.left += before - reply.sprung;
         }
-        pair.stored = pair.memory.stored(&constants.law);
+        pair.stored = pair.memory.stored(&law);
         pair.force = reply.wrench.force;
         pair.depth = surface.depth;
         pair.gap = 0.0;
@@ -297,10 +313,13 @@ impl Evaluation<'_> {
             ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
         };
         sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
-        *slot = Slot {
+        let exerted = Exerted {
             elastic: reply.elastic.plus(&reply.offset),
             spring: reply.spring,
             drag: reply.drag,
+        };
+        *slot = Slot {
+            at: group.push(exerted),
             touching: true,
             area: reply.area,
             nearing,
@@ -317,6 +336,7 @@ fn sum(desk: &mut Desk, exec: &Exec) {
         first_pair,
         incidence,
         slots,
+        groups,
         ..
     } = desk;
     exec.chunks(acting, |first, chunk| {
@@ -327,11 +347,11 @@ fn sum(desk: &mut Desk, exec: &Exec) {
             *acting = Acting::default();
             let pairs = first_pair[*at as usize] as usize..first_pair[*at as usize + 1] as usize;
             for &(k, second) in &incidence[pairs] {
-                let slot = &slots[k as usize];
-                if slot.touching || slot.elastic.force.is_nan() {
-                    acting.elastic.add(&slot.elastic, second);
-                    acting.spring.add(&slot.spring, second);
-                    acting.drag.add(&slot.drag, second);
+                let k = k as usize;
+                if let Some(by) = exerted(groups, &slots[k], k) {
+                    acting.elastic.add(&by.elastic, second);
+                    acting.spring.add(&by.spring, second);
+                    acting.drag.add(&by.drag, second);
                 }
             }
         }

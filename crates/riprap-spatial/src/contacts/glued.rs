@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 
 use super::limit;
 use crate::build::BuildError;
-use crate::found::desk::{Deepest, Facing, GluedWorkspace, PairSums, Slot};
+use crate::found::desk::{Deepest, Exerted, Facing, GluedWorkspace, PairGroup, Slot};
 use crate::found::glued::{Glued, Placed, Touch};
 use crate::found::{ContactLaw, Motion, Pose, Question, respond};
 use crate::setup::{FaceSet, Setup, Shape, Solid};
@@ -40,8 +40,10 @@ pub(super) fn act(
     pair: &mut FoundPair,
     slot: &mut Slot,
     room: &mut GluedWorkspace,
-    sums: &mut PairSums,
+    group: &mut PairGroup,
 ) {
+    let sums = &mut group.sums;
+    let mut exerted = Exerted::default();
     let GluedWorkspace {
         gluer,
         old,
@@ -78,13 +80,14 @@ pub(super) fn act(
                 }
                 Touch::Swallowed(radius) => {
                     // No force can be given: not a number stops the run, and the deepest contact is to blame.
-                    new.elastic.force = Vec3::NAN;
+                    exerted.elastic.force = Vec3::NAN;
                     pair.depth = 2.0 * radius;
                     sums.deepest = Some(Deepest {
                         ends: pair.ends,
                         depth: pair.depth,
                         ratio: f64::INFINITY,
                     });
+                    new.at = group.push(exerted);
                     *slot = new;
                     return;
                 }
@@ -120,9 +123,9 @@ pub(super) fn act(
             contact.force = reply.elastic.force + reply.spring.force;
             contact.depth = surface.depth;
             contact.area = reply.area;
-            new.elastic = new.elastic.plus(&reply.elastic);
-            new.spring = new.spring.plus(&reply.spring);
-            new.drag = new.drag.plus(&reply.drag);
+            exerted.elastic = exerted.elastic.plus(&reply.elastic);
+            exerted.spring = exerted.spring.plus(&reply.spring);
+            exerted.drag = exerted.drag.plus(&reply.drag);
             new.area += reply.area;
             new.touching = true;
             pair.force += reply.wrench.force;
@@ -149,6 +152,7 @@ pub(super) fn act(
             ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
         };
         sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
+        new.at = group.push(exerted);
     }
     *slot = new;
 }

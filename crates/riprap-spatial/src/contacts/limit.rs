@@ -24,7 +24,7 @@ use riprap_geom::Vec3;
 
 use super::felt::{Felt, Spread};
 use crate::exec::Exec;
-use crate::found::desk::{Constants, Desk, Facing, Impact, Slot};
+use crate::found::desk::{Desk, Facing, Impact, Slot};
 use crate::found::{Memory, Pose, Role, Shape};
 use crate::state::found::FoundPair;
 use crate::world::{Bodies, SolidClass, World};
@@ -89,14 +89,14 @@ impl StepLimit<'_> {
         for &(k, second) in &desk.incidence[pairs] {
             let k = k as usize;
             let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
-            let (pair, law) = (&world.found.pairs[k], &constants.law);
+            let (pair, law) = (&world.found.pairs[k], &constants.law(&desk.rows));
             let change = until_change(pair, slot, *gravity);
             if !slot.touching && change >= longest {
                 // Most of what is near: whatever it allows is longer than this.
                 continue;
             }
             let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
-            let flat = constants.facing.as_ref();
+            let flat = constants.facing(&desk.facings);
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
             let slight = desk.all_slight || slot.slight;
             let share = if slight { BOUNDED } else { SAFETY };
@@ -116,7 +116,12 @@ impl StepLimit<'_> {
             if slot.touching {
                 let memory = &pair.memory;
                 let known = memory.area > 0.0;
-                let most = constants.glued.unwrap_or(desk.candidates.pairs[k].area);
+                let most = if constants.glued {
+                    let of = |b: u32| desk.glued[world.solid[b as usize] as usize].half_surface;
+                    of(pair.ends[0]).min(of(pair.ends[1]))
+                } else {
+                    desk.candidates.pairs[k].area
+                };
                 if known && flat.is_none() {
                     let small =
                         share * loss * step_of(stiffness * slot.area * ease.of_area(slot.area));
@@ -124,7 +129,7 @@ impl StepLimit<'_> {
                     let closing = speeds.closing(pair.ends, memory);
                     longest = longest.min(whole.max(growing(small, closing, pair.depth)));
                 }
-                if constants.glued.is_some() && known {
+                if constants.glued && known {
                     // Each piece has a place of its own.
                     let growth = (BOUNDED / share) * (BOUNDED / share);
                     for piece in pair.pieces.iter().filter(|p| p.memory.area > 0.0) {
@@ -199,46 +204,43 @@ fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
 /// allow have none, and those that lie in place are left out.
 fn find_slight(world: &World, desk: &mut Desk, exec: &Exec) {
     let slight = SLIGHT * world.works.peak;
-    let Desk {
-        slots,
-        constants,
-        impacts,
-        ..
-    } = desk;
     let count = world.found.pairs.len();
-    let of = |k: usize| impact(world, slots, constants, k);
-    desk.all_slight = exec.sum(count, |k| of(k).map_or(0.0, |impact| impact.energy)) <= slight;
+    let energy = |k: usize| impact(world, desk, k).map_or(0.0, |impact| impact.energy);
+    desk.all_slight = exec.sum(count, energy) <= slight;
     if desk.all_slight {
         return;
     }
+    let mut impacts = std::mem::take(&mut desk.impacts);
     impacts.clear();
-    impacts.extend((0..count).filter_map(of));
+    impacts.extend((0..count).filter_map(|k| impact(world, desk, k)));
     impacts.sort_unstable_by(|a, b| {
         let stiffer = b.square.total_cmp(&a.square);
         stiffer.then(a.pair.cmp(&b.pair))
     });
-    for slot in slots.iter_mut() {
+    for slot in &mut desk.slots {
         slot.slight = false;
     }
     let mut so_far = 0.0;
-    for impact in impacts {
+    for impact in &impacts {
         so_far += impact.energy;
         if so_far > slight {
             break;
         }
-        slots[impact.pair as usize].slight = true;
+        desk.slots[impact.pair as usize].slight = true;
     }
+    desk.impacts = impacts;
 }
 
 /// The impact of pair `k`: `None` where it lies in place or cannot meet in a step that is as long as joints allow.
-fn impact(world: &World, slots: &[Slot], constants: &[Constants], k: usize) -> Option<Impact> {
-    let (pair, slot, constants) = (&world.found.pairs[k], &slots[k], &constants[k]);
+fn impact(world: &World, desk: &Desk, k: usize) -> Option<Impact> {
+    let (pair, slot, constants) = (&world.found.pairs[k], &desk.slots[k], &desk.constants[k]);
     if pair.in_place {
         return None;
     }
-    let kn = constants.law.normal_stiffness;
-    let ease: f64 = constants.inverse_masses.iter().sum();
-    let flat = constants.facing.as_ref();
+    let [kn, _] = constants.stiffness;
+    let [i, j] = pair.ends.map(|b| desk.inverse_masses[b as usize]);
+    let ease = i + j;
+    let flat = constants.facing(&desk.facings);
     let square = flat.map_or(2.0 * kn * constants.largest * ease, |flat| flat.square);
     let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
     if slot.touching {

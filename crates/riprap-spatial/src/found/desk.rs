@@ -1,5 +1,6 @@
 //! What the evaluation of found contacts works with; can be dropped and laid out anew without changing a result.
 
+use riprap_core::sums::GROUP;
 use riprap_geom::{Mat3, Vec3};
 
 use super::friction::{ContactLaw, Wrench};
@@ -23,6 +24,12 @@ pub struct Desk {
     pub candidates: Candidates,
     /// What is the same in all steps, per pair.
     pub constants: Vec<Constants>,
+    /// What of the law is the same for all pairs of an interface, by its place in the setup.
+    pub rows: Vec<ContactLaw>,
+    /// Faces that can come flat onto each other, of the pairs that have such.
+    pub facings: Vec<Facing>,
+    /// 1 over the mass of each block of the model, 1/kg; 0 for what no contact can move.
+    pub inverse_masses: Vec<f64>,
     /// Blocks that are in a pair, ascending.
     pub blocks: Vec<u32>,
     /// Place of a block in `blocks`, per block; `u32::MAX` for others.
@@ -35,8 +42,10 @@ pub struct Desk {
     pub turns: Vec<Mat3>,
     /// Pose of each of `blocks`.
     pub poses: Vec<Pose>,
-    /// What each pair exerts.
+    /// How each pair touches.
     pub slots: Vec<Slot>,
+    /// What the pairs exert, by groups of [`GROUP`] of them.
+    pub groups: Vec<PairGroup>,
     /// Workspace: the impacts of an instant.
     pub impacts: Vec<Impact>,
     /// Whether all of them together are slight.
@@ -49,7 +58,7 @@ pub struct Desk {
     pub acting: Vec<Acting>,
     /// Workspace of each piece of the pairs.
     pub workspaces: Vec<Workspace>,
-    /// Sums over groups of pairs.
+    /// Workspace: sums over groups of pairs.
     pub sums: Vec<PairSums>,
     /// Whether any contact has dashpots.
     pub damped: bool,
@@ -68,6 +77,20 @@ pub struct Deepest {
     pub depth: f64,
     /// Depth over the smaller inscribed radius; what is not a number counts as infinite.
     pub ratio: f64,
+}
+
+impl Desk {
+    /// What pair `k` exerts, if it does.
+    #[must_use]
+    pub fn exerted(&self, k: usize) -> Option<&Exerted> {
+        exerted(&self.groups, &self.slots[k], k)
+    }
+}
+
+/// What pair `k` with this slot exerts, if it does.
+#[must_use]
+pub fn exerted<'a>(groups: &'a [PairGroup], slot: &Slot, k: usize) -> Option<&'a Exerted> {
+    Some(&groups[k / GROUP].exerted[usize::from(slot.at?)])
 }
 
 impl Deepest {
@@ -117,23 +140,38 @@ pub struct TerrainWorkspace {
     pub friction: f64,
 }
 
-/// What is the same in all steps for a pair.
+/// What is the same in all steps for a pair. There are many pairs that do not touch: what can be looked up does not stand here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constants {
-    /// The law.
-    pub law: ContactLaw,
-    /// 1 over the masses, 1/kg; 0 for what no contact can move.
-    pub inverse_masses: [f64; 2],
-    /// Smaller radius, m.
-    pub radius: f64,
+    /// Normal and shear stiffness, Pa/m.
+    pub stiffness: [f64; 2],
     /// Smaller inradius, m.
     pub inradius: f64,
-    /// Faces that can come flat onto each other.
-    pub facing: Option<Facing>,
     /// Smaller one of the largest listed faces of both, m².
     pub largest: f64,
-    /// Of a pair with a block of glued parts: no contact of it has a larger area, m².
-    pub glued: Option<f64>,
+    /// Place in [`Desk::facings`]; [`Constants::NO_FACING`] for none.
+    pub facing: u32,
+    /// The interface, a place in [`Desk::rows`].
+    pub row: u16,
+    /// Whether it is a pair with a block of glued parts.
+    pub glued: bool,
+}
+
+impl Constants {
+    /// No faces can come flat onto each other.
+    pub const NO_FACING: u32 = u32::MAX;
+
+    /// The law.
+    #[must_use]
+    pub fn law(&self, rows: &[ContactLaw]) -> ContactLaw {
+        rows[usize::from(self.row)].with_stiffness(self.stiffness)
+    }
+
+    /// Faces that can come flat onto each other.
+    #[must_use]
+    pub fn facing<'a>(&self, facings: &'a [Facing]) -> Option<&'a Facing> {
+        facings.get(self.facing as usize)
+    }
 }
 
 /// Two faces that can come flat onto each other, and the smaller one of them in the frame of its block.
@@ -157,15 +195,43 @@ pub struct Facing {
     pub square: f64,
 }
 
-/// What a pair exerts.
+/// What a pair exerts that touches.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Slot {
+pub struct Exerted {
     /// Pressure, and what goes on of a joint's load.
     pub elastic: Wrench,
     /// Springs along the contact.
     pub spring: Wrench,
     /// Dashpots.
     pub drag: Wrench,
+}
+
+/// What the pairs of a group of [`GROUP`] exert, in their order: of those that touch only, which are few among all.
+#[derive(Clone, Debug, Default)]
+pub struct PairGroup {
+    /// By [`Slot::at`].
+    pub exerted: Vec<Exerted>,
+    /// Sums over the group.
+    pub sums: PairSums,
+}
+
+impl PairGroup {
+    /// Adds what a pair exerts; its place.
+    pub fn push(&mut self, exerted: Exerted) -> Option<u8> {
+        if self.exerted.len() == self.exerted.capacity() {
+            // Little at a time: doubling would leave half of it empty.
+            self.exerted.reserve_exact(GROUP / 8);
+        }
+        self.exerted.push(exerted);
+        Some((self.exerted.len() - 1) as u8)
+    }
+}
+
+/// How a pair touches.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Slot {
+    /// Place of what it exerts in its group; `None` where it exerts nothing.
+    pub at: Option<u8>,
     /// Whether they touch.
     pub touching: bool,
     /// Area across the normal, m².

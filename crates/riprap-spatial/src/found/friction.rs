@@ -39,6 +39,18 @@ pub struct ContactLaw {
     pub damping_ratio: f64,
 }
 
+impl ContactLaw {
+    /// The same with another normal and shear stiffness, Pa/m.
+    #[must_use]
+    pub fn with_stiffness(self, [normal_stiffness, shear_stiffness]: [f64; 2]) -> Self {
+        Self {
+            normal_stiffness,
+            shear_stiffness,
+            ..self
+        }
+    }
+}
+
 /// What a contact remembers from step to step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Memory {

@@ -74,11 +74,8 @@ pub struct Grid {
     runs: [Vec<(u32, usize, usize)>; 2],
     /// Edge of the cells of the finest grid, m.
     finest: f64,
-    /// Pairs found by each run of boxes.
-    found: Vec<Vec<[u32; 2]>>,
-    /// Where the pairs of each box (the smaller number) start in `partners`.
+    /// Where the pairs of each box (the smaller number) start among all.
     start: Vec<usize>,
-    partners: Vec<u32>,
     pairs: Vec<[u32; 2]>,
 }
 
@@ -95,19 +92,15 @@ impl Grid {
         exec: &Exec,
     ) -> &[[u32; 2]] {
         let chunks = boxes.len().div_ceil(CHUNK);
-        if self.found.len() < chunks {
-            self.found.resize_with(chunks, Vec::new);
-        }
         self.enter(boxes, roles);
-        let mut found = std::mem::take(&mut self.found);
-        exec.ranges(boxes.len(), &mut found[..chunks], |range, found| {
-            found.clear();
+        // By runs of boxes; there are several times as many as pairs that can touch, so that none are kept.
+        let mut found = vec![Vec::new(); chunks];
+        exec.ranges(boxes.len(), &mut found, |range, found| {
             for b in range {
                 self.look(b as u32, boxes, roles, &excluded, found);
             }
         });
-        self.found = found;
-        self.sort(boxes.len(), chunks);
+        self.sort(boxes.len(), &found);
         &self.pairs
     }
 
@@ -227,8 +220,7 @@ impl Grid {
     }
 
     /// Sorts the pairs found: by the smaller number through counting, then each short run.
-    fn sort(&mut self, count: usize, chunks: usize) {
-        let found = &self.found[..chunks];
+    fn sort(&mut self, count: usize, found: &[Vec<[u32; 2]>]) {
         self.start.clear();
         self.start.resize(count + 1, 0);
         for pair in found.iter().flatten() {
@@ -237,18 +229,17 @@ impl Grid {
         for b in 0..count {
             self.start[b + 1] += self.start[b];
         }
-        self.partners.clear();
-        self.partners.resize(self.start[count], 0);
+        let mut all = vec![0; self.start[count]];
         // Each start moves on to the next one's place while it is filled.
         for &[i, j] in found.iter().flatten() {
             let at = &mut self.start[i as usize];
-            self.partners[*at] = j;
+            all[*at] = j;
             *at += 1;
         }
         self.pairs.clear();
         let mut start = 0;
         for (i, &end) in self.start[..count].iter().enumerate() {
-            let partners = &mut self.partners[start..end];
+            let partners = &mut all[start..end];
             partners.sort_unstable();
             self.pairs.extend(partners.iter().map(|&j| [i as u32, j]));
             start = end;

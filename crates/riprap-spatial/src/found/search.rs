@@ -192,17 +192,20 @@ impl Candidates {
                 room.add(blocks, search, pair.map(|b| &boxes[b as usize]), pair);
             }
         });
-        self.pairs.clear();
-        self.lists.clear();
+        let found = || self.room[..runs].iter();
+        renew(&mut self.pairs, found().map(|room| room.pairs.len()).sum());
+        renew(&mut self.lists, found().map(|room| room.lists.len()).sum());
         self.held.clear();
-        for room in &self.room[..runs] {
-            self.held.extend_from_slice(&room.held);
+        for room in &mut self.room[..runs] {
+            self.held.append(&mut room.held);
             let start = self.lists.len();
-            self.pairs.extend(room.pairs.iter().map(|pair| Candidate {
+            // What has been taken over is not kept twice until the next time.
+            let pairs = std::mem::take(&mut room.pairs);
+            self.pairs.extend(pairs.into_iter().map(|pair| Candidate {
                 start: start + pair.start,
-                ..*pair
+                ..pair
             }));
-            self.lists.extend_from_slice(&room.lists);
+            self.lists.append(&mut std::mem::take(&mut room.lists));
         }
         self.reach.clear();
         self.reach
@@ -306,6 +309,13 @@ impl Candidates {
             }
         });
     }
+}
+
+/// Empties a list and gives it room for so many.
+fn renew<T>(list: &mut Vec<T>, count: usize) {
+    list.clear();
+    list.shrink_to(count);
+    list.reserve_exact(count);
 }
 
 /// What two boxes have in common.

@@ -3,6 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::found::Memory;
+use crate::found::desk::Exerted;
 use crate::read::view::View;
 
 /// A found contact that touches.
@@ -27,11 +28,13 @@ pub struct Contact {
 impl View<'_> {
     /// The found contacts that touch, in the order of their blocks; those of glued parts for each two pieces.
     pub fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
-        let pairs = self.world.found.pairs.iter().zip(&self.scratch.desk.slots);
-        let pairs = pairs.filter(|(_, slot)| slot.touching);
-        pairs.flat_map(|(pair, slot)| {
+        let desk = &self.scratch.desk;
+        let pairs = self.world.found.pairs.iter().zip(&desk.slots).enumerate();
+        let pairs = pairs.filter(|(_, (_, slot))| slot.touching);
+        pairs.flat_map(|(k, (pair, slot))| {
             let plain = pair.pieces.is_empty().then(|| {
-                let force = slot.elastic.force + slot.spring.force;
+                let sides = |by: &Exerted| by.elastic.force + by.spring.force;
+                let force = desk.exerted(k).map_or(Vec3::ZERO, sides);
                 self.contact(pair.ends, &pair.memory, force, [slot.area, pair.depth])
             });
             let pieces = pair.pieces.iter().map(|piece| {
