@@ -7,7 +7,7 @@
 //!
 //! Contacts are pairs of blocks that touch, in space those found anew; patches stand beside them. Memory is what is
 //! allocated beyond the setup (shapes and names): in space a block takes what is allocated with found contacts
-//! switched off, and a candidate its share of what it takes more with them.
+//! switched off, and a candidate its share of what it takes more with them, less the shapes of the blocks and their turned normals.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::path::Path;
@@ -21,6 +21,7 @@ use riprap::run::job::Job;
 use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
 use riprap::setup::Setup;
+use riprap::spatial::found::Shape;
 
 const REPEATS: usize = 5;
 /// Block-steps per repeat: long enough to time, short enough to wait for.
@@ -66,6 +67,8 @@ struct Counts {
     contacts: usize,
     /// Pairs that are watched, in space.
     candidates: usize,
+    /// Memory of the shapes of blocks that can meet, bytes.
+    shapes: usize,
     patches: usize,
 }
 
@@ -78,12 +81,18 @@ impl Counts {
                 blocks,
                 contacts: view.contacts().count(),
                 candidates: 0,
+                shapes: 0,
                 patches: 0,
             },
             View::Spatial(view) => Counts {
                 blocks,
                 contacts: view.contacts().count(),
                 candidates: view.world.found.pairs.len(),
+                shapes: {
+                    let desk = &view.scratch.desk;
+                    let shapes = desk.shapes.iter().map(Shape::bytes);
+                    shapes.sum::<usize>() + size_of_val(desk.normals.as_slice())
+                },
                 patches: view.world.patches.len(),
             },
         }
@@ -127,7 +136,7 @@ fn prepared(job: Job, threads: usize) -> Result<(Simulation, Memory), String> {
     let alone = without.as_ref().map_or(all, |(bytes, _)| *bytes);
     let memory = Memory {
         per_block: alone / counts.blocks as f64,
-        per_candidate: (all - alone) / counts.candidates as f64,
+        per_candidate: (all - alone - counts.shapes as f64) / counts.candidates as f64,
     };
     Ok((simulation, memory))
 }
@@ -183,6 +192,7 @@ fn measure(
         contacts,
         candidates,
         patches,
+        ..
     } = Counts::of(&simulation);
     let after = simulation.engine().profile().seconds();
     let spent = after.iter().zip(&before).map(|((_, a), (_, b))| a - b);

@@ -101,9 +101,11 @@ fn place(world: &World, desk: &mut Desk, exec: &Exec) {
         first_normal,
         ..
     } = desk;
-    poses.resize(blocks.len(), Pose::at(Vec3::ZERO));
-    turns.resize(blocks.len(), Mat3::IDENTITY);
-    normals.resize(first_normal[blocks.len()] as usize, Vec3::ZERO);
+    if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
+        *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];
+        *turns = vec![Mat3::IDENTITY; blocks.len()];
+        *normals = vec![Vec3::ZERO; first_normal[blocks.len()] as usize];
+    }
     let nothing = &mut vec![(); blocks.len().div_ceil(CHUNK)];
     exec.chunks2(poses, turns, nothing, |first, poses, turns, ()| {
         let chunk = &blocks[first..];

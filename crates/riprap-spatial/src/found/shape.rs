@@ -110,7 +110,22 @@ impl Shape {
             shape.first.push(shape.corners.len() as u32);
         }
         shape.inradius = shape.largest_ball()?;
+        shape.normals.shrink_to_fit();
+        shape.offsets.shrink_to_fit();
+        shape.areas.shrink_to_fit();
+        shape.corners.shrink_to_fit();
+        shape.first.shrink_to_fit();
         Ok(shape)
+    }
+
+    /// Memory that it takes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>()
+            + size_of::<Vec3>() * (self.normals.capacity() + self.vertices.capacity())
+            + size_of::<f64>() * (self.offsets.capacity() + self.areas.capacity())
+            + size_of::<u16>() * self.corners.capacity()
+            + size_of::<u32>() * self.first.capacity()
     }
 
     /// A box with faces normal to the axes; half its edge lengths, m.
