@@ -81,6 +81,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     sums.extend(groups.iter().map(|group| group.sums));
     tree(sums, PairSums::add);
     let sums = sums.first().copied().unwrap_or_default();
+    world.found.unlabelled += u64::from(sums.unlabelled);
     world.works.friction += sums.friction;
     world.works.contact_path += sums.booked;
     world.works.edit_defect += sums.booked - sums.left;
@@ -277,7 +278,7 @@ impl Evaluation<'_> {
                 return;
             }
         };
-        workspace.unlabelled += u64::from(surface.unlabelled);
+        sums.unlabelled += surface.unlabelled;
         pair.next = surface
             .hint
             .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);

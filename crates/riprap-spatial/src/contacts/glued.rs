@@ -44,11 +44,7 @@ pub(super) fn act(
 ) {
     let sums = &mut group.sums;
     let mut exerted = Exerted::default();
-    let GluedWorkspace {
-        gluer,
-        old,
-        unlabelled,
-    } = room;
+    let GluedWorkspace { gluer, old } = room;
     let Asked {
         placed,
         law,
@@ -94,7 +90,7 @@ pub(super) fn act(
                 Touch::Touching(surface, origin) => (surface, origin),
             };
             gap = 0.0;
-            *unlabelled += u64::from(surface.unlabelled);
+            sums.unlabelled += surface.unlabelled;
             let pieces = [a as u16, b as u16];
             let known = old.iter().position(|contact| contact.pieces == pieces);
             let mut contact = known.map_or_else(

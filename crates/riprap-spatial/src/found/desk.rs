@@ -299,8 +299,6 @@ pub struct GluedWorkspace {
     pub gluer: Gluer,
     /// Contacts of the pair that have not been found yet.
     pub old: Vec<PieceContact>,
-    /// Edges that no plane has made: none, or the kernel is wrong.
-    pub unlabelled: u64,
 }
 
 /// Workspace of a piece of the pairs.
@@ -310,8 +308,6 @@ pub struct Workspace {
     pub walker: Walker,
     /// For blocks of glued parts.
     pub glued: GluedWorkspace,
-    /// Edges that no listed plane has made: none, or the lists are wrong.
-    pub unlabelled: u64,
 }
 
 /// Sums over a group of pairs in a step.
@@ -323,6 +319,8 @@ pub struct PairSums {
     pub booked: f64,
     /// Energy of the normal springs of joints from which they have just taken over, J.
     pub left: f64,
+    /// Edges of surfaces that no listed plane has made: none, or the lists are wrong.
+    pub unlabelled: u32,
     /// The deepest contact.
     pub deepest: Option<Deepest>,
 }
@@ -333,6 +331,7 @@ impl PairSums {
         self.friction += other.friction;
         self.booked += other.booked;
         self.left += other.left;
+        self.unlabelled += other.unlabelled;
         self.deepest = Deepest::deeper(self.deepest, other.deepest);
     }
 }

@@ -19,6 +19,8 @@ pub struct FoundContacts {
     /// Longest step that the contacts allowed at the last evaluation, s; `None` before the first. State, so that a run that goes
     /// on from a checkpoint takes the steps of one that never stopped.
     pub longest_step: Option<f64>,
+    /// Edges of contacts so far that no plane has made, so that a part of the surface may be missing: none, or the program is wrong.
+    pub unlabelled: u64,
     /// Those of deformable blocks.
     pub deformable: super::deformable::DeformableContacts,
     /// What each block has to do with terrain; empty without terrain.

@@ -82,8 +82,15 @@ impl Simulation {
             .chain(self.unbalanced_bolt())
             .chain(self.obtuse_joint())
             .chain(self.made_by_edits())
+            .chain(self.open_surfaces())
             .chain(rough::crushed(&self.view()));
         all.chain(supports).collect()
+    }
+
+    /// Contacts in space of whose surface a part may be missing, in words.
+    fn open_surfaces(&self) -> Option<String> {
+        let view = self.view();
+        open_surfaces(view.spatial()?.world.found.unlabelled)
     }
 
     /// Energy that edits of a model in space have added, if it is not small, in words.
@@ -135,6 +142,16 @@ impl Simulation {
     }
 }
 
+/// Edges of contacts that no plane has made, in words.
+fn open_surfaces(edges: u64) -> Option<String> {
+    (edges > 0).then(|| {
+        format!(
+            "{edges} edges of contacts between blocks were made by no face of either: a part of their surface may be missing, and their forces are \
+             too small by it. This is a fault of riprap, not of the scene: please report it"
+        )
+    })
+}
+
 /// Energy that edits have added, if it is not small, in words.
 fn made_by_edits(balance: &Balance) -> Option<String> {
     let (made, scale) = (balance.works.edit_defect, balance.scale());
@@ -149,7 +166,7 @@ fn made_by_edits(balance: &Balance) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Balance, made_by_edits};
+    use super::{Balance, made_by_edits, open_surfaces};
 
     #[test]
     fn energy_that_edits_have_added_is_told_when_it_is_not_small() {
@@ -167,5 +184,12 @@ mod tests {
         balance.works.edit_defect = 3e5;
         let said = made_by_edits(&balance).expect("a warning");
         assert!(said.contains("3.000e5 J, 8 % of"), "{said}");
+    }
+
+    #[test]
+    fn contacts_with_an_edge_that_no_face_has_made_are_told() {
+        assert_eq!(open_surfaces(0), None);
+        let said = open_surfaces(2).expect("a warning");
+        assert!(said.starts_with("2 edges of contacts"), "{said}");
     }
 }
