@@ -7,19 +7,19 @@ use riprap_core::sums::tree;
 use riprap_geom::{Mat3, Vec3};
 
 use super::glued::Asked;
-use super::limit::{self, Speeds};
+use super::limit::{self, Known, Speeds};
 use super::{glued, left};
 use crate::exec::{CHUNK, Exec};
 use crate::found::desk::{
-    Acting, Constants, Deepest, Desk, Exerted, PairGroup, PairSums, Slot, Workspace, exerted,
+    Acting, Deepest, Desk, Exerted, PairGroup, PairSums, Slot, Workspace, exerted,
 };
 use crate::found::glued::{Glued, Placed};
 use crate::found::{
-    Body, Candidates, ContactLaw, Found, Motion, Pair, Pose, Question, Shape, part, planes, respond,
+    Body, Candidates, Found, Motion, Pair, Pose, Question, Shape, part, planes, respond,
 };
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
-use crate::state::world::World;
+use crate::state::world::{Bodies, World};
 
 /// What rounding may take from a gap, over the gap.
 const ROUNDING: f64 = 1e-9;
@@ -47,16 +47,17 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             normals: &desk.normals,
             turns: &desk.turns,
             poses: &desk.poses,
+            turning: &desk.turning,
         },
-        speeds: Speeds {
-            bodies: &world.bodies,
-            solid: &world.solid,
-            solids: &world.solids,
-        },
+        motions: &world.bodies,
         candidates: &desk.candidates,
-        constants: &desk.constants,
-        rows: &desk.rows,
-        inverse_masses: &desk.inverse_masses,
+        known: Known {
+            constants: &desk.constants,
+            rows: &desk.rows,
+            facings: &desk.facings,
+            inverse_masses: &desk.inverse_masses,
+        },
+        gravity: world.gravity.length(),
         dt: world.pending,
     };
     let width = scratch.width;
@@ -66,14 +67,18 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         groups,
         workspaces,
         |first, pairs, slots, group, workspace| {
-            group.exerted.clear();
-            group.sums = PairSums::default();
+            group.begin();
             workspace.walker.cutter.limit_width(width);
             let gluer = &mut workspace.glued.gluer;
             gluer.walker.cutter.limit_width(width);
             gluer.other.cutter.limit_width(width);
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
-                evaluation.pair(first + k, pair, slot, group, workspace);
+                let k = first + k;
+                evaluation.pair(k, pair, slot, group, workspace);
+                slot.slight = false;
+                if let Some(impact) = evaluation.known.impact(k, pair, slot, evaluation.gravity) {
+                    group.note(impact);
+                }
             }
         },
     );
@@ -86,6 +91,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     world.works.contact_path += sums.booked;
     world.works.edit_defect += sums.booked - sums.left;
     desk.deepest = sums.deepest;
+    limit::find_slight(world, desk, sums.impacts);
     sum(desk, &scratch.exec);
     let stable = limit::longest_step(world, desk, &scratch.exec);
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
@@ -100,13 +106,21 @@ fn place(world: &World, desk: &mut Desk, exec: &Exec) {
         turns,
         normals,
         first_normal,
+        turning,
         ..
     } = desk;
     if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
         *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];
         *turns = vec![Mat3::IDENTITY; blocks.len()];
+        *turning = vec![0.0; blocks.len()];
         *normals = vec![Vec3::ZERO; first_normal[blocks.len()] as usize];
     }
+    let speeds = Speeds::of(world);
+    exec.chunks(turning, |first, turning| {
+        for (b, turning) in blocks[first..].iter().zip(turning) {
+            *turning = speeds.turning(*b as usize);
+        }
+    });
     let nothing = &mut vec![(); blocks.len().div_ceil(CHUNK)];
     exec.chunks2(poses, turns, nothing, |first, poses, turns, ()| {
         let chunk = &blocks[first..];
@@ -145,6 +159,7 @@ struct BodiesInPairs<'a> {
     normals: &'a [Vec3],
     turns: &'a [Mat3],
     poses: &'a [Pose],
+    turning: &'a [f64],
 }
 
 impl BodiesInPairs<'_> {
@@ -170,13 +185,11 @@ impl BodiesInPairs<'_> {
 
 struct Evaluation<'a> {
     bodies: BodiesInPairs<'a>,
-    speeds: Speeds<'a>,
+    motions: &'a Bodies,
     candidates: &'a Candidates,
-    constants: &'a [Constants],
-    /// As in [`Desk`].
-    rows: &'a [ContactLaw],
-    /// As in [`Desk`].
-    inverse_masses: &'a [f64],
+    known: Known<'a>,
+    /// m/s².
+    gravity: f64,
     /// Time moved since the last evaluation, s.
     dt: f64,
 }
@@ -185,10 +198,17 @@ impl Evaluation<'_> {
     /// Motion of both blocks of a pair, half a step ago.
     fn motion(&self, ends: [u32; 2]) -> [Motion; 2] {
         ends.map(|b| Motion {
-            velocity: self.speeds.bodies.velocity(b as usize),
-            spin: self.speeds.bodies.spin(b as usize),
-            inverse_mass: self.inverse_masses[b as usize],
+            velocity: self.motions.velocity(b as usize),
+            spin: self.motions.spin(b as usize),
+            inverse_mass: self.known.inverse_masses[b as usize],
         })
+    }
+
+    /// Bound of the speed at which points of two blocks come nearer to each other, m/s.
+    fn nearing(&self, [i, j]: [u32; 2]) -> f64 {
+        let apart = self.motions.velocity(i as usize) - self.motions.velocity(j as usize);
+        let turning = |b: u32| self.bodies.turning[self.bodies.place[b as usize] as usize];
+        apart.length() + turning(i) + turning(j)
     }
 
     fn pair(
@@ -200,7 +220,7 @@ impl Evaluation<'_> {
         workspace: &mut Workspace,
     ) {
         let candidate = &self.candidates.pairs[k];
-        let nearing = self.speeds.nearing(pair.ends);
+        let nearing = self.nearing(pair.ends);
         slot.nearing = nearing;
         if pair.gap > 0.0 {
             pair.gap -= nearing * self.dt;
@@ -208,13 +228,13 @@ impl Evaluation<'_> {
                 return;
             }
         }
-        let constants = &self.constants[k];
+        let constants = &self.known.constants[k];
         let bodies = pair.ends.map(|b| self.bodies.body(b));
         let radius = bodies[0].shape.radius.min(bodies[1].shape.radius);
         if constants.glued {
             let asked = Asked {
                 placed: self.bodies.placed(pair.ends),
-                law: &constants.law(self.rows),
+                law: &constants.law(self.known.rows),
                 motion: self.motion(pair.ends),
                 radius,
                 inradius: constants.inradius,
@@ -282,7 +302,7 @@ impl Evaluation<'_> {
         pair.next = surface
             .hint
             .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
-        let law = constants.law(self.rows);
+        let law = constants.law(self.known.rows);
         let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
         let before = left(pair) + pair.stored;
         let reply = respond(

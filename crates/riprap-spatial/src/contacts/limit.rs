@@ -20,12 +20,14 @@
 //! No step may let two blocks pass through each other: those of a pair come nearer by no more than their gap and a tenth of
 //! the smaller inscribed radius, and no block outruns the search that finds its pairs.
 
+use std::collections::BinaryHeap;
+
 use riprap_geom::Vec3;
 
 use super::felt::{Felt, Spread};
 use crate::exec::Exec;
-use crate::found::desk::{Desk, Facing, Impact, Slot};
-use crate::found::{Memory, Pose, Role, Shape};
+use crate::found::desk::{Constants, Desk, Facing, Impact, Slot};
+use crate::found::{ContactLaw, Memory, Pose, Role, Shape};
 use crate::state::found::FoundPair;
 use crate::world::{Bodies, SolidClass, World};
 
@@ -51,7 +53,6 @@ const FACING: f64 = -0.98;
 /// Longest step, s.
 pub(super) fn longest_step(world: &World, desk: &mut Desk, exec: &Exec) -> f64 {
     let transit = transit(world, desk, exec);
-    find_slight(world, desk, exec);
     let limit = StepLimit {
         world,
         desk,
@@ -201,58 +202,67 @@ fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
 
 /// Says of each pair whether its impact is slight: the stiffest ones, whose steps would be the shortest, as long as all of them together
 /// are. Their energy is that of the approach, by its bound, and of the pressure; pairs that cannot meet in a step that is as long as joints
-/// allow have none, and those that lie in place are left out.
-fn find_slight(world: &World, desk: &mut Desk, exec: &Exec) {
+/// allow have none, and those that lie in place are left out. `energy`: that of all impacts, J.
+pub(super) fn find_slight(world: &World, desk: &mut Desk, energy: f64) {
     let slight = SLIGHT * world.works.peak;
-    let count = world.found.pairs.len();
-    let energy = |k: usize| impact(world, desk, k).map_or(0.0, |impact| impact.energy);
-    desk.all_slight = exec.sum(count, energy) <= slight;
+    desk.all_slight = energy <= slight;
     if desk.all_slight {
         return;
     }
     let mut impacts = std::mem::take(&mut desk.impacts);
     impacts.clear();
-    impacts.extend((0..count).filter_map(|k| impact(world, desk, k)));
-    impacts.sort_unstable_by(|a, b| {
-        let stiffer = b.square.total_cmp(&a.square);
-        stiffer.then(a.pair.cmp(&b.pair))
-    });
-    for slot in &mut desk.slots {
-        slot.slight = false;
-    }
+    impacts.extend(desk.groups.iter().flat_map(|group| &group.impacts));
+    // Few of many are slight: a heap gives the stiffest ones without sorting all.
+    let mut impacts = BinaryHeap::from(impacts);
     let mut so_far = 0.0;
-    for impact in &impacts {
+    while let Some(impact) = impacts.pop() {
         so_far += impact.energy;
         if so_far > slight {
             break;
         }
         desk.slots[impact.pair as usize].slight = true;
     }
-    desk.impacts = impacts;
+    desk.impacts = impacts.into_vec();
 }
 
-/// The impact of pair `k`: `None` where it lies in place or cannot meet in a step that is as long as joints allow.
-fn impact(world: &World, desk: &Desk, k: usize) -> Option<Impact> {
-    let (pair, slot, constants) = (&world.found.pairs[k], &desk.slots[k], &desk.constants[k]);
-    if pair.in_place {
-        return None;
+/// What is the same in all steps for all pairs, as in [`Desk`].
+pub(super) struct Known<'a> {
+    pub(super) constants: &'a [Constants],
+    pub(super) rows: &'a [ContactLaw],
+    pub(super) facings: &'a [Facing],
+    pub(super) inverse_masses: &'a [f64],
+}
+
+impl Known<'_> {
+    /// The impact of pair `k`: `None` where it lies in place or cannot meet in a step that is as long as joints allow.
+    pub(super) fn impact(
+        &self,
+        k: usize,
+        pair: &FoundPair,
+        slot: &Slot,
+        gravity: f64,
+    ) -> Option<Impact> {
+        if pair.in_place {
+            return None;
+        }
+        let constants = &self.constants[k];
+        let [kn, _] = constants.stiffness;
+        let [i, j] = pair.ends.map(|b| self.inverse_masses[b as usize]);
+        let ease = i + j;
+        let flat = constants.facing(self.facings);
+        let square = flat.map_or(2.0 * kn * constants.largest * ease, |flat| flat.square);
+        let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
+        if slot.touching {
+            energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
+        } else if until_change(pair, slot, gravity) > BOUNDED * 2.0 / square.sqrt() {
+            return None;
+        }
+        Some(Impact {
+            square,
+            energy,
+            pair: k as u32,
+        })
     }
-    let [kn, _] = constants.stiffness;
-    let [i, j] = pair.ends.map(|b| desk.inverse_masses[b as usize]);
-    let ease = i + j;
-    let flat = constants.facing(&desk.facings);
-    let square = flat.map_or(2.0 * kn * constants.largest * ease, |flat| flat.square);
-    let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
-    if slot.touching {
-        energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
-    } else if until_change(pair, slot, world.gravity.length()) > BOUNDED * 2.0 / square.sqrt() {
-        return None;
-    }
-    Some(Impact {
-        square,
-        energy,
-        pair: k as u32,
-    })
 }
 
 /// How fast rigid blocks move.
@@ -264,19 +274,12 @@ pub(super) struct Speeds<'a> {
 }
 
 impl<'a> Speeds<'a> {
-    fn of(world: &'a World) -> Self {
+    pub(super) fn of(world: &'a World) -> Self {
         Self {
             bodies: &world.bodies,
             solid: &world.solid,
             solids: &world.solids,
         }
-    }
-
-    /// Bound of the speed at which points of two blocks come nearer to each other, m/s.
-    pub(super) fn nearing(&self, [i, j]: [u32; 2]) -> f64 {
-        let [i, j] = [i as usize, j as usize];
-        let apart = self.bodies.velocity(i) - self.bodies.velocity(j);
-        apart.length() + self.turning(i) + self.turning(j)
     }
 
     /// Speed at which two blocks come nearer to each other across their contact, m/s; 0 where they part.
@@ -289,7 +292,7 @@ impl<'a> Speeds<'a> {
     }
 
     /// Bound of the speed of the points of a block against its centroid, m/s.
-    fn turning(&self, b: usize) -> f64 {
+    pub(super) fn turning(&self, b: usize) -> f64 {
         self.bodies.spin(b).length() * self.solids[self.solid[b] as usize].radius
     }
 }

@@ -1,5 +1,7 @@
 //! What the evaluation of found contacts works with; can be dropped and laid out anew without changing a result.
 
+use std::cmp::Ordering;
+
 use riprap_core::sums::GROUP;
 use riprap_geom::{Mat3, Vec3};
 
@@ -48,6 +50,8 @@ pub struct Desk {
     pub groups: Vec<PairGroup>,
     /// Workspace: the impacts of an instant.
     pub impacts: Vec<Impact>,
+    /// Bound of the speed of the points of each of `blocks` against its centroid, m/s.
+    pub turning: Vec<f64>,
     /// Whether all of them together are slight.
     pub all_slight: bool,
     /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
@@ -211,11 +215,26 @@ pub struct Exerted {
 pub struct PairGroup {
     /// By [`Slot::at`].
     pub exerted: Vec<Exerted>,
+    /// Their impacts.
+    pub impacts: Vec<Impact>,
     /// Sums over the group.
     pub sums: PairSums,
 }
 
 impl PairGroup {
+    /// Empties it.
+    pub fn begin(&mut self) {
+        self.exerted.clear();
+        self.impacts.clear();
+        self.sums = PairSums::default();
+    }
+
+    /// Adds an impact.
+    pub fn note(&mut self, impact: Impact) {
+        self.sums.impacts += impact.energy;
+        self.impacts.push(impact);
+    }
+
     /// Adds what a pair exerts; its place.
     pub fn push(&mut self, exerted: Exerted) -> Option<u8> {
         if self.exerted.len() == self.exerted.capacity() {
@@ -242,8 +261,8 @@ pub struct Slot {
     pub slight: bool,
 }
 
-/// An impact that is going on, or will within a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An impact that is going on, or will within a step. In order of stiffness, the first of equal pairs above the others.
+#[derive(Clone, Copy, Debug)]
 pub struct Impact {
     /// Squared frequency of the contact, 1/s².
     pub square: f64,
@@ -252,6 +271,27 @@ pub struct Impact {
     /// The pair.
     pub pair: u32,
 }
+
+impl Ord for Impact {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let softer = self.square.total_cmp(&other.square);
+        softer.then(other.pair.cmp(&self.pair))
+    }
+}
+
+impl PartialOrd for Impact {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Impact {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Impact {}
 
 /// Force (N) and moment about the centroid (N m).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -321,6 +361,8 @@ pub struct PairSums {
     pub left: f64,
     /// Edges of surfaces that no listed plane has made: none, or the lists are wrong.
     pub unlabelled: u32,
+    /// Energy of impacts, J.
+    pub impacts: f64,
     /// The deepest contact.
     pub deepest: Option<Deepest>,
 }
@@ -332,6 +374,7 @@ impl PairSums {
         self.booked += other.booked;
         self.left += other.left;
         self.unlabelled += other.unlabelled;
+        self.impacts += other.impacts;
         self.deepest = Deepest::deeper(self.deepest, other.deepest);
     }
 }
