@@ -35,7 +35,7 @@ pub struct Works {
     pub bolts: f64,
     /// Done by the gas of cavities and other pressures in them.
     pub gas: f64,
-    /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends.
+    /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends; or by steps too long for contacts and joints.
     pub law_defect: f64,
     /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
     pub edit_defect: f64,
@@ -200,12 +200,53 @@ impl Balance {
     /// nothing has moved.
     #[must_use]
     pub fn residual_relative(&self) -> f64 {
+        self.share(Unexplained::Residual)
+    }
+
+    /// The same of what is not accounted for in either way.
+    #[must_use]
+    pub fn share(&self, what: Unexplained) -> f64 {
         let scale = self.scale();
         if scale > 0.0 {
-            self.residual() / scale
+            what.of(self) / scale
         } else {
             0.0
         }
+    }
+}
+
+/// What a ledger cannot account for, and what runs are warned of and stopped for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Unexplained {
+    /// [`Balance::residual`].
+    Residual,
+    /// What contacts and joints have made or lost beside their laws: a step that is too long for them.
+    LawDefect,
+}
+
+impl Unexplained {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Residual, Self::LawDefect];
+
+    /// How much of it there is, J/m.
+    #[must_use]
+    pub fn of(self, balance: &Balance) -> f64 {
+        match self {
+            Self::Residual => balance.residual(),
+            Self::LawDefect => balance.works.law_defect,
+        }
+    }
+}
+
+impl std::fmt::Display for Unexplained {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Residual => "the energy residual",
+            Self::LawDefect => {
+                "what contacts and joints made or lost beside their laws (`law_defect`)"
+            }
+        })
     }
 }
 

@@ -16,6 +16,7 @@ pub(crate) mod glued;
 mod held;
 mod limit;
 mod outlook;
+mod stored;
 pub(crate) mod terrain;
 
 use std::collections::BTreeMap;
@@ -37,6 +38,7 @@ pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
 pub use outlook::{Meets, outlook};
+pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.
 const LOOK: u64 = 16;

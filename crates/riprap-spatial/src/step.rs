@@ -83,6 +83,9 @@ pub fn evaluate(
             contacts::terrain::act(world, scratch, meet);
         });
     }
+    if world.start_energy.is_none() {
+        contacts::begin(world, &scratch.desk, &scratch.exec);
+    }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
         let nodes = stage(scratch, "nodes", |scratch| {

@@ -3,6 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::boundary;
+use crate::contacts;
 use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
@@ -355,7 +356,10 @@ impl View<'_> {
         let patches = self.world.patches.len();
         [out.contact_normal, out.contact_shear] =
             self.scratch.exec.sums(patches, |p| self.patch_energy(p));
-        out.contact_normal += self.world.works.contact_path;
+        let Scratch { desk, exec, .. } = self.scratch;
+        let pressed = contacts::stored(self.world, desk, exec);
+        out.contact_normal += pressed;
+        out.works.law_defect += pressed - self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
         out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
         for pair in &self.world.found.deformable.pairs {

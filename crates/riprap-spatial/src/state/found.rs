@@ -16,6 +16,8 @@ pub struct FoundContacts {
     pub pairs: Vec<FoundPair>,
     /// Pairs near each other that joints held at the last look, so that they are no candidates; sorted.
     pub held: Vec<[u32; 2]>,
+    /// What contacts of blocks that are built into each other store at the start at most, which no work has put in, J.
+    pub at_start: f64,
     /// Longest step that the contacts allowed at the last evaluation, s; `None` before the first. State, so that a run that goes
     /// on from a checkpoint takes the steps of one that never stopped.
     pub longest_step: Option<f64>,

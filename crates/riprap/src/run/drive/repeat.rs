@@ -7,6 +7,7 @@
 use std::time::{Duration, Instant};
 
 use crate::exec::Exec;
+use crate::ledger::Unexplained;
 use crate::plan::TimeStep;
 use crate::run::simulation::{RunError, Simulation, Snapshot, Stage};
 
@@ -72,13 +73,21 @@ impl Keeper {
                 "whether a shorter step avoids it was not tried, the model is large (over {BLOCKS} blocks); run it with half the step to know"
             ));
         };
-        let residual = stopped.balance().residual();
-        Some(repeat(kept, stopped, error, residual))
+        let energy = doubted(error).of(&stopped.balance());
+        Some(repeat(kept, stopped, error, energy))
+    }
+}
+
+/// The energy that is asked for in the repetition.
+fn doubted(error: &RunError) -> Unexplained {
+    match error {
+        RunError::Residual { what, .. } => *what,
+        _ => Unexplained::Residual,
     }
 }
 
 /// Goes from a kept state to the instant of the stop with half the step, and says what came of it.
-fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, residual: f64) -> String {
+fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> String {
     let from = kept.step;
     let stable = stopped
         .engine()
@@ -106,14 +115,15 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, residual: f64) -> 
     phase.until.steps = None;
     let mut trial = Simulation::resume(snapshot, Exec::serial());
     let mut before = None;
-    match to(stopped.time(), &mut trial, &mut before) {
+    let doubted = doubted(error);
+    match to(stopped.time(), &mut trial, doubted, &mut before) {
         Reached::Instant => {
             let before = before.unwrap_or_default();
             of_residual(
                 error,
                 what,
                 from,
-                [before, residual, trial.balance().residual()],
+                [before, energy, doubted.of(&trial.balance())],
             )
         }
         Reached::Error(again) => format!(
@@ -129,7 +139,10 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, residual: f64) -> 
 
 /// The verdict where the instant was reached: for a residual by how it has grown, `[at the kept state, when stopped, repeated]`.
 fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> String {
-    let RunError::Residual { unit, .. } = error else {
+    let RunError::Residual {
+        what: energy, unit, ..
+    } = error
+    else {
         return format!(
             "repeated from step {from} with {what} it does not happen, so the step is to blame: make it shorter (`safety`, `time_step`)"
         );
@@ -144,7 +157,7 @@ fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> Str
         "so a shorter step alone does not cure it"
     };
     format!(
-        "from step {from} on the residual grew by {full:.3e} {unit}, and by {half:.3e} {unit} when that was repeated with {what}, {verdict}"
+        "from step {from} on {energy} grew by {full:.3e} {unit}, and by {half:.3e} {unit} when that was repeated with {what}, {verdict}"
     )
 }
 
@@ -155,8 +168,13 @@ enum Reached {
     TooFar,
 }
 
-/// Advances within the phase to a model time; `before`: the residual at the beginning.
-fn to(time: f64, trial: &mut Simulation, before: &mut Option<f64>) -> Reached {
+/// Advances within the phase to a model time; `before`: the energy that is doubted at the beginning.
+fn to(
+    time: f64,
+    trial: &mut Simulation,
+    doubted: Unexplained,
+    before: &mut Option<f64>,
+) -> Reached {
     let begun = Instant::now();
     let first = trial.steps();
     loop {
@@ -166,7 +184,7 @@ fn to(time: f64, trial: &mut Simulation, before: &mut Option<f64>) -> Reached {
             Ok(Stage::Within) if trial.time() >= time => return Reached::Instant,
             Ok(Stage::Within) => {
                 if before.is_none() {
-                    *before = Some(trial.balance().residual());
+                    *before = Some(doubted.of(&trial.balance()));
                 }
                 trial.step();
             }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::{Stable, State, StateRef, View};
 
@@ -24,8 +25,8 @@ pub struct Cursor {
     pub shortened: u64,
     /// Relaxing phases that ended at their limit of iterations.
     pub unconverged: Vec<Unconverged>,
-    /// The largest energy residual seen so far.
-    pub residual: Residual,
+    /// The largest energies seen so far that the ledger does not account for, in the order of [`Unexplained::ALL`].
+    pub unexplained: [Residual; 2],
     /// How the phases so far have ended.
     pub ends: Vec<PhaseEnd>,
     /// The deepest found contact so far, where it was worth a warning.
@@ -69,7 +70,7 @@ impl std::fmt::Display for Deep {
     }
 }
 
-/// An energy residual.
+/// An energy that the ledger does not account for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
     /// Over the largest energy that had moved by then.
@@ -80,11 +81,12 @@ pub struct Residual {
     pub time: f64,
 }
 
-impl std::fmt::Display for Residual {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "the energy residual came to {:.1} % of the largest energy that moved (step {}, t = {:.4e} s): what the step makes \
+impl Residual {
+    /// In words.
+    #[must_use]
+    pub fn told(&self, what: Unexplained) -> String {
+        format!(
+            "{what} came to {:.1} % of the largest energy that moved (step {}, t = {:.4e} s): what the step makes \
              or loses is not small; a shorter time step tells whether results hang on it",
             100.0 * self.share,
             self.step,

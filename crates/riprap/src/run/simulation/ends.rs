@@ -1,7 +1,7 @@
 //! What a run says of its phases when they are over, and of itself at its end.
 
 use super::{PhaseEnd, Simulation, Thrown, Unconverged, stop};
-use crate::ledger::Balance;
+use crate::ledger::{Balance, Unexplained};
 use crate::plan::PhaseKind;
 use crate::run::engine::View;
 use crate::run::{meeting, rough};
@@ -70,10 +70,11 @@ impl Simulation {
         let unconverged = cursor.unconverged.iter().map(ToString::to_string);
         let ends =
             (cursor.ends.iter()).flat_map(|end| end.warning().into_iter().chain(end.thrown()));
-        let residual = cursor.residual;
-        let residual = (residual.share.abs() > stop::NOTED).then(|| residual.to_string());
+        let residual = Unexplained::ALL.into_iter().zip(&cursor.unexplained);
+        let residual = residual.filter(|(_, largest)| largest.share.abs() > stop::NOTED);
+        let residual = residual.map(|(what, largest)| largest.told(what));
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);
-        let others = residual.into_iter().chain(deepest);
+        let others = residual.chain(deepest);
         let off = meeting::off(&self.view()).into_iter();
         let all = off.chain(unconverged).chain(ends).chain(others);
         let supports = self

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::ledger::Unexplained;
+
 /// Why the physics stopped a run.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum RunError {
@@ -65,16 +67,18 @@ pub enum RunError {
     },
     /// The ledger does not explain where energy has come from or gone to.
     #[error(
-        "the energy residual is {percent:.1} % of the largest energy that moved ({energy:.3e} {unit}) at step {step} \
+        "{what} is {percent:.1} % of the largest energy that moved ({energy:.3e} {unit}) at step {step} \
          (t = {time:.6e} s), {allowed} % are allowed (`phases.*.max_residual`): what has happened is not what the laws say; \
          fastest block `{fastest}`; {ruled_out}"
     )]
     Residual {
-        /// Residual over the largest energy that moved, per cent.
+        /// What the ledger does not account for.
+        what: Unexplained,
+        /// It over the largest energy that moved, per cent.
         percent: f64,
         /// What is allowed, per cent.
         allowed: f64,
-        /// Residual, in `unit`.
+        /// It, in `unit`.
         energy: f64,
         /// Unit of energies.
         unit: &'static str,
@@ -205,7 +209,14 @@ impl RunError {
             Self::NonFinite { .. } | Self::NoNumber { .. } => "something is not finite",
             Self::NoStep { .. } => "there is no time step",
             Self::NoFlow { .. } => "seepage was not found",
-            Self::Residual { .. } => "the energy residual",
+            Self::Residual {
+                what: Unexplained::Residual,
+                ..
+            } => "the energy residual",
+            Self::Residual {
+                what: Unexplained::LawDefect,
+                ..
+            } => "the defect of the laws",
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
             Self::Edit { .. } => "a block cannot be split or cut",
             Self::Phase { .. } => "a phase cannot begin",

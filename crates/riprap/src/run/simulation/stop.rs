@@ -3,7 +3,7 @@
 use super::cause;
 use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
-use crate::ledger::{Balance, COLUMNS};
+use crate::ledger::{COLUMNS, Unexplained};
 use crate::plan::{PhaseKind, Relaxing};
 use crate::run::engine::View;
 use crate::spatial::found::desk::Deepest;
@@ -236,41 +236,48 @@ impl Simulation {
             }
         }
         let rhythm = over || self.steps() >= LEDGER;
-        if !rhythm || self.relaxes() || !self.judged(&balance) {
+        if !rhythm || self.relaxes() {
             // In the first steps next to nothing has moved; on the way to an equilibrium the kinetic energy is that of
             // fictitious masses.
             return Ok(());
         }
-        let share = balance.residual_relative();
         let (step, time) = (self.steps(), self.time());
-        if share.abs() > self.cursor.residual.share.abs() {
-            self.cursor.residual = super::cursor::Residual { share, step, time };
-        }
         let allowed = self.phase().map_or(f64::INFINITY, |p| p.max_residual);
-        if share.abs() > allowed {
-            let view = self.view();
-            return Err(RunError::Residual {
-                percent: 100.0 * share,
-                allowed: 100.0 * allowed,
-                energy: balance.residual(),
-                unit: self.kind().energy_unit(),
-                fastest: view.fastest().map_or_else(String::new, |(name, _)| name),
-                ruled_out: cause::of_step(self),
-                step,
-                time,
-            });
+        for (k, what) in Unexplained::ALL.into_iter().enumerate() {
+            let (energy, share) = (what.of(&balance), balance.share(what));
+            if !self.judged(energy) {
+                continue;
+            }
+            let largest = &mut self.cursor.unexplained[k];
+            if share.abs() > largest.share.abs() {
+                *largest = super::cursor::Residual { share, step, time };
+            }
+            if share.abs() > allowed {
+                let view = self.view();
+                return Err(RunError::Residual {
+                    what,
+                    percent: 100.0 * share,
+                    allowed: 100.0 * allowed,
+                    energy,
+                    unit: self.kind().energy_unit(),
+                    fastest: view.fastest().map_or_else(String::new, |(name, _)| name),
+                    ruled_out: cause::of_step(self),
+                    step,
+                    time,
+                });
+            }
         }
         Ok(())
     }
 
-    /// Whether the residual is more than round-off: that of energies, and that of places. A block that creeps by less in a step than the digits of its
+    /// Whether an energy that the ledger does not account for is more than round-off: that of energies, and that of places. A block that creeps by less in a step than the digits of its
     /// coordinates hold stays where it is, while its weight and what carries it work on its speed.
-    fn judged(&self, balance: &Balance) -> bool {
+    fn judged(&self, energy: f64) -> bool {
         let view = self.view();
         let mass = view.mass() * view.slice();
         let gravity = self.engine.gravity().map(f64::abs).into_iter().sum::<f64>();
         let lost = self.steps() as f64 * f64::EPSILON * view.reach();
-        balance.residual().abs() > mass * (0.5 * STILL * STILL + gravity * lost)
+        energy.abs() > mass * (0.5 * STILL * STILL + gravity * lost)
     }
 
     /// The error for a sum over the model that is no number: names the first block that is to blame.
