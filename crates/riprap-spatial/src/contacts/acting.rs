@@ -59,6 +59,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         },
         gravity: world.gravity.length(),
         dt: world.pending,
+        last_dt: world.last_dt,
     };
     let width = scratch.width;
     scratch.exec.groups2(
@@ -192,6 +193,8 @@ struct Evaluation<'a> {
     gravity: f64,
     /// Time moved since the last evaluation, s.
     dt: f64,
+    /// Length of the last step, s.
+    last_dt: f64,
 }
 
 impl Evaluation<'_> {
@@ -239,6 +242,7 @@ impl Evaluation<'_> {
                 radius,
                 inradius: constants.inradius,
                 dt: self.dt,
+                last_dt: self.last_dt,
                 nearing,
             };
             glued::act(&asked, pair, slot, &mut workspace.glued, group);
@@ -315,6 +319,7 @@ impl Evaluation<'_> {
                 motion: self.motion(pair.ends),
                 radius,
                 dt: self.dt,
+                last_dt: self.last_dt,
             },
             &mut pair.memory,
             &mut pair.offset,

@@ -30,6 +30,8 @@ pub(super) struct Asked<'a> {
     pub(super) inradius: f64,
     /// Time moved since the last evaluation, s.
     pub(super) dt: f64,
+    /// Length of the last step, s.
+    pub(super) last_dt: f64,
     /// Bound of the speed at which points of the two blocks come nearer to each other, m/s.
     pub(super) nearing: f64,
 }
@@ -110,6 +112,7 @@ pub(super) fn act(
                     motion: *motion,
                     radius: asked.radius,
                     dt: *dt,
+                    last_dt: asked.last_dt,
                 },
                 &mut contact.memory,
                 &mut None,

@@ -75,6 +75,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         laws: &desk.laws,
         inverse_masses: &desk.inverse_masses,
         dt: world.pending,
+        last_dt: world.last_dt,
     };
     let width = scratch.width;
     scratch.exec.groups2(
@@ -175,6 +176,8 @@ struct Evaluation<'a> {
     /// 1/kg.
     inverse_masses: &'a [f64],
     dt: f64,
+    /// Length of the last step, s.
+    last_dt: f64,
 }
 
 impl Evaluation<'_> {
@@ -295,6 +298,7 @@ impl Evaluation<'_> {
                     motion: [Motion::default(), *motion],
                     radius: shape.radius,
                     dt: self.dt,
+                    last_dt: self.last_dt,
                 },
                 &mut contact.memory,
                 &mut None,

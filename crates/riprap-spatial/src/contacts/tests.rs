@@ -1,12 +1,12 @@
 //! Separate blocks that fall, slide and rebound in the engine; threads and restart.
 
-use riprap_geom::Vec3;
+use riprap_geom::{Quat, Vec3};
 
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::setup::{
     BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
-    Setup, Shape, Stiffness, Strength, Support,
+    Setup, Shape, Solid, Stiffness, Strength, Support,
 };
 use crate::state::scratch::Scratch;
 use crate::step;
@@ -25,6 +25,19 @@ pub(super) fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
         velocity: Vec3::ZERO,
         spin: Vec3::ZERO,
     }
+}
+
+pub(super) fn turned(low: [f64; 3], size: [f64; 3], rotation: Quat) -> BlockSpec {
+    let mut block = brick(low, size);
+    if let Shape::Brick { centre, half } = block.shape {
+        let solid = riprap_geom::polyhedron::Polyhedron::brick(Vec3::ZERO, half);
+        let vertices = solid.vertices.iter().map(|v| rotation * *v + centre);
+        block.shape = Shape::Polyhedron(Box::new(Solid {
+            vertices: vertices.collect(),
+            faces: solid.faces,
+        }));
+    }
+    block
 }
 
 /// A fixed floor with its top at z = 0, and blocks above it; tan of the friction angle and damping ratio of all contacts.
@@ -413,4 +426,66 @@ fn slight_impacts_do_not_shorten_the_step() {
     let [short, long] = [1e2, 1e5].map(&mut limit);
     assert!(long > 1.5 * short, "{short:e} {long:e}");
     assert_eq!(limit(1e2), short);
+}
+
+/// A brick on its edge, turned by 45 deg.
+fn on_edge(height: f64) -> BlockSpec {
+    let turn = Quat::from_rotation_y(std::f64::consts::FRAC_PI_4);
+    let below = 0.25 * 2f64.sqrt();
+    turned([-0.25, -0.25, height + below - 0.25], [0.5; 3], turn)
+}
+
+/// The impact of a lone edge: steps are as short as it asks, though no face is near and nothing else moves.
+#[test]
+fn an_edge_that_strikes_keeps_its_energy() {
+    for (speed, stiffness) in [(1.0, 1e8), (4.0, 1e9), (4.0, 1e11)] {
+        let mut block = on_edge(0.3);
+        block.velocity = Vec3::new(0.0, 0.0, -speed);
+        let mut setup = above_floor(vec![block], 0.0, 0.0);
+        setup.gravity = Vec3::ZERO;
+        setup.interfaces[0].joint.stiffness = Stiffness::Given {
+            normal: stiffness,
+            shear: stiffness,
+        };
+        let mut run = Run::new(setup, 1, 0.0);
+        while run.world.time < 0.8 / speed {
+            run.limited_step(0.05 / speed);
+        }
+        run.evaluate();
+        let back = run.world.bodies.velocity(1).z / speed;
+        assert!((back - 1.0).abs() < 3e-3, "{speed} {stiffness:e}: {back}");
+
+        assert!(run.world.step < 4000);
+    }
+}
+
+/// A block at rest just above the floor: the first step knows that it will fall.
+#[test]
+fn an_edge_at_rest_above_the_floor_does_not_fall_into_it() {
+    let mut setup = above_floor(vec![on_edge(1e-4)], 0.0, 0.0);
+    setup.interfaces[0].joint.stiffness = Stiffness::Given {
+        normal: 1e11,
+        shear: 1e11,
+    };
+    let mut run = Run::new(setup, 1, 0.0);
+    let mut deepest = 0.0_f64;
+    while run.world.time < 0.05 {
+        run.limited_step(0.02);
+        deepest = run
+            .world
+            .found
+            .pairs
+            .iter()
+            .map(|p| p.depth)
+            .fold(deepest, f64::max);
+    }
+    // Its energy m g h of 0.3 J goes in by U = kn L d³ / 6 at least.
+    assert!(deepest < 5e-4, "{deepest}");
+    let balance = run.view().balance();
+    let made = balance.works.law_defect + balance.residual();
+    assert!(
+        made.abs() < 0.02 * balance.scale(),
+        "{made} of {}",
+        balance.scale()
+    );
 }

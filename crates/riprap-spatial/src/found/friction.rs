@@ -199,6 +199,8 @@ pub struct Question<'a> {
     pub radius: f64,
     /// Time since the last evaluation, s; 0 when nothing has moved: then the memory stays as it is.
     pub dt: f64,
+    /// Length of the last step, s: velocities belong to half of it ago.
+    pub last_dt: f64,
 }
 
 /// Velocities across and along the contact.
@@ -241,7 +243,7 @@ pub fn respond(
     let at = q.origin + c.point;
     let arms = q.centres.map(|centre| at - centre);
     let [a, b] = q.motion;
-    let v = relative(&c, [a, b], arms);
+    let v = relative(&c, [a, b], midway(arms, [a, b], q.last_dt));
     let inverse = a.inverse_mass + b.inverse_mass;
     let mass = if inverse > 0.0 { 1.0 / inverse } else { 0.0 };
     let dashpot = |stiffness: f64| 2.0 * law.damping_ratio * (stiffness * c.area * mass).sqrt();
@@ -372,6 +374,14 @@ fn energy(law: &ContactLaw, s: &Sums, c: &Contact) -> f64 {
         &second,
         c.normal,
     )
+}
+
+/// Arms of the contact half a step ago, when the blocks had these velocities. With those of now two blocks that turn together about a point
+/// far away would slide on each other by half a step of their centripetal acceleration, and creep inwards for ever.
+fn midway(arms: [Vec3; 2], motion: [Motion; 2], dt: f64) -> [Vec3; 2] {
+    let [a, b] = [0, 1].map(|s| motion[s].velocity + motion[s].spin.cross(arms[s]));
+    let point = 0.5 * (a + b);
+    [0, 1].map(|s| arms[s] - 0.5 * dt * (point - motion[s].velocity))
 }
 
 fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {
@@ -508,5 +518,38 @@ fn shorten(v: Vec3, longest: f64) -> Vec3 {
         v * (longest / length)
     } else {
         v
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two blocks that turn together about an axis far away do not slide on each other.
+    #[test]
+    fn blocks_that_turn_together_do_not_slide() {
+        let (spin, dt) = (2.0 * Vec3::Z, 1e-3);
+        let places = [Vec3::ZERO, Vec3::new(5.0, 0.0, 1.0)];
+        // Velocities of the middle of the step, in which the blocks have moved by half of it less.
+        let motion = places.map(|now| Motion {
+            velocity: spin.cross(now - 0.5 * dt * spin.cross(now)),
+            spin,
+            inverse_mass: 1.0,
+        });
+        let at = Vec3::new(5.0, 0.0, 0.5);
+        let arms = places.map(|centre| at - centre);
+        let contact = Contact {
+            normal: Vec3::Z,
+            elastic: 1.0,
+            point: at,
+            area: 1.0,
+            polar: 1.0,
+            spread: Mat3::IDENTITY,
+            gyration: 1.0,
+        };
+        let slip = |arms| relative(&contact, motion, arms).along.length();
+        // Half a step of the centripetal acceleration.
+        assert!((slip(arms) - 0.5 * dt * 4.0 * 5.0).abs() < 1e-12);
+        assert!(slip(midway(arms, motion, dt)) < 1e-5);
     }
 }

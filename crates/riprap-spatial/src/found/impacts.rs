@@ -144,6 +144,7 @@ impl Two {
             motion: [0, 1].map(|s| self.blocks[s].motion()),
             radius: self.blocks[0].shape.radius.min(self.blocks[1].shape.radius),
             dt,
+            last_dt: dt,
         };
         let reply = respond(&self.law, &question, &mut self.memory, &mut self.offset);
         self.booked += reply.booked;

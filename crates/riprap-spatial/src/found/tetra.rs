@@ -19,6 +19,10 @@ use riprap_geom::Vec3;
 /// the cut, as round-off may order them.
 const EDGES: usize = 12;
 
+/// Corners that are nearer to a plane than this, over the size of the terms of their distance, lie in it: the corners of a face in the
+/// plane of a cut have distances of either sign by round-off, and would be cut more than twice.
+const FLAT: f64 = 1e-14;
+
 /// A tetrahedron that carries a depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cell {
@@ -230,8 +234,15 @@ impl Workspace {
     fn cut(&mut self, gradient: Vec3, offset: f64) -> Left {
         let solid = &self.solid;
         self.distances.clear();
-        self.distances
-            .extend(solid.points.iter().map(|p| gradient.dot(*p) + offset));
+        self.distances.extend(solid.points.iter().map(|p| {
+            let beyond = gradient.dot(*p) + offset;
+            let size = gradient.abs().dot(p.abs()) + offset.abs();
+            if beyond.abs() <= FLAT * size {
+                0.0
+            } else {
+                beyond
+            }
+        }));
         let distances = &self.distances;
         if distances.iter().all(|d| *d >= 0.0) {
             return Left::All;

@@ -204,7 +204,13 @@ impl Builder<'_> {
             }
             // Found contacts of deformable blocks read the dashpots of joints; the rest too where there is no bond.
             let found = self.spatial.found_contacts;
-            let unread = |given: &Given| !(found && given.0 == "damping_ratio");
+            let slides = found && said.brittle_bond.as_ref().is_some_and(|bond| bond.elastic);
+            let unread = |given: &Given| match given.0 {
+                "damping_ratio" => !found,
+                // What is elastic slides once it meets anew.
+                "friction_angle" | "friction_coefficient" => !slides,
+                _ => true,
+            };
             if of_bonds && !of_rigid && !(found && said.brittle_bond.is_none()) {
                 let help = "this interface has only bonds of deformable blocks, which `brittle_bond` describes";
                 let keys: Vec<Given> = joint_keys(said).into_iter().filter(unread).collect();

@@ -3,9 +3,9 @@
 use riprap_geom::height_field::HeightField;
 use riprap_geom::{Quat, Vec3};
 
-use super::super::tests::{Run, above_floor, brick};
+use super::super::tests::{Run, above_floor, brick, turned};
 use crate::exec::Exec;
-use crate::setup::{BlockSpec, Setup, Shape, Solid, Surface};
+use crate::setup::{BlockSpec, Setup, Shape, Surface};
 use crate::state::scratch::Scratch;
 
 /// Instead of the floor a grid over a square of 8 m.
@@ -28,19 +28,6 @@ fn above_ground(
     // Terrain needs no support.
     setup.supports.clear();
     setup
-}
-
-fn turned(low: [f64; 3], size: [f64; 3], rotation: Quat) -> BlockSpec {
-    let mut block = brick(low, size);
-    if let Shape::Brick { centre, half } = block.shape {
-        let solid = riprap_geom::polyhedron::Polyhedron::brick(Vec3::ZERO, half);
-        let vertices = solid.vertices.iter().map(|v| rotation * *v + centre);
-        block.shape = Shape::Polyhedron(Box::new(Solid {
-            vertices: vertices.collect(),
-            faces: solid.faces,
-        }));
-    }
-    block
 }
 
 /// A block that falls askew, slides and spins: the same motion on 338 triangles as on one brick.

@@ -42,19 +42,23 @@ fn between(
 ) -> Result<ContactLaw, BuildError> {
     let materials = ends.map(|b| usize::from(setup.blocks[b as usize].material));
     let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
-    let InterfaceLaw { joint, bond, .. } = &setup.interfaces[usize::from(row)];
-    // What is elastic neither opens nor slides; a found contact under its law must open, but does not slide.
+    let InterfaceLaw {
+        joint,
+        bond,
+        friction,
+        ..
+    } = &setup.interfaces[usize::from(row)];
+    // What is elastic neither opens nor slides; a found contact under its law must open, and slides if it is told when.
+    let elastic = friction.unwrap_or(f64::INFINITY);
     let (springs, friction, cohesion) = match bond {
         Some(bond) => (
             super::build::stiffness(setup, bond, materials, rigid, depths)?,
-            bond.strength.map_or(f64::INFINITY, |s| s.residual_friction),
+            bond.strength.map_or(elastic, |s| s.residual_friction),
             0.0,
         ),
         None => (
             stiffness(setup, row, materials, depths)?.0,
-            joint
-                .strength
-                .map_or(f64::INFINITY, |s| s.residual_friction),
+            joint.strength.map_or(elastic, |s| s.residual_friction),
             joint.strength.map_or(0.0, |s| s.residual_cohesion),
         ),
     };

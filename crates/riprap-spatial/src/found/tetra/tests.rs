@@ -169,6 +169,28 @@ fn momentum_and_angular_momentum_are_kept() {
     }
 }
 
+/// Equal cubes face to face, turned as a whole and off each other by round-off: all of their side faces lie in planes of the other.
+#[test]
+fn cubes_in_line_keep_momentum() {
+    let mut chance = Chance::new(5);
+    let mut worst = 0.0_f64;
+    for round in 0..400 {
+        let turn = chance.rotation();
+        let aside = [0.0, 1e-16, 1e-12, 1e-9][round % 4];
+        let depth = [1e-5, 1e-3][round / 4 % 2];
+        let pair = [0.0, 1.0 - depth].map(|along| {
+            Star::cube().map(|x| turn * (x + along * Vec3::X) + aside * chance.direction())
+        });
+        let forces = contact([&pair[0], &pair[1]]).forces;
+        let all = || forces.iter().flatten();
+        let (sum, scale) = all().fold((Vec3::ZERO, 0.0), |(sum, scale), f| {
+            (sum + *f, scale + f.length())
+        });
+        worst = worst.max(sum.length() / scale);
+    }
+    assert!(worst < 1e-8, "{worst:e}");
+}
+
 #[test]
 fn exchanged_blocks_feel_opposite_forces() {
     let mut chance = Chance::new(3);
