@@ -404,14 +404,17 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         let pair = |i: u32, j: u32| hidden.get(&[i.min(j), i.max(j)]).copied();
         up(i).find_map(|i| up(j).find_map(|j| pair(i, j)))
     };
+    let running = world.start_energy.is_some();
     let mut dropped = Works::default();
     world.found.pairs = desk.candidates.carry(
         old.into_iter().map(|pair| (pair.ends, pair)),
         |candidate| {
             let ends = [candidate.i, candidate.j];
-            // Nobody looked as long as joints held the pair: what it overlaps by presses from now on only with what comes on top.
+            // Nobody looked as long as joints held the pair, or held both blocks in one lattice: what it overlaps by presses from now on only
+            // with what comes on top. Blocks that are free are candidates before they touch.
             let was_held = before.binary_search(&ends).is_ok();
-            let offset = if was_held {
+            let given = |b: &u32| lineage[*b as usize].parent == Origin::NONE;
+            let offset = if was_held || (running && ends.iter().all(given)) {
                 Some(Offset::new(Carried::default()))
             } else if hidden.is_empty() {
                 None
