@@ -201,6 +201,9 @@ impl Watch {
                 result.measured = Some(value);
                 at = time;
                 result.expected = self.expected_text(time, &unit);
+                if let Some(why) = self.no_number(time, value) {
+                    result.note = why;
+                }
                 self.agrees(time, value)
             }
         };
@@ -262,13 +265,32 @@ impl Watch {
         let Some(expected) = self.expected_at(time) else {
             return false;
         };
+        if !value.is_finite() || !expected.is_finite() {
+            // A share of an infinite value allows every difference.
+            return false;
+        }
         let difference = (value - expected).abs();
-        // `<=` on a difference that is not a number is false: NaN never agrees.
         self.check
             .relative
             .is_some_and(|r| difference <= r * expected.abs())
             || self.check.absolute.is_some_and(|a| difference <= a)
             || difference == 0.0
+    }
+
+    /// Why nothing can be compared, if what is expected or what came out is no finite number. An infinite value within an
+    /// open bound can: some fields are infinite where there is nothing (`block.crack_distance`).
+    fn no_number(&self, time: f64, value: f64) -> Option<String> {
+        let expected = self.expected_at(time).filter(|x| !x.is_finite());
+        match (&self.check.expected, expected) {
+            (Expected::Formula { formula, .. }, Some(x)) => Some(format!(
+                "what is expected is not finite: the formula `{}` gives {x} at t = {time} s",
+                formula.text()
+            )),
+            (_, Some(x)) => Some(format!("what is expected is not finite: {x}")),
+            (Expected::Between(..), None) if !value.is_nan() => None,
+            (_, None) if value.is_finite() => None,
+            (_, None) => Some(format!("what came out is not finite: {value}")),
+        }
     }
 
     fn expected_text(&self, time: f64, unit: &str) -> String {
@@ -525,6 +547,40 @@ mod tests {
                 "{window:?}"
             );
         }
+    }
+
+    #[test]
+    fn what_is_infinite_agrees_with_nothing_but_an_open_bound() {
+        let result = |expected: Expected, relative, value: f64| {
+            let mut one = check(Window::End, expected);
+            (one.relative, one.absolute) = (relative, Some(1.0));
+            let mut watch = Watch::new(one);
+            watch.observe(0.5, value);
+            watch.finish("", "", false)
+        };
+        let formula = |text: &str| Expected::Formula {
+            formula: Formula::new(text, &["t"]).unwrap(),
+            names: Vec::new(),
+        };
+        // The share of an infinite value was infinite too, and every difference within it.
+        let said = result(formula("exp(1000)"), Some(1e-6), 2.0);
+        assert_eq!(said.status, Status::Failed, "{said:?}");
+        assert!(
+            said.note.contains("`exp(1000)` gives inf at t = 0.5 s"),
+            "{}",
+            said.note
+        );
+        let said = result(formula("sqrt(t - 1)"), Some(1e-6), 2.0);
+        assert!(said.note.contains("gives NaN"), "{}", said.note);
+        let said = result(Expected::Value(1.0), Some(1e-6), f64::INFINITY);
+        assert_eq!(said.status, Status::Failed, "{said:?}");
+        assert!(said.note.contains("what came out"), "{}", said.note);
+        let open = Expected::Between(1.0, f64::INFINITY);
+        let said = result(open.clone(), None, f64::INFINITY);
+        assert_eq!((said.status, &said.note[..]), (Status::Passed, ""));
+        let said = result(open, None, f64::NAN);
+        assert_eq!(said.status, Status::Failed, "{said:?}");
+        assert!(said.note.contains("NaN"), "{}", said.note);
     }
 
     #[test]
