@@ -39,6 +39,72 @@ fn a_formula_that_is_no_number_is_named_with_its_line() {
     assert!(checks.contains("before its end"), "{checks}");
 }
 
+/// A bar in space on whose left face something acts, and what is on it.
+fn bar(condition: &str, block: &str) -> String {
+    let joints = if block.is_empty() {
+        "elastic = true"
+    } else {
+        "brittle_bond = { thickness = \"1 mm\", elastic = true }"
+    };
+    format!(
+        "riprap = 1\ntitle = \"a bar\"\n[space.spatial]\ngravity = \"0 m/s2\"\n\
+         [materials.rock]\ndensity = \"2700 kg/m3\"\nyoung = \"50 GPa\"\npoisson = 0.2\n\
+         [interfaces.default]\n{joints}\n\
+         [[blocks]]\nname = \"bar\"\nmaterial = \"rock\"\ngrid.box = {{ size = [\"4 m\", \"1 m\", \"1 m\"], cell = \"1 m\" }}\n{block}\n\
+         {condition}\n\
+         [[boundaries]]\nname = \"hold\"\non.plane = \"x-max\"\nheld = {{}}\n\
+         [[phases]]\nname = \"run\"\nuntil = {{ time = \"4 ms\" }}\n"
+    )
+}
+
+/// The run said that loads had been looked at and were numbers, and that the step alone was not to blame.
+#[test]
+fn a_formula_of_a_boundary_that_is_no_number_is_named_with_its_condition() {
+    let bench = Bench::new();
+    let left = "[[boundaries]]\nname = \"push\"\non.plane = \"x-min\"\n";
+    let moved = "moved.velocity.x = { formula = \"y*sqrt(0.002-t)\" }";
+    let soft = "mechanics.deformable = {}";
+    let cases = [
+        (
+            format!("{left}pressure = {{ value = \"1 MPa\", time = {{ formula = \"sqrt(0.002-t)\" }} }}"),
+            "",
+            ["boundary `push`", "pressure.time", "`sqrt(0.002-t)`"],
+        ),
+        (
+            format!("{left}traction = {{ value = [\"1 MPa\", \"0 Pa\", \"0 Pa\"], time = {{ formula = \"sqrt(0.002-t)\" }} }}"),
+            "",
+            ["boundary `push`", "traction.time", "`sqrt(0.002-t)`"],
+        ),
+        (
+            format!("{left}{moved}"),
+            "",
+            ["boundary `push`", "velocity along x", "`y*sqrt(0.002-t)`"],
+        ),
+        (
+            format!("{left}{moved}"),
+            soft,
+            ["boundary `push`", "velocity of nodes", "`y*sqrt(0.002-t)`"],
+        ),
+        (
+            "[[supports]]\nname = \"grip\"\non.nodes = { min = [\"0 m\", \"0 m\", \"0 m\"], max = [\"0 m\", \"1 m\", \"1 m\"] }\n\
+             motion.velocity.x = { formula = \"y*sqrt(0.002-t)\" }"
+                .to_owned(),
+            soft,
+            ["support `grip`", "velocity of nodes", "`y*sqrt(0.002-t)`"],
+        ),
+    ];
+    for (k, (condition, block, words)) in cases.into_iter().enumerate() {
+        bench.file("a.toml", bar(&condition, block));
+        let out = format!("{k}.run");
+        let said = bench.run(&["run", "a.toml", "--out", &out, "-q"]).expect(1);
+        let said = said
+            .warns(&words)
+            .warns(&["not finite at this time", "line "]);
+        assert!(!said.err.contains("they are numbers"), "{}", said.err);
+        assert!(!said.err.contains("time step"), "{}", said.err);
+    }
+}
+
 #[test]
 fn numbers_that_overflow_stop_the_run() {
     let still = "velocity = [\"0 m/s\", \"0 m/s\"]";

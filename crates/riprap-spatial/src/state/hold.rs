@@ -78,6 +78,12 @@ impl Hold {
         self.along.is_empty()
     }
 
+    /// Velocities that are prescribed as functions of time and place, each with the account of its condition.
+    pub fn prescribed(&self) -> impl Iterator<Item = (&TimeFunction, Option<u16>)> {
+        let along = self.along.iter();
+        along.filter_map(|a| Some((a.velocity.as_ref()?, a.account)))
+    }
+
     /// Whether it drives the node on any account: what holds still does no work.
     #[must_use]
     pub fn drives(&self) -> bool {

@@ -1,9 +1,14 @@
 //! What lies behind a state that is no number: what was looked at, and what was ruled out.
 
 use super::Simulation;
+use crate::Vec3;
+use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::run::engine::View;
 use crate::{planar, spatial};
+
+/// Words for directions.
+const AXES: [&str; 3] = ["along x", "along y", "along z"];
 
 /// Why the motion of a block is no number.
 pub(super) struct Cause {
@@ -42,34 +47,109 @@ pub(super) fn first_block(view: &View<'_>) -> Option<u32> {
     found.and_then(|b| u32::try_from(b).ok())
 }
 
-/// Looks at what is prescribed for a block, at the loads, at gravity and at the time step.
+/// Looks at all functions of time of the model, those of the block first, and at the time step.
 pub(super) fn of_block(simulation: &Simulation, block: u32) -> Cause {
-    let (view, dt) = (simulation.view(), simulation.dt());
-    let b = block as usize;
-    let times = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| view.time() + k * dt);
-    let bad = |f: &TimeFunction| times.iter().any(|t| t.is_finite() && !f.at(*t).is_finite());
-    let prescribed = prescribed(&view, b);
-    if let Some((what, f)) = prescribed.iter().find(|(_, f)| bad(f)) {
-        return blame(&format!("its prescribed {what}"), f);
+    let courses = courses(&simulation.view(), block);
+    if let Some(cause) = blamed(simulation, &courses) {
+        return cause;
     }
-    let (of_block, others): (Vec<_>, Vec<_>) = loads(&view)
-        .into_iter()
-        .partition(|(on, _)| on.contains(&block));
-    if let Some((_, f)) = of_block.iter().chain(&others).find(|(_, f)| bad(f)) {
-        return blame("a load (`loads.*.time`)", f);
+    let mut kinds: Vec<&str> = Vec::new();
+    for course in &courses {
+        if !kinds.contains(&course.kind) {
+            kinds.push(course.kind);
+        }
     }
-    let motion = if prescribed.is_empty() {
-        ""
+    let functions = if kinds.is_empty() {
+        "nothing in the model is a function of time".to_owned()
     } else {
-        "its prescribed motion, "
+        let kinds = kinds.join(", ");
+        format!("looked at: {kinds} as functions of time; they are numbers")
     };
     Cause {
-        words: format!(
-            "looked at: {motion}loads as functions of time; they are numbers. {}",
-            of_step(simulation)
-        ),
+        words: format!("{functions}. {}", of_step(simulation)),
         formula: None,
     }
+}
+
+/// The function of time that is no number now, of whatever block, if there is one.
+pub(super) fn of_functions(simulation: &Simulation) -> Option<Cause> {
+    blamed(simulation, &courses(&simulation.view(), u32::MAX))
+}
+
+/// The first function that is no number about now.
+fn blamed(simulation: &Simulation, courses: &[Course<'_>]) -> Option<Cause> {
+    let (now, dt) = (simulation.time(), simulation.dt());
+    let times = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| now + k * dt);
+    let bad = courses.iter().find(|course| course.is_bad(&times))?;
+    Some(blame(&bad.what, bad.function))
+}
+
+/// Something that a scene gives as a function of time.
+struct Course<'a> {
+    /// What all of its kind are called.
+    kind: &'static str,
+    /// What it is, with its name.
+    what: String,
+    function: &'a TimeFunction,
+    /// The instant from which on its time is counted, s.
+    since: f64,
+    /// Places at which a function of time and place is taken, m (global); none where it is one of time alone.
+    places: Vec<[f64; 3]>,
+}
+
+impl<'a> Course<'a> {
+    fn new(kind: &'static str, what: String, function: &'a TimeFunction) -> Self {
+        Self {
+            kind,
+            what,
+            function,
+            since: 0.0,
+            places: Vec::new(),
+        }
+    }
+
+    /// Whether it is no number at any of some times; before its start nobody asks for it.
+    fn is_bad(&self, times: &[f64]) -> bool {
+        let times = times.iter().map(|t| t - self.since);
+        let mut times = times.filter(|t| t.is_finite() && *t >= 0.0);
+        times.any(|t| match &self.places[..] {
+            [] => !self.function.at(t).is_finite(),
+            places => (places.iter()).any(|at| !self.function.at_place(t, *at).is_finite()),
+        })
+    }
+}
+
+/// All functions of time of a model, those of a block first.
+fn courses<'a>(view: &View<'a>, block: u32) -> Vec<Course<'a>> {
+    let blocks = view.all_blocks();
+    let of = |b: usize, whose: &str| -> Vec<Course<'a>> {
+        let course = |(what, f): (String, &'a TimeFunction)| {
+            Course::new("prescribed motions", format!("{whose} {what}"), f)
+        };
+        prescribed(view, b).into_iter().map(course).collect()
+    };
+    let first = block as usize;
+    let mut found = Vec::new();
+    if first < blocks {
+        found.extend(of(first, "its prescribed"));
+    }
+    let (own, others): (Vec<_>, Vec<_>) = loads(view)
+        .into_iter()
+        .partition(|(on, _)| on.contains(&block));
+    found.extend(own.into_iter().chain(others).map(|(_, course)| course));
+    for b in (0..blocks).filter(|b| *b != first) {
+        let name = || view.name(u32::try_from(b).unwrap_or(u32::MAX));
+        // Few blocks are driven, and many can be there: names are made for those alone.
+        if !prescribed(view, b).is_empty() {
+            found.extend(of(b, &format!("block `{}`: its prescribed", name())));
+        }
+    }
+    if let View::Spatial(v) = view {
+        found.extend(boundaries(v.world));
+        found.extend(nodes(v.world));
+        found.extend(sources(v.world));
+    }
+    found
 }
 
 fn blame(what: &str, f: &TimeFunction) -> Cause {
@@ -116,10 +196,9 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
         }
         View::Spatial(v) => {
             use spatial::setup::Motion;
-            let axes = ["along x", "along y", "along z"];
             match v.world.motion[b].as_deref() {
                 Some(Motion::Velocity { translation, spin }) => {
-                    for (axis, f) in axes.iter().zip(translation) {
+                    for (axis, f) in AXES.iter().zip(translation) {
                         found.extend(named("velocity", axis, f));
                     }
                     for (axis, f) in ["about x", "about y", "about z"].iter().zip(spin) {
@@ -127,7 +206,7 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
                     }
                 }
                 Some(Motion::Acceleration { translation }) => {
-                    for (axis, f) in axes.iter().zip(translation) {
+                    for (axis, f) in AXES.iter().zip(translation) {
                         found.extend(named("acceleration", axis, f));
                     }
                 }
@@ -139,17 +218,120 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
 }
 
 /// Loads: the blocks they act on, and their course in time.
-fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], &'a TimeFunction)> {
+fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], Course<'a>)> {
+    let what = |accounts: &[Condition], account: Option<u16>| {
+        let condition = account.and_then(|k| accounts.get(usize::from(k)));
+        match condition {
+            Some(Condition { name, holder }) => {
+                format!("the {} `{name}` (`loads.*.time`)", holder.word())
+            }
+            None => "a load (`loads.*.time`)".to_owned(),
+        }
+    };
     match view {
         View::Planar(v) => {
-            let loads = v.world.setup.loads.iter();
-            loads.map(|l| (&l.blocks[..], &l.time)).collect()
+            let setup = &v.world.setup;
+            let course = |load: &'a planar::setup::Load| {
+                let what = what(&setup.accounts, load.account);
+                (&load.blocks[..], Course::new("loads", what, &load.time))
+            };
+            setup.loads.iter().map(course).collect()
         }
         View::Spatial(v) => {
-            let loads = v.world.setup.loads.iter();
-            loads.map(|l| (&l.blocks[..], &l.time)).collect()
+            let setup = &v.world.setup;
+            let course = |load: &'a spatial::setup::Load| {
+                let what = what(&setup.accounts, load.account);
+                (&load.blocks[..], Course::new("loads", what, &load.time))
+            };
+            setup.loads.iter().map(course).collect()
         }
     }
+}
+
+/// Pressures, tractions and velocities of faces.
+fn boundaries(world: &spatial::world::World) -> Vec<Course<'_>> {
+    use spatial::setup::BoundaryKind;
+    let mut found = Vec::new();
+    for (number, boundary) in world.setup.boundaries.iter().enumerate() {
+        let name = &boundary.name;
+        match &boundary.kind {
+            BoundaryKind::Traction { traction, time, .. } => {
+                let key = if *traction == Vec3::ZERO {
+                    "pressure"
+                } else {
+                    "traction"
+                };
+                let what = format!("the boundary `{name}` (`boundaries.*.{key}.time`)");
+                found.push(Course::new("boundaries", what, time));
+            }
+            BoundaryKind::Moved { velocity } => {
+                let faces = (world.faces.iter())
+                    .filter(|face| face.boundary.map(usize::from) == Some(number));
+                let places: Vec<[f64; 3]> = faces
+                    .flat_map(|face| {
+                        let centre = world.setup.origin + world.reference[face.block as usize];
+                        (0..4).map(move |p| (centre + face.place(p)).to_array())
+                    })
+                    .collect();
+                if places.is_empty() {
+                    // On deformable blocks alone: their nodes have it.
+                    continue;
+                }
+                for (axis, f) in AXES.iter().zip(velocity) {
+                    let Some(f) = f else { continue };
+                    let what = format!("the boundary `{name}`, its velocity {axis}");
+                    found.push(Course {
+                        places: places.clone(),
+                        ..Course::new("boundaries", what, f)
+                    });
+                }
+            }
+            BoundaryKind::Held { .. } | BoundaryKind::Viscous { .. } => {}
+        }
+    }
+    found
+}
+
+/// Velocities of nodes of deformable blocks, whatever prescribes them.
+fn nodes(world: &spatial::world::World) -> Vec<Course<'_>> {
+    let Some(deform) = world.deform.as_deref() else {
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for hold in &deform.holds {
+        let place = deform.nodes.place[hold.node as usize] + world.setup.origin;
+        for (f, account) in hold.prescribed() {
+            let condition = account.and_then(|k| world.setup.accounts.get(usize::from(k)));
+            let what = match condition {
+                Some(Condition { name, holder }) => {
+                    format!("the {} `{name}`, its velocity of nodes", holder.word())
+                }
+                None => "the prescribed velocity of a node".to_owned(),
+            };
+            found.push(Course {
+                places: vec![place.to_array()],
+                ..Course::new("driven nodes", what, f)
+            });
+        }
+    }
+    found
+}
+
+/// Pressures inside the rock that have begun.
+fn sources(world: &spatial::world::World) -> Vec<Course<'_>> {
+    use spatial::setup::CavityPressure;
+    let mut found = Vec::new();
+    for cavity in &world.cavities {
+        let source = &world.setup.sources[usize::from(cavity.source)];
+        if let (CavityPressure::Pressure { time }, Some(since)) = (&source.push, cavity.ignited) {
+            let what = format!("the source `{}` (`sources.*.pressure`)", source.name);
+            found.push(Course {
+                since,
+                ..Course::new("sources", what, time)
+            });
+        }
+    }
+    found
 }
 
 /// What is known of the time step before a shorter one has been tried: its share of the stable one.

@@ -286,10 +286,13 @@ impl Simulation {
             Some(block) => self.not_finite(block, "its motion"),
             None => RunError::NoNumber {
                 what: what.to_owned(),
-                ruled_out: format!(
-                    "positions and velocities of all blocks are finite; {}",
-                    cause::of_step(self)
-                ),
+                ruled_out: match cause::of_functions(self) {
+                    Some(cause) => cause.words,
+                    None => format!(
+                        "positions and velocities of all blocks are finite; {}",
+                        cause::of_step(self)
+                    ),
+                },
                 step: self.steps(),
                 time: self.time(),
             },
