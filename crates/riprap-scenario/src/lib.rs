@@ -42,7 +42,7 @@ pub use csv_columns::{Columns, csv_columns};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity, Source};
 pub use language::Scenario;
 pub use load::{Parsed, load, parse, parse_changed, parse_with};
-pub use overrides::{Case, apply_overrides, cases};
+pub use overrides::{Case, apply_overrides, cases, swept_and_set};
 pub use quantity::{Name, Names, Quantity, Span, Table};
 pub use references::NO_WATER;
 pub use replaced::{TABLE_REPLACED, fallen_away};

@@ -8,6 +8,7 @@ use super::diagnostic::{Diagnostic, Diagnostics, Source};
 use super::language::Scenario;
 use super::load::syntax_error;
 use super::path::{resolve, split};
+use super::values::short;
 
 /// Most cases that one scenario may expand to.
 pub const MAX_CASES: usize = 1000;
@@ -103,6 +104,62 @@ pub fn apply_overrides(
         text = document.to_string();
     }
     Ok(Source::new(source.name.clone(), text))
+}
+
+/// Refuses changes of the command line that reach what the scene sweeps: they win over the sweep, and its cases would all be the same
+/// under different names.
+///
+/// # Errors
+/// The first such change.
+pub fn swept_and_set(
+    source: &Source,
+    scenario: &Scenario,
+    changes: &[(String, String)],
+) -> Result<(), Diagnostics> {
+    let root: toml::Value =
+        toml::from_str(&source.text).unwrap_or_else(|_| toml::Table::new().into());
+    for (swept, _) in scenario.sweep.iter() {
+        let words = places(&root, swept.as_str());
+        for (key, value) in changes {
+            let set = places(&root, key);
+            if !(set.starts_with(&words) || words.starts_with(&set)) {
+                continue;
+            }
+            let message = format!(
+                "`--set {}` fixes what the scene sweeps: `sweep.\"{swept}\"`",
+                short(&format!("{key}={value}"))
+            );
+            let error = Diagnostic::error("set.swept", message).help(
+                "leave `--set` out; or run the scene once with it: `riprap run`; other values of the sweep stand in `[sweep]`",
+            );
+            let nowhere = Source::new(source.name.clone(), "");
+            return Err(Diagnostics::new(nowhere, vec![error]));
+        }
+    }
+    Ok(())
+}
+
+/// The words of a key, entries of lists by their number where the file has them.
+fn places(root: &toml::Value, key: &str) -> Vec<String> {
+    let mut here = Some(root);
+    let mut words = split(key).unwrap_or_else(|_| vec![key.to_owned()]);
+    for word in &mut words {
+        here = match here {
+            Some(toml::Value::Table(table)) => table.get(word.as_str()),
+            Some(toml::Value::Array(items)) => {
+                let name = |item: &toml::Value| {
+                    item.get("name").and_then(toml::Value::as_str) == Some(word.as_str())
+                };
+                let at = items.iter().position(name).or_else(|| word.parse().ok());
+                at.and_then(|at| {
+                    *word = at.to_string();
+                    items.get(at)
+                })
+            }
+            Some(_) | None => None,
+        };
+    }
+    words
 }
 
 fn set(source: &Source, key: &str, value: &str) -> Result<DocumentMut, Diagnostics> {

@@ -12,7 +12,7 @@ use crate::exec::side_by_side;
 use crate::record::field::with_unit;
 use crate::record::folder::Existing;
 use crate::record::table::Table;
-use crate::scenario::{Case, Diagnostics};
+use crate::scenario::{Case, Diagnostics, swept_and_set};
 
 /// One row of the table.
 #[derive(Clone, Debug)]
@@ -40,8 +40,10 @@ pub struct Row {
 /// Models of all cases are built before the first one runs, so that mistakes show at once.
 ///
 /// # Errors
-/// What is wrong with the first case that cannot be built.
+/// A swept key that the user's changes fix; what is wrong with the first case that cannot be built.
 pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
+    let parsed = &scene.parsed;
+    swept_and_set(&parsed.source, &parsed.scenario, &scene.changes)?;
     for case in &scene.cases {
         scene.prepare(case)?;
     }
@@ -76,7 +78,7 @@ fn one(
     let mut row = Row {
         case: case.name.clone(),
         variant: case.variant.clone(),
-        changes: case.changes.clone(),
+        changes: as_run(&case.changes, &scene.changes),
         ended: "stopped by the user before it began".to_owned(),
         finished: false,
         unwritten: false,
@@ -124,6 +126,15 @@ fn one(
         }
     }
     row
+}
+
+/// The changes of a case with the values that ran: the user's changes win over those of a variant.
+fn as_run(of_case: &[(String, String)], set: &[(String, String)]) -> Vec<(String, String)> {
+    let ran = |(key, value): &(String, String)| {
+        let won = set.iter().rev().find(|(set, _)| set == key);
+        (key.clone(), won.map_or(value, |(_, won)| won).clone())
+    };
+    of_case.iter().map(ran).collect()
 }
 
 /// Last written value of every history of a run.
@@ -226,6 +237,17 @@ fn add_new<'a>(list: &mut Vec<&'a str>, more: impl Iterator<Item = &'a str>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_value_that_the_user_set_stands_in_the_table() {
+        let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+        let of_variant = [pair("a.b", "1"), pair("a.c", "2")];
+        let set = [pair("a.c", "3"), pair("a.c", "4")];
+        assert_eq!(
+            as_run(&of_variant, &set),
+            [pair("a.b", "1"), pair("a.c", "4")]
+        );
+    }
 
     #[test]
     fn rows_of_different_cases_share_their_columns() {
