@@ -86,6 +86,8 @@ impl<'a> References<'a> {
         let scenario = self.scenario;
         self.twice("blocks", scenario.blocks.iter().map(|block| &block.name));
         self.twice("phases", scenario.phases.iter().map(|phase| &phase.name));
+        let boundaries = scenario.boundaries.iter().filter_map(|b| b.name.as_ref());
+        self.twice("boundaries", boundaries);
         let supports = scenario.supports.iter().filter_map(|s| s.name.as_ref());
         self.twice("supports", supports);
         let loads = scenario.loads.iter().filter_map(|l| l.name.as_ref());

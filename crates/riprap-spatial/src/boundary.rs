@@ -6,13 +6,15 @@
 //! the size of the block, against first order for a dashpot on the face of the rigid block. Dashpots without
 //! springs take the mean of the velocities before and after the kick: a lag of half a step would reflect too.
 
+use std::collections::BTreeMap;
+
 use riprap_geom::{Mat3, Vec3};
 
 use super::build::error::BuildError;
 use super::patch::Poses;
 use super::push::traction::{Spot, traction};
 use super::setup::{Boundary, BoundaryKind, FaceSet};
-pub use super::state::face::{Face, HalfBlock};
+pub use super::state::face::{Face, HalfBlock, Overruled};
 use super::state::push::Wrench;
 use super::world::{SolidClass, World};
 use crate::accounts::Account;
@@ -23,15 +25,18 @@ const PARALLEL: f64 = 1e-6;
 
 /// Gives free faces their conditions.
 pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError> {
+    let mut meant = vec![0; world.setup.boundaries.len()];
+    let mut taken: BTreeMap<[u16; 2], u32> = BTreeMap::new();
     for (index, boundary) in world.setup.boundaries.iter().enumerate() {
-        let mut found = false;
         for face in &mut world.faces {
             let centre = world.reference[face.block as usize] + face.arm;
             if !is_on(&boundary.on, face, centre, tolerance) {
                 continue;
             }
-            found = true;
-            face.boundary = Some(index as u16);
+            meant[index] += 1;
+            if let Some(earlier) = face.boundary.replace(index as u16) {
+                *taken.entry([earlier, index as u16]).or_default() += 1;
+            }
             face.half_block = None;
             if matches!(boundary.kind, BoundaryKind::Traction { .. }) {
                 continue;
@@ -50,11 +55,19 @@ pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError
                 ..HalfBlock::default()
             }));
         }
-        if !found {
+        if meant[index] == 0 {
             let boundary = boundary.name.clone();
             return Err(BuildError::NoFace { boundary });
         }
     }
+    let taken = taken.into_iter();
+    world.overruled = taken
+        .map(|(boundaries, faces)| Overruled {
+            boundaries,
+            faces,
+            of: meant[usize::from(boundaries[0])],
+        })
+        .collect();
     overruled(world)
 }
 

@@ -70,6 +70,7 @@ impl World {
             patches: Patches::default(),
             classes: Vec::new(),
             faces: Vec::new(),
+            overruled: Vec::new(),
             cavities: Vec::new(),
             bolts: Vec::new(),
             deform: None,

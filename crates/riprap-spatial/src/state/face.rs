@@ -26,6 +26,17 @@ pub struct Face {
     pub parted: bool,
 }
 
+/// Faces that a condition has lost to one that stands later in the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Overruled {
+    /// Indices into `Setup::boundaries`: of the condition that lost them, of the one that has them.
+    pub boundaries: [u16; 2],
+    /// How many.
+    pub faces: u32,
+    /// Faces that the first one means in all.
+    pub of: u32,
+}
+
 /// The half block between a face and the centroid behind it, through which a condition acts on the block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct HalfBlock {

@@ -12,7 +12,7 @@ use super::bolts::Bolt;
 use super::cavity::Cavity;
 use super::deform::Deform;
 use super::event::{EditEvent, EditKind};
-use super::face::Face;
+use super::face::{Face, Overruled};
 use super::found::FoundContacts;
 use super::lineage::Origin;
 pub use super::patches::{PatchClass, Patches, flag};
@@ -72,6 +72,9 @@ pub struct World {
     pub classes: Vec<PatchClass>,
     /// Free faces, or parts of faces, sorted by block.
     pub faces: Vec<Face>,
+    /// Faces that conditions have lost to later ones when the model was built, to be told; no checkpoint has them.
+    #[serde(skip)]
+    pub overruled: Vec<Overruled>,
     /// Charges and other pressures inside the rock.
     pub cavities: Vec<Cavity>,
     /// Bolts that have been installed.

@@ -8,6 +8,7 @@ use thiserror::Error;
 use super::engine::{BuildError, Kind};
 use super::given_step::{self, TooLong};
 use super::meeting::{self, Outlook};
+use super::overruled;
 use super::simulation::{RunError, Simulation, Stage};
 use crate::exec::Exec;
 use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
@@ -202,7 +203,8 @@ fn points_up([x, y, z]: [f64; 3], kind: Kind) -> bool {
 /// is the stable step at the start, s, infinite where nothing bounds it.
 pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<String> {
     let view = simulation.view();
-    let mut found = meeting::words(&view);
+    let mut found = overruled::words(&view);
+    found.extend(meeting::words(&view));
     let gravity = simulation.cursor().gravity_after;
     let pulled = gravity != [0.0; 3];
     if points_up(gravity, simulation.kind()) {

@@ -11,6 +11,7 @@ pub mod given_step;
 pub mod job;
 pub mod meeting;
 pub mod origin;
+mod overruled;
 pub mod probe;
 pub mod recorder;
 mod rough;

@@ -4,7 +4,7 @@ use super::{PhaseEnd, Simulation, Thrown, Unconverged, stop};
 use crate::ledger::{Balance, Unexplained};
 use crate::plan::PhaseKind;
 use crate::run::engine::View;
-use crate::run::{meeting, rough};
+use crate::run::{meeting, overruled, rough};
 
 /// Share of the largest energy that moved from which on what edits have added is told.
 const MADE: f64 = 0.05;
@@ -61,7 +61,7 @@ impl Simulation {
         Some(end)
     }
 
-    /// What should be known of the run besides its results, in words: what cannot meet, phases that did not come to rest, an energy
+    /// What should be known of the run besides its results, in words: conditions that have lost faces to others, what cannot meet, phases that did not come to rest, an energy
     /// residual that is not small, blocks pressed deep into each other, bolts whose forces did not come into
     /// equilibrium, rough joints pressed beyond the strength of their walls.
     #[must_use]
@@ -75,7 +75,8 @@ impl Simulation {
         let residual = residual.map(|(what, largest)| largest.told(what));
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);
         let others = residual.chain(deepest);
-        let off = meeting::off(&self.view()).into_iter();
+        let given = overruled::words(&self.view()).into_iter();
+        let off = given.chain(meeting::off(&self.view()));
         let all = off.chain(unconverged).chain(ends).chain(others);
         let supports = self
             .left_terrain()
