@@ -358,7 +358,8 @@ pub struct Compare {
 /// Show the contact forces of a scene at its start, without a step.
 ///
 /// One row a contact: overlap, length, centre, force on the first block, moments about each block's
-/// own centroid, and the contact types of the source law.
+/// own centroid, and the contact types of the source law. Blocks that do not touch and are nearer
+/// than the threshold follow with their gap.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -367,8 +368,8 @@ Examples:
 pub struct ProbeContact {
     #[command(flatten)]
     pub scene: Scene,
-    /// Distance below which features count as touching in the source's contact types, for example
-    /// '1 mm' [default: a thousandth of the smaller block]
+    /// Distance below which blocks are listed and features count as touching in the source's contact
+    /// types, for example '1 mm' [default: a thousandth of the smaller block]
     #[arg(long, value_name = "LENGTH")]
     pub threshold: Option<String>,
     /// Only this pair of blocks, by name

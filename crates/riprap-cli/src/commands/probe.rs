@@ -39,14 +39,18 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
         return Ok(());
     }
     if touches.is_empty() {
-        screen::line("nothing touches");
+        screen::line("nothing touches, and no blocks are nearer than the threshold");
         return Ok(());
     }
     let rows = touches.iter().map(|t| {
         vec![
             t.first.clone(),
             t.second.clone(),
-            si(t.overlap, "m"),
+            if t.overlap > 0.0 || t.length > 0.0 {
+                si(t.overlap, "m")
+            } else {
+                format!("none, gap {}", si(t.gap, "m"))
+            },
             si(t.length, "m"),
             format!("({:.6}, {:.6})", t.centre[0], t.centre[1]),
             si(t.force[0], "N/m"),

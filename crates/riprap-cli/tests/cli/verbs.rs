@@ -368,6 +368,10 @@ fn probe_contact_shows_touching_pairs() {
         .run(&["probe-contact", "apart.toml"])
         .expect(0)
         .says(&["nothing touches"]);
+    bench
+        .run(&["probe-contact", "apart.toml", "--threshold", "0.3 m"])
+        .expect(0)
+        .says(&["floor", "stone", "gap 200 mm"]);
 }
 
 #[test]

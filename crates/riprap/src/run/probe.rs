@@ -1,28 +1,34 @@
 //! Contact forces of a model at its start, without a step.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use crate::Vec2;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::geom::pairs::touching_boxes;
+use crate::geom::polygon::Aabb;
 use crate::planar::classify::{Classified, classify};
 use crate::planar::setup::Setup;
 use crate::planar::step::{self, NonFinite};
 use crate::planar::view::View;
 use crate::planar::world::{World, Wrench};
 
-/// One contact region. Forces are per metre of thickness and act on the first block.
+/// One contact region, or two blocks that are near each other. Forces are per metre of thickness and act on the first block.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Touch {
     /// First block.
     pub first: String,
     /// Second block.
     pub second: String,
-    /// Largest depth of a boundary point, m.
+    /// Largest depth of a boundary point, m; 0 between blocks that do not touch.
     pub overlap: f64,
+    /// Shortest distance between blocks that do not touch, m; 0 between those that do.
+    pub gap: f64,
     /// Length of the contact, m.
     pub length: f64,
-    /// Centre of pressure, global, m.
+    /// Centre of pressure, of a gap the middle of it, global, m.
     pub centre: [f64; 2],
     /// Whole force on the first block, N/m.
     pub force: [f64; 2],
@@ -41,8 +47,8 @@ pub struct Touch {
 /// Classification threshold d0 over the smaller radius of a pair, unless one is given.
 pub const THRESHOLD: f64 = 1e-3;
 
-/// All touching contacts in a fixed order; `threshold` is the source's d0 (m), by default
-/// [`THRESHOLD`] of the smaller block. Joints built with the model carry no force at the
+/// All touching contacts in a fixed order, then all pairs of blocks that do not touch and are nearer than `threshold`, the
+/// source's d0 (m), by default [`THRESHOLD`] of the smaller block. Joints built with the model carry no force at the
 /// start and are not listed.
 ///
 /// # Errors
@@ -105,17 +111,31 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
     };
     let shapes = &scratch.shapes;
     let name = |block: u32| setup.blocks[block as usize].name.clone();
-    let touches = view.contacts().map(|(i, j, contact)| {
+    let d0 = |i: u32, j: u32| {
         let smaller = shapes.radius[i as usize].min(shapes.radius[j as usize]);
-        let d0 = threshold.unwrap_or(THRESHOLD * smaller);
+        threshold.unwrap_or(THRESHOLD * smaller)
+    };
+    let types = |i: u32, j: u32| {
+        classify(
+            &scratch.turned[shapes.range(i as usize)],
+            &scratch.turned[shapes.range(j as usize)],
+            world.bodies[i as usize].position - world.bodies[j as usize].position,
+            d0(i, j),
+        )
+    };
+    let mut touches: Vec<Touch> = Vec::new();
+    let mut joined: BTreeSet<[u32; 2]> = BTreeSet::new();
+    for (i, j, contact) in view.contacts() {
+        joined.insert([i, j]);
         let other = contact.tangential.plus(&contact.damping);
         let all: Wrench = contact.normal.plus(&other);
         let centre: Vec2 =
             Vec2::from(setup.origin) + world.bodies[i as usize].position + contact.centre;
-        Touch {
+        touches.push(Touch {
             first: name(i),
             second: name(j),
             overlap: contact.depth,
+            gap: 0.0,
             length: contact.length,
             centre: centre.into(),
             force: all.force.into(),
@@ -123,15 +143,67 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
             other_force: other.force.length(),
             moment_first: all.moment_i,
             moment_second: all.moment_j,
-            types: classify(
-                &scratch.turned[shapes.range(i as usize)],
-                &scratch.turned[shapes.range(j as usize)],
-                world.bodies[i as usize].position - world.bodies[j as usize].position,
-                d0,
-            ),
+            types: types(i, j),
+        });
+    }
+    joined.extend(world.bonds.iter().map(|bond| [bond.i, bond.j]));
+    let outline = |b: usize| -> Vec<Vec2> {
+        let edges = scratch.turned[shapes.range(b)].iter();
+        edges
+            .map(|edge| world.bodies[b].position + edge.start)
+            .collect()
+    };
+    let outlines: Vec<Vec<Vec2>> = (0..setup.blocks.len()).map(outline).collect();
+    let boxes: Vec<Aabb> = outlines
+        .iter()
+        .zip(&shapes.radius)
+        .map(|(corners, radius)| {
+            let mut bounds = Aabb::of(corners);
+            let reach = Vec2::splat(0.5 * threshold.unwrap_or(THRESHOLD * radius));
+            (bounds.min, bounds.max) = (bounds.min - reach, bounds.max + reach);
+            bounds
+        })
+        .collect();
+    for (i, j) in touching_boxes(&boxes, usize::MAX).unwrap_or_default() {
+        let (gap, middle) = gap(&outlines[i as usize], &outlines[j as usize]);
+        if gap >= d0(i, j) || joined.contains(&[i, j]) {
+            continue;
         }
-    });
-    Ok(touches.collect())
+        touches.push(Touch {
+            first: name(i),
+            second: name(j),
+            overlap: 0.0,
+            gap,
+            length: 0.0,
+            centre: (Vec2::from(setup.origin) + middle).into(),
+            force: [0.0; 2],
+            normal_force: 0.0,
+            other_force: 0.0,
+            moment_first: 0.0,
+            moment_second: 0.0,
+            types: types(i, j),
+        });
+    }
+    Ok(touches)
+}
+
+/// Shortest distance between two outlines that do not cross, m, and the middle of it.
+fn gap(one: &[Vec2], other: &[Vec2]) -> (f64, Vec2) {
+    let mut least = (f64::INFINITY, Vec2::ZERO);
+    for (corners, edges) in [(one, other), (other, one)] {
+        for &x in corners {
+            for (k, &p) in edges.iter().enumerate() {
+                let along = edges[(k + 1) % edges.len()] - p;
+                let t = ((x - p).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                let nearest = p + t * along;
+                let distance = (x - nearest).length();
+                if distance < least.0 {
+                    least = (distance, 0.5 * (x + nearest));
+                }
+            }
+        }
+    }
+    least
 }
 
 #[cfg(test)]
@@ -200,6 +272,22 @@ mod tests {
         );
         assert!((one.normal_force + one.force[1]).abs() < 1e-9 * one.normal_force);
         assert!((one.centre[0] - 100.5).abs() < 1e-6 && (one.centre[1] - 1.0).abs() < 1e-3);
-        assert_eq!(one.other_force, 0.0);
+        assert_eq!((one.other_force, one.gap), (0.0, 0.0));
+        // Blocks that are apart show from a threshold on that is wider than their gap, with nothing between them.
+        let mut apart = setup.clone();
+        apart.blocks[1] = square("high", 1.0003);
+        assert_eq!(touches(&apart, Some(2e-4)).unwrap(), []);
+        let found = touches(&apart, Some(1e-3)).unwrap();
+        let [one] = &found[..] else {
+            panic!("{found:?}");
+        };
+        assert_eq!((one.first.as_str(), one.second.as_str()), ("low", "high"));
+        assert!((one.gap - 3e-4).abs() < 1e-12, "{one:?}");
+        assert_eq!((one.overlap, one.force), (0.0, [0.0; 2]));
+        assert!((one.centre[1] - 1.00015).abs() < 1e-12, "{one:?}");
+        assert!(!one.types.is_empty(), "{one:?}");
+        // Blocks that stand flush have a gap of nothing.
+        apart.blocks[1] = square("high", 1.0);
+        assert_eq!(touches(&apart, None).unwrap()[0].gap, 0.0);
     }
 }
