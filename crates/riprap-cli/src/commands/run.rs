@@ -114,7 +114,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
             si(manifest.time, "s"),
             duration(manifest.wall_time)
         ));
-        screen::print(&ledger(folder));
+        screen::print(&ledger(outcome, folder));
         screen::print(&works(manifest));
         for end in outcome.ends.iter().filter(|end| end.quiet) {
             print_line("note", &phase_end(end));
@@ -190,19 +190,40 @@ fn works(manifest: &Manifest) -> String {
 /// A term of the ledger below this share of the largest that any of them has been is round-off.
 const ROUND_OFF: f64 = 1e-13;
 
-/// The energies at the end, one line, with the residual; what is round-off of the largest that has moved is left out.
-fn ledger(folder: &Path) -> String {
+/// The energies at the end, one line, with the residual; what is round-off of the largest that has moved is left out. Of a run that
+/// has not come to its end with the time that they are of.
+fn ledger(outcome: &Outcome, folder: &Path) -> String {
     let Ok(table) = Table::read(&folder.join("energy.csv")) else {
         return String::new();
     };
-    let energies = (table.columns.iter()).filter(|c| c.name != "step" && c.name != "time");
-    let all = energies.clone().flat_map(|c| &c.values);
+    let columns = || (table.columns.iter()).filter(|c| c.name != "step" && c.name != "time");
+    let last = |name: &str| {
+        let column = table.columns.iter().find(|c| c.name == name);
+        column.and_then(|c| c.values.last().copied())
+    };
+    let (time, terms): (Option<f64>, Vec<(&str, &str, f64)>) = match &outcome.energies {
+        Some(now) => {
+            let terms = now.terms.iter().map(|(name, v)| (*name, now.unit, *v));
+            (Some(now.time), terms.collect())
+        }
+        None => {
+            let terms =
+                columns().filter_map(|c| Some((&c.name[..], &c.unit[..], *c.values.last()?)));
+            (last("time"), terms.collect())
+        }
+    };
+    let written = columns().flat_map(|c| c.values.iter().copied());
+    let all = written.chain(terms.iter().map(|(_, _, value)| *value));
     let round_off = ROUND_OFF * all.fold(0.0_f64, |most, value| most.max(value.abs()));
-    let terms: Vec<String> = energies
-        .filter_map(|c| c.values.last().map(|v| (c, *v)))
-        .map(|(c, value)| (c, if value.abs() > round_off { value } else { 0.0 }))
-        .filter(|(c, value)| *value != 0.0 || c.name == "residual")
-        .map(|(c, value)| format!("{} {}", c.name.replace('_', " "), si(value, &c.unit)))
+    let terms: Vec<String> = terms
+        .into_iter()
+        .map(|(name, unit, v)| (name, unit, if v.abs() > round_off { v } else { 0.0 }))
+        .filter(|(name, _, value)| *value != 0.0 || *name == "residual")
+        .map(|(name, unit, value)| format!("{} {}", name.replace('_', " "), si(value, unit)))
         .collect();
-    format!("energy: {}\n", terms.join(", "))
+    let at = match (&outcome.ending, time) {
+        (Ending::Stopped | Ending::Unstable(_), Some(time)) => format!(" at t = {}", si(time, "s")),
+        (Ending::Finished, _) | (_, None) => String::new(),
+    };
+    format!("energy{at}: {}\n", terms.join(", "))
 }

@@ -141,6 +141,28 @@ fn a_step_far_above_the_stable_one_stops_the_run_and_is_named() {
     );
 }
 
+/// They were those of the last row of `energy.csv`: of the start, at which nothing had moved.
+#[test]
+fn the_energies_of_a_run_that_is_stopped_are_those_of_its_last_state() {
+    let bench = Bench::new();
+    let fast = FALL
+        .replace(
+            "velocity = [\"0 m/s\", \"0 m/s\"]",
+            "velocity = [\"0 m/s\", \"-30 m/s\"]",
+        )
+        .replace("100 MPa/m", "1 MPa/m");
+    bench.file("a.toml", fast);
+    let said = bench.run(&["run", "a.toml"]).expect(1);
+    let line = said.out.lines().find(|line| line.starts_with("energy"));
+    let line = line.unwrap_or_else(|| panic!("{}", said.out));
+    assert!(
+        line.starts_with("energy at t = ") && line.contains("contact normal"),
+        "{line}"
+    );
+    let table = bench.read("a.run/energy.csv");
+    assert!(!line.contains("t = 0 s"), "{line}\n{table}");
+}
+
 #[test]
 fn never_writes_no_frame() {
     let (bench, said) = run(&[("every = \"50 ms\"", "every = \"never\"")]);

@@ -20,6 +20,7 @@ use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
+use crate::ledger::COLUMNS;
 use crate::plan::{Check, Every, Plan};
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
@@ -57,6 +58,19 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// How the phases have ended.
     pub ends: Vec<PhaseEnd>,
+    /// The ledger where a run stopped before its end, if its forces are known there: the last row of `energy.csv` is older.
+    pub energies: Option<Energies>,
+}
+
+/// The ledger at one state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Energies {
+    /// Model time, s.
+    pub time: f64,
+    /// Unit of the terms.
+    pub unit: &'static str,
+    /// Terms with their names, in the order of the ledger.
+    pub terms: Vec<(&'static str, f64)>,
 }
 
 /// Why a run could not be carried out.
@@ -451,15 +465,45 @@ impl Live {
             recorder.folder.write_manifest(&manifest)?;
         }
         let simulation = self.drive.simulation();
+        let (unconverged, warnings, ends) = (
+            simulation.cursor().unconverged.clone(),
+            simulation.warnings(),
+            simulation.cursor().ends.clone(),
+        );
         Ok(Outcome {
+            // Finds the forces of a state that is left: nothing else may be asked of it.
+            energies: energies(self.drive.into_simulation(), &ending),
             ending,
             checks,
-            unconverged: simulation.cursor().unconverged.clone(),
-            warnings: simulation.warnings(),
-            ends: simulation.cursor().ends.clone(),
+            unconverged,
+            warnings,
+            ends,
             manifest,
         })
     }
+}
+
+/// The ledger where a run was stopped, if it can be drawn up there.
+fn energies(mut simulation: Simulation, ending: &Ending) -> Option<Energies> {
+    let known = match ending {
+        Ending::Finished => false,
+        // A step has moved the blocks, or a pause has found their forces already.
+        Ending::Stopped => simulation.prepare().is_ok(),
+        Ending::Unstable(why) => why.knows_forces(),
+    };
+    if !known {
+        return None;
+    }
+    let balance = simulation.balance();
+    let terms: Vec<_> = (COLUMNS.iter())
+        .map(|(name, get)| (*name, get(&balance)))
+        .collect();
+    let finite = terms.iter().all(|(_, value)| value.is_finite());
+    finite.then(|| Energies {
+        time: simulation.time(),
+        unit: simulation.kind().energy_unit(),
+        terms,
+    })
 }
 
 /// Writes into the manifest how the run ended.

@@ -239,6 +239,22 @@ impl RunError {
         }
     }
 
+    /// Whether the forces at the state where it stopped the run are known and numbers: a guard has looked at them.
+    pub(in crate::run) fn knows_forces(&self) -> bool {
+        match self {
+            Self::NoFlow { .. }
+            | Self::Residual { .. }
+            | Self::Overlap { .. }
+            | Self::PassesThrough { .. }
+            | Self::BlowUp { .. } => true,
+            Self::NonFinite { .. }
+            | Self::NoNumber { .. }
+            | Self::NoStep { .. }
+            | Self::Edit { .. }
+            | Self::Phase { .. } => false,
+        }
+    }
+
     /// Text of the formula that is to blame, where one is.
     #[must_use]
     pub fn formula(&self) -> Option<&str> {
