@@ -5,18 +5,19 @@ use crate::found::desk::Desk;
 use crate::state::found::FacetContact;
 use crate::world::World;
 
-/// No more than this is stored in the pressure of found contacts, J. The force of a contact grows at least as fast as its depth d, so that
-/// F d / 2 is never less than its energy; it is the energy itself where two faces meet flat.
-pub(super) fn at_most(world: &World, desk: &Desk, exec: &Exec) -> f64 {
+/// What is stored in the pressure of found contacts lies between these, J. The force of a contact grows at least as fast as its depth d, so
+/// that F d / 2 is never less than its energy; it is the energy itself where two faces meet flat. What a joint has handed over is known.
+fn bounds(world: &World, desk: &Desk, exec: &Exec) -> [f64; 2] {
     let pair = |k: usize| {
         let Some(by) = desk.exerted(k) else {
-            return 0.0;
+            return [0.0; 2];
         };
         let pair = &world.found.pairs[k];
-        let taken_over = pair.offset.as_ref().map_or(0.0, |o| o.stored.abs());
-        0.5 * by.elastic.force.length() * pair.depth + taken_over
+        let taken_over = pair.offset.as_ref().map_or(0.0, |o| o.stored);
+        let most = 0.5 * by.elastic.force.length() * pair.depth;
+        [taken_over.min(0.0), most.max(taken_over)]
     };
-    let pairs = exec.sum(world.found.pairs.len(), pair);
+    let [least, most] = exec.sums(world.found.pairs.len(), pair);
     let facet = |b: usize, on: &FacetContact| {
         let laws = desk.terrain.laws.get(b);
         let law = laws.and_then(|laws| laws.get(on.key[0] as usize));
@@ -25,7 +26,7 @@ pub(super) fn at_most(world: &World, desk: &Desk, exec: &Exec) -> f64 {
     };
     let terrain = world.found.terrain.iter().enumerate();
     let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(b, on)));
-    pairs + facets.sum::<f64>()
+    [least, most + facets.sum::<f64>()]
 }
 
 /// Energy of the pressure of found contacts less that at the start, J: the work on it, within what it can be. Steps that are long beside
@@ -35,14 +36,14 @@ pub(crate) fn stored(world: &World, desk: &Desk, exec: &Exec) -> f64 {
     if work == 0.0 || desk.slots.len() != world.found.pairs.len() {
         return work;
     }
-    let room = 1e-9 * world.found.at_start;
-    work.min(at_most(world, desk, exec))
-        .max(-world.found.at_start - room)
+    let [least, most] = bounds(world, desk, exec);
+    let at_start = (1.0 + 1e-9) * world.found.at_start;
+    work.min(most).max(least - at_start)
 }
 
 /// Notes what contacts of blocks that are built into each other store at the start, which no work has put in.
 pub(crate) fn begin(world: &mut World, desk: &Desk, exec: &Exec) {
-    world.found.at_start = at_most(world, desk, exec);
+    [_, world.found.at_start] = bounds(world, desk, exec);
 }
 
 #[cfg(test)]
