@@ -1,6 +1,6 @@
 //! What a run says of its phases when they are over, and of itself at its end.
 
-use super::{PhaseEnd, Simulation, Thrown, Unconverged, stop};
+use super::{PhaseEnd, Simulation, Thrown, Unconverged};
 use crate::ledger::{Balance, Unexplained};
 use crate::plan::PhaseKind;
 use crate::run::engine::View;
@@ -71,7 +71,7 @@ impl Simulation {
         let ends =
             (cursor.ends.iter()).flat_map(|end| end.warning().into_iter().chain(end.thrown()));
         let residual = Unexplained::ALL.into_iter().zip(&cursor.unexplained);
-        let residual = residual.filter(|(_, largest)| largest.share.abs() > stop::NOTED);
+        let residual = residual.filter(|(what, largest)| largest.share.abs() > self.noted(*what));
         let residual = residual.map(|(what, largest)| largest.told(what));
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);
         let others = residual.chain(deepest);

@@ -19,7 +19,9 @@ const LOOK: u64 = 50;
 /// Steps between two drawings of the ledger: one costs as much as some steps.
 const LEDGER: u64 = 1000;
 /// Residual over the largest energy that moved from which on a run is warned of.
-pub(super) const NOTED: f64 = 0.01;
+const NOTED: f64 = 0.01;
+/// The same of what the laws of the plane make by themselves.
+const TOLD: f64 = 0.1;
 /// Kinetic energy over the energy put in at which a run is stopped.
 const BLOW_UP: f64 = 5.0;
 /// Energies below that of the whole model at this speed (m/s) are round-off, and no residual is judged by them.
@@ -252,7 +254,7 @@ impl Simulation {
             if share.abs() > largest.share.abs() {
                 *largest = super::cursor::Residual { share, step, time };
             }
-            if share.abs() > allowed {
+            if share.abs() > allowed && self.forbids(what) {
                 let view = self.view();
                 return Err(RunError::Residual {
                     what,
@@ -268,6 +270,20 @@ impl Simulation {
             }
         }
         Ok(())
+    }
+
+    /// Whether a run is stopped for it. Laws of the plane make and lose energy by themselves (penetration potential, shear springs on
+    /// contacts that change their length): that is told.
+    fn forbids(&self, what: Unexplained) -> bool {
+        match what {
+            Unexplained::Residual => true,
+            Unexplained::LawDefect => self.view().spatial().is_some(),
+        }
+    }
+
+    /// Share of the largest energy that moved from which on it is told: where no run is stopped for it, only what would stop one else.
+    pub(super) fn noted(&self, what: Unexplained) -> f64 {
+        if self.forbids(what) { NOTED } else { TOLD }
     }
 
     /// Whether an energy that the ledger does not account for is more than round-off: that of energies, and that of places. A block that creeps by less in a step than the digits of its
