@@ -243,9 +243,7 @@ impl std::fmt::Display for Unexplained {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Residual => "the energy residual",
-            Self::LawDefect => {
-                "what contacts and joints made or lost beside their laws (`law_defect`)"
-            }
+            Self::LawDefect => "the energy that contacts and joints made or lost (`law_defect`)",
         })
     }
 }

@@ -10,6 +10,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
 
 mod acting;
+mod constants;
 mod felt;
 mod give_way;
 pub(crate) mod glued;
@@ -22,12 +23,12 @@ pub(crate) mod terrain;
 use std::collections::BTreeMap;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Constants, Desk, Facing, PairGroup, Slot, Workspace};
+use super::found::desk::{Acting, Desk, PairGroup, Slot, Workspace};
 use super::found::glued::Glued;
 use super::found::offset::{Carried, Offset};
-use super::found::{Blocks, ContactLaw, Pose, Role, Shape};
+use super::found::{Blocks, Pose, Role, Shape};
 use super::patch;
-use super::setup::{self, InterfaceLaw, Setup};
+use super::setup::{self, InterfaceLaw};
 use super::state::found::FoundPair;
 use super::state::lineage::Origin;
 use super::state::scratch::Scratch;
@@ -54,6 +55,8 @@ pub struct Meeting {
     pub seekers: usize,
     /// Interfaces under which blocks can meet that have no friction of their own: `interfaces.NAME`.
     pub sticking: Vec<String>,
+    /// Interfaces under which blocks can meet whose cohesion or tension no joint of the model has and no contact takes: `interfaces.NAME`.
+    pub unread: Vec<String>,
 }
 
 /// What of a model can meet now.
@@ -85,12 +88,23 @@ pub fn meeting(world: &World) -> Meeting {
     }
     let sticks = |row: &usize| {
         let interface = &setup.interfaces[*row];
-        rows[*row] && interface.joint.strength.is_none() && interface.friction.is_none()
+        interface.joint.strength.is_none() && interface.friction.is_none()
     };
-    meeting.sticking = (0..rows.len())
-        .filter(sticks)
-        .map(|row| format!("interfaces.{}", setup.interfaces[row].name))
-        .collect();
+    let mut joined = vec![false; rows.len()];
+    for class in &world.patches.class {
+        joined[usize::from(world.classes[*class as usize].row)] = true;
+    }
+    let unread = |row: &usize| {
+        let InterfaceLaw { joint, bond, .. } = &setup.interfaces[*row];
+        let holds = joint
+            .strength
+            .is_some_and(|s| s.residual_cohesion == 0.0 && (s.cohesion > 0.0 || s.tension > 0.0));
+        holds && bond.is_none() && !joined[*row]
+    };
+    let name = |row: usize| format!("interfaces.{}", setup.interfaces[row].name);
+    let meets = || (0..rows.len()).filter(|row| rows[*row]);
+    meeting.sticking = meets().filter(sticks).map(name).collect();
+    meeting.unread = meets().filter(unread).map(name).collect();
     meeting
 }
 
@@ -105,10 +119,11 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     let known = world.found.roles.len() == n;
     let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
     let mut renew = false;
+    let mut were = Vec::new();
     if !known || world.fresh || look {
         let roles = roles(world);
         renew = roles != world.found.roles;
-        world.found.roles = roles;
+        were = std::mem::replace(&mut world.found.roles, roles);
     }
     if world.fresh {
         scratch.desk.ready = false;
@@ -144,7 +159,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         desk.ready = false;
     }
     if !desk.ready {
-        rebuild(world, scratch);
+        rebuild(world, scratch, &were);
     }
     world.found.longest_step = Some(limit::reach(world));
     !world.found.pairs.is_empty()
@@ -376,8 +391,8 @@ pub(crate) fn pose(
     }
 }
 
-/// Makes the candidate list of the state, and what follows from it.
-fn rebuild(world: &mut World, scratch: &mut Scratch) {
+/// Makes the candidate list of the state, and what follows from it. `were`: who could meet whom until now, where that has been looked at anew.
+fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     let desk = &mut scratch.desk;
     let blocks = Blocks {
         shapes: &desk.shapes,
@@ -396,25 +411,27 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
     let old = std::mem::take(&mut world.found.pairs);
     let hidden = hidden_of_split(world, &old);
     let lineage = &world.lineage;
+    let up = |b: u32| {
+        let parent = |b: &u32| Some(lineage[*b as usize].parent).filter(|p| *p != Origin::NONE);
+        std::iter::successors(Some(b), parent)
+    };
+    let was_target = |b: &u32| {
+        let role = up(*b).find_map(|b| were.get(b as usize));
+        role == Some(&Role::Target)
+    };
     let of_parents = |[i, j]: [u32; 2]| {
-        let up = |b: u32| {
-            let parent = |b: &u32| Some(lineage[*b as usize].parent).filter(|p| *p != Origin::NONE);
-            std::iter::successors(Some(b), parent)
-        };
         let pair = |i: u32, j: u32| hidden.get(&[i.min(j), i.max(j)]).copied();
         up(i).find_map(|i| up(j).find_map(|j| pair(i, j)))
     };
-    let running = world.start_energy.is_some();
     let mut dropped = Works::default();
     world.found.pairs = desk.candidates.carry(
         old.into_iter().map(|pair| (pair.ends, pair)),
         |candidate| {
             let ends = [candidate.i, candidate.j];
-            // Nobody looked as long as joints held the pair, or held both blocks in one lattice: what it overlaps by presses from now on only
-            // with what comes on top. Blocks that are free are candidates before they touch.
+            // Nobody looked as long as joints held the pair, or both blocks in the largest lattice: what it overlaps by presses from now on
+            // only with what comes on top.
             let was_held = before.binary_search(&ends).is_ok();
-            let given = |b: &u32| lineage[*b as usize].parent == Origin::NONE;
-            let offset = if was_held || (running && ends.iter().all(given)) {
+            let offset = if was_held || ends.iter().all(was_target) {
                 Some(Offset::new(Carried::default()))
             } else if hidden.is_empty() {
                 None
@@ -431,47 +448,8 @@ fn rebuild(world: &mut World, scratch: &mut Scratch) {
         |_, pair| drop_pair(&mut dropped, &pair),
     );
     world.works.add(&dropped);
-    desk.rows = world.setup.interfaces.iter().map(of_row).collect();
-    let blocks = 0..world.alive.len();
-    desk.inverse_masses = blocks.map(|b| inverse_mass(world, b)).collect();
+    constants::find(world, desk, &scratch.exec);
     let pairs = &world.found.pairs;
-    let (lists, shapes, glued) = (&desk.candidates.lists, &desk.shapes, &desk.glued);
-    let candidates = &desk.candidates.pairs;
-    let rows = &desk.rows;
-    let of_run = |run: std::ops::Range<usize>| -> (Vec<Constants>, Vec<Facing>) {
-        let mut constants = Vec::with_capacity(run.len());
-        let mut facings = Vec::new();
-        for c in &candidates[run] {
-            let ends = [c.i, c.j];
-            let (mut found, facing) = if ends.iter().any(|b| world.is_glued(*b as usize)) {
-                constants_of_glued(world, (shapes, glued), ends, rows)
-            } else {
-                constants_of(world, shapes, ends, rows, c.faces(lists))
-            };
-            if let Some(facing) = facing {
-                found.facing = facings.len() as u32;
-                facings.push(facing);
-            }
-            constants.push(found);
-        }
-        (constants, facings)
-    };
-    let runs = scratch.exec.chunked(candidates.len(), of_run);
-    desk.constants = Vec::with_capacity(candidates.len());
-    desk.facings = Vec::with_capacity(runs.iter().map(|run| run.1.len()).sum());
-    for (constants, facings) in runs {
-        let first = desk.facings.len() as u32;
-        desk.constants
-            .extend(constants.into_iter().map(|mut found| {
-                if found.facing != Constants::NO_FACING {
-                    found.facing += first;
-                }
-                found
-            }));
-        desk.facings.extend(facings);
-    }
-    let damps = |c: &Constants| desk.rows[usize::from(c.row)].damping_ratio > 0.0;
-    desk.damped = desk.constants.iter().any(damps);
     desk.slots = vec![Slot::default(); pairs.len()];
     desk.groups = vec![PairGroup::default(); pairs.len().div_ceil(GROUP)];
     desk.workspaces
@@ -513,105 +491,6 @@ fn incidence(world: &World, desk: &mut Desk) {
     }
     desk.first_pair = counts;
     desk.acting = vec![Acting::default(); world.alive.len()];
-}
-
-/// 1 over the mass of a block, 1/kg; 0 for what no contact can move.
-fn inverse_mass(world: &World, b: usize) -> f64 {
-    let [free, _] = world.freedoms(b);
-    if free == Vec3::ZERO {
-        0.0
-    } else {
-        1.0 / world.solid_of(b).mass
-    }
-}
-
-/// What is the same in all steps for a pair, and faces of both that can come flat onto each other.
-fn constants_of(
-    world: &World,
-    shapes: &[Shape],
-    ends: [u32; 2],
-    rows: &[ContactLaw],
-    faces: [&[u16]; 2],
-) -> (Constants, Option<Facing>) {
-    let search = &world.found.search;
-    let poses = ends.map(|b| search.pose[b as usize]);
-    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
-    let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
-    let constants = Constants {
-        largest: limit::largest_area(shape, faces),
-        ..plain(&world.setup, ends, shape.map(|s| s.inradius))
-    };
-    let law = constants.law(rows);
-    let facing = limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied()));
-    let with_square = |found: Facing| {
-        let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-        found.with_square(eases, poses, &law)
-    };
-    (constants, facing.map(with_square))
-}
-
-/// The same for a pair with a block of glued parts.
-fn constants_of_glued(
-    world: &World,
-    (shapes, glued): (&[Shape], &[Glued]),
-    ends: [u32; 2],
-    rows: &[ContactLaw],
-) -> (Constants, Option<Facing>) {
-    let search = &world.found.search;
-    let poses = ends.map(|b| search.pose[b as usize]);
-    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
-    let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
-    let constants = Constants {
-        largest: of[0].largest.min(of[1].largest),
-        glued: true,
-        ..plain(&world.setup, ends, of.map(|glued| glued.inradius))
-    };
-    let law = constants.law(rows);
-    let with_square = |found: Facing| {
-        let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-        found.with_square(eases, poses, &law)
-    };
-    let facing = glued::facing(of, poses, margin, with_square);
-    (constants, facing)
-}
-
-/// The interface of two blocks and its stiffness; `depths` are their inradii, m.
-fn plain(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> Constants {
-    let materials = ends.map(|b| setup.blocks[b as usize].material as usize);
-    let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
-    // Checked when the model was built; NaN would stop the run at once.
-    let stiffness = stiffness(setup, row, materials, depths).map_or([f64::NAN; 2], |found| found.0);
-    Constants {
-        stiffness,
-        inradius: depths[0].min(depths[1]),
-        largest: 0.0,
-        facing: Constants::NO_FACING,
-        row,
-        glued: false,
-    }
-}
-
-/// The law between two blocks; `depths` are their inradii, m.
-fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
-    let Constants { stiffness, row, .. } = plain(setup, ends, depths);
-    of_row(&setup.interfaces[usize::from(row)]).with_stiffness(stiffness)
-}
-
-/// The law of an interface but for its stiffness, which hangs on the blocks: residual strength and damping.
-fn of_row(interface: &InterfaceLaw) -> ContactLaw {
-    let joint = &interface.joint;
-    // An elastic joint neither opens nor slides; a found contact under its law must open, and slides if it is told when.
-    let elastic = interface.friction.unwrap_or(f64::INFINITY);
-    let (friction, cohesion) = joint.strength.map_or((elastic, 0.0), |s| {
-        (s.residual_friction, s.residual_cohesion)
-    });
-    ContactLaw {
-        normal_stiffness: f64::NAN,
-        shear_stiffness: f64::NAN,
-        friction,
-        cohesion,
-        damping_ratio: joint.contact_damping,
-    }
 }
 
 /// Largest step that found contacts allow, s: stability of those that can touch, and no step in which two blocks could pass through

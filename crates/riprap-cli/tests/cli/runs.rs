@@ -304,3 +304,36 @@ fn nothing_to_resume_is_bad_input() {
         .expect(2)
         .warns(&["nowhere does not exist", "takes a run"]);
 }
+
+/// The cases ran with the value of `--set`, under the names and values of the sweep.
+#[test]
+fn a_swept_key_cannot_be_set() {
+    let bench = Bench::new();
+    let sweep = "[sweep]\n\"blocks.stone.velocity\" = [[\"0 m/s\", \"0 m/s\"], [\"1 m/s\", \"0 m/s\"]]\n\n[bisect]";
+    bench.file("two.toml", FALL.replace("[bisect]", sweep));
+    // By its name, by its number, and a part of it.
+    for set in [
+        "blocks.stone.velocity=[\"2 m/s\", \"0 m/s\"]",
+        "blocks.1.velocity=[\"2 m/s\", \"0 m/s\"]",
+        "blocks.stone.velocity.0=2 m/s",
+    ] {
+        bench
+            .run(&["sweep", "two.toml", "--set", set])
+            .expect(2)
+            .warns(&[
+                "fixes what the scene sweeps",
+                "blocks.stone.velocity",
+                "--set blocks.",
+            ]);
+        assert!(!bench.path("two.sweep").exists());
+    }
+    bench
+        .run(&[
+            "sweep",
+            "two.toml",
+            "--set",
+            "interfaces.default.friction_angle=20 deg",
+            "-q",
+        ])
+        .expect(0);
+}

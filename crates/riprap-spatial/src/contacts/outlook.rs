@@ -2,9 +2,10 @@
 
 use riprap_geom::Vec3;
 
+use super::constants::law;
 use super::limit::Ease;
 use super::terrain::SAFETY;
-use super::{law, make_shapes, roles};
+use super::{make_shapes, roles};
 use crate::found::desk::Desk;
 use crate::found::{Role, limits};
 use crate::world::World;

@@ -6,6 +6,7 @@
 use riprap_core::sums::{GROUP, tree};
 use riprap_geom::Vec3;
 
+use super::constants::{inverse_mass, law};
 use super::{make_shapes, pose};
 use crate::exec::piece;
 use crate::found::desk::{Acting, Desk, TerrainWorkspace};
@@ -134,7 +135,7 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
         let laws = desk.blocks.iter().map(|&terrain| {
             // Behind terrain there is no centroid: it counts as deep as the block.
             let depth = shapes[world.solid[b] as usize].inradius;
-            super::law(&world.setup, [terrain, b as u32], [depth; 2])
+            law(&world.setup, [terrain, b as u32], [depth; 2])
         });
         let laws: Vec<ContactLaw> = if world.meets_terrain(b) {
             laws.collect()
@@ -318,15 +319,6 @@ fn add(exerted: &mut Acting, elastic: &Wrench, spring: &Wrench, drag: &Wrench) {
     exerted.elastic.add(elastic, true);
     exerted.spring.add(spring, true);
     exerted.drag.add(drag, true);
-}
-
-fn inverse_mass(world: &World, b: usize) -> f64 {
-    let [free, _] = world.freedoms(b);
-    if free == Vec3::ZERO {
-        0.0
-    } else {
-        1.0 / world.solid_of(b).mass
-    }
 }
 
 /// Longest step, s: what is near counts with its largest face flat on the ground, what falls with a share of the time until it can touch.

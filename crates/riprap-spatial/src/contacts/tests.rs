@@ -96,6 +96,14 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
     setup
 }
 
+/// Gives all contacts this stiffness, Pa/m.
+fn stiff(setup: &mut Setup, stiffness: f64) {
+    setup.interfaces[0].joint.stiffness = Stiffness::Given {
+        normal: stiffness,
+        shear: stiffness,
+    };
+}
+
 pub(super) struct Run {
     pub(super) world: World,
     pub(super) scratch: Scratch,
@@ -319,10 +327,7 @@ fn nothing_passes_through_a_floor_in_silence() {
             block.velocity = Vec3::new(0.0, 0.0, -speed);
             let mut setup = above_floor(vec![block], 0.0, 0.0);
             setup.gravity = Vec3::ZERO;
-            setup.interfaces[0].joint.stiffness = Stiffness::Given {
-                normal: stiffness,
-                shear: stiffness,
-            };
+            stiff(&mut setup, stiffness);
             let mut run = Run::new(setup, 1, 0.0);
             let stopped = loop {
                 run.limited_step(1.0 / speed);
@@ -443,10 +448,7 @@ fn an_edge_that_strikes_keeps_its_energy() {
         block.velocity = Vec3::new(0.0, 0.0, -speed);
         let mut setup = above_floor(vec![block], 0.0, 0.0);
         setup.gravity = Vec3::ZERO;
-        setup.interfaces[0].joint.stiffness = Stiffness::Given {
-            normal: stiffness,
-            shear: stiffness,
-        };
+        stiff(&mut setup, stiffness);
         let mut run = Run::new(setup, 1, 0.0);
         while run.world.time < 0.8 / speed {
             run.limited_step(0.05 / speed);
@@ -463,10 +465,7 @@ fn an_edge_that_strikes_keeps_its_energy() {
 #[test]
 fn an_edge_at_rest_above_the_floor_does_not_fall_into_it() {
     let mut setup = above_floor(vec![on_edge(1e-4)], 0.0, 0.0);
-    setup.interfaces[0].joint.stiffness = Stiffness::Given {
-        normal: 1e11,
-        shear: 1e11,
-    };
+    stiff(&mut setup, 1e11);
     let mut run = Run::new(setup, 1, 0.0);
     let mut deepest = 0.0_f64;
     while run.world.time < 0.05 {

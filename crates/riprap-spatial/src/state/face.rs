@@ -27,7 +27,7 @@ pub struct Face {
 }
 
 /// Faces that a condition has lost to one that stands later in the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Overruled {
     /// Indices into `Setup::boundaries`: of the condition that lost them, of the one that has them.
     pub boundaries: [u16; 2],

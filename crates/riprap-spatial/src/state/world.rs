@@ -72,8 +72,7 @@ pub struct World {
     pub classes: Vec<PatchClass>,
     /// Free faces, or parts of faces, sorted by block.
     pub faces: Vec<Face>,
-    /// Faces that conditions have lost to later ones when the model was built, to be told; no checkpoint has them.
-    #[serde(skip)]
+    /// Faces that conditions have lost to later ones when the model was built, to be told.
     pub overruled: Vec<Overruled>,
     /// Charges and other pressures inside the rock.
     pub cavities: Vec<Cavity>,

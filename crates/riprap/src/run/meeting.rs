@@ -69,6 +69,13 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
             meeting.sticking.join(", ")
         ));
     }
+    let glued = world.setup.blocks.iter().any(|b| b.shape.is_glued());
+    if !meeting.unread.is_empty() && !glued {
+        found.push(format!(
+            "cohesion and tension of {} have no effect: no joint of the model has them, and blocks that meet anew are held by `residual_cohesion`",
+            meeting.unread.join(", ")
+        ));
+    }
     let blocks = contacts::outlook(world);
     found.extend(soft(&view_name(view), world, &blocks));
     found
@@ -151,12 +158,21 @@ mod tests {
     use crate::scenario::Source;
 
     fn cube_over_floor(stiffness: &str, speed: &str) -> Forecast {
+        above_floor(
+            &format!("normal_stiffness = \"{stiffness}\"\n"),
+            "3 m",
+            speed,
+        )
+    }
+
+    /// A cube at a height over a floor, with these keys of their interface.
+    fn above_floor(interface: &str, height: &str, speed: &str) -> Forecast {
         let text = format!(
             "riprap = 1\ntitle = \"t\"\n[space.spatial]\nfound_contacts = true\ngravity = \"10 m/s2\"\n\
              [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n\
-             [interfaces.default]\nnormal_stiffness = \"{stiffness}\"\nfriction_angle = \"30 deg\"\ndamping_ratio = 0\n\
+             [interfaces.default]\n{interface}friction_angle = \"30 deg\"\ndamping_ratio = 0\n\
              [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nbrick = {{ size = [\"6 m\", \"6 m\", \"2 m\"], corner = [\"0 m\", \"0 m\", \"-2 m\"] }}\n\
-             [[blocks]]\nname = \"cube\"\nmaterial = \"rock\"\nbrick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"2 m\", \"2 m\", \"3 m\"] }}\n\
+             [[blocks]]\nname = \"cube\"\nmaterial = \"rock\"\nbrick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"2 m\", \"2 m\", \"{height}\"] }}\n\
              velocity = [\"0 m/s\", \"0 m/s\", \"{speed}\"]\n\
              [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil.time = \"1 s\"\n"
         );
@@ -198,5 +214,23 @@ mod tests {
         assert!(fast.contains("`cube` starts with 40.000 m/s"), "{fast}");
         assert!(fast.contains("where the run stops"), "{fast}");
         assert!(!fast.contains("own weight"), "{fast}");
+    }
+
+    #[test]
+    fn cohesion_that_neither_a_joint_nor_a_contact_has_is_told() {
+        let wanted = "cohesion and tension of interfaces.default have no effect";
+        let tells = |height: &str, strength: &str| {
+            let rest = format!("normal_stiffness = \"10 GPa/m\"\n{strength}");
+            let told = above_floor(&rest, height, "0 m/s").warnings;
+            told.iter().any(|s| s.starts_with(wanted))
+        };
+        assert!(tells("1 mm", "cohesion = \"1 kPa\"\n"));
+        assert!(!tells("1 mm", ""));
+        assert!(!tells(
+            "1 mm",
+            "cohesion = \"1 kPa\"\nresidual_cohesion = \"1 kPa\"\n"
+        ));
+        // A joint has it.
+        assert!(!tells("0 m", "cohesion = \"1 kPa\"\n"));
     }
 }

@@ -344,7 +344,15 @@ pub(super) fn of_step(simulation: &Simulation) -> String {
     let stable = simulation.engine().stable(damping).dt;
     let share = dt / stable;
     if !stable.is_finite() {
-        format!("nothing bounds the time step ({dt:.3e} s): no block holds another")
+        // Found contacts have steps of their own, as short as they were when it was chosen.
+        let rule = simulation.phase().map(|phase| phase.time_step);
+        let contacts = rule.map(|rule| simulation.engine().contact_step_limit(rule));
+        match contacts.filter(|limit| limit.is_finite()) {
+            Some(limit) => {
+                format!("the time step is {dt:.3e} s, found contacts allow {limit:.3e} s now")
+            }
+            None => format!("nothing bounds the time step ({dt:.3e} s): no block holds another"),
+        }
     } else if share > 1.0 {
         format!("the time step, {dt:.3e} s, is {share:.2} times the stable one ({stable:.3e} s)")
     } else {

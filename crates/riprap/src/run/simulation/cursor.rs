@@ -86,8 +86,8 @@ impl Residual {
     #[must_use]
     pub fn told(&self, what: Unexplained) -> String {
         format!(
-            "{what} came to {:.1} % of the largest energy that moved (step {}, t = {:.4e} s): what the step makes \
-             or loses is not small; a shorter time step tells whether results hang on it",
+            "{what} came to {:.1} % of the largest energy that moved (step {}, t = {:.4e} s), which is not small; a shorter time step tells \
+             whether the step makes it and whether results hang on it",
             100.0 * self.share,
             self.step,
             self.time
