@@ -9,7 +9,7 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 6] = [
+const SCOPES: [(&str, Concerns); 7] = [
     ("In the plane:", |scene| !in_space(scene)),
     ("In space:", in_space),
     ("Found contact in space:", |scene| {
@@ -20,6 +20,9 @@ const SCOPES: [(&str, Concerns); 6] = [
         in_space(scene)
             && !scene.contains("found_contacts = false")
             && !scene.contains("deformable")
+    }),
+    ("Terrain in space:", |scene| {
+        in_space(scene) && scene.contains("terrain")
     }),
     ("Seepage:", |scene| scene.contains("seepage")),
     ("Water:", |scene| scene.contains("[water.")),
@@ -138,12 +141,13 @@ mod tests {
 
     #[test]
     fn an_entry_can_concern_some_scenes_only() {
-        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Seepage: d\n- Water: d\n- e\n";
+        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- e\n";
         let space = "[space.spatial]\n";
         assert_eq!(numerics(text, "[space.planar]"), 2);
         assert_eq!(numerics(text, "[space.planar]\nwater.seepage = {}"), 3);
         assert_eq!(numerics(text, "[space.planar]\n[water.seepage]"), 4);
         assert_eq!(numerics(text, space), 4);
+        assert_eq!(numerics(text, &format!("{space}terrain.csv")), 5);
         assert_eq!(numerics(text, &format!("{space}mechanics.deformable")), 3);
         assert_eq!(numerics(text, &format!("{space}found_contacts = false")), 2);
     }

@@ -320,6 +320,7 @@ impl Evaluation<'_> {
                 radius,
                 dt: self.dt,
                 last_dt: self.last_dt,
+                shared: None,
             },
             &mut pair.memory,
             &mut pair.offset,

@@ -113,6 +113,7 @@ pub(super) fn act(
                     radius: asked.radius,
                     dt: *dt,
                     last_dt: asked.last_dt,
+                    shared: None,
                 },
                 &mut contact.memory,
                 &mut None,

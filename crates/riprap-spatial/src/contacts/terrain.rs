@@ -11,7 +11,7 @@ use super::{make_shapes, pose};
 use crate::exec::piece;
 use crate::found::desk::{Acting, Desk, TerrainWorkspace};
 use crate::found::{
-    Body, ContactLaw, Motion, Question, Reached, Shape, Terrain, Wrench, respond, turn,
+    Body, ContactLaw, Motion, Question, Reached, Shape, Sums, Terrain, Wrench, respond, turn,
 };
 use crate::setup;
 use crate::state::event::EditKind;
@@ -230,16 +230,16 @@ impl Evaluation<'_> {
                 Reached::Touching => {
                     clear = 0.0;
                     let law = &self.laws[b][k];
-                    self.facets(
-                        k as u32,
+                    let here = Here {
+                        terrain: k as u32,
                         law,
-                        shape,
-                        &motion,
-                        pose.position,
-                        state,
-                        exerted,
-                        room,
-                    );
+                        radius: shape.radius,
+                        motion,
+                        position: pose.position,
+                        dt: self.dt,
+                        last_dt: self.last_dt,
+                    };
+                    here.facets(state, exerted, room);
                 }
             }
         }
@@ -255,26 +255,34 @@ impl Evaluation<'_> {
             room.friction += gone.memory.work(&[still, motion], self.dt) + gone.stored;
         }
     }
+}
 
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "one place calls it, in the middle of a block"
-    )]
-    fn facets(
-        &self,
-        terrain: u32,
-        law: &ContactLaw,
-        shape: &Shape,
-        motion: &Motion,
-        position: Vec3,
-        state: &mut OnTerrain,
-        exerted: &mut Acting,
-        room: &mut TerrainWorkspace,
-    ) {
+/// A block on terrain at this instant.
+struct Here<'a> {
+    /// Number of the terrain.
+    terrain: u32,
+    law: &'a ContactLaw,
+    /// Of the block, m.
+    radius: f64,
+    motion: Motion,
+    /// Its centroid, m.
+    position: Vec3,
+    dt: f64,
+    /// Length of the last step, s.
+    last_dt: f64,
+}
+
+impl Here<'_> {
+    fn facets(&self, state: &mut OnTerrain, exerted: &mut Acting, room: &mut TerrainWorkspace) {
         let areas = room.treader.facets.iter();
         let whole: f64 = areas.map(|on| on.sums.vector_area.length()).sum();
-        for on in &room.treader.facets {
-            let key = [terrain, on.facet];
+        let any = |_| f64::NAN;
+        if let Some(on) = room.treader.facets.first() {
+            let asked = self.question(&on.sums, &any);
+            room.ridges.find(self.law, &asked, &room.treader.facets);
+        }
+        for (k, on) in room.treader.facets.iter().enumerate() {
+            let key = [self.terrain, on.facet];
             let old = room.old.iter().position(|f| f.key == key);
             let mut contact = old.map_or_else(
                 || FacetContact {
@@ -283,27 +291,13 @@ impl Evaluation<'_> {
                 },
                 |k| room.old.remove(k),
             );
-            // All facets together have the dashpot of one contact of their whole area, spread evenly over it.
-            let share = on.sums.vector_area.length() / whole;
-            let law = ContactLaw {
-                damping_ratio: law.damping_ratio * share.sqrt(),
-                ..*law
+            let law = self.law.part(on.sums.vector_area.length() / whole);
+            let mean_radius = |point| room.treader.mean_radius(on.facet, point);
+            let question = Question {
+                shared: room.ridges.shared(k),
+                ..self.question(&on.sums, &mean_radius)
             };
-            let reply = respond(
-                &law,
-                &Question {
-                    sums: &on.sums,
-                    mean_radius: &|point| room.treader.mean_radius(on.facet, point),
-                    origin: position,
-                    centres: [position; 2],
-                    motion: [Motion::default(), *motion],
-                    radius: shape.radius,
-                    dt: self.dt,
-                    last_dt: self.last_dt,
-                },
-                &mut contact.memory,
-                &mut None,
-            );
+            let reply = respond(&law, &question, &mut contact.memory, &mut None);
             room.friction += reply.friction;
             contact.stored = contact.memory.stored(&law);
             contact.force = reply.wrench.force;
@@ -311,6 +305,23 @@ impl Evaluation<'_> {
             contact.area = reply.area;
             add(exerted, &reply.elastic, &reply.spring, &reply.drag);
             state.facets.push(contact);
+        }
+        for rocking in room.ridges.rocking() {
+            exerted.drag.add(rocking, true);
+        }
+    }
+
+    fn question<'q>(&self, sums: &'q Sums, mean_radius: &'q dyn Fn(Vec3) -> f64) -> Question<'q> {
+        Question {
+            sums,
+            mean_radius,
+            origin: self.position,
+            centres: [self.position; 2],
+            motion: [Motion::default(), self.motion],
+            radius: self.radius,
+            dt: self.dt,
+            last_dt: self.last_dt,
+            shared: None,
         }
     }
 }

@@ -7,6 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use super::friction::{ContactLaw, Wrench};
 use super::glued::{Glued, Gluer};
+use super::ridges::Ridges;
 use super::search::Candidates;
 use super::shape::{Pose, Shape};
 use super::surface::Walker;
@@ -138,6 +139,8 @@ pub struct TerrainWorkspace {
     pub normals: Vec<Vec3>,
     /// Contacts of the block that have not been found yet.
     pub old: Vec<FacetContact>,
+    /// Dashpots of ridges under the block.
+    pub ridges: Ridges,
     /// Blocks that have gone over the rim in this step.
     pub left: Vec<u32>,
     /// Heat of friction in this step, J.

@@ -3,7 +3,7 @@
 //! The contact carries a shear force and a torsion about its normal as springs on its area. Both slide together when they reach the
 //! ellipse `|F_s|²/F_max² + M_t²/(F_max r_m)² = 1` with `F_max = mu N + c A_c` and the mean radius
 //! `r_m = int p |x - x_c| dS / int p dS`, which gives the exact stopping time of a spinning plate. Dashpots across the contact and against rocking act on the
-//! pressure, those along it only while it sticks.
+//! pressure, those along it only while it sticks. Surfaces of a block on a ridge share those across, see [`share`].
 //!
 //! Deviation: the couple of the dashpots against rocking follows the second moments of the area about each axis instead of half
 //! the polar one.
@@ -48,6 +48,21 @@ impl ContactLaw {
             shear_stiffness,
             ..self
         }
+    }
+
+    /// The law of a part of a surface with this share of its area: all parts together have the dashpot of one contact of the whole, spread
+    /// evenly over it.
+    #[must_use]
+    pub fn part(self, share: f64) -> Self {
+        Self {
+            damping_ratio: self.damping_ratio * share.sqrt(),
+            ..self
+        }
+    }
+
+    /// Dashpot of a contact of an area (m²) between blocks of this reduced mass (kg) along a stiffness (Pa/m), N s/m.
+    fn dashpot(&self, stiffness: f64, area: f64, mass: f64) -> f64 {
+        2.0 * self.damping_ratio * (stiffness * area * mass).sqrt()
     }
 }
 
@@ -184,6 +199,7 @@ struct Contact {
 }
 
 /// What the law is asked.
+#[derive(Clone, Copy)]
 pub struct Question<'a> {
     /// Sums over the surface.
     pub sums: &'a Sums,
@@ -201,6 +217,41 @@ pub struct Question<'a> {
     pub dt: f64,
     /// Length of the last step, s: velocities belong to half of it ago.
     pub last_dt: f64,
+    /// What dashpots across add to the pressure, over it, where the surface shares them with others ([`Shared::ratio`]); `None`: it has its
+    /// own.
+    pub shared: Option<f64>,
+}
+
+/// The pressure of a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pressing {
+    /// Normal force, N.
+    pub force: f64,
+    /// Velocity at which its sides part, m/s.
+    pub parting: f64,
+    /// Where it acts from the origin of the planes, m.
+    pub point: Vec3,
+}
+
+/// Dashpots that several surfaces share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shared {
+    /// What they add to the pressure of each, over it; at least -1.
+    pub ratio: f64,
+    /// Against rocking about all of them.
+    pub rocking: Wrench,
+}
+
+/// A contact, what moves in it and what resists.
+struct Meeting {
+    contact: Contact,
+    /// Where the pressure acts, m.
+    at: Vec3,
+    /// From the centroids of A and B to there, m.
+    arms: [Vec3; 2],
+    velocity: Relative,
+    /// Reduced mass, kg.
+    mass: f64,
 }
 
 /// Velocities across and along the contact.
@@ -225,7 +276,7 @@ pub fn respond(
     let k = 2.0 * law.normal_stiffness;
     let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
     let mut work = memory.work(&q.motion, q.dt);
-    let Some(c) = contact(law, q) else {
+    let Some(meeting) = meeting(law, q) else {
         let lost = memory.stored(law);
         let booked = part(offset.take(), &q.motion, memory, q.dt);
         *memory = Memory::default();
@@ -240,13 +291,14 @@ pub fn respond(
             ..Reply::default()
         };
     };
-    let at = q.origin + c.point;
-    let arms = q.centres.map(|centre| at - centre);
+    let Meeting {
+        contact: c,
+        at,
+        arms,
+        velocity: v,
+        mass,
+    } = meeting;
     let [a, b] = q.motion;
-    let v = relative(&c, [a, b], midway(arms, [a, b], q.last_dt));
-    let inverse = a.inverse_mass + b.inverse_mass;
-    let mass = if inverse > 0.0 { 1.0 / inverse } else { 0.0 };
-    let dashpot = |stiffness: f64| 2.0 * law.damping_ratio * (stiffness * c.area * mass).sqrt();
 
     let mut booked = 0.0;
     let mut offset_wrench = Wrench::default();
@@ -280,12 +332,13 @@ pub fn respond(
     if let Some(gone) = offset.take_if(|offset| offset.is_gone(c.area)) {
         booked += energy(law, q.sums, &c) - gone.stored;
     }
-    let across = dashpot(law.normal_stiffness);
-    let normal = (pressed - across * v.normal).max(0.0);
-    // Dashpots spread evenly over the area; half its polar moment for both axes would be many times too much about the long
-    // axis of a narrow contact, and unstable.
-    let uneven = (c.spread * c.normal.cross(v.rock)).cross(c.normal);
-    let rocking = shorten(-(across / c.area) * uneven, normal * c.gyration.sqrt());
+    let across = law.dashpot(law.normal_stiffness, c.area, mass);
+    let (normal, rocking) = if let Some(ratio) = q.shared {
+        (pressed * (1.0 + ratio), Vec3::ZERO)
+    } else {
+        let normal = (pressed - across * v.normal).max(0.0);
+        (normal, against_rocking(across, &c, &v, normal))
+    };
     let mut limit = Limit {
         force: shear_limit(law.cohesion * c.area, law.friction, -normal),
         radius: LEAST_MEAN_RADIUS * c.gyration.sqrt(),
@@ -300,7 +353,7 @@ pub fn respond(
     work += memory.work(&q.motion, q.dt);
     let (mut shear, mut torsion) = (memory.shear, memory.torsion);
     if !memory.sliding {
-        let along = dashpot(law.shear_stiffness);
+        let along = law.dashpot(law.shear_stiffness, c.area, mass);
         shear -= along * v.along;
         torsion -= along * c.polar / c.area * v.twist;
         let excess = limit.excess(shear, torsion, &c, q.mean_radius);
@@ -336,6 +389,55 @@ pub fn respond(
         area: c.area,
         polar: c.polar,
     }
+}
+
+/// Pressure of a surface, and how fast its sides part; `None` where it has no one normal.
+#[must_use]
+pub fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
+    meeting(law, q).map(|met| Pressing {
+        force: met.contact.elastic,
+        parting: met.velocity.normal,
+        point: met.contact.point,
+    })
+}
+
+/// Dashpots of several surfaces as if they were one; `None` where their pressures cancel.
+///
+/// On a ridge a block that slides goes into one flank as it leaves the other, and takes no energy up: dashpots of each flank would hold it
+/// back. So they act on the rate of the energy of all of them, `power` (W, the sum of force times velocity of parting), and press along the
+/// gradient of that energy: in proportion to the pressure of each. `q` has the sums of all.
+#[must_use]
+pub fn share(law: &ContactLaw, q: &Question, power: f64) -> Option<Shared> {
+    let met = meeting(law, q)?;
+    let c = &met.contact;
+    let across = law.dashpot(law.normal_stiffness, c.area, met.mass);
+    let normal = (c.elastic - across * power / c.elastic).max(0.0);
+    let rocking = against_rocking(across, c, &met.velocity, normal);
+    Some(Shared {
+        ratio: normal / c.elastic - 1.0,
+        rocking: about(met.arms, Vec3::ZERO, rocking),
+    })
+}
+
+/// Couple of dashpots `across` (N s/m) spread evenly over the area. Half its polar moment for both axes would be many times too much about
+/// the long axis of a narrow contact, and unstable.
+fn against_rocking(across: f64, c: &Contact, v: &Relative, normal: f64) -> Vec3 {
+    let uneven = (c.spread * c.normal.cross(v.rock)).cross(c.normal);
+    shorten(-(across / c.area) * uneven, normal * c.gyration.sqrt())
+}
+
+fn meeting(law: &ContactLaw, q: &Question) -> Option<Meeting> {
+    let contact = contact(law, q)?;
+    let at = q.origin + contact.point;
+    let arms = q.centres.map(|centre| at - centre);
+    let inverse: f64 = q.motion.iter().map(|m| m.inverse_mass).sum();
+    Some(Meeting {
+        velocity: relative(&contact, q.motion, midway(arms, q.motion, q.last_dt)),
+        contact,
+        at,
+        arms,
+        mass: if inverse > 0.0 { 1.0 / inverse } else { 0.0 },
+    })
 }
 
 /// Force and couple on B at a point with these arms from the centroids.

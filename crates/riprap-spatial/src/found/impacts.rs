@@ -145,6 +145,7 @@ impl Two {
             radius: self.blocks[0].shape.radius.min(self.blocks[1].shape.radius),
             dt,
             last_dt: dt,
+            shared: None,
         };
         let reply = respond(&self.law, &question, &mut self.memory, &mut self.offset);
         self.booked += reply.booked;

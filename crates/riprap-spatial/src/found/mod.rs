@@ -25,6 +25,7 @@ pub mod peak;
 pub mod piece;
 pub mod planes;
 mod remnant;
+pub mod ridges;
 pub mod search;
 pub mod shape;
 pub mod surface;
@@ -32,7 +33,9 @@ pub mod terrain;
 pub mod tetra;
 
 pub(crate) use friction::part;
-pub use friction::{ContactLaw, Memory, Motion, Question, Reply, Wrench, respond};
+pub use friction::{
+    ContactLaw, Memory, Motion, Pressing, Question, Reply, Shared, Wrench, pressing, respond, share,
+};
 pub use grid::Role;
 pub use peak::{Peak, peak};
 pub use planes::Planes;

@@ -8,8 +8,8 @@
 //! Pressed flat onto a slope with the upright component `n_z` of its normal, a block meets `2 c/(n_z + c)` times the stiffness of a
 //! brick: 1 on the flat, 1.17 at 45 degrees (`c` = 1).
 //!
-//! **Facets.** Triangles that hang together in one plane are a facet. The surface of a block is summed up per facet, and each has springs,
-//! sliding limit and dashpots of its own, since Coulomb's limit belongs to a place: in a notch both flanks resist. A
+//! **Facets.** Triangles that hang together in one plane are a facet. The surface of a block is summed up per facet, and each has springs
+//! and a sliding limit of its own, since Coulomb's limit belongs to a place: in a notch both flanks resist. A
 //! flat floor is one facet, however it is divided.
 //!
 //! All triangles near a block are looked at, no walk is needed: the surface can have any number of parts, and no order depends on what
@@ -158,6 +158,18 @@ pub struct OnFacet {
     pub facet: u32,
     /// Sums about the centroid of the block, from the terrain to the block.
     pub sums: Sums,
+    /// Depth below its plane at a place x from the centroid of the block is `offset - slope . x`, m.
+    pub slope: Vec3,
+    /// The same.
+    pub offset: f64,
+}
+
+impl OnFacet {
+    /// How far `at` (m from the centroid of the block) lies below the plane, m.
+    #[must_use]
+    pub fn depth(&self, at: Vec3) -> f64 {
+        self.offset - self.slope.dot(at)
+    }
 }
 
 /// A piece that was found.
@@ -325,6 +337,8 @@ impl Treader {
             self.facets.push(OnFacet {
                 facet: cell.facet,
                 sums: Sums::default(),
+                slope: cell.slope,
+                offset: self.planes.d[0],
             });
             self.facets.len() - 1
         });

@@ -188,3 +188,34 @@ fn bounces_keep_energy() {
     // Measured: 1.4e-5, the error of the step over some thirty impacts.
     assert!(lost < 3e-5, "{lost:e}");
 }
+
+/// Dashpots of both flanks of a ridge hold back nothing that slides over it.
+#[test]
+fn a_plate_slides_over_ridges_with_dashpots() {
+    let acceleration = |friction: f64, damping: f64| {
+        let ridges = |x: f64, _| {
+            let cells = (4.0 * x).abs();
+            let crest = libm::fmod(libm::round(cells), 2.0);
+            0.02 * crest
+        };
+        let plate = brick([-2.0, -0.5, 0.02 - 2e-5], [1.2, 1.0, 0.3]);
+        let mut setup = above_ground(vec![plate], friction, damping, 32, ridges);
+        setup.gravity = 9.81 * Vec3::new(0.6, 0.0, -0.8);
+        let mut run = Run::new(setup, 1, 2e-5);
+        run.until(0.1);
+        let before = run.world.bodies.velocity(1);
+        run.until(0.5);
+        let facets = run.world.found.terrain[1].facets.len();
+        assert!(facets >= 4, "{facets} facets");
+        (run.world.bodies.velocity(1) - before).x / 0.4
+    };
+    for (friction, damping) in [(0.0, 0.0), (0.0, 0.1), (0.0, 0.5), (0.3, 0.1)] {
+        let exact = 9.81 * (0.6 - 0.8 * friction);
+        let measured = acceleration(friction, damping) / exact;
+        // Measured: within 0.0062; the plate rocks as its ends go over crests.
+        assert!(
+            (measured - 1.0).abs() < 0.01,
+            "{friction} {damping}: {measured}"
+        );
+    }
+}
