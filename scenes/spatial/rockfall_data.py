@@ -1,7 +1,7 @@
 """Writes rockfall_slope.asc and prints the rocks of rockfall.toml.
 
 The slope: a rock face above a talus with a gully, a bench and a ditch behind a dam, heights in m on a grid of 2 m, x (down the
-slope) from 0 to 90 m, y (across) from -24 to 24 m:
+slope) from 0 to 90 m, y (across) from -34 to 34 m:
 
     z = 45 - 12 S((x - 8)/6) - 16 L((x - 14)/22) - 11 L((x - 40)/22) - L((x - 62)/10)           63, 36, 27 and 6 degrees on the mean
       + 5 max(0, 1 - |x - 78|/8)                                                                dam, 32 degrees
@@ -35,10 +35,10 @@ def height(x, y):
 
 
 def write_slope():
-    cell, wide, long = 2, 46, 25
-    rows = [f"ncols {wide}", f"nrows {long}", "xllcenter 0", "yllcenter -24", f"cellsize {cell}", "nodata_value -9999"]
+    cell, wide, long = 2, 46, 35
+    rows = [f"ncols {wide}", f"nrows {long}", "xllcenter 0", "yllcenter -34", f"cellsize {cell}", "nodata_value -9999"]
     for j in reversed(range(long)):  # the first row is the northernmost
-        rows.append(" ".join(f"{height(cell * i, cell * j - 24):.2f}" for i in range(wide)))
+        rows.append(" ".join(f"{height(cell * i, cell * j - 34):.2f}" for i in range(wide)))
     Path(__file__).with_name("rockfall_slope.asc").write_text("\n".join(rows) + "\n")
 
 
