@@ -3,8 +3,10 @@
 use riprap_geom::Vec3;
 
 use crate::found::Memory;
+use crate::found::cells::PairSlot;
 use crate::found::desk::Exerted;
 use crate::read::view::View;
+use crate::state::deformable::DeformablePair;
 
 /// A found contact that touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,8 +28,20 @@ pub struct Contact {
 }
 
 impl View<'_> {
-    /// The found contacts that touch, in the order of their blocks; those of glued parts for each two pieces.
+    /// The found contacts that touch: of rigid blocks in their order, those of glued parts for each two pieces, then of deformable ones.
     pub fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
+        let desk = &self.scratch.deformable;
+        let pairs = self.world.found.deformable.pairs.iter();
+        let pairs = pairs.zip(desk.slots.iter().zip(&desk.constants));
+        let touching = pairs.filter(|(_, (slot, _))| slot.touching);
+        let deformable = touching.map(|(pair, (slot, constants))| {
+            let centres = constants.members.map(|m| desk.stars[m as usize].origin);
+            self.of_deformable(pair, slot, centres)
+        });
+        self.of_rigid().chain(deformable)
+    }
+
+    fn of_rigid(&self) -> impl Iterator<Item = Contact> + '_ {
         let desk = &self.scratch.desk;
         let pairs = self.world.found.pairs.iter().zip(&desk.slots).enumerate();
         let pairs = pairs.filter(|(_, (_, slot))| slot.touching);
@@ -54,8 +68,7 @@ impl View<'_> {
     ) -> Contact {
         // A touch without a normal acts where the pressure does; its blocks hardly overlap.
         let arms = if memory.normal == Vec3::ZERO {
-            let [a, b] = ends.map(|b| self.position(b as usize));
-            [0.5 * (b - a), 0.5 * (a - b)]
+            self.midway(ends)
         } else {
             memory.arms
         };
@@ -68,6 +81,36 @@ impl View<'_> {
             depth,
             sliding: memory.sliding,
         }
+    }
+
+    /// A contact of which one block at least deforms: its point is the centre of the pressure. `centres`: where the tetrahedra of each block
+    /// meet, from where spots are counted.
+    fn of_deformable(&self, pair: &DeformablePair, slot: &PairSlot, centres: [Vec3; 2]) -> Contact {
+        let pressure: f64 = slot.spots.iter().map(|spot| spot.pressure).sum();
+        let arms = if pressure > 0.0 {
+            [0, 1].map(|side| {
+                let parts = slot.spots.iter().map(|s| s.pressure * s.arms[side]);
+                let from_centre = parts.sum::<Vec3>() / pressure;
+                from_centre + centres[side] - self.position(pair.ends[side] as usize)
+            })
+        } else {
+            self.midway(pair.ends)
+        };
+        Contact {
+            ends: pair.ends,
+            force: pair.force,
+            arms,
+            normal: pair.memory.normal,
+            area: slot.area,
+            depth: pair.depth,
+            sliding: pair.memory.sliding,
+        }
+    }
+
+    /// From the centroids of two blocks to the middle between them, m.
+    fn midway(&self, ends: [u32; 2]) -> [Vec3; 2] {
+        let [a, b] = ends.map(|b| self.position(b as usize));
+        [0.5 * (b - a), 0.5 * (a - b)]
     }
 
     /// Found contacts of block `b`, with the force on it, N.

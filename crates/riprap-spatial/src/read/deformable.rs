@@ -250,17 +250,10 @@ impl<'a> View<'a> {
             .zip(self.scratch.deform.as_deref())
     }
 
-    /// Force of the bonds and the found contact of block b on block a, one of them deformable, N.
+    /// Force of the bonds of block b on block a, one of them deformable, N.
     #[must_use]
     pub fn facet_force(&self, (a, b): (u32, u32)) -> Vec3 {
         let mut sum = Vec3::ZERO;
-        for pair in &self.world.found.deformable.pairs {
-            if pair.ends == [a, b] {
-                sum -= pair.force;
-            } else if pair.ends == [b, a] {
-                sum += pair.force;
-            }
-        }
         if let Some((deform, work)) = self.deformables() {
             for facet in &deform.facets {
                 let sign = match facet.blocks {

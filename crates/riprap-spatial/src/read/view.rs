@@ -190,13 +190,9 @@ impl View<'_> {
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
         let (world, exec) = (self.world, &self.scratch.exec);
-        let deformable = self.deformable_unbalanced();
-        if let Some(ratio) = deformable.filter(|_| world.patches.is_empty()) {
-            return ratio;
-        }
-        let free = |b: usize| world.alive[b] && world.is_free(b);
+        let free = |b: usize| world.alive[b] && world.is_free(b) && !world.deforms(b);
         let of_block = |b: usize| {
-            if !free(b) || self.deformable(b).is_some() {
+            if !free(b) {
                 return [0.0; 2];
             }
             let solid = world.solid_of(b);
@@ -219,11 +215,12 @@ impl View<'_> {
             all += contact.force.length() * count;
         }
         for (b, _, force) in world.bolt_forces() {
-            if free(b as usize) && self.deformable(b as usize).is_none() {
+            if free(b as usize) {
                 all += force.length();
             }
         }
         let rigid = if all > 0.0 { net / all } else { 0.0 };
+        let deformable = self.deformable_unbalanced();
         deformable.map_or(rigid, |deformable| deformable.max(rigid))
     }
 
