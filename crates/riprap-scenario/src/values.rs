@@ -4,6 +4,18 @@ use super::diagnostic::Diagnostic;
 use super::quantity::{KindInfo, Raw, Span};
 use super::units::{self, Dim};
 
+/// Smallest value in SI above zero of a key with a unit that takes no zero; see [`largest`].
+const SMALLEST: f64 = 1e-30;
+
+/// Largest value in SI that a key takes: products of several of them, such as energies and moments of inertia, are then numbers still. No block is
+/// faster than light, or turns once in the time that a run can resolve. Numbers that a field is compared with have no such bounds.
+fn largest(dim: Dim) -> f64 {
+    match dim {
+        Dim::VELOCITY | Dim::SPIN => 1e9,
+        _ => 1e30,
+    }
+}
+
 /// What is wrong with a value of a kind, if anything.
 pub(super) fn check_quantity(
     raw: &Raw,
@@ -74,7 +86,26 @@ pub(super) fn check_quantity(
                 .help(format!("write for example {example}")),
         );
     }
-    None
+    let beyond = kind.dim.and_then(|dim| beyond(value, dim, kind));
+    beyond.map(|label| {
+        Diagnostic::error("value.range", format!("`{key}` is out of range"))
+            .at(span)
+            .label(label)
+            .help(format!("write for example {example}"))
+    })
+}
+
+/// What a finite value of a dimension has to be, where nothing could be calculated with it.
+fn beyond(value: f64, dim: Dim, kind: &KindInfo) -> Option<String> {
+    let positive = kind.bounds.low == 0.0 && !kind.bounds.low_closed && dim != Dim::NONE;
+    let largest = largest(dim);
+    if value.abs() > largest {
+        Some(format!("must be at most {largest:e} in SI units"))
+    } else if positive && value < SMALLEST {
+        Some(format!("must be at least {SMALLEST:e} in SI units"))
+    } else {
+        None
+    }
 }
 
 fn missing_unit(number: &str, span: Span, kind: &KindInfo, key: &str) -> Diagnostic {

@@ -105,22 +105,50 @@ fn a_formula_of_a_boundary_that_is_no_number_is_named_with_its_condition() {
     }
 }
 
+/// They were taken, and the run ended with a kinetic energy that is not finite, or in a panic.
 #[test]
-fn numbers_that_overflow_stop_the_run() {
+fn numbers_beyond_all_sense_are_refused_by_their_key() {
     let still = "velocity = [\"0 m/s\", \"0 m/s\"]";
-    let spinning = format!("{still}\nspin = \"1e308 rad/s\"");
-    let said = run(&[(still, &spinning)]).1.expect(1);
-    said.warns(&["`stone`", "not finite"]);
-    // These were panics, exit code 101.
-    let dashpot = (
-        "time_step = \"10 us\"",
-        "time_step = \"10 us\"\ndamping = { stiffness = \"1e308 s\" }",
-    );
-    let touching = ("\"0.2 m\"]", "\"0 m\"]");
-    let heavy = ("2000 kg/m3", "1e300 kg/m3");
-    for change in [dashpot, heavy] {
-        let said = run(&[change, touching]).1;
-        assert!(matches!(said.code, Some(0..=2)), "{said:?}");
+    let dashpot = "time_step = \"10 us\"\ndamping = { stiffness = \"1e300 s\" }";
+    let cases = [
+        (
+            still,
+            format!("{still}\nspin = \"1e10 rad/s\""),
+            "`spin` is out of range",
+        ),
+        (
+            "time_step = \"10 us\"",
+            dashpot.to_owned(),
+            "`stiffness` is out of range",
+        ),
+        (
+            "2000 kg/m3",
+            "1e300 kg/m3".to_owned(),
+            "`density` is out of range",
+        ),
+        (
+            "2000 kg/m3",
+            "1e-200 kg/m3".to_owned(),
+            "`density` is out of range",
+        ),
+    ];
+    for (old, new, words) in cases {
+        let said = run(&[(old, &new)]).1.expect(2);
+        said.warns(&[words, "in SI units"]);
+    }
+    // What is left gets an answer.
+    for (old, new) in [
+        ("2000 kg/m3", "1e30 kg/m3".to_owned()),
+        ("2000 kg/m3", "1e-30 kg/m3".to_owned()),
+        ("time_step = \"10 us\"", dashpot.replace("300", "30")),
+    ] {
+        let said = run(&[(old, &new), ("\"0.2 m\"]", "\"0 m\"]")]).1;
+        assert!(matches!(said.code, Some(0..=1)), "{new}: {said:?}");
+        assert!(
+            !said.err.contains("kinetic energy is not finite"),
+            "{new}: {}",
+            said.err
+        );
     }
 }
 
