@@ -11,6 +11,9 @@
 //! | `phases.*.damping.mass`, `local` | rigid blocks; nodes in dynamic phases |
 //! | `phases.*` `breaking`, `strain`, `cut` | deformable blocks |
 //! | `phases.*` `load_steps`, `iterations`, `relaxation` | static phases in which all free blocks deform |
+//! | `blocks.*` `velocity`, `spin` | freedoms that no support prescribes (`start`) |
+
+mod start;
 
 use crate::model::builder::Builder;
 use crate::plan::PhaseKind;
@@ -24,6 +27,7 @@ type Given = (&'static str, bool);
 impl Builder<'_> {
     /// Warns of keys without effect; the setup is complete.
     pub(super) fn unused(&mut self) {
+        self.unused_at_start();
         let scenario = &self.parsed.scenario;
         for (number, said) in scenario.phases.iter().enumerate() {
             if number > 0

@@ -195,3 +195,64 @@ fn a_boundary_whose_faces_all_have_a_later_one_is_refused() {
         );
     }
 }
+
+/// In the plane and in space.
+#[test]
+fn a_motion_at_the_start_that_a_support_prescribes_is_told() {
+    let plane = |support: &str, reset: &str| {
+        format!(
+            r#"
+riprap = 1
+title = "test"
+space.planar.gravity = ["0 m/s2", "-10 m/s2"]
+materials.rock.density = "2000 kg/m3"
+interfaces.default = {{ normal_stiffness = "1 GPa/m", friction_angle = "30 deg" }}
+[[blocks]]
+name = "rock"
+material = "rock"
+rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
+velocity = ["1 m/s", "0 m/s"]
+spin = "1 rad/s"
+{support}
+{}"#,
+            phase(reset)
+        )
+    };
+    let told = |support: &str| unused(&plane(support, ""));
+    let both = [
+        "`velocity` of block `rock` has no effect",
+        "`spin` of block `rock` has no effect",
+    ];
+    let on = |what: &str| format!("[[supports]]\non.block = \"rock\"\n{what}\n");
+    assert_eq!(told(&on("fixed = {}")), both);
+    assert_eq!(told(&on("fixed = { rotation = false }")), both[..1]);
+    // What is not held keeps its motion, a zero is none, and a motion that goes on with it is no contradiction.
+    let quiet = [
+        "fixed = { x = false, rotation = false }",
+        "motion.velocity.x.constant = \"1 m/s\"",
+        "motion.acceleration.x.constant = \"1 m/s2\"",
+    ];
+    for support in quiet {
+        assert_eq!(told(&on(support)), Vec::<String>::new(), "{support}");
+    }
+    assert_eq!(
+        told(&on("motion.velocity.x.constant = \"2 m/s\"")),
+        both[..1]
+    );
+    assert_eq!(unused(&plane("", "reset = [\"velocities\"]")), both);
+    assert_eq!(unused(&plane("", "")), Vec::<String>::new());
+
+    let space = |support: &str| {
+        let start = "velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]\n";
+        let head = HEAD.replace(
+            "[interfaces.default.brittle_bond]\nthickness = \"1 mm\"\nelastic = true",
+            "[interfaces.default]\nfriction_angle = \"30 deg\"",
+        );
+        unused(&format!("{head}{start}{support}{}", phase("")))
+    };
+    assert_eq!(space(&on("fixed = {}")), both[..1]);
+    assert_eq!(space(&on("fixed = { x = false }")), Vec::<String>::new());
+    // Of a grid a part may be held.
+    let part = "[[supports]]\non.block = \"rock.1\"\nfixed = {}\n";
+    assert_eq!(space(part), Vec::<String>::new());
+}
