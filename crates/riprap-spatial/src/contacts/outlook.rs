@@ -1,5 +1,7 @@
 //! What found contacts of a model will be like, told before they are there: who can be pressed in how far, and how long steps will be.
 
+use riprap_core::laws::behaviour::{Closure, Weakening};
+use riprap_core::laws::parameters::{Dashpots, Failure, JointLaw, Points};
 use riprap_geom::Vec3;
 
 use super::constants::law;
@@ -115,6 +117,49 @@ pub fn outlook(world: &World) -> Vec<Meets> {
             })
         })
         .collect()
+}
+
+/// Interfaces that no joint of the model has, with what they say that joints alone read: `interfaces.NAME` and keys. None where
+/// splitting may yet make joints.
+#[must_use]
+pub fn unjoined(world: &World) -> Vec<(String, Vec<&'static str>)> {
+    let setup = &world.setup;
+    if !setup.refinements.is_empty() {
+        return Vec::new();
+    }
+    let mut joined = vec![false; setup.interfaces.len()];
+    for class in &world.patches.class {
+        joined[usize::from(world.classes[*class as usize].row)] = true;
+    }
+    let rows = setup.interfaces.iter().zip(joined);
+    // Bonds of deformable blocks are not among the patches, and are told of where the model is made.
+    let rows = rows.filter(|(row, joined)| !joined && row.bond.is_none());
+    let rows = rows.map(|(row, _)| (format!("interfaces.{}", row.name), of_joints(&row.joint)));
+    rows.filter(|(_, keys)| !keys.is_empty()).collect()
+}
+
+/// What a law says that joints alone read, but for cohesion and tension; that an elastic one has a strength has been told.
+fn of_joints(law: &JointLaw) -> Vec<&'static str> {
+    let breaks = law.strength.is_some();
+    let (softens, rough) = match law.behaviour.weakening {
+        Weakening::Brittle => (false, false),
+        Weakening::Softening(_) => (true, false),
+        Weakening::BartonBandis(_) => (false, true),
+    };
+    let keys = [
+        (
+            "dilation_angle",
+            law.strength.is_some_and(|s| s.dilation > 0.0),
+        ),
+        ("softening", breaks && softens),
+        ("barton_bandis", breaks && rough),
+        ("closure", law.behaviour.closure != Closure::default()),
+        ("failure", breaks && law.failure != Failure::default()),
+        ("points", law.points != Points::default()),
+        ("dashpots", breaks && law.dashpots != Dashpots::default()),
+    ];
+    let said = keys.into_iter().filter(|(_, said)| *said);
+    said.map(|(key, _)| key).collect()
 }
 
 /// Velocity that nobody is hit with: none where something is held, else that of the centre of mass, m/s.

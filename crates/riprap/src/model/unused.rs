@@ -11,14 +11,18 @@
 //! | `phases.*.damping.mass`, `local` | rigid blocks; nodes in dynamic phases |
 //! | `phases.*` `breaking`, `strain`, `cut` | deformable blocks |
 //! | `phases.*` `load_steps`, `iterations`, `relaxation` | static phases in which all free blocks deform |
+//! | `interfaces.*.dashpots` | joints in space with a `damping_ratio` or a phase with `damping.stiffness` (`laws`) |
+//! | `materials.*` `young`, `poisson` | in the plane interfaces without `normal_stiffness` (`laws`) |
 //! | `blocks.*` `velocity`, `spin` | freedoms that no support prescribes (`start`) |
 
+mod laws;
 mod start;
 
 use crate::model::builder::Builder;
 use crate::plan::PhaseKind;
 use crate::scenario::diagnostic::list;
 use crate::scenario::language::{Fixed, Interface, InterfaceChange, Output, Phase, Target};
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Span, target_span};
 
 /// A key, and whether it was given.
@@ -28,6 +32,10 @@ impl Builder<'_> {
     /// Warns of keys without effect; the setup is complete.
     pub(super) fn unused(&mut self) {
         self.unused_at_start();
+        match self.space {
+            InSpace::Planar => self.unused_moduli(),
+            InSpace::Spatial => self.unused_dashpots(),
+        }
         let scenario = &self.parsed.scenario;
         for (number, said) in scenario.phases.iter().enumerate() {
             if number > 0

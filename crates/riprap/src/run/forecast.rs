@@ -205,6 +205,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
     let view = simulation.view();
     let mut found = overruled::words(&view);
     found.extend(meeting::words(&view));
+    found.extend(meeting::undamped(&view, plan));
     let gravity = simulation.cursor().gravity_after;
     let pulled = gravity != [0.0; 3];
     if points_up(gravity, simulation.kind()) {

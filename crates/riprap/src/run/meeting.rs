@@ -3,6 +3,9 @@
 use serde::Serialize;
 
 use super::engine::View;
+use crate::plan::Plan;
+use crate::planar;
+use crate::scenario::diagnostic::list;
 use crate::spatial::contacts::{self, Meets};
 use crate::spatial::found::limits;
 
@@ -51,9 +54,17 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
 /// What a user must know of blocks that do not act on each other, or act otherwise than one would think.
 pub(super) fn words(view: &View<'_>) -> Vec<String> {
     let mut found: Vec<String> = off(view).into_iter().collect();
-    let Some(world) = view.spatial().map(|v| v.world) else {
-        return found;
+    let world = match view {
+        View::Planar(of) => return unbonded(of.world),
+        View::Spatial(of) => of.world,
     };
+    for (name, keys) in contacts::unjoined(world) {
+        let verb = if keys.len() == 1 { "has" } else { "have" };
+        found.push(format!(
+            "{} of {name} {verb} no effect: no joint of the model has this interface, and blocks that meet anew do not read it",
+            list(&keys)
+        ));
+    }
     let meeting = contacts::meeting(world);
     if !meeting.on {
         return found;
@@ -79,6 +90,39 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     let blocks = contacts::outlook(world);
     found.extend(soft(&view_name(view), world, &blocks));
     found
+}
+
+/// Phases with a damping of joints in a model in space that has none, in words. Models of deformable blocks alone are told of where they
+/// are made.
+pub(super) fn undamped(view: &View<'_>, plan: &Plan) -> Option<String> {
+    let world = view.spatial()?.world;
+    let rigid =
+        (0..world.alive.len()).any(|b| world.alive[b] && world.is_free(b) && !world.deforms(b));
+    let joints = !world.patches.class.is_empty() || !world.setup.refinements.is_empty();
+    let phase = plan.phases.iter().find(|p| p.damping.stiffness > 0.0)?;
+    (rigid && !joints).then(|| {
+        format!(
+            "`damping.stiffness` of phase `{}` has no effect: it acts in joints, and the model has none; blocks that meet have the `damping_ratio` or \
+             `restitution` of their interface",
+            phase.name
+        )
+    })
+}
+
+/// Interfaces in the plane whose `bond` joins no blocks, in words. Joints are made at the start alone.
+fn unbonded(world: &planar::world::World) -> Vec<String> {
+    let rows = world.setup.interfaces.iter().enumerate();
+    let unused = rows.filter(|(row, interface)| {
+        let mut bonds = world.bonds.iter();
+        interface.bond.is_some() && bonds.all(|bond| usize::from(bond.row) != *row)
+    });
+    let said = unused.map(|(_, interface)| {
+        format!(
+            "`bond` of interfaces.{} has no effect: no two blocks whose materials meet under it share an edge at the start",
+            interface.name
+        )
+    });
+    said.collect()
 }
 
 /// Names of blocks.
@@ -167,6 +211,11 @@ mod tests {
 
     /// A cube at a height over a floor, with these keys of their interface.
     fn above_floor(interface: &str, height: &str, speed: &str) -> Forecast {
+        above_floor_in(interface, height, speed, "")
+    }
+
+    /// The same with keys of the phase.
+    fn above_floor_in(interface: &str, height: &str, speed: &str, phase: &str) -> Forecast {
         let text = format!(
             "riprap = 1\ntitle = \"t\"\n[space.spatial]\nfound_contacts = true\ngravity = \"10 m/s2\"\n\
              [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n\
@@ -174,8 +223,12 @@ mod tests {
              [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nbrick = {{ size = [\"6 m\", \"6 m\", \"2 m\"], corner = [\"0 m\", \"0 m\", \"-2 m\"] }}\n\
              [[blocks]]\nname = \"cube\"\nmaterial = \"rock\"\nbrick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"2 m\", \"2 m\", \"{height}\"] }}\n\
              velocity = [\"0 m/s\", \"0 m/s\", \"{speed}\"]\n\
-             [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil.time = \"1 s\"\n"
+             [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil.time = \"1 s\"\n{phase}"
         );
+        told(text)
+    }
+
+    fn told(text: String) -> Forecast {
         let scene = Scene::parse(Source::new("t.toml", text), ".".into(), &[]).unwrap();
         let job = scene.prepare(&scene.plain()).unwrap().job();
         forecast(&job.setup, &job.plan).unwrap()
@@ -232,5 +285,55 @@ mod tests {
         ));
         // A joint has it.
         assert!(!tells("0 m", "cohesion = \"1 kPa\"\n"));
+    }
+
+    #[test]
+    fn what_joints_alone_read_is_told_where_there_are_none() {
+        let wanted = "`failure`, `dashpots` of interfaces.default have no effect: no joint";
+        let tells = |height: &str, keys: &str| {
+            let told = above_floor(
+                &format!("normal_stiffness = \"10 GPa/m\"\n{keys}"),
+                height,
+                "0 m/s",
+            )
+            .warnings;
+            told.iter().any(|s| s.starts_with(wanted))
+        };
+        let keys = "failure = \"face\"\ndashpots = \"closed\"\n";
+        assert!(tells("1 mm", keys));
+        assert!(!tells("1 mm", "failure = \"point\"\n"));
+        assert!(!tells("0 m", keys));
+    }
+
+    #[test]
+    fn damping_of_joints_is_told_where_there_are_none() {
+        let tells = |height: &str, phase: &str| {
+            let told = above_floor_in("normal_stiffness = \"10 GPa/m\"\n", height, "0 m/s", phase)
+                .warnings;
+            told.iter()
+                .any(|s| s.starts_with("`damping.stiffness` of phase `fall` has no effect"))
+        };
+        let damped = "damping.stiffness = \"1 us\"\n";
+        assert!(tells("1 mm", damped));
+        assert!(!tells("1 mm", ""));
+        assert!(!tells("0 m", damped));
+    }
+
+    #[test]
+    fn a_bond_in_the_plane_that_joins_nothing_is_told() {
+        let tells = |height: &str| {
+            let text = format!(
+                "riprap = 1\ntitle = \"t\"\nspace.planar.gravity = [\"0 m/s2\", \"-10 m/s2\"]\nmaterials.rock.density = \"2500 kg/m3\"\n\
+                 [interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\nfriction_angle = \"30 deg\"\nbond = {{ tension = \"1 MPa\", cohesion = \"1 MPa\" }}\n\
+                 [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"6 m\", \"2 m\"], corner = [\"0 m\", \"-2 m\"] }}\n\
+                 [[blocks]]\nname = \"cube\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"2 m\", \"{height}\"] }}\n\
+                 [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil.time = \"1 s\"\n"
+            );
+            let told = told(text).warnings;
+            told.iter()
+                .any(|s| s.starts_with("`bond` of interfaces.default has no effect"))
+        };
+        assert!(tells("0.2 m"));
+        assert!(!tells("0 m"));
     }
 }

@@ -25,7 +25,7 @@ const DEFORMABLE: &str = "mechanics.deformable = {}\n";
 /// The warnings of keys without effect.
 fn unused(text: &str) -> Vec<String> {
     let parsed = parse(Source::new("t.toml", text)).unwrap_or_else(|error| panic!("{error}"));
-    let model = build(&parsed, "default", &[]).unwrap_or_else(|error| panic!("{error}"));
+    let model = build(&parsed, "default", INFOS).unwrap_or_else(|error| panic!("{error}"));
     let unused = model.warnings.iter().filter(|w| w.code == "key.unused");
     unused.map(|w| w.message.clone()).collect()
 }
@@ -255,4 +255,78 @@ spin = "1 rad/s"
     // Of a grid a part may be held.
     let part = "[[supports]]\non.block = \"rock.1\"\nfixed = {}\n";
     assert_eq!(space(part), Vec::<String>::new());
+}
+
+#[test]
+fn dashpots_that_do_not_act_are_told() {
+    let scene = |interface: &str, keys: &str| {
+        let head = HEAD.replace(
+            "[interfaces.default.brittle_bond]\nthickness = \"1 mm\"\nelastic = true",
+            &format!("[interfaces.default]\nfriction_angle = \"30 deg\"\ndashpots = \"closed\"\n{interface}"),
+        );
+        unused(&format!("{head}{}", phase(keys)))
+    };
+    let told = ["`dashpots` of interfaces.default has no effect"];
+    assert_eq!(scene("damping_ratio = 0", ""), told);
+    let quiet = [
+        ("", ""),
+        ("damping_ratio = 0", "damping.stiffness = \"1 us\""),
+        (
+            "damping_ratio = 0",
+            "interfaces.default.damping_ratio = 0.1",
+        ),
+    ];
+    for (interface, keys) in quiet {
+        assert_eq!(
+            scene(interface, keys),
+            Vec::<String>::new(),
+            "{interface} {keys}"
+        );
+    }
+}
+
+#[test]
+fn moduli_in_the_plane_that_nothing_reads_are_told() {
+    let scene = |interfaces: &str, rest: &str| {
+        unused(&format!(
+            r#"
+riprap = 1
+title = "test"
+space.planar.gravity = ["0 m/s2", "-10 m/s2"]
+[materials.rock]
+density = "2000 kg/m3"
+young = "18 GPa"
+poisson = 0.25
+[materials.steel]
+density = "7800 kg/m3"
+[interfaces.default]
+friction_angle = "30 deg"
+{interfaces}
+[[blocks]]
+name = "rock"
+material = "rock"
+rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
+{}{rest}"#,
+            phase("")
+        ))
+    };
+    let given = "normal_stiffness = \"1 GPa/m\"";
+    let told = ["`young`, `poisson` of materials.rock have no effect"];
+    assert_eq!(scene(given, ""), told);
+    // The stiffness of one of its interfaces is estimated from them.
+    let steel = "[interfaces.steel]\nfriction_angle = \"20 deg\"\nbetween = [\"steel\", \"steel\"]\nnormal_stiffness = \"1 GPa/m\"";
+    let rock = steel
+        .replace("\"steel\", \"steel\"", "\"rock\", \"rock\"")
+        .replace(".steel", ".rock");
+    assert_eq!(scene(&format!("{given}\n{steel}"), ""), told);
+    let rock = rock.replace("normal_stiffness = \"1 GPa/m\"", "");
+    assert_eq!(scene(&format!("{given}\n{rock}"), ""), Vec::<String>::new());
+    // A variant leaves it to them, or a check calculates with one of them.
+    let variant = "[variants.soft]\n\"interfaces.default\" = { friction_angle = \"30 deg\" }\n";
+    assert_eq!(scene(given, variant), Vec::<String>::new());
+    let check = "[[checks]]\nname = \"c\"\nfield = \"block.speed\"\nof = \"rock\"\nlet = { modulus = \"materials.rock.young\" }\nformula = \"0*modulus\"\nabsolute = \"1 m/s\"\n";
+    assert_eq!(
+        scene(given, check),
+        ["`poisson` of materials.rock has no effect"]
+    );
 }
