@@ -13,7 +13,7 @@ use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::quantity::Interval;
 use crate::scenario::read::{Given, Provenance, with_unit};
-use crate::scenario::{Diagnostic, Quantity};
+use crate::scenario::{Diagnostic, Quantity, Span};
 use crate::spatial::setup::JointLaw;
 use riprap_geom::Vec3;
 
@@ -217,12 +217,54 @@ impl Builder<'_> {
                 Output::History(history) => self.history(history),
                 Output::Frames(pictures) => {
                     self.plan.frames = every(pictures.every.read()).or(Some(Every::Never));
+                    let ends = "are written at the start and at the ends of phases alone";
+                    self.too_rare(
+                        format!("frames {ends}"),
+                        self.plan.frames,
+                        &pictures.every.span,
+                    );
                     self.plan.tetrahedra = pictures.tetrahedra;
                 }
                 Output::Checkpoints(schedule) => {
                     self.plan.checkpoints = every(schedule.every.read());
+                    let ends = "are written at the ends of phases alone";
+                    self.too_rare(
+                        format!("checkpoints {ends}"),
+                        self.plan.checkpoints,
+                        &schedule.every.span,
+                    );
                 }
             }
+        }
+    }
+
+    /// Warns of a rhythm that is longer than the run, which is no longer than the times, or the steps, of its phases.
+    fn too_rare(&mut self, what: String, every: Option<Every>, span: &Span) {
+        let phases = self.plan.phases.iter();
+        let (rhythm, run) = match every {
+            Some(Every::Time(rhythm)) => {
+                let run = phases.map(|p| p.until.time).sum::<Option<f64>>();
+                let longer = run.filter(|run| rhythm > *run * (1.0 + 1e-9));
+                (
+                    with_unit(rhythm, "s"),
+                    longer.map(|run| with_unit(run, "s")),
+                )
+            }
+            Some(Every::Steps(rhythm)) => {
+                let run = phases.map(|p| p.until.steps).sum::<Option<u64>>();
+                let longer = run.filter(|run| rhythm > *run);
+                (
+                    format!("{rhythm} steps"),
+                    longer.map(|run| format!("{run} steps")),
+                )
+            }
+            Some(Every::Phase | Every::Never) | None => return,
+        };
+        if let Some(run) = run {
+            let message = format!("{what}: `every`, {rhythm}, is longer than the run, {run}");
+            let note = Diagnostic::warning("output.rare", message).at(span.clone());
+            self.found
+                .push(note.help("write every = \"phase\" if that is meant"));
         }
     }
 
@@ -241,6 +283,9 @@ impl Builder<'_> {
             self.found.push(note.at(said.every.span.clone()));
             return;
         };
+        let ends = "is written at the start and at the ends of phases alone";
+        let what = format!("history `{}` {ends}", said.name);
+        self.too_rare(what, Some(every), &said.every.span);
         let suffixes = used.suffixes;
         let gauge = used.gauge();
         for part in suffixes {

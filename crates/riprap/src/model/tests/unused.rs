@@ -330,3 +330,44 @@ rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
         ["`poisson` of materials.rock has no effect"]
     );
 }
+
+#[test]
+fn rhythms_longer_than_the_run_are_told() {
+    let rare = |outputs: &str, until: &str| {
+        let text = format!("{HEAD}{DEFORMABLE}{}{outputs}", phase(""))
+            .replace("until.time = \"1 ms\"", until);
+        let parsed = parse(Source::new("t.toml", text)).unwrap_or_else(|error| panic!("{error}"));
+        let model = build(&parsed, "default", crate::spatial::fields::INFOS)
+            .unwrap_or_else(|error| panic!("{error}"));
+        let told = model.warnings.iter().filter(|w| w.code == "output.rare");
+        told.map(|w| w.message.clone()).collect::<Vec<_>>()
+    };
+    let history = |every: &str| {
+        format!(
+            "[[outputs]]\nhistory = {{ name = \"v\", field = \"model.max_speed\", every = \"{every}\" }}\n"
+        )
+    };
+    let frames = |every: &str| format!("[[outputs]]\nframes = {{ every = \"{every}\" }}\n");
+    let time = "until.time = \"1 ms\"";
+    assert_eq!(
+        rare(&history("2 ms"), time),
+        [
+            "history `v` is written at the start and at the ends of phases alone: `every`, 0.002 s, is longer than the run, 0.001 s"
+        ]
+    );
+    assert_eq!(rare(&frames("2 ms"), time).len(), 1);
+    assert_eq!(rare(&frames("200 steps"), "until.steps = 100").len(), 1);
+    let quiet = [
+        (history("1 ms"), time),
+        (history("phase"), time),
+        (frames("200 steps"), time),
+        (frames("2 ms"), "until.steps = 100"),
+    ];
+    for (outputs, until) in quiet {
+        assert_eq!(
+            rare(&outputs, until),
+            Vec::<String>::new(),
+            "{outputs} {until}"
+        );
+    }
+}
