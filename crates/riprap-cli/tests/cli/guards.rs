@@ -335,3 +335,25 @@ fn a_block_that_was_thrown_out_of_another_is_named() {
     assert!(told("100 GPa/m"));
     assert!(!told("200 MPa/m"));
 }
+
+/// A fast block makes the guard against tunnelling shorten what the scene gives.
+#[test]
+fn a_given_time_step_that_is_made_shorter_is_told_once_with_both_numbers() {
+    let fast = (
+        "velocity = [\"0 m/s\", \"0 m/s\"]",
+        "velocity = [\"0 m/s\", \"300 m/s\"]",
+    );
+    let long = ("time_step = \"10 us\"", "time_step = \"2 ms\"");
+    let (bench, said) = run(&[fast, long]);
+    let wanted = "the `time_step` of phase `fall`, 2.000e-3 s, was made shorter for a block that is fast for its size: ";
+    assert_eq!(said.err.matches(wanted).count(), 1, "{said:?}");
+    assert!(said.err.contains("s at the least (step "), "{said:?}");
+    assert!(
+        bench
+            .read("a.run/manifest.json")
+            .contains("was made shorter")
+    );
+    let said = bench.run(&["check", "a.toml"]);
+    assert_eq!(said.err.matches(wanted).count(), 1, "{said:?}");
+    assert!(!run(&[]).1.err.contains("made shorter"));
+}

@@ -286,6 +286,22 @@ impl Engine {
         }
     }
 
+    /// What [`Self::step_limit`] comes from, in words.
+    #[must_use]
+    pub fn limited_by(&self, rule: TimeStep) -> &'static str {
+        match self {
+            Self::Planar(_) => "a block that is fast for its size",
+            Self::Spatial(e) => {
+                let gas = spatial::cavity::step_limit(&e.world) < self.contact_step_limit(rule);
+                if gas {
+                    "gas that expands"
+                } else {
+                    "blocks that touch or are fast for their size"
+                }
+            }
+        }
+    }
+
     /// What the fastest block has crossed of its neighbourhood's inscribed radius in the step of `dt` (s) that was just done; in space,
     /// where the depth of contacts is known at every step, 0.
     #[must_use]

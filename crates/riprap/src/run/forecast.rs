@@ -254,6 +254,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
             phase.name
         ));
     }
+    found.extend(simulation.shorter());
     let dt = simulation.dt();
     if stable.is_finite() && !simulation.relaxes() && dt > stable {
         found.push(format!(

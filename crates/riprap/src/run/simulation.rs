@@ -9,6 +9,7 @@ mod cause;
 mod cursor;
 mod ends;
 mod error;
+mod shorter;
 mod stop;
 
 pub use advance::Reached;
@@ -17,6 +18,7 @@ pub use cursor::{
 };
 pub use error::RunError;
 
+use self::shorter::Shorter;
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
@@ -40,6 +42,8 @@ pub struct Simulation {
     residual: Option<f64>,
     /// Why the present phase is over, once it is.
     reason: Option<Reason>,
+    /// The shortest step in place of a given one.
+    shorter: Option<Shorter>,
 }
 
 impl Simulation {
@@ -69,6 +73,7 @@ impl Simulation {
             standing: false,
             residual: None,
             reason: None,
+            shorter: None,
         })
     }
 
@@ -90,6 +95,7 @@ impl Simulation {
             standing: false,
             residual: None,
             reason: None,
+            shorter: None,
         }
     }
 
@@ -450,6 +456,7 @@ impl Simulation {
         if limit < dt {
             dt = limit;
             self.cursor.shortened += 1;
+            self.note_shorter(phase.time_step, limit);
         }
         if let Some(span) = phase.until.time {
             let left = self.cursor.start_time + span - self.time();

@@ -62,7 +62,7 @@ impl Simulation {
     }
 
     /// What should be known of the run besides its results, in words: conditions that have lost faces to others, what cannot meet, phases that did not come to rest, an energy
-    /// residual that is not small, blocks pressed deep into each other, bolts whose forces did not come into
+    /// residual that is not small, given time steps that were made shorter, blocks pressed deep into each other, bolts whose forces did not come into
     /// equilibrium, rough joints pressed beyond the strength of their walls.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
@@ -84,6 +84,7 @@ impl Simulation {
             .chain(self.unbalanced_bolt())
             .chain(self.obtuse_joint())
             .chain(self.made_by_edits())
+            .chain(self.shorter())
             .chain(self.open_surfaces())
             .chain(rough::crushed(&self.view()));
         all.chain(supports).collect()
