@@ -92,6 +92,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         bisect = b.bisect(of_limit);
         if b.errors() == 0 {
             b.unused();
+            b.loose();
             b.dry_tables();
             match b.space {
                 InSpace::Planar => {

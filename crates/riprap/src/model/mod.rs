@@ -23,6 +23,7 @@ mod fields;
 mod in_situ;
 mod inspect;
 mod interfaces;
+mod loose;
 mod memory;
 mod motion;
 mod names;

@@ -284,7 +284,7 @@ impl Builder<'_> {
     }
 
     /// Place of the table that made a block.
-    pub(super) fn table_span(&self, block: u32) -> Span {
+    pub(in crate::model) fn table_span(&self, block: u32) -> Span {
         let table = self.directory.table(block);
         let mut blocks = self.parsed.scenario.blocks.iter();
         blocks

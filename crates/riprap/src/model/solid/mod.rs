@@ -28,6 +28,7 @@ mod turn;
 
 pub(super) use boundaries::boundary_name;
 pub(super) use joints::{change_joint, reduce_joint};
+pub(super) use shapes::bounds;
 
 use riprap_geom::Vec3;
 

@@ -463,7 +463,7 @@ pub(super) fn solid(shape: &Shape) -> Polyhedron {
 }
 
 /// Lowest and highest corner of the box around a shape.
-pub(super) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
+pub(in crate::model) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
     match shape {
         Shape::Brick { centre, half } => (*centre - *half, *centre + *half),
         Shape::Polyhedron(solid) => {

@@ -14,6 +14,7 @@ mod checks;
 mod foreign;
 mod in_situ;
 mod interfaces;
+mod loose;
 mod numbers;
 mod restitution;
 mod solid;

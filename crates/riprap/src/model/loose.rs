@@ -1,0 +1,295 @@
+//! Blocks that touch nothing at the start, where that is probably not meant.
+//!
+//! A block that falls is a scene like any other, and so is a heap that is poured. Told are the exceptions of a model in which
+//! other free blocks touch something: blocks that are apart from their neighbours by less than a hundredth of their width, a slip of
+//! the pen, and blocks apart from all others where the first phase looks for rest. What has nothing below it and falls for ever is
+//! told in any static phase. Blocks of grids, cells and pours are left out: they are made side by side, or apart on purpose.
+//!
+//! Whether blocks touch is judged by their boxes: who is told touches nothing for certain, not all who do are told.
+
+use riprap_geom::{Vec2, Vec3, polygon};
+
+use super::builder::Builder;
+use crate::plan::PhaseKind;
+use crate::scenario::Diagnostic;
+use crate::scenario::language::Geometry;
+use crate::scenario::read::with_unit;
+use crate::scenario::vectors::InSpace;
+use crate::spatial::setup::Shape;
+
+/// Gap between two blocks that touch, over the width of the smaller one.
+const TOUCHING: f64 = 1e-6;
+/// Gap below which they were meant to, over the width of the smaller one.
+const NEAR: f64 = 0.01;
+/// Blocks named.
+const NAMED: usize = 5;
+/// Pairs of boxes after which nothing is said.
+const MOST_LOOKS: usize = 200_000_000;
+
+/// A box along the axes, m; in the plane all have the same z.
+#[derive(Clone, Copy)]
+struct Extent {
+    min: Vec3,
+    max: Vec3,
+}
+
+impl Extent {
+    /// Narrowest measure, m.
+    fn width(&self) -> f64 {
+        (self.max - self.min).min_element()
+    }
+
+    /// Distance along each axis; negative where the boxes lie side by side.
+    fn gaps(&self, other: &Self) -> Vec3 {
+        (self.min - other.max).max(other.min - self.max)
+    }
+
+    /// Whether the other box can be in the way of this one as it falls along axis `axis`, in the direction `sign`.
+    fn is_above(&self, other: &Self, axis: usize, sign: f64) -> bool {
+        let gaps = self.gaps(other);
+        let aside = (0..3).any(|k| k != axis && gaps[k] > TOUCHING * self.width());
+        let behind = if sign < 0.0 {
+            other.min[axis] >= self.max[axis]
+        } else {
+            other.max[axis] <= self.min[axis]
+        };
+        !aside && !behind
+    }
+}
+
+/// What is around a block that may be loose.
+struct Around {
+    block: u32,
+    touched: bool,
+    /// Whether something is there on which it could fall.
+    below: bool,
+    /// The nearest of the blocks that it was probably meant to touch, and the gap between them, m.
+    near: Option<(u32, f64)>,
+}
+
+impl Builder<'_> {
+    /// Warns of blocks that touch nothing at the start.
+    pub(super) fn loose(&mut self) {
+        let candidates = self.candidates();
+        let extents = self.extents();
+        let periodic = self.spatial.periodic.iter().any(Option::is_some);
+        if candidates.is_empty() || periodic || candidates.len() * extents.len() > MOST_LOOKS {
+            return;
+        }
+        let down = self.down();
+        let around: Vec<Around> = candidates
+            .iter()
+            .map(|&block| self.around(block, &extents, down))
+            .collect();
+        let touched = around.iter().filter(|a| a.touched).count();
+        let touched = touched + self.side_by_side();
+        let apart: Vec<&Around> = around.iter().filter(|a| !a.touched).collect();
+        let settles = self
+            .plan
+            .phases
+            .first()
+            .filter(|p| p.kind == PhaseKind::Static);
+        let settles = settles.map(|phase| phase.name.clone());
+        if let (Some(phase), true) = (&settles, down.is_some() && self.falls_freely()) {
+            let lost: Vec<u32> = apart.iter().filter(|a| !a.below).map(|a| a.block).collect();
+            if let Some(first) = lost.first() {
+                let (names, verb) = self.named(&lost);
+                let message = format!(
+                    "{names} {verb} nothing and {} nothing below: the static phase `{phase}` never comes to rest",
+                    if lost.len() == 1 { "has" } else { "have" }
+                );
+                let note = Diagnostic::warning("model.falls", message).at(self.table_span(*first));
+                self.found
+                    .push(note.help("hold it by [[supports]], or put something under it"));
+            }
+        }
+        let near: Vec<&&Around> = apart.iter().filter(|a| a.near.is_some()).collect();
+        if let Some(Around {
+            block,
+            near: Some((other, gap)),
+            ..
+        }) = near.first()
+            && near.len() < touched
+        {
+            let (names, verb) = self.named(&near.iter().map(|a| a.block).collect::<Vec<_>>());
+            let message = format!(
+                "{names} {verb} nothing at the start, and `{}` is {} away from `{}`",
+                self.directory.name(*block),
+                with_unit(*gap, "m"),
+                self.directory.name(*other)
+            );
+            let note = Diagnostic::warning("model.gap", message).at(self.table_span(*block));
+            let help = "if they are meant to touch, move one of them";
+            self.found.push(note.help(help));
+        }
+        let far = apart.iter().filter(|a| a.near.is_none() && a.below);
+        let far: Vec<u32> = far.map(|a| a.block).collect();
+        if let (Some(phase), Some(first), true) = (&settles, far.first(), down.is_some())
+            && far.len() < touched
+        {
+            let (names, verb) = self.named(&far);
+            let message =
+                format!("{names} {verb} nothing at the start of the static phase `{phase}`");
+            let note = Diagnostic::warning("model.gap", message).at(self.table_span(*first));
+            let help = "it falls until it lands, in a time that is not physical; if it is meant to touch something, move it";
+            self.found.push(note.help(help));
+        }
+    }
+
+    /// Blocks that are not made side by side or apart by a generator, that nothing holds, drives or loads, and that start at rest.
+    fn candidates(&self) -> Vec<u32> {
+        let supports = self.setup.supports.iter().map(|s| &s.blocks);
+        let loads = self.setup.loads.iter().map(|l| &l.blocks);
+        let in_space = self.spatial.supports.iter().map(|s| &s.blocks);
+        let loads_in_space = self.spatial.loads.iter().map(|l| &l.blocks);
+        let mut bound = vec![false; self.directory.centroids.len()];
+        let all = supports.chain(loads).chain(in_space).chain(loads_in_space);
+        all.flatten().for_each(|b| bound[*b as usize] = true);
+        let mut found = Vec::new();
+        for (table, blocks) in self.directory.tables() {
+            if self.is_single(table) {
+                found.extend(blocks.filter(|b| !bound[*b as usize]));
+            }
+        }
+        found
+    }
+
+    /// Whether a table makes one shape, or copies of one, that start at rest.
+    fn is_single(&self, table: &str) -> bool {
+        let mut blocks = self.parsed.scenario.blocks.iter();
+        let said = blocks.find(|said| said.name.as_str() == table);
+        said.is_some_and(|said| {
+            said.geometry().is_some_and(|geometry| {
+                !geometry.is_many() && !matches!(geometry, Geometry::Terrain(_))
+            }) && said.cut.is_none()
+                && said.velocity.is_none()
+                && said.spin.is_none()
+        })
+    }
+
+    /// Blocks of generators: they touch each other.
+    fn side_by_side(&self) -> usize {
+        let many = self
+            .directory
+            .tables()
+            .filter(|(table, _)| !self.is_single(table));
+        many.filter(|(_, blocks)| blocks.len() > 1)
+            .map(|(_, blocks)| blocks.len())
+            .sum()
+    }
+
+    fn extents(&self) -> Vec<Extent> {
+        match self.space {
+            InSpace::Planar => {
+                let blocks = self.setup.blocks.iter();
+                let boxes = blocks.map(|b| polygon::Aabb::of(&b.vertices));
+                boxes
+                    .map(|b| Extent {
+                        min: b.min.extend(0.0),
+                        max: b.max.extend(1.0),
+                    })
+                    .collect()
+            }
+            InSpace::Spatial => {
+                let blocks = self.spatial.blocks.iter();
+                let boxes = blocks.map(|b| super::solid::bounds(&b.shape));
+                boxes.map(|(min, max)| Extent { min, max }).collect()
+            }
+        }
+    }
+
+    /// Axis and sign of gravity in the first phase, where it is along an axis.
+    fn down(&self) -> Option<(usize, f64)> {
+        let own = match self.space {
+            InSpace::Planar => {
+                let [x, y] = self.setup.gravity;
+                [x, y, 0.0]
+            }
+            InSpace::Spatial => self.spatial.gravity.into(),
+        };
+        let first = self.plan.phases.first().and_then(|p| p.gravity);
+        let gravity = first.unwrap_or(own);
+        let axis = (0..3).max_by(|a, b| gravity[*a].abs().total_cmp(&gravity[*b].abs()))?;
+        let most = gravity[axis].abs();
+        let along = (0..3).all(|k| k == axis || gravity[k].abs() <= TOUCHING * most);
+        (most > 0.0 && along).then(|| (axis, gravity[axis].signum()))
+    }
+
+    /// Whether nothing but blocks that are held below can stop a fall, and something is held at all.
+    fn falls_freely(&self) -> bool {
+        let terrain = self.spatial.blocks.iter().any(|b| b.shape.is_terrain());
+        let held = !self.setup.supports.is_empty() || !self.spatial.supports.is_empty() || terrain;
+        let wet = !self.setup.water.is_empty() || !self.spatial.water.is_empty();
+        let tied = !self.setup.bolts.is_empty() || !self.spatial.bolts.is_empty();
+        held && !wet && !tied && self.spatial.boundaries.is_empty()
+    }
+
+    fn around(&self, block: u32, extents: &[Extent], down: Option<(usize, f64)>) -> Around {
+        let own = extents[block as usize];
+        let mut around = Around {
+            block,
+            touched: false,
+            below: down.is_none(),
+            near: None,
+        };
+        for (other, extent) in (0u32..).zip(extents).filter(|(other, _)| *other != block) {
+            let width = own.width().min(extent.width());
+            let gap = own.gaps(extent).max_element();
+            around.touched |= gap <= TOUCHING * width;
+            around.below |= down.is_some_and(|(axis, sign)| own.is_above(extent, axis, sign));
+            if !around.touched
+                && gap <= NEAR * width
+                && let Some(gap) = self.gap(block, other).filter(|gap| *gap <= NEAR * width)
+                && around.near.is_none_or(|(_, least)| gap < least)
+            {
+                around.near = Some((other, gap));
+            }
+        }
+        around
+    }
+
+    /// Distance of two blocks whose boxes are apart, m: of polygons, and of bricks face to face.
+    fn gap(&self, i: u32, j: u32) -> Option<f64> {
+        let (i, j) = (i as usize, j as usize);
+        match self.space {
+            InSpace::Planar => {
+                let [p, q] = [i, j].map(|b| &self.setup.blocks[b].vertices[..]);
+                let to = |corners: &[Vec2], outline: &[Vec2]| {
+                    let gaps = corners
+                        .iter()
+                        .map(|c| polygon::distance_to_boundary(outline, *c));
+                    gaps.fold(f64::INFINITY, f64::min)
+                };
+                Some(to(p, q).min(to(q, p)))
+            }
+            InSpace::Spatial => {
+                let shapes = [i, j].map(|b| &self.spatial.blocks[b].shape);
+                let [Shape::Brick { .. }, Shape::Brick { .. }] = shapes else {
+                    return None;
+                };
+                let [a, b] = shapes.map(|shape| {
+                    let (min, max) = super::solid::bounds(shape);
+                    Extent { min, max }
+                });
+                let gaps = a.gaps(&b);
+                let beside = (0..3).filter(|k| gaps[*k] < 0.0).count();
+                (beside == 2).then(|| gaps.max_element())
+            }
+        }
+    }
+
+    /// `block x touches` or `3 blocks touch`, the latter with names.
+    fn named(&self, blocks: &[u32]) -> (String, &'static str) {
+        let names: Vec<String> = blocks
+            .iter()
+            .take(NAMED)
+            .map(|b| format!("`{}`", self.directory.name(*b)))
+            .collect();
+        let names = names.join(", ");
+        match blocks.len() {
+            1 => (format!("block {names}"), "touches"),
+            n if n <= NAMED => (format!("{n} blocks ({names})"), "touch"),
+            n => (format!("{n} blocks ({names}, ...)"), "touch"),
+        }
+    }
+}
