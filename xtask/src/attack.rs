@@ -4,6 +4,7 @@
 //! signal, leaves with a code that the manual does not have, or gives a wrong answer in silence (attack by attack, see [`ATTACKS`]).
 //! Each attack has a seed of its own, so that a failure comes again; the input that failed is kept in `target/attack`.
 
+mod disks;
 mod faults;
 mod files;
 mod process;
@@ -48,7 +49,7 @@ struct Attack {
     run: fn(&Field<'_>, &mut Chance) -> Result<Found, String>,
 }
 
-const ATTACKS: [Attack; 9] = [
+const ATTACKS: [Attack; 10] = [
     Attack {
         name: "scenes",
         about: "scene files of this repository with bytes, numbers, lines and words changed; `riprap check`",
@@ -95,6 +96,12 @@ const ATTACKS: [Attack; 9] = [
         about: "a 1 m block against a fixed 1 m floor, 1 MPa/m to 10 GPa/m, 1 to 300 m/s, in the plane and in space. Failure: it is below the floor and the run \
                 ends with exit 0",
         run: faults::speed,
+    },
+    Attack {
+        name: "full disks",
+        about: "runs on a disk of 16 to 176 kB that fills up, resumed when there is room. Failure: an end without `could not write` and exit 3, another state, \
+                history or list than on a large disk",
+        run: disks::full,
     },
 ];
 

@@ -10,7 +10,8 @@ use riprap_fuzz::damage::{Chance, without_checks};
 /// Longest that a run of these attacks may take: more than that is a failure.
 const LONG: Duration = Duration::from_secs(300);
 
-const FALL: &str = "riprap = 1\ntitle = \"a block falls\"\n[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[materials.rock]\ndensity = \"2000 kg/m3\"\n\
+/// A block that falls in the plane.
+pub const FALL: &str = "riprap = 1\ntitle = \"a block falls\"\n[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[materials.rock]\ndensity = \"2000 kg/m3\"\n\
     [interfaces.default]\nnormal_stiffness = \"100 MPa/m\"\nfriction_angle = \"30 deg\"\n[[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\n\
     rectangle = { size = [\"4 m\", \"1 m\"], corner = [\"-2 m\", \"-1 m\"] }\n[[blocks]]\nname = \"stone\"\nmaterial = \"rock\"\n\
     rectangle = { size = [\"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"0.2 m\"] }\n[[supports]]\non = { block = \"floor\" }\nfixed = {}\n[[phases]]\nname = \"fall\"\n\

@@ -48,6 +48,11 @@ impl Program {
         }
     }
 
+    /// Its file.
+    pub fn path(&self) -> &Path {
+        &self.binary
+    }
+
     /// A command in `folder`, with little memory; what it says goes into a file.
     fn command(&self, folder: &Path, words: &[&str]) -> Result<Command, String> {
         let said = std::fs::File::create(folder.join("said.txt")).map_err(|e| e.to_string())?;
