@@ -25,28 +25,55 @@ pub fn let_full_files_be_errors() {
 
 /// Whether the user has asked to stop.
 #[derive(Clone)]
-pub struct Interrupt(Arc<AtomicBool>);
+pub struct Interrupt {
+    asked: Arc<AtomicBool>,
+    /// Whether there is something to save: before, nothing is lost by quitting at once.
+    begun: Arc<AtomicBool>,
+}
 
 impl Interrupt {
     /// Starts listening. Called once per process.
     pub fn listen() -> Result<Self, Failure> {
-        let asked = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&asked);
+        let interrupt = Self::listen_from_begin()?;
+        interrupt.begin();
+        Ok(interrupt)
+    }
+
+    /// The same for work that takes long to build: until [`Interrupt::begin`] the first Ctrl-C quits at once.
+    pub fn listen_from_begin() -> Result<Self, Failure> {
+        let interrupt = Self {
+            asked: Arc::default(),
+            begun: Arc::default(),
+        };
+        let shared = interrupt.clone();
         ctrlc::set_handler(move || {
-            if flag.swap(true, Ordering::SeqCst) {
+            if !shared.begun.load(Ordering::SeqCst) {
+                diagnostics::say("\nstopped before the first step");
+                quit();
+            }
+            if shared.asked.swap(true, Ordering::SeqCst) {
                 // The last checkpoint on disk is whole; nothing is lost but the steps since.
-                std::process::exit(i32::from(crate::failure::INTERRUPTED));
+                quit();
             }
             diagnostics::say(
                 "\nstopping at the next step with a checkpoint; Ctrl-C again quits at once",
             );
         })
         .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))?;
-        Ok(Interrupt(asked))
+        Ok(interrupt)
+    }
+
+    /// From here on the first Ctrl-C asks, and what has been done is saved.
+    pub fn begin(&self) {
+        self.begun.store(true, Ordering::SeqCst);
     }
 
     /// Whether to stop.
     pub fn asked(&self) -> bool {
-        self.0.load(Ordering::SeqCst)
+        self.asked.load(Ordering::SeqCst)
     }
+}
+
+fn quit() -> ! {
+    std::process::exit(i32::from(crate::failure::INTERRUPTED))
 }

@@ -84,10 +84,12 @@ fn with_display(
     folder: &Path,
     work: impl FnOnce(&mut dyn FnMut(&mut Look<'_>) -> Control) -> Result<Outcome, Failure>,
 ) -> Result<(), Failure> {
-    let interrupt = Interrupt::listen()?;
+    // Until the first step is done nothing is lost: building a large model takes longer than anybody waits after Ctrl-C.
+    let interrupt = Interrupt::listen_from_begin()?;
     let mut display = Display::new(how.quiet);
     display.say(head);
     let outcome = work(&mut |look| {
+        interrupt.begin();
         display.show(look);
         if interrupt.asked() {
             Control::Stop

@@ -228,6 +228,33 @@ fn results_that_cannot_be_written_are_code_3() {
 
 #[cfg(unix)]
 #[test]
+fn ctrl_c_before_the_first_step_quits_at_once() {
+    let bench = Bench::in_memory();
+    // Large enough that its first checkpoint, picture and step take a while.
+    let lattice = include_str!("../../../../scenes/bench/lattice.toml");
+    bench.file("lattice.toml", lattice.replace("\"22 m\"", "\"30 m\""));
+    let run = bench.start(&["run", "lattice.toml", "--out", "a.run"]);
+    bench.wait_for("the folder", || bench.path("a.run/manifest.json").exists());
+    run.signal("INT");
+    run.end()
+        .expect(130)
+        .warns(&["stopped before the first step"]);
+    // Nobody has it any more.
+    bench
+        .run(&[
+            "run",
+            "lattice.toml",
+            "--out",
+            "a.run",
+            "--force",
+            "--set",
+            "phases.timed.until.steps=1",
+        ])
+        .expect(0);
+}
+
+#[cfg(unix)]
+#[test]
 fn ctrl_c_leaves_a_checkpoint_and_resume_goes_on() {
     let bench = Bench::with_long_scene();
     let run = bench.start(&["run", "long.toml", "--out", "a.run"]);
