@@ -11,13 +11,6 @@ use crate::failure::Failure;
 use crate::numbers::{coordinate, duration, grouped, ratio, si};
 use crate::{scenes, screen};
 
-/// Memory of a model in space, B: without blocks, and for each block with its patches. Measured: `check` of
-/// 64 x 64 x 64 bricks takes 291 MB at its peak.
-const MEMORY_BASE: f64 = 2e7;
-const MEMORY_BLOCK: f64 = 1050.0;
-/// For each deformable block, B: `check` of 30,000 bricks in a bar takes 211 MB at its peak, a run of them 208 MB.
-const MEMORY_DEFORMABLE: f64 = 6300.0;
-
 /// Fewer blocks than these have no distribution of sizes, nor have those whose sizes differ by less than this factor.
 const FEW: usize = 10;
 const ALIKE: f64 = 1.01;
@@ -57,6 +50,8 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
         None => model_text(summary),
         Some(bounds) => solid_text(summary, bounds, &model.setup, &expected),
     });
+    let memory = grouped((1e-6 * expected.memory).ceil() as u64);
+    screen::line(&format!("  memory     about {memory} MB"));
     screen::print(&expected_text(&expected));
     for doubt in &expected.warnings {
         print_line("warning", doubt);
@@ -129,16 +124,10 @@ fn region<const N: usize>(axes: &[&str; N], [low, high]: &[[f64; N]; 2]) -> Stri
 
 /// A model in space.
 fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) -> String {
-    let deformable = match setup {
-        Setup::Spatial(setup) => setup.deform.sets.iter().map(|set| set.blocks.len()).sum(),
-        Setup::Planar(_) => 0,
-    };
-    let rigid = f.blocks.saturating_sub(deformable);
-    let memory = MEMORY_BASE + MEMORY_BLOCK * rigid as f64 + MEMORY_DEFORMABLE * deformable as f64;
     let mut text = format!(
         "  blocks     {} as given ({} held), {} at the start, sizes {} / {} / {} (smallest, median, \
          largest, as given)\n  patches    {}\n  region     {}; \
-         mass {}\n  memory     about {} MB\n",
+         mass {}\n",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
         grouped(f.blocks as u64),
@@ -148,7 +137,6 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
         grouped(f.contacts as u64),
         region(&["x", "y", "z"], bounds),
         mass(s.mass, ""),
-        grouped((memory / 1e6).ceil() as u64),
     );
     if let Setup::Spatial(setup) = setup {
         let before = |levels: u8, during: bool| match (levels, during) {
@@ -236,26 +224,47 @@ fn expected_text(f: &Forecast) -> String {
     if let Some(found) = &f.found {
         text.push_str(&found_text(found));
     }
-    let most = if f.at_most { "up to " } else { "" };
-    let steps = match (f.steps, f.iterations) {
-        (Some(n), _) => format!("{most}{} steps", grouped(n)),
-        (None, Some(n)) => format!(
-            "as many steps as it takes, up to {} for a load step of a static phase,",
-            grouped(n)
-        ),
-        (None, None) => "as many steps as it takes".to_owned(),
-    };
-    let time = f
-        .wall_time
-        .map_or(String::new(), |s| format!(", {most}about {}", duration(s)));
     text.push_str(&format!(
-        "  expected   {steps}{time} at {} steps/s on one thread\n",
+        "  expected   {} at {} steps/s on one thread\n",
+        steps_text(f),
         grouped(f.steps_per_second as u64)
     ));
     if f.apart {
         text.push_str("             as long as the blocks are apart; several times longer once they rest on each other\n");
     }
     text
+}
+
+/// Steps and time of a run.
+fn steps_text(f: &Forecast) -> String {
+    let time = |steps: u64| duration(steps as f64 / f.steps_per_second);
+    match (f.steps, f.iterations) {
+        (Some(n), _) if f.tried_to_end => {
+            format!(
+                "{} steps (a trial came to the end), about {}",
+                grouped(n),
+                time(n)
+            )
+        }
+        (Some(n), _) => match f.least_steps {
+            _ if f.at_most => format!("up to {} steps, up to about {}", grouped(n), time(n)),
+            Some(least) if least < n => format!(
+                "at least {} steps, up to {} if blocks touch all the time, about {} to {}",
+                grouped(least),
+                grouped(n),
+                time(least),
+                time(n)
+            ),
+            // Contacts that are not there yet are not in the stable step.
+            _ if f.apart => format!("at least {} steps, about {} and more", grouped(n), time(n)),
+            Some(_) | None => format!("{} steps, about {}", grouped(n), time(n)),
+        },
+        (None, Some(n)) => format!(
+            "as many steps as it takes, up to {} for a load step of a static phase,",
+            grouped(n)
+        ),
+        (None, None) => "as many steps as it takes".to_owned(),
+    }
 }
 
 /// What blocks that can meet in space will be like.

@@ -24,7 +24,7 @@ mod in_situ;
 mod inspect;
 mod interfaces;
 mod loose;
-mod memory;
+pub(crate) mod memory;
 mod motion;
 mod names;
 mod phases;

@@ -12,14 +12,15 @@ use super::overruled;
 use super::simulation::{RunError, Simulation, Stage};
 use crate::dynamics::TimeFunction;
 use crate::exec::Exec;
+use crate::model::memory::{self, Parts};
 use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use crate::setup::Setup;
-use crate::spatial::setup::BoundaryKind;
+use crate::spatial::setup::{BoundaryKind, Shape};
 
-/// Longest time spent on trial steps.
-const TRIAL: Duration = Duration::from_millis(300);
-/// Most trial steps.
-const STEPS: u64 = 200;
+/// Longest time spent on the first trial steps, and on all where more than those are done.
+const TRIAL: [Duration; 2] = [Duration::from_millis(300), Duration::from_millis(100)];
+/// The first trial steps. Where the physics stops one of the first phase it is an error; what comes later is left to the run.
+const FIRST: u64 = 200;
 
 /// Why nothing can be said.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -54,19 +55,26 @@ pub struct Forecast {
     pub fastest: Option<(String, f64)>,
     /// Whether blocks are so fast that the tunnelling guard shortens the first steps.
     pub guard_shortens: bool,
-    /// Steps of all phases that end at a time or a step count; absent if one does not.
+    /// Most steps of all phases that end at a time or a step count, as if blocks that can meet in space touched all the time; absent
+    /// if a phase has no such end.
     pub steps: Option<u64>,
+    /// Fewest steps: with nothing that shortens the step of the start, none of phases that may be at rest before their end.
+    pub least_steps: Option<u64>,
     /// Whether a phase may end before its time or step count, because it is at rest: `steps` is then the most.
     pub at_most: bool,
+    /// Whether the trial came to the end of the run: `steps` are those that it took.
+    pub tried_to_end: bool,
     /// Most iterations of a load step of static phases of deformable blocks; absent without such phases. How many it
     /// takes, and how often bonds break between them, shows the run alone.
     pub iterations: Option<u64>,
-    /// Steps per second on one thread, measured on the first steps.
+    /// Steps per second on one thread without records, measured on the first steps, of small models on all.
     pub steps_per_second: f64,
     /// There are fewer contacts than half the blocks: once these meet, a step costs more than those timed.
     pub apart: bool,
     /// Wall time on one thread, s; absent if the number of steps is.
     pub wall_time: Option<f64>,
+    /// Most memory at a time, B.
+    pub memory: f64,
     /// Blocks in space that can meet.
     pub found: Option<Outlook>,
     /// What is probably not meant, in words.
@@ -127,7 +135,7 @@ pub struct Forecast {
 pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial())?;
     given_step::check(&simulation)?;
-    simulation.prepare()?;
+    let stage = simulation.prepare()?;
     let stable = simulation.stable();
     let dt = simulation.dt();
     let view = simulation.view();
@@ -139,37 +147,28 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let timed = stable.dt.is_finite() && !simulation.relaxes();
-    let wanted = |phase: &Phase| {
+    let most = total(plan, |phase| {
         let rule = phase.time_step;
-        let limit = match rule {
-            TimeStep::Given { .. } => f64::INFINITY,
-            TimeStep::Auto { .. } => rule.of_contacts() * touching,
-        };
+        let limit = rule.of_contacts() * touching;
         let wanted = rule.wanted(stable.dt, &phase.until, phase.gravity_ramp);
-        wanted.min(limit)
-    };
-    let steps = plan.phases.iter().map(|phase| {
-        // Where it relaxes, the time is that of the loads, not of steps.
-        let span = phase.until.time.filter(|_| relaxing(phase).is_none());
-        let by_time = span.map(|span| (span / wanted(phase) * (1.0 - 1e-9)).ceil());
-        let by_count = phase.until.steps.map(|n| n as f64);
-        match (by_time, by_count) {
-            (Some(a), Some(b)) => Some(a.min(b)),
-            (a, b) => a.or(b),
-        }
+        Some(wanted.min(limit))
     });
-    let steps = steps
-        .sum::<Option<f64>>()
-        .filter(|n| n.is_finite())
-        .map(|n| n as u64);
-    let at_most = plan.phases.iter().any(|phase| {
-        let until = &phase.until;
-        until.unbalanced.is_some() || until.kinetic.is_some() || relaxing(phase).is_some()
+    let least = total(plan, |phase| {
+        let wanted = phase
+            .time_step
+            .wanted(stable.dt, &phase.until, phase.gravity_ramp);
+        (!may_rest(phase)).then_some(wanted)
     });
+    let at_most = plan.phases.iter().any(may_rest);
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
     let warnings = doubts(&simulation, plan, stable.dt);
-    let rate = rate(&mut simulation)?;
+    let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
+    let trial = Trial::of(&mut simulation, stage)?;
+    let (steps, least_steps) = match trial.end {
+        Some(taken) => (Some(taken), Some(taken)),
+        None => (most, least.map(|n| n.max(trial.steps))),
+    };
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
         governing_block,
@@ -180,11 +179,14 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         fastest,
         guard_shortens,
         steps,
-        at_most,
+        least_steps,
+        at_most: at_most && trial.end.is_none(),
+        tried_to_end: trial.end.is_some(),
         iterations,
-        steps_per_second: rate,
-        apart: 2 * contacts < blocks,
-        wall_time: steps.map(|n| n as f64 / rate),
+        steps_per_second: trial.rate,
+        apart: 2 * contacts < blocks && trial.end.is_none(),
+        wall_time: steps.map(|n| n as f64 / trial.rate),
+        memory,
         found,
         warnings,
     })
@@ -322,20 +324,116 @@ fn relaxing(phase: &Phase) -> Option<Relaxing> {
     phase.deform.as_ref().and_then(|deform| deform.relax)
 }
 
-/// Steps per second over the first steps.
-fn rate(simulation: &mut Simulation) -> Result<f64, RunError> {
-    let begun = Instant::now();
-    let mut done = 0;
-    while done < STEPS && begun.elapsed() < TRIAL && simulation.phase().is_some() {
-        simulation.step();
-        done += 1;
-        // Not beyond the end of the phase: the step that its time allowed can be a small share of what comes then, and a
-        // block in free fall whose step grows at once by so much looks like one that makes energy.
-        if !matches!(simulation.prepare()?, Stage::Within) {
-            break;
+/// Whether a phase may end before its time or step count.
+fn may_rest(phase: &Phase) -> bool {
+    let until = &phase.until;
+    until.unbalanced.is_some() || until.kinetic.is_some() || relaxing(phase).is_some()
+}
+
+/// Steps of all phases; absent if one has no end. `step` is the length of the steps of a phase, s, `None` where it may have none.
+fn total(plan: &Plan, step: impl Fn(&Phase) -> Option<f64>) -> Option<u64> {
+    let steps = plan.phases.iter().map(|phase| {
+        let Some(step) = step(phase) else {
+            return Some(0.0);
+        };
+        // Where it relaxes, the time is that of the loads, not of steps.
+        let span = phase.until.time.filter(|_| relaxing(phase).is_none());
+        let by_time = span.map(|span| (span / step * (1.0 - 1e-9)).ceil());
+        let by_count = phase.until.steps.map(|n| n as f64);
+        match (by_time, by_count) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
         }
+    });
+    let steps = steps.sum::<Option<f64>>().filter(|n| n.is_finite());
+    steps.map(|n| n as u64)
+}
+
+/// What of a model takes memory.
+fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook>) -> Parts {
+    let setup = match setup {
+        Setup::Planar(setup) => {
+            return Parts {
+                flat: setup.blocks.len(),
+                flat_corners: setup.blocks.iter().map(|b| b.vertices.len()).sum(),
+                flat_contacts: contacts,
+                ..Parts::default()
+            };
+        }
+        Setup::Spatial(setup) => setup,
+    };
+    let mut deforms = vec![false; setup.blocks.len()];
+    for b in setup.deform.sets.iter().flat_map(|set| &set.blocks) {
+        deforms[*b as usize] = true;
     }
-    Ok(done as f64 / begun.elapsed().as_secs_f64().max(1e-9))
+    let deformable = deforms.iter().filter(|deforms| **deforms).count();
+    let rigid = setup.blocks.iter().zip(&deforms).filter(|(_, d)| !**d);
+    let corners = rigid.filter_map(|(block, _)| match &block.shape {
+        Shape::Brick { .. } => None,
+        Shape::Polyhedron(solid) => Some(solid.vertices.len()),
+        Shape::Glued(parts) => Some(parts.iter().map(|part| part.vertices.len()).sum()),
+        Shape::Terrain(surface) => Some(surface.points.len()),
+    });
+    let corners: Vec<usize> = corners.collect();
+    Parts {
+        // With those that others were split into.
+        bricks: view.blocks().saturating_sub(deformable + corners.len()),
+        solids: corners.len(),
+        corners: corners.iter().sum(),
+        joints: contacts,
+        meeting: found.map_or(0, |found| found.blocks),
+        near: found.map_or(0, |found| found.pairs),
+        deformable,
+        bonds: (view.spatial())
+            .and_then(|v| v.world.deform.as_ref())
+            .map_or(0, |deform| deform.facets.len()),
+        ..Parts::default()
+    }
+}
+
+/// The first steps of a run.
+struct Trial {
+    /// Steps per second.
+    rate: f64,
+    /// Steps done.
+    steps: u64,
+    /// Steps of the run, where the trial came to its end.
+    end: Option<u64>,
+}
+
+impl Trial {
+    /// Goes on as long as there is time, from a state that has been prepared.
+    fn of(simulation: &mut Simulation, stage: Stage) -> Result<Self, RunError> {
+        let begun = Instant::now();
+        let (mut steps, mut end) = (0, None);
+        let mut stage = Ok(stage);
+        while begun.elapsed() < TRIAL[usize::from(steps >= FIRST)] {
+            stage = match stage {
+                Ok(Stage::Within) => {
+                    simulation.step();
+                    steps += 1;
+                    simulation.prepare()
+                }
+                Ok(Stage::PhaseEnd) => {
+                    simulation.note_unconverged();
+                    simulation.note_end();
+                    simulation.next_phase();
+                    simulation.prepare()
+                }
+                Ok(Stage::Done) => {
+                    end = Some(simulation.steps());
+                    break;
+                }
+                Err(error) if steps < FIRST && simulation.cursor().phase == 0 => return Err(error),
+                Err(_) => break,
+            };
+        }
+        Ok(Self {
+            rate: steps.max(1) as f64 / begun.elapsed().as_secs_f64().max(1e-9),
+            steps,
+            end,
+        })
+    }
 }
 
 #[cfg(test)]
