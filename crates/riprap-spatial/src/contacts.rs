@@ -90,10 +90,7 @@ pub fn meeting(world: &World) -> Meeting {
         let interface = &setup.interfaces[*row];
         interface.joint.strength.is_none() && interface.friction.is_none()
     };
-    let mut joined = vec![false; rows.len()];
-    for class in &world.patches.class {
-        joined[usize::from(world.classes[*class as usize].row)] = true;
-    }
+    let joined = outlook::joined(world);
     let unread = |row: &usize| {
         let InterfaceLaw { joint, bond, .. } = &setup.interfaces[*row];
         let holds = joint

@@ -127,15 +127,20 @@ pub fn unjoined(world: &World) -> Vec<(String, Vec<&'static str>)> {
     if !setup.refinements.is_empty() {
         return Vec::new();
     }
-    let mut joined = vec![false; setup.interfaces.len()];
-    for class in &world.patches.class {
-        joined[usize::from(world.classes[*class as usize].row)] = true;
-    }
-    let rows = setup.interfaces.iter().zip(joined);
+    let rows = setup.interfaces.iter().zip(joined(world));
     // Bonds of deformable blocks are not among the patches, and are told of where the model is made.
     let rows = rows.filter(|(row, joined)| !joined && row.bond.is_none());
     let rows = rows.map(|(row, _)| (format!("interfaces.{}", row.name), of_joints(&row.joint)));
     rows.filter(|(_, keys)| !keys.is_empty()).collect()
+}
+
+/// Whether a joint of the model has the interface, for each of them.
+pub(super) fn joined(world: &World) -> Vec<bool> {
+    let mut joined = vec![false; world.setup.interfaces.len()];
+    for class in &world.patches.class {
+        joined[usize::from(world.classes[*class as usize].row)] = true;
+    }
+    joined
 }
 
 /// What a law says that joints alone read, but for cohesion and tension; that an elastic one has a strength has been told.

@@ -17,6 +17,10 @@ use super::offset::{self, Offset};
 use super::surface::Sums;
 use crate::laws::mohr_coulomb::shear_limit;
 
+mod shared;
+
+pub use shared::{Pressing, Shared, pressing, share};
+
 /// Below this share of |S_F| over the integral of the depth, opposite pressures cancel and there is no one normal.
 const CANCELLED: f64 = 0.05;
 /// Overlaps less deep than this, times the radius of the smaller block, have no direction that can be trusted.
@@ -222,26 +226,6 @@ pub struct Question<'a> {
     pub shared: Option<f64>,
 }
 
-/// The pressure of a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pressing {
-    /// Normal force, N.
-    pub force: f64,
-    /// Velocity at which its sides part, m/s.
-    pub parting: f64,
-    /// Where it acts from the origin of the planes, m.
-    pub point: Vec3,
-}
-
-/// Dashpots that several surfaces share.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shared {
-    /// What they add to the pressure of each, over it; at least -1.
-    pub ratio: f64,
-    /// Against rocking about all of them.
-    pub rocking: Wrench,
-}
-
 /// A contact, what moves in it and what resists.
 struct Meeting {
     contact: Contact,
@@ -389,34 +373,6 @@ pub fn respond(
         area: c.area,
         polar: c.polar,
     }
-}
-
-/// Pressure of a surface, and how fast its sides part; `None` where it has no one normal.
-#[must_use]
-pub fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
-    meeting(law, q).map(|met| Pressing {
-        force: met.contact.elastic,
-        parting: met.velocity.normal,
-        point: met.contact.point,
-    })
-}
-
-/// Dashpots of several surfaces as if they were one; `None` where their pressures cancel.
-///
-/// On a ridge a block that slides goes into one flank as it leaves the other, and takes no energy up: dashpots of each flank would hold it
-/// back. So they act on the rate of the energy of all of them, `power` (W, the sum of force times velocity of parting), and press along the
-/// gradient of that energy: in proportion to the pressure of each. `q` has the sums of all.
-#[must_use]
-pub fn share(law: &ContactLaw, q: &Question, power: f64) -> Option<Shared> {
-    let met = meeting(law, q)?;
-    let c = &met.contact;
-    let across = law.dashpot(law.normal_stiffness, c.area, met.mass);
-    let normal = (c.elastic - across * power / c.elastic).max(0.0);
-    let rocking = against_rocking(across, c, &met.velocity, normal);
-    Some(Shared {
-        ratio: normal / c.elastic - 1.0,
-        rocking: about(met.arms, Vec3::ZERO, rocking),
-    })
 }
 
 /// Couple of dashpots `across` (N s/m) spread evenly over the area. Half its polar moment for both axes would be many times too much about
@@ -624,34 +580,4 @@ fn shorten(v: Vec3, longest: f64) -> Vec3 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two blocks that turn together about an axis far away do not slide on each other.
-    #[test]
-    fn blocks_that_turn_together_do_not_slide() {
-        let (spin, dt) = (2.0 * Vec3::Z, 1e-3);
-        let places = [Vec3::ZERO, Vec3::new(5.0, 0.0, 1.0)];
-        // Velocities of the middle of the step, in which the blocks have moved by half of it less.
-        let motion = places.map(|now| Motion {
-            velocity: spin.cross(now - 0.5 * dt * spin.cross(now)),
-            spin,
-            inverse_mass: 1.0,
-        });
-        let at = Vec3::new(5.0, 0.0, 0.5);
-        let arms = places.map(|centre| at - centre);
-        let contact = Contact {
-            normal: Vec3::Z,
-            elastic: 1.0,
-            point: at,
-            area: 1.0,
-            polar: 1.0,
-            spread: Mat3::IDENTITY,
-            gyration: 1.0,
-        };
-        let slip = |arms| relative(&contact, motion, arms).along.length();
-        // Half a step of the centripetal acceleration.
-        assert!((slip(arms) - 0.5 * dt * 4.0 * 5.0).abs() < 1e-12);
-        assert!(slip(midway(arms, motion, dt)) < 1e-5);
-    }
-}
+mod tests;
