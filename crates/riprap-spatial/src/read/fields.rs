@@ -251,7 +251,7 @@ fields! {
     "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[2]);
     "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression of the block's average stress (negative in tension)." |v, of| one(-principal(&stress(v, of))[0]);
     "block.pressure" "Pa" Block Scalar true "Mean compression of the block's average stress." |v, of| { let s = stress(v, of); one(-(s.x_axis.x + s.y_axis.y + s.z_axis.z) / 3.0) };
-    "block.broken_share" "-" Block Scalar true "Share of the points of its patches that have failed." |v, of| one(broken_share(v, first(of) as u32));
+    "block.broken_share" "-" Block Scalar true "Share of the points of its patches that have failed. Patches that found contact has taken over are no longer among them." |v, of| one(broken_share(v, first(of) as u32));
     "block.level" "-" Block Scalar false "How often the block's ancestors were split." |v, of| one(f64::from(v.world.level(first(of))));
     "block.removed" "-" Block Scalar false "1 once the block has been removed or split." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "block.contact_force" "N" Block Vector3 true "Sum of the forces of found contacts on the block, without dashpots." |v, of| v.contacts_of(first(of)).map(|(_, force)| force).sum();
@@ -264,7 +264,7 @@ fields! {
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
     "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
-    "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
+    "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed. Patches that found contact has taken over are no longer among them." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
     "group.water_force" "N" Group Vector3 false "Sum of the pushes of the standing water on the group's blocks." |v, of| members(v, of).map(|b| v.water_force(b)).sum();
     "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
@@ -296,7 +296,7 @@ fields! {
     "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
     "model.blocks" "-" Model Scalar true "Number of blocks that are there." |v, _| one(v.living().count() as f64);
     "model.patches" "-" Model Scalar false "Number of patches." |v, _| one(v.world.patches.len() as f64);
-    "model.broken_share" "-" Model Scalar true "Share of all points that have failed." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::BROKEN) / (4 * n).max(1) as f64) };
+    "model.broken_share" "-" Model Scalar true "Share of all points that have failed. Patches that found contact has taken over are no longer among them." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::BROKEN) / (4 * n).max(1) as f64) };
     "model.open_share" "-" Model Scalar true "Share of all points that are open." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::OPEN) / (4 * n).max(1) as f64) };
     "model.sliding_share" "-" Model Scalar true "Share of all points that slid in the last step." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::SLIDING) / (4 * n).max(1) as f64) };
     "model.contacts" "-" Model Scalar false "Number of found contacts that touch." |v, _| one(v.contacts().count() as f64);
