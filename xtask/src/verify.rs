@@ -178,7 +178,15 @@ fn rewrite(root: &Path, checks: &[Value]) -> Result<(), String> {
     let rows = table::merge(&table::read(root)?, checks, &now, [&date, &commit]);
     write(&root.join(table::DATA), &table::data(&rows)?)?;
     write(&root.join(table::PAGE), &table::page(&rows, &now))?;
-    println!("wrote {} and {}", table::DATA, table::PAGE);
+    let index = root.join(table::INDEX);
+    let text = std::fs::read_to_string(&index).map_err(|e| format!("{}: {e}", table::INDEX))?;
+    write(&index, &table::index(&text, &rows, &now)?)?;
+    println!(
+        "wrote {}, {} and {}",
+        table::DATA,
+        table::PAGE,
+        table::INDEX
+    );
     println!("{}", table::totals(&rows, &now));
     Ok(())
 }

@@ -17,6 +17,10 @@ use crate::source_tree::{files, shown};
 
 /// The page.
 pub const PAGE: &str = "docs/src/verification.md";
+/// The first page, which says how many rows are fresh.
+pub const INDEX: &str = "docs/src/index.md";
+/// How its line of the table begins.
+const LINE: &str = "| [Verification](verification.md) |";
 /// The results.
 pub const DATA: &str = "docs/src/verification.csv";
 
@@ -280,7 +284,23 @@ pub fn page(rows: &[Row], now: &Now) -> String {
     out
 }
 
-/// Whether the page says of every scene what the rows say: how many are fresh, how many stale.
+/// The first page with the counts of fresh rows in its line of the table.
+///
+/// # Errors
+/// A page without that line.
+pub fn index(text: &str, rows: &[Row], now: &Now) -> Result<String, String> {
+    let rows: Vec<&Row> = rows.iter().collect();
+    let [passed, failed, skipped, stale] = counts(&rows, now);
+    let due = format!(
+        "{LINE} what every scene with checks gives: {passed} checks passed, {failed} failed, {skipped} known failures; {stale} not run since something that they \
+         rest on changed. Each with its numbers is a row of a CSV file |"
+    );
+    let line = text.lines().find(|line| line.starts_with(LINE));
+    let line = line.ok_or_else(|| format!("{INDEX} has no line that begins `{LINE}`"))?;
+    Ok(text.replacen(line, &due, 1))
+}
+
+/// Whether the page says of every scene what the rows say: how many are fresh, how many stale; and the first page how many of all.
 ///
 /// # Errors
 /// What is wrong, and what to do.
@@ -302,6 +322,12 @@ pub fn judge(root: &Path) -> Result<String, String> {
         return Err(format!(
             "{PAGE} does not show what is stale, first where it should say \"{which}\": run the scene again with `cargo xtask verify-all SCENE`, or show it as stale \
              with `cargo xtask verify-all --table`"
+        ));
+    }
+    let text = std::fs::read_to_string(root.join(INDEX)).unwrap_or_default();
+    if index(&text, &rows, &now)? != text {
+        return Err(format!(
+            "{INDEX} counts other rows than {DATA} has: `cargo xtask verify-all --table`"
         ));
     }
     Ok(totals(&rows, &now))
@@ -399,6 +425,18 @@ mod tests {
         // A row that says nothing of what it rests on is stale.
         let old = Row::new(&checks[0], Default::default());
         assert!(!old.fresh(&now(3)));
+    }
+
+    #[test]
+    fn the_first_page_counts_fresh_rows() {
+        let rows = merge(&[], &[check("scenes/long/b.toml", 1.0)], &now(3), ["", ""]);
+        let text = format!("a\n{LINE} what it was |\nb\n");
+        let fresh = index(&text, &rows, &now(3)).unwrap();
+        assert!(fresh.starts_with("a\n") && fresh.ends_with(" |\nb\n"));
+        assert!(fresh.contains("1 checks passed, 0 failed, 0 known failures; 0 not run"));
+        let stale = index(&fresh, &rows, &now(4)).unwrap();
+        assert!(stale.contains("0 checks passed, 0 failed, 0 known failures; 1 not run"));
+        assert!(index("a\n", &rows, &now(3)).is_err());
     }
 
     #[test]
