@@ -48,7 +48,9 @@ impl Interrupt {
         let shared = interrupt.clone();
         ctrlc::set_handler(move || {
             if !shared.begun.load(Ordering::SeqCst) {
-                diagnostics::say("\nstopped before the first step");
+                diagnostics::say(
+                    "\nstopped before the first step: nothing has been computed; a folder that was begun is replaced with --force",
+                );
                 quit();
             }
             if shared.asked.swap(true, Ordering::SeqCst) {

@@ -2,15 +2,16 @@
 //!
 //! ```text
 //!     ridge: one dashpot            notch: one for each flank
-//!       _______________                 \\  |    |  /
-//!            /  \\                        \\ |    | /
-//!           /    \\                        \\|____|/
-//!          /      \\                        \\__/
+//!       _______________                 \  |    |  /
+//!            /  \                        \ |    | /
+//!           /    \                        \|____|/
+//!          /      \                        \__/
 //! ```
 //!
 //! A block that slides over a ridge goes into one flank as it leaves the other: dashpots of each flank would hold it back, where a brick of
 //! this shape has one contact with one normal and does not. In a notch both flanks are pressed in places of their own. Which of both it is
-//! tell the planes: where block presses on one facet of a ridge, the plane of the other lies above the ground.
+//! tell the planes: where the block presses on one facet of a ridge, the plane of the other lies above the ground. What hangs together by ridges
+//! shares: a plate on two crests has one dashpot, though the flanks between them make a notch.
 
 use riprap_geom::Vec3;
 

@@ -219,6 +219,11 @@ impl View<'_> {
                 all += force.length();
             }
         }
+        for (b, _, force) in self.bond_forces() {
+            if free(b) {
+                all += force.length();
+            }
+        }
         let rigid = if all > 0.0 { net / all } else { 0.0 };
         let deformable = self.deformable_unbalanced();
         deformable.map_or(rigid, |deformable| deformable.max(rigid))
@@ -248,6 +253,9 @@ impl View<'_> {
         }
         for (b, _, force) in world.bolt_forces() {
             all[b as usize] += force.length();
+        }
+        for (b, _, force) in self.bond_forces() {
+            all[b] += force.length();
         }
         self.living()
             .filter(|&b| world.is_free(b) && self.deformable(b).is_none() && all[b] > 0.0)

@@ -7,6 +7,8 @@
 //!
 //! Whether blocks touch is judged by their boxes: who is told touches nothing for certain, not all who do are told.
 
+use std::collections::BTreeSet;
+
 use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::builder::Builder;
@@ -26,7 +28,7 @@ const NAMED: usize = 5;
 /// Pairs of boxes after which nothing is said.
 const MOST_LOOKS: usize = 200_000_000;
 
-/// A box along the axes, m; in the plane all have the same z.
+/// A box along the axes, m; in the plane all have the same z, wider than all else.
 #[derive(Clone, Copy)]
 struct Extent {
     min: Vec3,
@@ -126,6 +128,7 @@ impl Builder<'_> {
         let far: Vec<u32> = far.map(|a| a.block).collect();
         if let (Some(phase), Some(first), true) = (&settles, far.first(), down.is_some())
             && far.len() < touched
+            && !self.hangs_or_floats()
         {
             let (names, verb) = self.named(&far);
             let message =
@@ -142,37 +145,42 @@ impl Builder<'_> {
         let loads = self.setup.loads.iter().map(|l| &l.blocks);
         let in_space = self.spatial.supports.iter().map(|s| &s.blocks);
         let loads_in_space = self.spatial.loads.iter().map(|l| &l.blocks);
+        let nodes = self.spatial.deform.holds.iter();
+        if nodes.clone().any(|hold| hold.blocks.is_none()) {
+            return Vec::new();
+        }
+        let nodes = nodes.filter_map(|hold| hold.blocks.as_ref());
+        let first = self.plan.phases.first();
+        let first = first.into_iter().flat_map(|p| [&p.fix, &p.remove]);
         let mut bound = vec![false; self.directory.centroids.len()];
         let all = supports.chain(loads).chain(in_space).chain(loads_in_space);
+        let all = all.chain(nodes).chain(first);
         all.flatten().for_each(|b| bound[*b as usize] = true);
-        let mut found = Vec::new();
-        for (table, blocks) in self.directory.tables() {
-            if self.is_single(table) {
-                found.extend(blocks.filter(|b| !bound[*b as usize]));
-            }
-        }
-        found
+        let single = self.single();
+        let tables = self.directory.tables();
+        let tables = tables.filter(|(table, _)| single.contains(table));
+        let blocks = tables.flat_map(|(_, blocks)| blocks);
+        blocks.filter(|b| !bound[*b as usize]).collect()
     }
 
-    /// Whether a table makes one shape, or copies of one, that start at rest.
-    fn is_single(&self, table: &str) -> bool {
-        let mut blocks = self.parsed.scenario.blocks.iter();
-        let said = blocks.find(|said| said.name.as_str() == table);
-        said.is_some_and(|said| {
+    /// Tables that make one shape, or copies of one, that start at rest.
+    fn single(&self) -> BTreeSet<&str> {
+        let blocks = self.parsed.scenario.blocks.iter();
+        let single = blocks.filter(|said| {
             said.geometry().is_some_and(|geometry| {
                 !geometry.is_many() && !matches!(geometry, Geometry::Terrain(_))
             }) && said.cut.is_none()
                 && said.velocity.is_none()
                 && said.spin.is_none()
-        })
+        });
+        single.map(|said| said.name.as_str()).collect()
     }
 
     /// Blocks of generators: they touch each other.
     fn side_by_side(&self) -> usize {
-        let many = self
-            .directory
-            .tables()
-            .filter(|(table, _)| !self.is_single(table));
+        let single = self.single();
+        let tables = self.directory.tables();
+        let many = tables.filter(|(table, _)| !single.contains(table));
         many.filter(|(_, blocks)| blocks.len() > 1)
             .map(|(_, blocks)| blocks.len())
             .sum()
@@ -186,7 +194,7 @@ impl Builder<'_> {
                 boxes
                     .map(|b| Extent {
                         min: b.min.extend(0.0),
-                        max: b.max.extend(1.0),
+                        max: b.max.extend(f64::MAX),
                     })
                     .collect()
             }
@@ -219,9 +227,14 @@ impl Builder<'_> {
     fn falls_freely(&self) -> bool {
         let terrain = self.spatial.blocks.iter().any(|b| b.shape.is_terrain());
         let held = !self.setup.supports.is_empty() || !self.spatial.supports.is_empty() || terrain;
+        held && !self.hangs_or_floats() && self.spatial.boundaries.is_empty()
+    }
+
+    /// Whether bolts or water can carry a block.
+    fn hangs_or_floats(&self) -> bool {
         let wet = !self.setup.water.is_empty() || !self.spatial.water.is_empty();
         let tied = !self.setup.bolts.is_empty() || !self.spatial.bolts.is_empty();
-        held && !wet && !tied && self.spatial.boundaries.is_empty()
+        wet || tied
     }
 
     fn around(&self, block: u32, extents: &[Extent], down: Option<(usize, f64)>) -> Around {

@@ -227,7 +227,7 @@ impl Builder<'_> {
                 }
                 Output::Checkpoints(schedule) => {
                     self.plan.checkpoints = every(schedule.every.read());
-                    let ends = "are written at the ends of phases alone";
+                    let ends = "are written at the ends of phases, and now and then of themselves";
                     self.too_rare(
                         format!("checkpoints {ends}"),
                         self.plan.checkpoints,

@@ -167,7 +167,10 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let trial = Trial::of(&mut simulation, stage)?;
     let (steps, least_steps) = match trial.end {
         Some(taken) => (Some(taken), Some(taken)),
-        None => (most, least.map(|n| n.max(trial.steps))),
+        None => {
+            let [most, least] = [most, least].map(|n| n.map(|n| n.max(trial.steps)));
+            (most, least)
+        }
     };
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),

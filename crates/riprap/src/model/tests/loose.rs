@@ -91,6 +91,28 @@ fn blocks_that_hang_in_the_air_of_a_static_phase_are_told() {
 }
 
 #[test]
+fn what_the_first_phase_fixes_does_not_fall() {
+    let fixed = format!("{STATIC}\nfix = [\"loose\"]");
+    assert_eq!(told(&plane(&brick("20 m", "3.5 m", ""), &fixed)), []);
+}
+
+/// In the plane blocks have no width across it.
+#[test]
+fn the_gap_is_held_against_the_width_of_wide_blocks_too() {
+    let wide = |corner: &str, name: &str| {
+        format!(
+            "[[blocks]]\nname = \"{name}\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"10 m\", \"10 m\"], corner = {corner} }}\n"
+        )
+    };
+    let two = wide("[\"30 m\", \"0 m\"]", "w") + &wide("[\"30 m\", \"10.05 m\"]", "on_top_of_it");
+    let codes: Vec<&str> = told(&plane(&two, ""))
+        .iter()
+        .map(|(code, _)| *code)
+        .collect();
+    assert_eq!(codes, ["model.gap"]);
+}
+
+#[test]
 fn a_heap_that_is_poured_is_quiet() {
     let drop = |count: u32| {
         let copies = format!("copies = {{ count = {count}, step = [\"0 m\", \"1.5 m\"] }}");
@@ -129,4 +151,13 @@ fn the_same_in_space() {
         ["model.falls"]
     );
     assert_eq!(codes("[\"5 m\", \"0 m\", \"4 m\"]", ""), [""; 0]);
+    // Held by its nodes.
+    let text = format!(
+        "{SPACE}{}{}mechanics.deformable = {{}}\n[[supports]]\non.block = \"floor\"\nfixed = {{}}\n\
+         [[supports]]\non.nodes = {{ min = [\"5 m\", \"0 m\", \"4 m\"], max = [\"5 m\", \"1 m\", \"5 m\"] }}\nfixed = {{}}\n\
+         [[phases]]\nname = \"go\"\n{STATIC}\nuntil = {{ time = \"1 s\" }}\n",
+        brick("floor", "[\"0 m\", \"0 m\", \"0 m\"]"),
+        brick("loose", "[\"5 m\", \"0 m\", \"4 m\"]")
+    );
+    assert_eq!(told(&text), []);
 }

@@ -38,6 +38,9 @@ impl Builder<'_> {
     /// Why the velocity and the spin at the start of all blocks of a table are lost, at least along one axis.
     fn lost(&self, table: &str, start: [[f64; 3]; 2]) -> [Option<String>; 2] {
         let given = start.map(|v| v.iter().any(|v| v.abs() > 0.0));
+        if given == [false; 2] {
+            return [None, None];
+        }
         let Some((_, blocks)) = self.directory.tables().find(|(name, _)| *name == table) else {
             return [None, None];
         };
@@ -79,7 +82,7 @@ impl Builder<'_> {
         let all = |targets: [[Target<'_>; 3]; 2]| -> [[f64; 3]; 2] {
             std::array::from_fn(|of| std::array::from_fn(|k| targets[of][k].at(0.0, start[of][k])))
         };
-        let fixed = (self.plan.phases.first()).is_some_and(|p| p.fix.contains(&block));
+        let fixed = (self.plan.phases.first()).is_some_and(|p| p.fix.binary_search(&block).is_ok());
         let terrain =
             (self.spatial.blocks.get(block as usize)).is_some_and(|b| b.shape.is_terrain());
         if fixed || terrain {
