@@ -38,7 +38,8 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     );
     let scene = prepared.parsed.clone();
     let job = prepared.job();
-    with_display(&args.how, &head, &folder, |look| {
+    let early = "stopped before the first step: nothing has been computed; a folder that was begun is replaced with --force";
+    with_display(&args.how, &head, &folder, early, |look| {
         job::run(job, &folder, existing, threads(&args.how), look)
             .map_err(|error| Failure::of_job(error, &scene))
     })
@@ -52,7 +53,8 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
         env!("CARGO_PKG_VERSION"),
         args.run.display()
     );
-    with_display(&args.how, &head, &args.run, |look| {
+    let early = "stopped before a step was done: the run can be resumed as before";
+    with_display(&args.how, &head, &args.run, early, |look| {
         let live = Live::reopen(&args.run, threads(&args.how))?;
         // Before the run, which may take days.
         for note in live.notes() {
@@ -77,15 +79,16 @@ pub fn target(out: Option<&Path>, scene: &Path, kind: &str, force: bool) -> (Pat
     (folder, existing)
 }
 
-/// Runs `work` with progress and Ctrl-C, and reports how it ended.
+/// Runs `work` with progress and Ctrl-C, and reports how it ended; `early` is said where it is stopped before its first look.
 fn with_display(
     how: &How,
     head: &str,
     folder: &Path,
+    early: &'static str,
     work: impl FnOnce(&mut dyn FnMut(&mut Look<'_>) -> Control) -> Result<Outcome, Failure>,
 ) -> Result<(), Failure> {
     // Until the first step is done nothing is lost: building a large model takes longer than anybody waits after Ctrl-C.
-    let interrupt = Interrupt::listen_from_begin()?;
+    let interrupt = Interrupt::listen_from_begin(early)?;
     let mut display = Display::new(how.quiet);
     display.say(head);
     let outcome = work(&mut |look| {
