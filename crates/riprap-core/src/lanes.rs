@@ -209,11 +209,12 @@ pub fn times(a: &Vectors, b: &Vectors) -> Vectors {
 }
 
 /// Instruction set that wide code runs on. Every value is one that this machine has: there is no other way to one than [`Width::detect`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Width(Set);
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 enum Set {
+    #[default]
     Plain,
     Four,
     Eight,

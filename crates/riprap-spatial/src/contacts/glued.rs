@@ -201,15 +201,10 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
         block: name(block),
         reason,
     };
-    let terrain = blocks().any(|(_, block)| block.shape.is_terrain());
     let model = [
         (
             !setup.found_contacts,
             "is held by found contacts alone: leave `found_contacts` on",
-        ),
-        (
-            terrain,
-            "finds no contact with terrain yet: make the ground of fixed bricks or polyhedra",
         ),
         (
             !setup.deform.sets.is_empty(),

@@ -83,12 +83,13 @@ pub fn outlook(world: &World) -> Vec<Meets> {
         .filter_map(|b| {
             let solid = world.solid_of(b);
             let shape = &desk.shapes[world.solid[b] as usize];
+            let inradius = desk.inradius(world.solid[b]);
             let laws = partner.iter().flatten().map(|other| {
                 let ends = [*other, b as u32];
                 let materials = ends.map(|b| usize::from(world.setup.blocks[b as usize].material));
                 let row = materials[0] * world.setup.materials.len() + materials[1];
                 let row = world.setup.pair_table[row];
-                (row, law(&world.setup, ends, [shape.inradius; 2]))
+                (row, law(&world.setup, ends, [inradius; 2]))
             });
             let laws: Vec<_> = laws.collect();
             let softest = laws
@@ -108,7 +109,7 @@ pub fn outlook(world: &World) -> Vec<Meets> {
                 block: b as u32,
                 row: softest.0,
                 stiffness: softest.1.normal_stiffness,
-                inradius: shape.inradius,
+                inradius,
                 size: libm::cbrt(solid.mass / density),
                 mass: solid.mass,
                 face,

@@ -20,7 +20,7 @@ fn bounds(world: &World, desk: &Desk, exec: &Exec) -> [f64; 2] {
     let [least, most] = exec.sums(world.found.pairs.len(), pair);
     let facet = |b: usize, on: &FacetContact| {
         let laws = desk.terrain.laws.get(b);
-        let law = laws.and_then(|laws| laws.get(on.key[0] as usize));
+        let law = laws.and_then(|laws| laws.get(on.terrain()));
         let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
         0.5 * stiffness * on.area * on.depth * on.depth
     };

@@ -10,6 +10,7 @@ use super::constants::{inverse_mass, law};
 use super::{make_shapes, pose};
 use crate::exec::piece;
 use crate::found::desk::{Acting, Desk, TerrainWorkspace};
+use crate::found::glued::Glued;
 use crate::found::{
     Body, ContactLaw, Motion, Question, Reached, Shape, Sums, Terrain, Wrench, respond, turn,
 };
@@ -45,6 +46,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     let n = world.alive.len();
     let Desk {
         shapes,
+        glued,
         acting,
         place,
         terrain: desk,
@@ -72,6 +74,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         reference: &world.reference,
         solid: &world.solid,
         shapes,
+        glued,
         grounds: &desk.grounds,
         laws: &desk.laws,
         inverse_masses: &desk.inverse_masses,
@@ -86,7 +89,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         &mut desk.workspaces,
         |first, states, exerted, friction, room| {
             room.friction = 0.0;
-            room.treader.cutter.limit_width(width);
+            room.under.limit_width(width);
             for (k, (state, exerted)) in states.iter_mut().zip(exerted).enumerate() {
                 evaluation.block(first + k, state, exerted, room);
             }
@@ -115,10 +118,13 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
         return;
     }
     make_shapes(world, &mut scratch.desk);
-    let desk = &mut scratch.desk.terrain;
-    if !world.fresh && desk.laws.len() == n {
+    if !world.fresh && scratch.desk.terrain.laws.len() == n {
         return;
     }
+    let inradii: Vec<f64> = (0..n)
+        .map(|b| scratch.desk.inradius(world.solid[b]))
+        .collect();
+    let desk = &mut scratch.desk.terrain;
     let there = |b: &usize| world.alive[*b] && world.is_terrain(*b);
     let blocks: Vec<u32> = (0..n).filter(there).map(|b| b as u32).collect();
     if blocks != desk.blocks {
@@ -131,11 +137,9 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
         .extend((0..n).map(|b| inverse_mass(world, b)));
     desk.damped = false;
     for b in 0..n {
-        let shapes = &scratch.desk.shapes;
         let laws = desk.blocks.iter().map(|&terrain| {
             // Behind terrain there is no centroid: it counts as deep as the block.
-            let depth = shapes[world.solid[b] as usize].inradius;
-            law(&world.setup, [terrain, b as u32], [depth; 2])
+            law(&world.setup, [terrain, b as u32], [inradii[b]; 2])
         });
         let laws: Vec<ContactLaw> = if world.meets_terrain(b) {
             laws.collect()
@@ -171,6 +175,8 @@ struct Evaluation<'a> {
     /// Index into `shapes`, per block.
     solid: &'a [u32],
     shapes: &'a [Shape],
+    /// As `shapes`; empty where no block has parts.
+    glued: &'a [Glued],
     grounds: &'a [Terrain],
     /// The law of each block on each of the grounds; none for blocks that do not meet terrain.
     laws: &'a [Vec<ContactLaw>],
@@ -212,6 +218,8 @@ impl Evaluation<'_> {
         let turn = turn(shape, pose.rotation, &mut room.normals);
         room.old.clear();
         room.old.append(&mut state.facets);
+        let glued = self.glued.get(self.solid[b] as usize);
+        let glued = glued.filter(|glued| !glued.is_convex());
         let mut clear = f64::INFINITY;
         for (k, terrain) in self.grounds.iter().enumerate() {
             let body = Body {
@@ -220,7 +228,11 @@ impl Evaluation<'_> {
                 turn,
                 position: pose.position,
             };
-            match room.treader.find(terrain, &body, REACH * shape.radius) {
+            let reached = match glued {
+                Some(glued) => room.under.find_glued(terrain, glued, &pose, REACH),
+                None => room.under.find(terrain, &body, REACH),
+            };
+            match reached {
                 Reached::Apart(gap) => clear = clear.min(gap),
                 Reached::Swallowed(_) => {
                     // No force can be given: not a number stops the run with the name of the block.
@@ -231,7 +243,7 @@ impl Evaluation<'_> {
                     clear = 0.0;
                     let law = &self.laws[b][k];
                     let here = Here {
-                        terrain: k as u32,
+                        terrain: k,
                         law,
                         radius: shape.radius,
                         motion,
@@ -260,7 +272,7 @@ impl Evaluation<'_> {
 /// A block on terrain at this instant.
 struct Here<'a> {
     /// Number of the terrain.
-    terrain: u32,
+    terrain: usize,
     law: &'a ContactLaw,
     /// Of the block, m.
     radius: f64,
@@ -274,15 +286,15 @@ struct Here<'a> {
 
 impl Here<'_> {
     fn facets(&self, state: &mut OnTerrain, exerted: &mut Acting, room: &mut TerrainWorkspace) {
-        let areas = room.treader.facets.iter();
+        let areas = room.under.facets.iter();
         let whole: f64 = areas.map(|on| on.sums.vector_area.length()).sum();
         let any = |_| f64::NAN;
-        if let Some(on) = room.treader.facets.first() {
+        if let Some(on) = room.under.facets.first() {
             let asked = self.question(&on.sums, &any);
-            room.ridges.find(self.law, &asked, &room.treader.facets);
+            room.ridges.find(self.law, &asked, &room.under.facets);
         }
-        for (k, on) in room.treader.facets.iter().enumerate() {
-            let key = [self.terrain, on.facet];
+        for (k, on) in room.under.facets.iter().enumerate() {
+            let key = FacetContact::key(self.terrain, on.piece, on.facet);
             let old = room.old.iter().position(|f| f.key == key);
             let mut contact = old.map_or_else(
                 || FacetContact {
@@ -292,7 +304,7 @@ impl Here<'_> {
                 |k| room.old.remove(k),
             );
             let law = self.law.part(on.sums.vector_area.length() / whole);
-            let mean_radius = |point| room.treader.mean_radius(on.facet, point);
+            let mean_radius = |point| room.under.mean_radius(on, point);
             let question = Question {
                 shared: room.ridges.shared(k),
                 ..self.question(&on.sums, &mean_radius)
@@ -343,6 +355,9 @@ fn longest_step(world: &World, desk: &Desk) -> f64 {
         let shape = &desk.shapes[world.solid[b] as usize];
         let touching: f64 = state.facets.iter().map(|f| f.area).sum();
         let area = shape.areas.iter().copied().fold(touching, f64::max);
+        // Faces in a hollow are no faces of the hull.
+        let glued = desk.glued.get(world.solid[b] as usize);
+        let area = glued.map_or(area, |glued| area.max(glued.largest));
         let ease = super::limit::Ease::of(world, &desk.shapes, b).of_area(area);
         let mut stable = f64::INFINITY;
         for law in laws {
@@ -365,4 +380,4 @@ fn longest_step(world: &World, desk: &Desk) -> f64 {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

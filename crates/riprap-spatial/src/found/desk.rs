@@ -11,7 +11,7 @@ use super::ridges::Ridges;
 use super::search::Candidates;
 use super::shape::{Pose, Shape};
 use super::surface::Walker;
-use super::terrain::{Terrain, Treader};
+use super::terrain::{Terrain, Under};
 use crate::state::found::{FacetContact, PieceContact};
 
 /// Workspace for all found contacts of a model.
@@ -85,6 +85,14 @@ pub struct Deepest {
 }
 
 impl Desk {
+    /// Radius of the largest ball in a block of a mass class, m: of glued parts in the thinnest piece.
+    #[must_use]
+    pub fn inradius(&self, class: u32) -> f64 {
+        let class = class as usize;
+        let glued = self.glued.get(class);
+        glued.map_or(self.shapes[class].inradius, |glued| glued.inradius)
+    }
+
     /// What pair `k` exerts, if it does.
     #[must_use]
     pub fn exerted(&self, k: usize) -> Option<&Exerted> {
@@ -134,7 +142,7 @@ pub struct TerrainDesk {
 #[derive(Debug, Default)]
 pub struct TerrainWorkspace {
     /// Finds surfaces.
-    pub treader: Treader,
+    pub under: Under,
     /// Normals of the block, turned into space.
     pub normals: Vec<Vec3>,
     /// Contacts of the block that have not been found yet.

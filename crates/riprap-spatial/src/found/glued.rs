@@ -12,7 +12,7 @@ use super::shape::{Body, Pose, Shape, ShapeError, turn};
 use super::surface::{Found, Pair, Sums, Walker};
 
 /// A sum of pressures of both signs that is below this share of them is what round-off leaves of nothing.
-const CANCELLED: f64 = 1e-9;
+pub(super) const CANCELLED: f64 = 1e-9;
 
 /// Why parts take no part in contact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -114,6 +114,12 @@ impl Glued {
             self.half_surface += 0.5 * shape.areas.iter().sum::<f64>();
             self.largest = shape.areas.iter().copied().fold(self.largest, f64::max);
         }
+    }
+
+    /// Whether it is one convex block.
+    #[must_use]
+    pub fn is_convex(&self) -> bool {
+        self.terms.len() == 1
     }
 
     /// Number of pieces.

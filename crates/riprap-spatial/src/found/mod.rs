@@ -42,7 +42,7 @@ pub use planes::Planes;
 pub use search::{Blocks, Candidate, Candidates, Search};
 pub use shape::{Body, Pose, Shape, ShapeError, turn};
 pub use surface::{Found, Pair, Sums, Walker};
-pub use terrain::{Reached, Terrain, Treader};
+pub use terrain::{Reached, Terrain, Under};
 
 #[cfg(test)]
 mod impacts;

@@ -86,8 +86,11 @@ impl Ridges {
         }
     }
 
-    /// Whether the ground between two facets is convex.
+    /// Whether the ground between two facets is convex; so it is between two pieces of a block on one facet.
     fn is_ridge(&self, facets: &[OnFacet], [a, b]: [usize; 2]) -> bool {
+        if facets[a].facet == facets[b].facet {
+            return self.pressing[a].is_some() && self.pressing[b].is_some();
+        }
         let above = |plane: usize, place: usize| {
             self.pressing[place]
                 .is_some_and(|p| facets[plane].depth(p.point) >= facets[place].depth(p.point))

@@ -25,6 +25,10 @@ use super::planes::Planes;
 use super::shape::Body;
 use super::surface::Sums;
 
+mod under;
+
+pub use under::Under;
+
 /// Depth over height below the surface.
 pub const DEPTH: f64 = 1.0;
 /// Triangles belong to one facet if they lie in the plane of its first one within this share of that one's longest edge.
@@ -156,8 +160,12 @@ pub enum Reached {
 pub struct OnFacet {
     /// Number of the facet.
     pub facet: u32,
+    /// Number of the piece of a block of glued parts; 0 for a convex block.
+    pub piece: u16,
     /// Sums about the centroid of the block, from the terrain to the block.
     pub sums: Sums,
+    /// Integral of the depth of all terms whose sum with signs this is, m³; 0 for a convex block.
+    pub all: f64,
     /// Depth below its plane at a place x from the centroid of the block is `offset - slope . x`, m.
     pub slope: Vec3,
     /// The same.
@@ -336,7 +344,9 @@ impl Treader {
         let place = place.unwrap_or_else(|| {
             self.facets.push(OnFacet {
                 facet: cell.facet,
+                piece: 0,
                 sums: Sums::default(),
+                all: 0.0,
                 slope: cell.slope,
                 offset: self.planes.d[0],
             });

@@ -468,7 +468,7 @@ impl View<'_> {
         blocks.flat_map(move |(b, on)| {
             let inradius = desk.shapes[self.world.solid[b] as usize].inradius;
             on.facets.iter().map(move |facet| {
-                let terrain = desk.terrain.blocks[facet.key[0] as usize];
+                let terrain = desk.terrain.blocks[facet.terrain()];
                 (facet.depth / inradius, terrain, b as u32)
             })
         })

@@ -43,7 +43,7 @@ pub struct OnTerrain {
 /// A block on a facet of terrain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FacetContact {
-    /// Place of the terrain among all, and number of the facet.
+    /// What it is on and with which piece, see [`FacetContact::key`].
     pub key: [u32; 2],
     /// Springs along the contact.
     pub memory: Memory,
@@ -55,6 +55,24 @@ pub struct FacetContact {
     pub depth: f64,
     /// Area across the normal, m².
     pub area: f64,
+}
+
+impl FacetContact {
+    /// Bits for the place of the terrain; those above are for the piece.
+    const PIECE: u32 = 16;
+
+    /// Key of a piece of a block on a facet: place of the terrain among all with the number of the piece (0 for convex blocks) above it, and
+    /// number of the facet.
+    #[must_use]
+    pub fn key(terrain: usize, piece: u16, facet: u32) -> [u32; 2] {
+        [terrain as u32 | u32::from(piece) << Self::PIECE, facet]
+    }
+
+    /// Place of the terrain among all.
+    #[must_use]
+    pub fn terrain(&self) -> usize {
+        (self.key[0] & ((1 << Self::PIECE) - 1)) as usize
+    }
 }
 
 /// Two blocks that can touch.

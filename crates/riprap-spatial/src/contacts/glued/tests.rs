@@ -1,13 +1,17 @@
 //! Blocks of glued parts: against whole ones, at rest, in flight, in collision, after a restart, refused.
 
+use std::collections::BTreeSet;
+
+use riprap_geom::height_field::HeightField;
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Quat, Vec3};
 
+use super::super::terrain::tests::above_ground;
 use super::super::tests::{Run, above_floor, brick};
 use crate::build::BuildError;
 use crate::exec::Exec;
 use crate::found::glued::{Glued, Gluer, Placed, Touch};
-use crate::found::{Body, Found, Pair, Pose, Shape, Walker, turn};
+use crate::found::{Body, Found, Pair, Pose, Reached, Shape, Terrain, Under, Walker, turn};
 use crate::setup::{self, BlockSpec, Setup, Solid};
 use crate::world::World;
 
@@ -161,12 +165,7 @@ fn a_closed_way_about_a_reflex_edge_takes_no_work() {
 
 #[test]
 fn a_table_stands_on_four_legs() {
-    let mut parts: Vec<Box3> = vec![([0.0, 0.0, 0.6], [1.2, 0.8, 0.7])];
-    for (x, y) in [(0.0, 0.0), (1.1, 0.0), (0.0, 0.7), (1.1, 0.7)] {
-        parts.push(([x, y, 0.0], [x + 0.1, y + 0.1, 0.6]));
-    }
-    let table = glued(&parts, Vec3::new(-0.6, -0.4, 0.0));
-    let mut run = Run::new(above_floor(vec![table], 0.5, 0.3), 1, 5e-5);
+    let mut run = Run::new(above_floor(vec![table()], 0.5, 0.3), 1, 5e-5);
     let volume = 1.2 * 0.8 * 0.1 + 4.0 * 0.006;
     let solid = run.world.solid_of(1);
     assert!((solid.mass / (2500.0 * volume) - 1.0).abs() < 1e-14);
@@ -181,6 +180,122 @@ fn a_table_stands_on_four_legs() {
     assert!((pair.force.z / weight - 1.0).abs() < 1e-6);
     let (found, force) = run.view().contact_between(1, 0).unwrap();
     assert!((force.z / weight - 1.0).abs() < 1e-6 && (found.area - 0.04).abs() < 1e-4);
+}
+
+fn table() -> BlockSpec {
+    let mut parts: Vec<Box3> = vec![([0.0, 0.0, 0.6], [1.2, 0.8, 0.7])];
+    for (x, y) in [(0.0, 0.0), (1.1, 0.0), (0.0, 0.7), (1.1, 0.7)] {
+        parts.push(([x, y, 0.0], [x + 0.1, y + 0.1, 0.6]));
+    }
+    glued(&parts, Vec3::new(-0.6, -0.4, 0.0))
+}
+
+/// What falls askew on its legs, slides and spins moves on 338 triangles as on one brick. The triangles of the middle lie under no leg.
+#[test]
+fn a_flat_terrain_is_a_floor_for_glued_parts() {
+    let block = || {
+        let tilt = Quat::from_rotation_x(0.1) * Quat::from_rotation_y(0.07);
+        let mut block = turned(table(), Vec3::new(0.0, 0.0, 0.3), tilt);
+        if let setup::Shape::Glued(parts) = &mut block.shape {
+            let corners = parts.iter_mut().flat_map(|part| &mut part.vertices);
+            corners.for_each(|v| v.z += 0.1);
+        }
+        block.velocity = Vec3::new(1.5, 0.3, 0.0);
+        block.spin = Vec3::new(0.0, 0.0, 2.0);
+        vec![block]
+    };
+    let mut floor = Run::new(above_floor(block(), 0.5, 0.0), 1, 5e-5);
+    let mut ground = Run::new(above_ground(block(), 0.5, 0.0, 13, |_, _| 0.0), 1, 5e-5);
+    let mut legs = BTreeSet::new();
+    for k in 1..=80 {
+        floor.until(0.005 * f64::from(k));
+        ground.until(0.005 * f64::from(k));
+        let [v, w] = [&floor, &ground].map(|run| run.world.bodies.velocity(1));
+        assert!((v - w).length() < 1e-9, "{v} {w}");
+        legs.extend(ground.world.found.terrain[1].facets.iter().map(|f| f.key));
+    }
+    assert!(legs.len() >= 2, "{legs:?}");
+    let [a, b] = [&floor, &ground].map(|run| run.view().balance());
+    assert!((a.works.friction / b.works.friction - 1.0).abs() < 1e-8);
+    assert!(b.residual_relative().abs() < 1e-4);
+}
+
+/// With dashpots: four legs come to rest, each with its share of the weight.
+#[test]
+fn a_table_stands_on_terrain() {
+    let mut run = Run::new(
+        above_ground(vec![table()], 0.5, 0.3, 13, |_, _| 0.0),
+        1,
+        5e-5,
+    );
+    run.until(0.5);
+    let weight = run.world.solid_of(1).mass * 9.81;
+    let facets = &run.world.found.terrain[1].facets;
+    assert_eq!(facets.len(), 4);
+    for leg in facets {
+        assert_eq!(leg.terrain(), 0);
+        assert!((4.0 * leg.force.z / weight - 1.0).abs() < 1e-6, "{leg:?}");
+        assert!((leg.area / 0.01 - 1.0).abs() < 1e-3, "{leg:?}");
+    }
+    assert!(run.world.bodies.velocity(1).length() < 1e-9);
+}
+
+/// Two bars glued end to end and a pillar, as an L, on rough ground: the bar feels it as one brick does, and the force is the gradient
+/// of an energy.
+#[test]
+fn rough_ground_does_not_feel_seams_and_takes_no_work_along_a_closed_way() {
+    let wave = |x: f64, y: f64| 0.1 * libm::sin(2.0 * x) * libm::cos(1.5 * y);
+    let line: Vec<f64> = (0..=16).map(|k| -4.0 + 0.5 * f64::from(k)).collect();
+    let field = HeightField::grid(&line, &line, |i, j| Some(wave(line[i], line[j]))).unwrap();
+    let terrain = Terrain::new(field);
+    let parts = [
+        ([0.0, 0.0, 0.0], [1.7, 1.0, 1.0]),
+        ([1.7, 0.0, 0.0], [3.0, 1.0, 1.0]),
+        ([0.0, 0.0, 1.0], [0.6, 1.0, 3.0]),
+    ];
+    let parts = parts.map(|part| solid(part, Vec3::ZERO));
+    let centre = Vec3::new(1.5, 0.5, 0.5);
+    let l = Glued::new(&parts, centre).unwrap();
+    let whole = solid(([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]), Vec3::ZERO);
+    let bar = Glued::convex(&Shape::new(&whole, centre).unwrap());
+    let mut under = Under::default();
+    let mut force = |block: &Glued, pose: &Pose| {
+        let reached = under.find_glued(&terrain, block, pose, 1.0);
+        assert_eq!(reached, Reached::Touching);
+        let (mut force, mut moment) = (Vec3::ZERO, Vec3::ZERO);
+        for on in &under.facets {
+            force += on.sums.force;
+            moment += on.sums.moment;
+        }
+        (force, moment)
+    };
+    let (mut work, mut all) = (0.0, 0.0);
+    let steps = 2000;
+    let rotation = Quat::from_axis_angle(Vec3::new(0.6, 0.64, 0.48), 0.06);
+    // Upside down the L stands on its pillar, and its bar reaches into a hill.
+    let over = Quat::from_rotation_y(2.6);
+    let place = |k: i32, height: f64| {
+        let angle = std::f64::consts::TAU * f64::from(k) / f64::from(steps);
+        Vec3::new(0.2, 0.3, height) + 0.1 * Vec3::new(libm::cos(angle), 0.3, libm::sin(angle))
+    };
+    for k in 0..steps {
+        let mut pose = Pose {
+            position: place(k, 0.45),
+            rotation,
+        };
+        let [(f, m), (g, n)] = [&l, &bar].map(|block| force(block, &pose));
+        assert!((f - g).length() < 1e-9 * g.length(), "{f} {g}");
+        assert!((m - n).length() < 1e-9 * g.length(), "{m} {n}");
+        pose.rotation = over;
+        let (from, to) = (place(k, 1.3), place(k + 1, 1.3));
+        for share in [0.5 - 0.75f64.sqrt() / 3.0, 0.5 + 0.75f64.sqrt() / 3.0] {
+            pose.position = from + share * (to - from);
+            let done = 0.5 * force(&l, &pose).0.dot(to - from);
+            work += done;
+            all += done.abs();
+        }
+    }
+    assert!(all > 0.0 && work.abs() < 1e-6 * all, "{work:e} of {all:e}");
 }
 
 #[test]

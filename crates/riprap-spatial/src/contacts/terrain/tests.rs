@@ -9,7 +9,7 @@ use crate::setup::{BlockSpec, Setup, Shape, Surface};
 use crate::state::scratch::Scratch;
 
 /// Instead of the floor a grid over a square of 8 m.
-fn above_ground(
+pub(crate) fn above_ground(
     blocks: Vec<BlockSpec>,
     friction: f64,
     damping: f64,

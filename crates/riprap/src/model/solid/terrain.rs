@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 use riprap_geom::height_field::{Bins, HeightField, HeightFieldError};
+use riprap_geom::polyhedron::Polyhedron;
 
 use super::shapes::{bounds, solid};
 use super::triple;
@@ -13,7 +14,7 @@ use crate::scenario::language::{self, Block, Space};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name, Quantity};
-use crate::spatial::setup::{Shape, Surface};
+use crate::spatial::setup::{Shape, Solid, Surface};
 
 /// Most triangles of a terrain.
 const MOST: usize = 8_000_000;
@@ -288,13 +289,25 @@ impl Builder<'_> {
     }
 }
 
-/// How deep a convex block lies in a surface, m, negative above it: the deepest of its corners and of the corners of the surface in it.
-/// `None` where it is beside the surface as a whole.
+/// How deep a block lies in a surface, m, negative above it. `None` where it is beside the surface as a whole.
 fn depth(shape: &Shape, field: &HeightField, bins: &Bins) -> Option<f64> {
-    let body = solid(shape);
+    match shape {
+        Shape::Glued(parts) => {
+            let parts = parts.iter().map(Solid::polyhedron);
+            let depths = parts.filter_map(|part| depth_of(&part, field, bins));
+            depths.max_by(f64::total_cmp)
+        }
+        Shape::Brick { .. } | Shape::Polyhedron(_) | Shape::Terrain(_) => {
+            depth_of(&solid(shape), field, bins)
+        }
+    }
+}
+
+/// The same of a convex body: the deepest of its corners and of the corners of the surface in it.
+fn depth_of(body: &Polyhedron, field: &HeightField, bins: &Bins) -> Option<f64> {
     let corners = body.vertices.iter();
     let depths = corners.filter_map(|v| Some(field.height(bins, v.x, v.y)? - v.z));
-    let (low, high) = bounds(shape);
+    let (low, high) = body.bounds();
     let mut near = Vec::new();
     bins.near([low.x, low.y], [high.x, high.y], &mut near);
     let points = near.iter().flat_map(|t| field.corners(*t as usize));
