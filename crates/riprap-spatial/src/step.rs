@@ -56,8 +56,8 @@ pub fn evaluate(
     contacts::give_way(world, scratch);
     deform::contact::part(world, scratch);
     let meet = contacts::refresh(world, scratch);
-    let deformable = deform::contact::refresh(world, scratch);
     contacts::terrain::prepare(world, scratch);
+    let deformable = deform::contact::refresh(world, scratch);
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
     });

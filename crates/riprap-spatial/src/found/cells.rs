@@ -49,18 +49,23 @@ impl Star {
         self.sound = true;
         for tet in tets {
             let places = tet.map(&place);
-            let mut around = Box3::EMPTY;
-            for at in places {
-                around.low = around.low.min(at);
-                around.high = around.high.max(at);
-            }
-            self.bounds.low = self.bounds.low.min(around.low);
-            self.bounds.high = self.bounds.high.max(around.high);
-            self.boxes.push(around);
             let cell = Cell::new(places.map(|at| at - origin), peak);
-            self.sound &= cell.is_some();
-            self.cells.push(cell.unwrap_or_default());
+            self.push(places, cell);
         }
+    }
+
+    /// Adds a cell with these corners (m); `None` where it is inside out.
+    pub fn push(&mut self, places: [Vec3; 4], cell: Option<Cell>) {
+        let mut around = Box3::EMPTY;
+        for at in places {
+            around.low = around.low.min(at);
+            around.high = around.high.max(at);
+        }
+        self.bounds.low = self.bounds.low.min(around.low);
+        self.bounds.high = self.bounds.high.max(around.high);
+        self.boxes.push(around);
+        self.sound &= cell.is_some();
+        self.cells.push(cell.unwrap_or_default());
     }
 }
 
@@ -103,8 +108,10 @@ pub struct PairConstants {
     pub law: ContactLaw,
     /// Places of the blocks among the members.
     pub members: [u32; 2],
-    /// The smaller one of the depths of the centres, m.
+    /// The smaller one of the depths of the centres, m; on terrain that of the block.
     pub peak: f64,
+    /// Place of the terrain among all, of a block on it.
+    pub ground: Option<u32>,
 }
 
 /// A point at which friction and dashpots of a contact act.
@@ -163,9 +170,9 @@ pub struct PairWorkspace {
 pub struct CellDesk {
     /// Whether the list of pairs is that of the state.
     pub ready: bool,
-    /// Blocks that are in a pair, ascending.
+    /// Blocks that are in a pair, ascending, then terrain.
     pub members: Vec<Member>,
-    /// Where they are.
+    /// Where they are; of terrain, which has a member for each block near it, what is near that.
     pub stars: Vec<Star>,
     /// Per pair.
     pub constants: Vec<PairConstants>,

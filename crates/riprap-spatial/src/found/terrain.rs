@@ -25,6 +25,7 @@ use super::planes::Planes;
 use super::shape::Body;
 use super::surface::Sums;
 
+mod prisms;
 mod under;
 
 pub use under::Under;

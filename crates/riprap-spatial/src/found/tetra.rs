@@ -61,6 +61,17 @@ impl Cell {
         })
     }
 
+    /// The cell of these corners (m) in any order, with a depth of this gradient, and of this size (m) at the origin.
+    #[must_use]
+    pub fn with_depth([a, b, c, d]: [Vec3; 4], slope: Vec3, level: f64) -> Option<Self> {
+        let cell = Self::new([a, b, c, d], 0.0).or_else(|| Self::new([a, c, b, d], 0.0))?;
+        Some(Self {
+            slope,
+            level,
+            ..cell
+        })
+    }
+
     /// The same cell about an origin that lies at `-by` (m).
     #[must_use]
     pub fn shifted(&self, by: Vec3) -> Self {

@@ -466,7 +466,7 @@ impl View<'_> {
         let desk = &self.scratch.desk;
         let blocks = self.world.found.terrain.iter().enumerate();
         blocks.flat_map(move |(b, on)| {
-            let inradius = desk.shapes[self.world.solid[b] as usize].inradius;
+            let inradius = desk.inradius(self.world.solid[b]);
             on.facets.iter().map(move |facet| {
                 let terrain = desk.terrain.blocks[facet.terrain()];
                 (facet.depth / inradius, terrain, b as u32)

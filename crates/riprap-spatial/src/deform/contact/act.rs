@@ -6,10 +6,10 @@ use riprap_geom::{Mat3, Vec3};
 use super::law::{Asked, Sides, respond};
 use super::limit;
 use crate::contacts::pose;
-use crate::found::Pose;
 use crate::found::cells::{Member, PairConstants, PairSlot, PairWorkspace, Spot, Star};
 use crate::found::grid::Box3;
 use crate::found::tetra::Piece;
+use crate::found::{Pose, Terrain};
 use crate::state::deform::Deform;
 use crate::state::deformable::{DeformableMemory, DeformablePair};
 use crate::state::scratch::Scratch;
@@ -20,6 +20,7 @@ use crate::world::{Bodies, World};
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let Scratch {
         deformable: desk,
+        desk: rigid,
         deform: work,
         exec,
         pushes,
@@ -55,6 +56,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         members,
         stars: &desk.stars,
         constants: &desk.constants,
+        grounds: &rigid.terrain.grounds,
         dt: *pending,
         relaxing: deform.relax.is_some(),
     };
@@ -147,11 +149,23 @@ struct Evaluation<'a> {
     members: &'a [Member],
     stars: &'a [Star],
     constants: &'a [PairConstants],
+    grounds: &'a [Terrain],
     dt: f64,
     relaxing: bool,
 }
 
 impl Evaluation<'_> {
+    /// Whether the centre of a block lies below terrain.
+    fn is_below(&self, constants: &PairConstants) -> bool {
+        let Some(ground) = constants.ground else {
+            return false;
+        };
+        let blocks = constants.members.iter().map(|m| *m as usize);
+        let mut blocks = blocks.filter(|m| self.members[*m].body.is_some());
+        let depth = |m: usize| self.grounds[ground as usize].depth(self.stars[m].origin);
+        blocks.any(|m| depth(m).is_some_and(|depth| depth > 0.0))
+    }
+
     fn pair(
         &self,
         k: usize,
@@ -181,7 +195,9 @@ impl Evaluation<'_> {
         } else {
             slot.touching = false;
         }
-        if !stars.iter().all(|star| star.sound) {
+        if !stars.iter().all(|star| star.sound)
+            || slot.touching && room.surface.weight == 0.0 && self.is_below(constants)
+        {
             pair.depth = f64::INFINITY;
         }
         if !known {

@@ -29,6 +29,7 @@ pub(super) fn longest_step(world: &World, desk: &CellDesk) -> f64 {
         let area = two[0].largest.min(two[1].largest);
         let squares = two.map(|m| match m.body {
             Some(_) => m.own + stiffness * m.ease,
+            None if world.is_terrain(m.block as usize) => 0.0,
             None => stiffness * area * ease(world, m, area),
         });
         let xi = law.damping_ratio;

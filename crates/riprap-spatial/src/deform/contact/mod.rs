@@ -83,7 +83,7 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     // A block of each material, deformable and rigid.
     let mut some = vec![[None; 2]; count];
     for (b, spec) in world.setup.blocks.iter().enumerate() {
-        if world.alive[b] && !world.is_terrain(b) {
+        if world.alive[b] {
             some[usize::from(spec.material)][usize::from(world.deforms(b))] = Some(b as u32);
         }
     }

@@ -1,7 +1,8 @@
 //! Who can touch before the next look: the list of pairs, a function of the state of the last look.
 //!
 //! Blocks of the largest lattice whose joints and bonds are whole are targets, and two targets never make a pair; all others are seekers.
-//! A look is due when a point of a block will have left the block's margin by the end of the coming step.
+//! A look is due when a point of a block will have left the block's margin by the end of the coming step. Terrain is met by seekers and
+//! targets alike; it has a member of its own for each block that is near it, with the prisms below that block's box.
 
 use std::collections::BTreeMap;
 
@@ -11,11 +12,14 @@ use riprap_geom::{Mat3, Vec3};
 use crate::deform::relax;
 use crate::deform::shape::centred;
 use crate::exec::{CHUNK, Exec, piece};
+use crate::found::Terrain;
 use crate::found::cells::{CellDesk, Member, PairConstants, PairSlot, PairWorkspace, Star, peak};
+use crate::found::desk::TerrainDesk;
 use crate::found::grid::{Box3, Role};
 use crate::found::search::path_bound;
 use crate::state::deform::Deform;
 use crate::state::deformable::{DeformablePair, DeformableSearch};
+use crate::state::event::EditKind;
 use crate::state::scratch::Scratch;
 use crate::state::workspace::{BlockClass, Workspace};
 use crate::world::{World, flag};
@@ -45,7 +49,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if world.fresh {
         scratch.deformable.ready = false;
     }
-    if !world.found.deformable.roles.contains(&Role::Seeker) {
+    if !world.found.deformable.roles.contains(&Role::Seeker) && !world.has_terrain() {
         if !world.found.deformable.pairs.is_empty() {
             super::leave(world, scratch);
         }
@@ -64,6 +68,9 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     }
     if !scratch.deformable.ready {
         rebuild(world, scratch, renew);
+        if renew {
+            note_left(world, &scratch.desk.terrain.grounds);
+        }
     }
     world.found.deformable.longest_step = Some(f64::INFINITY);
     !world.found.deformable.pairs.is_empty()
@@ -251,6 +258,29 @@ fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
     }
 }
 
+/// Notes the blocks that have gone over the rim of all terrain since the last look.
+fn note_left(world: &mut World, grounds: &[Terrain]) {
+    if grounds.is_empty() {
+        return;
+    }
+    for b in 0..world.found.terrain.len() {
+        let Some(deform) = world.deform.as_deref() else {
+            return;
+        };
+        let Some(body) = deform.body(b).filter(|_| world.alive[b]) else {
+            continue;
+        };
+        let centre = (body.first + body.count - 1) as usize;
+        let at = deform.nodes.place[centre] + Vec3::from_array(deform.nodes.displacement[centre]);
+        let state = &mut world.found.terrain[b];
+        if !state.left && grounds.iter().all(|ground| ground.depth(at).is_none()) {
+            state.left = true;
+            let event = world.event(EditKind::LeftTerrain, b as u32);
+            world.events.push(event);
+        }
+    }
+}
+
 /// Makes the list of pairs of the state, and what follows from it.
 ///
 /// `renewed`: the state of the last look has changed, so that the masses there are now are those before.
@@ -260,6 +290,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         return;
     };
     let desk = &mut scratch.deformable;
+    let terrain = &scratch.desk.terrain;
     let roles = &world.found.deformable.roles;
     desk.boxes.clear();
     desk.boxes.extend((0..roles.len()).map(|b| match roles[b] {
@@ -283,6 +314,15 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         },
         &scratch.exec,
     );
+    let mut close = close.to_vec();
+    for (&ground, surface) in terrain.blocks.iter().zip(&terrain.grounds) {
+        let bodies = (0..roles.len()).filter(|b| deform.body(*b).is_some());
+        let over = bodies.filter(|b| roles[*b] != Role::Absent && surface.meets(&desk.boxes[*b]));
+        close.extend(over.map(|b| [ground.min(b as u32), ground.max(b as u32)]));
+    }
+    if !terrain.blocks.is_empty() {
+        close.sort_unstable();
+    }
     let mut old = std::mem::take(&mut world.found.deformable.pairs)
         .into_iter()
         .peekable();
@@ -292,7 +332,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         works.friction += pair.stored;
         works.edit_defect -= pair.energy;
     };
-    for &ends in close {
+    for ends in close {
         while let Some(gone) = old.next_if(|pair| pair.ends < ends) {
             lost(gone);
         }
@@ -304,7 +344,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
     }
     old.for_each(lost);
     world.found.deformable.pairs = pairs;
-    lay_out(world, work, desk);
+    lay_out(world, work, desk, terrain);
     if deform.relax.is_some() {
         let masses = relax::masses(deform, &work.kinds);
         let before = std::mem::replace(&mut work.fictitious, masses);
@@ -325,12 +365,14 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
 }
 
 /// What follows from the list of pairs.
-fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
+fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &TerrainDesk) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
     let pairs = &world.found.deformable.pairs;
-    let mut blocks: Vec<u32> = pairs.iter().flat_map(|p| p.ends).collect();
+    let ground = |b: u32| terrain.blocks.binary_search(&b).ok();
+    let ends = pairs.iter().flat_map(|p| p.ends);
+    let mut blocks: Vec<u32> = ends.filter(|b| ground(*b).is_none()).collect();
     blocks.sort_unstable();
     blocks.dedup();
     // Many blocks are of one kind: what follows from it is found once.
@@ -342,11 +384,20 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
     desk.stars.clear();
     desk.stars.resize_with(blocks.len(), Star::default);
     let place = |b: u32| blocks.partition_point(|other| *other < b) as u32;
-    let members = &desk.members;
+    let (members, stars, boxes) = (&mut desk.members, &mut desk.stars, &desk.boxes);
     desk.constants = pairs
         .iter()
         .map(|pair| {
-            let places = pair.ends.map(place);
+            let [i, j] = pair.ends;
+            let on = ground(i).map(|k| (k, 0)).or(ground(j).map(|k| (k, 1)));
+            let mut places = pair.ends.map(place);
+            if let Some((k, side)) = on {
+                let block = pair.ends[1 - side];
+                let peak = members[places[1 - side] as usize].peak;
+                places[side] = members.len() as u32;
+                members.push(below(pair.ends[side], peak));
+                stars.push(terrain.grounds[k].prisms(&boxes[block as usize]));
+            }
             let two = places.map(|k| &members[k as usize]);
             let peaks = two.map(|m| m.peak);
             let rigid = two.map(|m| m.body.is_none());
@@ -364,6 +415,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
                 law,
                 members: places,
                 peak: peaks[0].min(peaks[1]),
+                ground: on.map(|(k, _)| k as u32),
             }
         })
         .collect();
@@ -383,6 +435,20 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk) {
         pairs.len().div_ceil(piece(pairs.len())),
         PairWorkspace::default,
     );
+}
+
+/// Terrain under a block: it has no far side, and counts as deep as the block.
+fn below(terrain: u32, peak: f64) -> Member {
+    Member {
+        block: terrain,
+        body: None,
+        mesh: None,
+        peak,
+        largest: f64::INFINITY,
+        areas: Vec::new(),
+        ease: 0.0,
+        own: 0.0,
+    }
 }
 
 fn member(

@@ -1,5 +1,6 @@
 //! Deformable blocks that meet: energy, momenta, rest, sliding, parting; threads and restart.
 
+use riprap_geom::height_field::HeightField;
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Quat, Vec3};
 
@@ -8,7 +9,7 @@ use crate::exec::Exec;
 use crate::setup::deform::{BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Strain};
 use crate::setup::{
     BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
-    Setup, Shape, Solid, Stiffness, Strength, Support,
+    Setup, Shape, Solid, Stiffness, Strength, Support, Surface,
 };
 use crate::state::deform::Masses;
 use crate::state::scratch::Scratch;
@@ -360,4 +361,123 @@ fn a_whole_lattice_has_no_pairs() {
     run.until(1e-3);
     assert!(run.world.found.deformable.pairs.is_empty());
     assert!(run.world.found.deformable.search.displacement.is_empty());
+}
+
+/// A square of 8 m with heights every half a metre.
+fn ground(height: impl Fn(f64, f64) -> f64) -> BlockSpec {
+    let line: Vec<f64> = (0..=16).map(|k| 0.5 * f64::from(k) - 4.0).collect();
+    let field = HeightField::grid(&line, &line, |i, j| Some(height(line[i], line[j]))).unwrap();
+    spec(Shape::Terrain(Box::new(Surface {
+        points: field.points,
+        triangles: field.triangles,
+    })))
+}
+
+/// A cube that falls askew and spins: on terrain as on a floor of one brick. (Springs along a contact act at the centres of its pieces, of which there are
+/// more on terrain: with friction the two are not equal bit by bit.)
+#[test]
+fn a_flat_terrain_is_a_floor() {
+    let run = |floor: BlockSpec| {
+        let mut falling = cube(Vec3::new(-0.4, 0.1, 0.7), Quat::from_rotation_x(0.2));
+        falling.velocity = Vec3::new(1.5, 0.3, -3.0);
+        falling.spin = Vec3::new(0.0, 0.5, 2.0);
+        let mut setup = fixed(model(vec![floor, falling], &[1], 0.0, 0.0), &[0]);
+        setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+        let mut run = Run::new(setup, 1, 4e-5);
+        run.until(0.15);
+        run
+    };
+    // High enough for its own depth to be the height over its face wherever the cube is.
+    let floor = run(brick([-4.0, -4.0, -4.0], [8.0, 8.0, 4.0]));
+    let terrain = run(ground(|_, _| 0.0));
+    let [v, w] = [&floor, &terrain].map(|run| run.view().velocity(1));
+    assert!((v - w).length() < 1e-8 && v.z > 0.0, "{v} {w}");
+}
+
+#[test]
+fn friction_stops_a_cube_that_slides_on_terrain() {
+    let mut block = brick([-0.5, -0.2, 0.0], [0.4, 0.4, 0.2]);
+    block.velocity = Vec3::new(2.0, 0.0, 0.0);
+    let mut setup = model(vec![ground(|_, _| 0.0), block], &[1], 0.5, 0.1);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut run = Run::new(setup, 1, 5e-5);
+    run.until(0.6);
+    let way = run.view().displacement(1).x;
+    let wanted = 4.0 / (2.0 * 0.5 * 9.81);
+    assert!((way / wanted - 1.0).abs() < 0.03, "{way} {wanted}");
+    assert!(run.residual().abs() < 2e-3, "{:e}", run.residual());
+}
+
+fn on_hills(friction: f64, damping: f64) -> Setup {
+    let hills = |x: f64, y: f64| 0.2 * libm::sin(2.0 * x) * libm::cos(1.7 * y);
+    let mut blocks = vec![ground(hills)];
+    for k in 0..9_u32 {
+        let [x, y] = [k % 3, k / 3].map(|p| 1.6 * f64::from(p) - 1.6);
+        let turn = Quat::from_scaled_axis(Vec3::new(0.3 + x, -0.7 * y, 0.5));
+        let mut block = cube(Vec3::new(x, y, hills(x, y) + 1.0), turn);
+        block.velocity = Vec3::new(0.3, 0.0, -5.0);
+        blocks.push(block);
+    }
+    // One is rigid.
+    let mut setup = model(blocks, &[1, 2, 3, 4, 6, 7, 8, 9], friction, damping);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    setup
+}
+
+/// Without friction and dashpots cubes keep their energy on rough ground: the error is of second order in the step.
+#[test]
+fn bounces_on_rough_ground_keep_energy() {
+    let worst = |dt: f64| {
+        let mut run = Run::new(on_hills(0.0, 0.0), 1, dt);
+        run.evaluate();
+        let start = run.view().kinetic_energy();
+        let (mut worst, mut pressed) = (0.0_f64, 0.0_f64);
+        run.watch(0.15, |run| {
+            let balance = run.view().balance();
+            worst = worst.max((balance.residual() / start).abs());
+            pressed = pressed.max(balance.contact_normal / start);
+        });
+        assert!(pressed > 0.1, "{pressed}");
+        worst
+    };
+    let [coarse, fine] = [8e-5, 4e-5].map(worst);
+    assert!(coarse < 1e-4, "{coarse:e}");
+    assert!((coarse / fine - 4.0).abs() < 1.0, "{coarse:e} {fine:e}");
+}
+
+#[test]
+fn threads_and_restart_change_no_bit_on_terrain() {
+    let setup = || on_hills(0.5, 0.1);
+    let mut one = Run::new(setup(), 1, 8e-5);
+    one.until(0.06);
+    let world = one.world.clone();
+    one.until(0.1);
+    let pairs = one.world.found.deformable.pairs.iter();
+    assert!(pairs.filter(|p| p.depth > 0.0).count() > 3);
+    let mut two = Run::new(setup(), 2, 8e-5);
+    two.until(0.1);
+    assert!(one.world.hash() == two.world.hash(), "threads change bits");
+    let mut world = world;
+    let scratch = Scratch::new(&mut world, Exec::serial());
+    let dt = 8e-5;
+    let mut again = Run { world, scratch, dt };
+    again.until(0.1);
+    assert!(
+        one.world.hash() == again.world.hash(),
+        "a restart changes bits"
+    );
+}
+
+/// What a block that is wholly below the surface presses with nobody can say.
+#[test]
+fn a_cube_below_the_surface_stops_the_run() {
+    let below = cube(Vec3::new(0.1, 0.2, -2.0), Quat::IDENTITY);
+    let mut run = Run::new(
+        model(vec![ground(|_, _| 0.0), below], &[1], 0.5, 0.1),
+        1,
+        1e-5,
+    );
+    run.evaluate();
+    let worst = run.view().worst_overlap();
+    assert_eq!(worst, Some((f64::INFINITY, 0, 1)));
 }

@@ -237,13 +237,6 @@ impl Builder<'_> {
             let help = "take `found_contacts = false` out of [space.spatial]";
             self.found.push(error.help(help));
         }
-        if !self.spatial.deform.sets.is_empty() {
-            let message = "deformable blocks do not meet terrain yet";
-            let error = Diagnostic::error("terrain.deformable", message);
-            let error = error.at(self.table_span(*first));
-            self.found
-                .push(error.help("make them rigid, or give them a floor of bricks"));
-        }
         let accepted = match &self.parsed.scenario.space {
             Space::Spatial(space) => space.allow_overlap.as_ref().map_or(0.0, Quantity::si),
             Space::Planar(_) => 0.0,
