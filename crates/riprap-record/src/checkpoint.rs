@@ -7,15 +7,15 @@
 //!
 //! The two newest checkpoints are kept; [`latest`] falls back to the older one and says why.
 
-use super::disk::{AtPath, OutputError, write_whole};
-use flate2::Compression;
+use super::disk::{AtPath, OutputError};
 use flate2::read::ZlibDecoder;
-use flate2::write::ZlibEncoder;
+pub use pack::{Packing, encode, write};
+use pack::{checksum, write_as};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::cmp::Ordering;
 use std::fs;
-use std::io::{self, BufWriter, Read, Write};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 const MAGIC: &[u8; 8] = b"RIPRAPCK";
@@ -212,111 +212,6 @@ pub struct Latest<T> {
     pub value: T,
     /// What was wrong with newer ones, newest first: show these as warnings.
     pub broken: Vec<CheckpointError>,
-}
-
-/// Whether a checkpoint is to be small or to be there soon.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Packing {
-    /// Compressed.
-    Small,
-    /// Not compressed: several times as large, in a fraction of the time. For someone who waits.
-    Quick,
-}
-
-impl Packing {
-    fn level(self) -> Compression {
-        match self {
-            Self::Small => Compression::fast(),
-            Self::Quick => Compression::none(),
-        }
-    }
-}
-
-/// Encodes a state into the bytes of a checkpoint file.
-///
-/// # Errors
-/// A value that postcard cannot encode, or a `kind` that is not 1 to 16 ASCII characters: both are mistakes of
-/// the programmer, reported as `InvalidData`.
-pub fn encode<T: Serialize>(kind: &str, value: &T) -> io::Result<Vec<u8>> {
-    encode_as(kind, value, Packing::Small)
-}
-
-fn encode_as<T: Serialize>(kind: &str, value: &T, packing: Packing) -> io::Result<Vec<u8>> {
-    let invalid = |text: String| io::Error::new(io::ErrorKind::InvalidData, text);
-    if kind.is_empty() || kind.len() > KIND_BYTES || !kind.is_ascii() {
-        return Err(invalid(format!(
-            "checkpoint kind `{kind}` is not 1 to 16 ASCII characters"
-        )));
-    }
-    // Encoded and compressed as it goes: the state is never there a second time.
-    let zlib = ZlibEncoder::new(vec![0u8; HEAD], packing.level());
-    let counted = Counted {
-        inner: BufWriter::with_capacity(1 << 16, zlib),
-        bytes: 0,
-    };
-    let done = postcard::to_io(value, counted).map_err(|e| invalid(e.to_string()))?;
-    let plain = done.bytes;
-    let zlib = done
-        .inner
-        .into_inner()
-        .map_err(io::IntoInnerError::into_error)?;
-    let mut out = zlib.finish()?;
-    let packed = (out.len() - HEAD) as u64;
-    let mut head = Vec::with_capacity(HEAD);
-    head.extend_from_slice(MAGIC);
-    head.extend_from_slice(&FORMAT_VERSION.to_le_bytes());
-    let mut padded = [0u8; KIND_BYTES];
-    padded[..kind.len()].copy_from_slice(kind.as_bytes());
-    head.extend_from_slice(&padded);
-    head.extend_from_slice(&plain.to_le_bytes());
-    head.extend_from_slice(&packed.to_le_bytes());
-    let sum = checksum(&head, &out[HEAD..]);
-    head.extend_from_slice(&sum);
-    out[..HEAD].copy_from_slice(&head);
-    Ok(out)
-}
-
-/// Counts what is written.
-struct Counted<W> {
-    inner: W,
-    bytes: u64,
-}
-
-impl<W: Write> Write for Counted<W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.inner.write(bytes)?;
-        self.bytes += written as u64;
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.inner.flush()
-    }
-}
-
-fn checksum(head: &[u8], payload: &[u8]) -> [u8; 32] {
-    let mut hasher = blake3::Hasher::new();
-    hasher.update(head);
-    hasher.update(payload);
-    *hasher.finalize().as_bytes()
-}
-
-/// Writes a checkpoint: aside, synced, renamed.
-///
-/// # Errors
-/// Whatever the disk says.
-pub fn write<T: Serialize>(path: &Path, kind: &str, value: &T) -> Result<(), OutputError> {
-    write_as(path, kind, value, Packing::Small)
-}
-
-fn write_as<T: Serialize>(
-    path: &Path,
-    kind: &str,
-    value: &T,
-    packing: Packing,
-) -> Result<(), OutputError> {
-    let bytes = encode_as(kind, value, packing).at(path)?;
-    write_whole(path, &bytes)
 }
 
 /// Reads a checkpoint of the given kind.
@@ -530,5 +425,9 @@ pub(crate) fn write_and_prune<T: Serialize>(
     Ok(path)
 }
 
+mod behind;
+mod pack;
+mod stored;
+mod sum;
 #[cfg(test)]
 mod tests;

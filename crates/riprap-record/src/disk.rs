@@ -76,6 +76,14 @@ fn sync_folder(folder: &Path) -> io::Result<()> {
 /// # Errors
 /// The disk.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+    write_whole_with(path, |file| file.write_all(bytes))
+}
+
+/// As [`write_whole`], by what `write` writes.
+pub(crate) fn write_whole_with(
+    path: &Path,
+    write: impl FnOnce(&mut File) -> io::Result<()>,
+) -> Result<(), OutputError> {
     let folder = match path.parent() {
         Some(p) if !p.as_os_str().is_empty() => p,
         Some(_) | None => Path::new("."),
@@ -85,7 +93,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     let aside = folder.join(name);
     let result = (|| {
         let mut file = File::create(&aside)?;
-        file.write_all(bytes)?;
+        write(&mut file)?;
         file.sync_all()?;
         drop(file);
         fs::rename(&aside, path)?;

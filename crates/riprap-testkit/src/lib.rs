@@ -1,7 +1,11 @@
-//! Samples that the tests of several crates use.
+//! Samples that the tests of several crates use, and an allocator that counts.
 
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
+
+mod counting;
+
+pub use counting::Counting;
 
 use riprap_core::frame::{BRICK, Column, Frame, Solids};
 

@@ -1,9 +1,9 @@
 //! Times the deformable blocks of the spatial engine and prints CSV: `bench_deform [CELLS]`, or `bench_deform cut [congruent|Voronoi]
-//! [CELLS]` for cutting alone.
+//! [CELLS]` for cutting alone, `bench_deform save [CELLS]` for checkpoints alone.
 //!
 //! Run by `cargo xtask bench`. A beam of CELLS (default 46 x 9 x 10) cubes of 24 tetrahedra, joined by bonds, rings: with one
 //! matrix for congruent blocks, tetrahedron by tetrahedron, and with large strain. Then the kernels alone, and the cut of
-//! every block of a model beside the time that it took to build. Rates are the best of several repeats.
+//! every block of a model beside the time that it took to build, and checkpoints of 100,000 blocks. Rates are the best of several repeats.
 
 #![allow(
     clippy::disallowed_methods,
@@ -19,7 +19,10 @@ use riprap::geom::polyhedron::{Polyhedron, Tetrahedra};
 use riprap::lanes::Width;
 use riprap::laws::fracture::{Criterion, Margins};
 use riprap::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, forces};
+use riprap::record::checkpoint::Packing;
+use riprap::record::folder::Existing;
 use riprap::record::manifest::Machine;
+use riprap::record::{Manifest, RunFolder};
 use riprap::run::scene::Scene;
 use riprap::run::simulation::Simulation;
 use riprap::scenario::Source;
@@ -51,10 +54,14 @@ fn main() {
         let only = words.iter().find(|w| w.parse::<usize>().is_err());
         return cut_both(cells, only.map(String::as_str));
     }
+    let save = std::env::args().nth(1).as_deref() == Some("save");
     let words: Vec<usize> = std::env::args()
         .skip(1)
         .filter_map(|w| w.parse().ok())
         .collect();
+    if save {
+        return save_all(words);
+    }
     let cells = match words[..] {
         [x, y, z] => [x, y, z],
         _ => [46, 9, 10],
@@ -91,6 +98,7 @@ fn main() {
         );
     }
     cut_both(Vec::new(), None);
+    save_all(Vec::new());
 }
 
 /// What is timed: number of a block, displacements and forces of its nodes.
@@ -431,4 +439,51 @@ fn cut_all(name: &str, grid: &str, cells: [usize; 3], threads: usize) {
         "us/cut",
         "",
     );
+}
+
+/// Saves a model of `cells` (default 50 x 50 x 40) that moves: the larger part of what someone waits for after Ctrl-C, and what the
+/// checkpoints by the clock take. Nothing but the state is in them.
+fn save_all(cells: Vec<usize>) {
+    let cells: [usize; 3] = cells.try_into().unwrap_or([50, 50, 40]);
+    let parsed = scene("box", cells);
+    let setup = parsed
+        .prepare(&parsed.plain())
+        .expect("a model")
+        .model
+        .setup;
+    let riprap::model::Setup::Spatial(setup) = setup else {
+        panic!("the scene is in space")
+    };
+    let exec = Exec::new(1).expect("a thread");
+    let (mut world, mut scratch) = World::new(*setup, exec).expect("a model");
+    begin(&mut world, &mut scratch, false, |at| {
+        Vec3::new(at.y * at.z, at.z * at.x, at.x * at.y) * 1e-6
+    });
+    for _ in 0..3 {
+        evaluate(&mut world, &mut scratch, &Damping::default(), 1e-7).expect("finite");
+        advance(&mut world, &mut scratch, 1e-7);
+    }
+    let blocks = world.alive.len();
+    // Not in memory, where many systems have their temporary files.
+    let place = tempfile::tempdir_in("target").expect("a folder in target");
+    let folder = RunFolder::create(place.path(), Existing::Refuse, &Manifest::default())
+        .expect("a run folder");
+    for (what, packing, asked) in [
+        ("the last checkpoint", Packing::Quick, "<= 1"),
+        ("a checkpoint by the clock", Packing::Small, ""),
+    ] {
+        let mut best = f64::INFINITY;
+        let mut bytes = 0;
+        for _ in 0..REPEATS {
+            let start = Instant::now();
+            let file = folder
+                .checkpoint_as("bench", 0, &world, packing)
+                .expect("a checkpoint");
+            best = best.min(start.elapsed().as_secs_f64());
+            bytes = file.metadata().expect("its length").len();
+        }
+        let megabytes = bytes as f64 / 1e6;
+        println!("\"{what} of {blocks} blocks\",1,{best:.3},s,{asked}");
+        println!("\"{what} of {blocks} blocks\",1,{megabytes:.1},MB,");
+    }
 }

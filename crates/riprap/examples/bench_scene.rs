@@ -9,9 +9,7 @@
 //! allocated beyond the setup (shapes and names): in space a block takes what is allocated with found contacts
 //! switched off, and a candidate its share of what it takes more with them, less the shapes of the blocks and their turned normals.
 
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use riprap::exec::Exec;
@@ -22,6 +20,7 @@ use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
 use riprap::setup::Setup;
 use riprap::spatial::found::Shape;
+use riprap_testkit::Counting;
 
 const REPEATS: usize = 5;
 /// Block-steps per repeat: long enough to time, short enough to wait for.
@@ -38,28 +37,8 @@ fn load(path: &Path, case: &str) -> Result<Job, String> {
     Ok(scene.prepare(&found).map_err(|wrong| wrong.render())?.job())
 }
 
-/// Counts the bytes that are allocated.
-struct Counting;
-
-static LIVE: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: passes every call on to the system allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        LIVE.fetch_add(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller keeps the contract of `alloc`.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        LIVE.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: the pointer came from `alloc` above with this layout.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
 #[global_allocator]
-static ALLOCATOR: Counting = Counting;
+static ALLOCATOR: Counting = Counting::new();
 
 /// What is counted in a state.
 struct Counts {
@@ -112,7 +91,7 @@ fn with(threads: usize) -> Result<Exec, String> {
 
 /// Brings a scene to the first step of its last phase, and looks at its memory on the way.
 fn prepared(job: Job, threads: usize) -> Result<(Simulation, Memory), String> {
-    let grown = |since: f64| LIVE.load(Ordering::Relaxed) as f64 - since;
+    let grown = |since: f64| ALLOCATOR.live() as f64 - since;
     let mut without = None;
     if let Setup::Spatial(setup) = &job.setup
         && setup.found_contacts
@@ -120,14 +99,14 @@ fn prepared(job: Job, threads: usize) -> Result<(Simulation, Memory), String> {
         let mut setup = setup.clone();
         setup.found_contacts = false;
         let setup = Setup::Spatial(setup);
-        let before = LIVE.load(Ordering::Relaxed) as f64;
+        let before = ALLOCATOR.live() as f64;
         let mut blind = Simulation::new(setup, job.plan.clone(), with(threads)?)
             .map_err(|error| error.to_string())?;
         blind.prepare().map_err(|error| error.to_string())?;
         // Kept to the end, so that its memory is not taken a second time.
         without = Some((grown(before), blind));
     }
-    let before = LIVE.load(Ordering::Relaxed) as f64;
+    let before = ALLOCATOR.live() as f64;
     let mut simulation =
         Simulation::new(job.setup, job.plan, with(threads)?).map_err(|error| error.to_string())?;
     up_to_last_phase(&mut simulation)?;

@@ -10,32 +10,12 @@ use riprap::planar::bond::Bond;
 use riprap::planar::setup::{BondLaw, Setup, Strength};
 use riprap::record::checkpoint;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
+use riprap_testkit::Counting;
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicU64, Ordering};
-
-/// Counts allocations; the tests of this file run one after another (see `serial`).
-struct Counting;
-
-static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
-static SERIAL: std::sync::Mutex<()> = std::sync::Mutex::new(());
-
-// SAFETY: passes every call on to the system allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller keeps the contract of `alloc`.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the pointer came from `alloc` above with this layout.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
+/// The tests of this file run one after another (see `serial`).
 #[global_allocator]
-static ALLOCATOR: Counting = Counting;
+static ALLOCATOR: Counting = Counting::new();
+static SERIAL: std::sync::Mutex<()> = std::sync::Mutex::new(());
 
 fn plan(time_step: TimeStep) -> Plan {
     Plan {
@@ -184,7 +164,7 @@ fn a_steady_step_allocates_nothing() {
     let mut simulation =
         Simulation::new(setup, plan(TimeStep::Auto { safety: 0.2 }), Exec::serial()).unwrap();
     run(&mut simulation, 400);
-    let before = ALLOCATIONS.load(Ordering::Relaxed);
+    let before = ALLOCATOR.allocations();
     run(&mut simulation, 100);
-    assert_eq!(ALLOCATIONS.load(Ordering::Relaxed) - before, 0);
+    assert_eq!(ALLOCATOR.allocations() - before, 0);
 }

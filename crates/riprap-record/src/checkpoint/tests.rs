@@ -1,7 +1,15 @@
 //! Round trips, every truncation and flip, forged lengths, random bytes.
 
+use super::pack::put;
 use super::*;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use proptest::prelude::*;
+use riprap_testkit::Counting;
+use std::io::Write;
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting::new();
 
 type State = (u64, Vec<f64>, String);
 
@@ -76,6 +84,83 @@ fn every_truncation_and_every_flipped_byte_is_told() {
         decoded(&flipped),
         Err(CheckpointError::Checksum { .. })
     ));
+}
+
+/// Blocks that are stored end within numbers and at the edges of what is gathered, and any reader of zlib reads them.
+#[test]
+fn both_packings_hold_the_same() {
+    for length in [0, 1, 8_191, 8_192, 8_193, 40_000] {
+        let state: State = (1, (0..length).map(f64::from).collect(), "x".repeat(70_000));
+        for packing in [Packing::Small, Packing::Quick] {
+            let bytes = pack::encode_as("test", &state, packing).unwrap();
+            assert_eq!(decoded(&bytes).unwrap(), state, "{packing:?}");
+        }
+    }
+}
+
+/// A disk that is full after so many bytes.
+struct Full(u64);
+
+impl Write for Full {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let room = self.0.min(bytes.len() as u64);
+        self.0 -= room;
+        match room {
+            0 => Err(io::ErrorKind::StorageFull.into()),
+            room => Ok(room as usize),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// The encoder has no words for what the disk says.
+#[test]
+fn a_full_disk_is_told_as_such() {
+    let numbers: Vec<f64> = (0..400_000).map(f64::from).map(f64::sqrt).collect();
+    for packing in [Packing::Small, Packing::Quick] {
+        for room in [0, 10, 100_000, 2_000_000] {
+            let error = put(&mut Full(room), "test", &numbers, packing).unwrap_err();
+            let (kind, text) = (error.kind(), error.to_string());
+            assert_eq!(
+                kind,
+                io::ErrorKind::StorageFull,
+                "{packing:?} {room}: {text}"
+            );
+        }
+    }
+}
+
+/// The same from the thread that writes.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_device_is_told_as_such() {
+    let full = Path::new("/dev/full");
+    if full.exists() {
+        let mut file = fs::OpenOptions::new().write(true).open(full).unwrap();
+        let numbers = vec![0.1; 1_000_000];
+        let written = behind::behind(&mut file, |file| {
+            put(file, "test", &numbers, Packing::Quick)
+        });
+        assert_eq!(written.unwrap_err().kind(), io::ErrorKind::StorageFull);
+    }
+}
+
+/// Whoever runs a model that fills the memory can still stop it.
+#[test]
+fn writing_takes_no_second_copy_of_the_state() {
+    let dir = tempfile::tempdir().unwrap();
+    // 16 MB that can hardly be compressed.
+    let numbers: Vec<f64> = (0..2_000_000).map(f64::from).map(f64::sqrt).collect();
+    for packing in [Packing::Small, Packing::Quick] {
+        let path = dir.path().join("a.rck");
+        let (most, written) =
+            ALLOCATOR.most_during(|| pack::write_as(&path, "test", &numbers, packing));
+        written.unwrap();
+        assert!(most < 8 << 20, "{packing:?}: {most} bytes");
+    }
 }
 
 #[test]
