@@ -34,13 +34,13 @@ pub struct Interrupt {
 impl Interrupt {
     /// Starts listening. Called once per process.
     pub fn listen() -> Result<Self, Failure> {
-        let interrupt = Self::listen_from_begin("")?;
+        let interrupt = Self::listen_from_begin(String::new)?;
         interrupt.begin();
         Ok(interrupt)
     }
 
     /// The same for work that takes long to build: until [`Interrupt::begin`] the first Ctrl-C quits at once, with these words.
-    pub fn listen_from_begin(early: &'static str) -> Result<Self, Failure> {
+    pub fn listen_from_begin(early: impl Fn() -> String + Send + 'static) -> Result<Self, Failure> {
         let interrupt = Self {
             asked: Arc::default(),
             begun: Arc::default(),
@@ -48,7 +48,7 @@ impl Interrupt {
         let shared = interrupt.clone();
         ctrlc::set_handler(move || {
             if !shared.begun.load(Ordering::SeqCst) {
-                diagnostics::say(&format!("\n{early}"));
+                diagnostics::say(&format!("\n{}", early()));
                 quit();
             }
             if shared.asked.swap(true, Ordering::SeqCst) {

@@ -361,6 +361,30 @@ pub fn all(folder: &Path) -> io::Result<Vec<(u64, PathBuf)>> {
     Ok(found)
 }
 
+/// Whether a file is a checkpoint that was being written when its process ended.
+pub(crate) fn is_unfinished(file: &Path) -> bool {
+    let name = file.file_name().and_then(|n| n.to_str()).unwrap_or("");
+    let step = name.strip_prefix("checkpoint_");
+    let step = step.and_then(|n| n.strip_suffix(".rck.tmp"));
+    step.is_some_and(|n| n.parse::<u64>().is_ok())
+}
+
+/// Removes checkpoints that were being written when their process ended: as large as others, and of no use.
+pub(crate) fn remove_unfinished(folder: &Path) -> Result<(), OutputError> {
+    let folder = folder.join("checkpoints");
+    let entries = match fs::read_dir(&folder) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+        entries => entries.at(&folder)?,
+    };
+    for entry in entries {
+        let file = entry.at(&folder)?.path();
+        if is_unfinished(&file) {
+            fs::remove_file(&file).at(&file)?;
+        }
+    }
+    Ok(())
+}
+
 /// Reads the newest good checkpoint of a run folder.
 ///
 /// # Errors

@@ -22,10 +22,11 @@ mod series;
 mod tests;
 
 pub use files::{block_file, bolt_file, contact_file, crack_file, in_use, tetrahedron_file};
-use files::{clear, frame_files, lock, remove_if_there};
+use files::{clear, frame_files, lock, only_begun, remove_if_there};
 use series::{Series, append, begin};
 
-/// What to do with a folder that is already there. An empty one is always fine.
+/// What to do with a folder that is already there. An empty one is always fine, and one in which a run was begun that was stopped
+/// before it had computed anything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
     /// Leave anything alone.
@@ -120,7 +121,8 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// The first of `name`, `name-2`, `name-3`, ... that is not taken: `slope.run`, `slope-2.run`.
+    /// The first of `name`, `name-2`, `name-3`, ... that is not taken by more than a run that was stopped before it had computed
+    /// anything: `slope.run`, `slope-2.run`.
     pub fn free_name(wanted: &Path) -> PathBuf {
         let stem = wanted
             .file_stem()
@@ -133,7 +135,7 @@ impl RunFolder {
             .unwrap_or_default();
         let mut path = wanted.to_owned();
         let mut n = 2u32;
-        while path.exists() {
+        while path.exists() && !only_begun(&path) {
             path = wanted.with_file_name(format!("{stem}-{n}{extension}"));
             n += 1;
         }
@@ -161,6 +163,7 @@ impl RunFolder {
                 Ok(_) | Err(ManifestError::Newer { .. })
             );
             match (existing, run) {
+                _ if only_begun(path) => clear(path)?,
                 (Existing::Refuse, true) => {
                     return Err(FolderError::Run {
                         path: path.to_owned(),
@@ -262,6 +265,7 @@ impl RunFolder {
                 fs::remove_file(&file).at(&file)?;
             }
         }
+        checkpoint::remove_unfinished(path)?;
         Ok((run, aside))
     }
 

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use riprap::model::Setup;
-use riprap::record::RunFolder;
-use riprap::record::folder::Existing;
+use riprap::record::folder::{Existing, in_use};
 use riprap::record::manifest::{Manifest, Work};
 use riprap::record::table::Table;
+use riprap::record::{RunFolder, checkpoint};
 use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{self, Live, Outcome};
 use riprap::run::simulation::PhaseEnd;
@@ -38,11 +38,27 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     );
     let scene = prepared.parsed.clone();
     let job = prepared.job();
-    let early = "stopped before the first step: nothing has been computed; a folder that was begun is replaced with --force";
+    let begun = folder.clone();
+    let early = move || stopped_early(&begun);
     with_display(&args.how, &head, &folder, early, |look| {
         job::run(job, &folder, existing, threads(&args.how), look)
             .map_err(|error| Failure::of_job(error, &scene))
     })
+}
+
+/// What a run that is stopped before its first look leaves in `folder`, if it has come so far as to begin there.
+fn stopped_early(folder: &Path) -> String {
+    let shown = folder.display();
+    let saved = || checkpoint::all(folder).is_ok_and(|all| !all.is_empty());
+    match in_use(folder) {
+        Some(true) if saved() => {
+            format!("stopped before the first step; go on with: riprap resume {shown}")
+        }
+        Some(true) => format!(
+            "stopped before the first step: nothing has been computed, and {shown} is free for another run"
+        ),
+        Some(false) | None => "stopped before the first step: nothing has been computed".to_owned(),
+    }
 }
 
 /// `riprap resume`.
@@ -53,7 +69,7 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
         env!("CARGO_PKG_VERSION"),
         args.run.display()
     );
-    let early = "stopped before a step was done: the run can be resumed as before";
+    let early = || "stopped before a step was done: the run can be resumed as before".to_owned();
     with_display(&args.how, &head, &args.run, early, |look| {
         let live = Live::reopen(&args.run, threads(&args.how))?;
         // Before the run, which may take days.
@@ -84,7 +100,7 @@ fn with_display(
     how: &How,
     head: &str,
     folder: &Path,
-    early: &'static str,
+    early: impl Fn() -> String + Send + 'static,
     work: impl FnOnce(&mut dyn FnMut(&mut Look<'_>) -> Control) -> Result<Outcome, Failure>,
 ) -> Result<(), Failure> {
     // Until the first step is done nothing is lost: building a large model takes longer than anybody waits after Ctrl-C.

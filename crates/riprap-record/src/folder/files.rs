@@ -1,10 +1,11 @@
 //! Names of the files of a run folder, the lists of frames, the lock, and what is removed when a run is replaced.
 
 use std::fs::{self, File, TryLockError};
-use std::io;
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
-use super::super::disk::{AtPath, OutputError, insert_before_end, write_whole};
+use super::super::disk::{AtPath, OutputError, insert_before_end, open_plain, write_whole};
+use super::super::manifest::{Ended, Manifest};
 use super::super::vtu::{self, PvdEntry};
 use super::super::{checkpoint, conditions, names};
 use super::{FolderError, FrameEntry};
@@ -119,6 +120,40 @@ pub fn in_use(path: &Path) -> Option<bool> {
     }
 }
 
+/// Whether the folder is what a run leaves that was stopped before its first checkpoint: no process writes it, nothing in it was
+/// computed, and nothing in it is of anybody else. Where the system cannot tell whether it is written, no.
+pub(super) fn only_begun(path: &Path) -> bool {
+    let manifest = path.join("manifest.json");
+    let running = || Manifest::read(path).is_ok_and(|m| m.ended == Ended::Running);
+    in_use(path) == Some(false)
+        && (running() || !manifest.exists())
+        && every_entry(path, |file| {
+            let name = file.file_name().and_then(|n| n.to_str()).unwrap_or("");
+            match name.strip_suffix(".tmp").unwrap_or(name) {
+                "frames" => every_entry(file, |_| false),
+                "checkpoints" => every_entry(file, checkpoint::is_unfinished),
+                LOCK | "events.jsonl" => lines(file) == Some(0),
+                "histories.csv" | "energy.csv" => lines(file).is_some_and(|n| n < 2),
+                "manifest.json" | "scenario.resolved.toml" | "run.pvd" | "contacts.pvd" => {
+                    file.is_file()
+                }
+                _ => false,
+            }
+        })
+}
+
+/// Whether all that is in a folder is so; not where it cannot be read.
+fn every_entry(folder: &Path, is_so: impl Fn(&Path) -> bool) -> bool {
+    fs::read_dir(folder)
+        .is_ok_and(|mut entries| entries.all(|entry| entry.is_ok_and(|entry| is_so(&entry.path()))))
+}
+
+/// Lines of a file, counted up to two.
+fn lines(file: &Path) -> Option<usize> {
+    let file = open_plain(file).ok()?;
+    Some(BufReader::new(file).split(b'\n').take(2).count())
+}
+
 /// Removes the files of an earlier run and nothing else.
 pub(super) fn clear(path: &Path) -> Result<(), OutputError> {
     if path.join("frames").is_dir() {
@@ -129,6 +164,7 @@ pub(super) fn clear(path: &Path) -> Result<(), OutputError> {
     for (_, file) in checkpoint::all(path).at(path)? {
         fs::remove_file(&file).at(&file)?;
     }
+    checkpoint::remove_unfinished(path)?;
     FILES
         .iter()
         .try_for_each(|name| remove_if_there(&path.join(name)))

@@ -131,7 +131,9 @@ fn other_folders_are_left_alone() {
     let path = dir.path().join("thesis");
     let m = Manifest::default();
     fs::create_dir(&path).unwrap();
-    RunFolder::create(&path, Existing::Refuse, &m).unwrap();
+    let mut run = RunFolder::create(&path, Existing::Refuse, &m).unwrap();
+    steps(&mut run, 0..1);
+    drop(run);
     let again = RunFolder::create(&path, Existing::Refuse, &m);
     assert!(matches!(again, Err(FolderError::Run { .. })));
 
@@ -167,6 +169,69 @@ fn names_that_are_free() {
         RunFolder::free_name(&wanted),
         dir.path().join("slope-3.run")
     );
+}
+
+#[test]
+fn what_was_begun_and_not_computed_is_no_hindrance() {
+    let dir = tempfile::tempdir().unwrap();
+    let running = Manifest {
+        ended: Ended::Running,
+        ..Manifest::default()
+    };
+    let begun = |name: &str| {
+        let path = dir.path().join(name);
+        let mut run = RunFolder::create(&path, Existing::Refuse, &running).unwrap();
+        run.write_scenario("riprap = 1\n").unwrap();
+        run.begin_histories(&[("slip", "m")]).unwrap();
+        run.begin_energy(&[("kinetic", "J/m")]).unwrap();
+        let unfinished = path.join("checkpoints/checkpoint_000000000000.rck.tmp");
+        fs::write(unfinished, "half").unwrap();
+        (path, run)
+    };
+    let again = |path: &Path| RunFolder::create(path, Existing::Refuse, &running);
+    let (path, run) = begun("a.run");
+    assert!(again(&path).is_err(), "it is being written");
+    assert_ne!(RunFolder::free_name(&path), path);
+    drop(run);
+    assert_eq!(RunFolder::free_name(&path), path);
+    drop(again(&path).unwrap());
+    assert!(!path.join("histories.csv").exists());
+    let left = fs::read_dir(path.join("checkpoints")).unwrap().count();
+    assert_eq!(left, 0);
+    // Anything more is somebody's.
+    type More = fn(&Path, &mut RunFolder);
+    let more: [(&str, More); 7] = [
+        ("row", |_, run| run.history_row(0, 0.0, &[None]).unwrap()),
+        ("event", |_, run| run.event(&1).unwrap()),
+        ("frame", |_, run| {
+            run.frame(&sample()).unwrap();
+        }),
+        ("checkpoint", |_, run| {
+            run.checkpoint("test", 0, &0).unwrap();
+        }),
+        ("end", |_, run| {
+            run.write_manifest(&Manifest {
+                ended: Ended::Finished,
+                ..Manifest::default()
+            })
+            .unwrap();
+        }),
+        ("file", |path, _| {
+            fs::write(path.join("thesis.txt"), "mine").unwrap();
+        }),
+        ("picture", |path, _| {
+            fs::write(path.join("frames/my.png"), "mine").unwrap();
+        }),
+    ];
+    for (name, add) in more {
+        let (path, mut run) = begun(name);
+        add(&path, &mut run);
+        drop(run);
+        let before = snapshot(&path);
+        assert!(again(&path).is_err(), "{name}");
+        assert_ne!(RunFolder::free_name(&path), path, "{name}");
+        assert_eq!(snapshot(&path), before, "{name}");
+    }
 }
 
 #[test]
