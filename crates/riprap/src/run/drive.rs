@@ -14,6 +14,7 @@ use super::checks::Watch;
 use super::engine::Reading;
 use super::recorder::{RecordError, Recorder};
 use super::simulation::{RunError, Simulation, Stage};
+use crate::ledger::{Balance, COLUMNS};
 use crate::plan::Window;
 use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, OutputError};
@@ -251,6 +252,33 @@ impl Drive {
                 return Ok(Some(Ending::Stopped));
             }
         }
+    }
+
+    /// The ledger where a run has stopped before its end, if its forces are known and finite there; the last rows of its tables are of
+    /// that state then. It is left afterwards: nothing else may be asked of it, and its checkpoint must have been written.
+    ///
+    /// # Errors
+    /// The disk.
+    pub(super) fn stopped(&mut self, ending: &Ending) -> Result<Option<Balance>, OutputError> {
+        let simulation = &mut self.simulation;
+        let known = match ending {
+            Ending::Finished => false,
+            // A step has moved the blocks, or a pause has found their forces already.
+            Ending::Stopped => simulation.prepare().is_ok(),
+            Ending::Unstable(why) => why.knows_forces(),
+        };
+        if !known {
+            return Ok(None);
+        }
+        let balance = simulation.balance();
+        if !COLUMNS.iter().all(|(_, get)| get(&balance).is_finite()) {
+            return Ok(None);
+        }
+        // States on the way to an equilibrium are not recorded.
+        if let Some(recorder) = self.recorder.as_mut().filter(|_| simulation.settled()) {
+            recorder.stopped(simulation, &balance)?;
+        }
+        Ok(Some(balance))
     }
 
     fn last_phase(&self) -> bool {

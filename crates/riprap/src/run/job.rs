@@ -20,7 +20,7 @@ use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
-use crate::ledger::COLUMNS;
+use crate::ledger::{Balance, COLUMNS};
 use crate::plan::{Check, Every, Plan};
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
@@ -58,7 +58,7 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// How the phases have ended.
     pub ends: Vec<PhaseEnd>,
-    /// The ledger where a run stopped before its end, if its forces are known there: the last row of `energy.csv` is older.
+    /// The ledger where a run stopped before its end, if its forces are known there.
     pub energies: Option<Energies>,
 }
 
@@ -470,9 +470,10 @@ impl Live {
             simulation.warnings(),
             simulation.cursor().ends.clone(),
         );
+        let balance = self.drive.stopped(&ending)?;
+        let simulation = self.drive.simulation();
         Ok(Outcome {
-            // Finds the forces of a state that is left: nothing else may be asked of it.
-            energies: energies(self.drive.into_simulation(), &ending),
+            energies: balance.map(|balance| energies(simulation, &balance)),
             ending,
             checks,
             unconverged,
@@ -483,27 +484,14 @@ impl Live {
     }
 }
 
-/// The ledger where a run was stopped, if it can be drawn up there.
-fn energies(mut simulation: Simulation, ending: &Ending) -> Option<Energies> {
-    let known = match ending {
-        Ending::Finished => false,
-        // A step has moved the blocks, or a pause has found their forces already.
-        Ending::Stopped => simulation.prepare().is_ok(),
-        Ending::Unstable(why) => why.knows_forces(),
-    };
-    if !known {
-        return None;
-    }
-    let balance = simulation.balance();
-    let terms: Vec<_> = (COLUMNS.iter())
-        .map(|(name, get)| (*name, get(&balance)))
-        .collect();
-    let finite = terms.iter().all(|(_, value)| value.is_finite());
-    finite.then(|| Energies {
+/// The ledger where a run was stopped.
+fn energies(simulation: &Simulation, balance: &Balance) -> Energies {
+    let terms = COLUMNS.iter().map(|(name, get)| (*name, get(balance)));
+    Energies {
         time: simulation.time(),
         unit: simulation.kind().energy_unit(),
-        terms,
-    })
+        terms: terms.collect(),
+    }
 }
 
 /// Writes into the manifest how the run ended.

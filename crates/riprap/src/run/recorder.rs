@@ -7,7 +7,7 @@ use super::checks::Watch;
 use super::engine::{Kind, Reading};
 use super::origin::Origin;
 use super::simulation::{PhaseEnd, Simulation, Snapshot, SnapshotRef, Unconverged};
-use crate::ledger::COLUMNS;
+use crate::ledger::{Balance, COLUMNS};
 use crate::plan::{Every, Plan};
 use crate::record::checkpoint::Packing;
 use crate::record::conditions::{self, Conditions};
@@ -66,6 +66,8 @@ pub struct Recorder {
     checkpoints: Option<Every>,
     counts: Counts,
     last_frame: Option<u64>,
+    /// Steps of the last rows of histories and energies. What a run that goes on had looked at counts as written.
+    last_rows: [Option<u64>; 2],
     /// Number of blocks whose names are written.
     named: usize,
     /// What holds, moves and loads the blocks that are known.
@@ -110,6 +112,7 @@ impl Recorder {
         let mut counts = counts.unwrap_or_default();
         counts.histories.resize(readings.len(), 0);
         let last_frame = folder.frames().last().map(|f| f.step);
+        let last_rows = [counts.last_step; 2];
         Ok(Self {
             folder,
             origin,
@@ -120,6 +123,7 @@ impl Recorder {
             checkpoints: plan.checkpoints,
             counts,
             last_frame,
+            last_rows,
             named: 0,
             conditions,
         })
@@ -185,6 +189,7 @@ impl Recorder {
         }
         if row.iter().any(Option::is_some) {
             self.folder.history_row(step, time, &row)?;
+            self.last_rows[0] = Some(step);
         }
         let edge = first || phase_end;
         let energy = self
@@ -192,7 +197,8 @@ impl Recorder {
             .as_ref()
             .is_some_and(|every| due(every, &mut self.counts.energy));
         if energy || edge {
-            self.energy_row(simulation)?;
+            let balance = simulation.balance();
+            self.energy_row(simulation, &balance)?;
         }
         let frame = self
             .frames
@@ -212,11 +218,41 @@ impl Recorder {
         Ok(())
     }
 
-    fn energy_row(&mut self, simulation: &mut Simulation) -> Result<(), OutputError> {
-        let balance = simulation.balance();
-        let row = COLUMNS.map(|(_, get)| get(&balance));
-        self.folder
-            .energy_row(simulation.steps(), simulation.time(), &row)
+    fn energy_row(
+        &mut self,
+        simulation: &Simulation,
+        balance: &Balance,
+    ) -> Result<(), OutputError> {
+        let row = COLUMNS.map(|(_, get)| get(balance));
+        let step = simulation.steps();
+        self.folder.energy_row(step, simulation.time(), &row)?;
+        self.last_rows[1] = Some(step);
+        Ok(())
+    }
+
+    /// Writes the rows of the present, prepared state, at which a run has stopped before its end, as far as it has none yet. They
+    /// stand behind what the last checkpoint counts: a run that goes on cuts them off.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn stopped(
+        &mut self,
+        simulation: &Simulation,
+        balance: &Balance,
+    ) -> Result<(), OutputError> {
+        let (step, time) = (simulation.steps(), simulation.time());
+        let [history, energy] = self.last_rows.map(|last| last != Some(step));
+        if history && !self.readings.is_empty() {
+            let view = simulation.view();
+            let values = self.readings.iter().map(|(r, _)| Some(r.value(&view)));
+            let row: Vec<_> = values.collect();
+            self.folder.history_row(step, time, &row)?;
+            self.last_rows[0] = Some(step);
+        }
+        if energy {
+            self.energy_row(simulation, balance)?;
+        }
+        Ok(())
     }
 
     /// Notes the start of the present phase, once.

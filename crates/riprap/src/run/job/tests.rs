@@ -6,6 +6,7 @@ use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw, Reflex};
 use crate::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
 use crate::plan::{Expected, Window};
 use crate::planar::setup::{self, BlockSpec, Interface, Motion, Support};
+use crate::record::table::Table;
 use crate::run::checks::Status;
 
 /// A block that falls onto a fixed one.
@@ -218,6 +219,45 @@ fn pauses_change_no_bit() {
         let read = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
         assert!(read(&whole) == read(&bits), "{file} differs");
     }
+}
+
+/// Rows that are due at the end alone: where a run was stopped they are there all the same, and are gone once it goes on.
+#[test]
+fn a_stopped_run_tells_of_its_last_state_and_goes_on_to_the_same_bits() {
+    let job = || {
+        let mut job = falling();
+        job.plan.energy = Some(Every::Never);
+        for history in &mut job.plan.histories {
+            history.every = Every::Phase;
+        }
+        job
+    };
+    let dir = tempfile::tempdir().unwrap();
+    let (whole, bits) = (dir.path().join("whole.run"), dir.path().join("bits.run"));
+    let wanted = run(job(), &whole, Existing::Refuse, 1, &mut go).unwrap();
+    // Looks come by the clock, but the first one after the first step.
+    let mut stop = |_: &mut Look<'_>| Control::Stop;
+    let stopped = run(job(), &bits, Existing::Refuse, 1, &mut stop).unwrap();
+    assert_eq!(stopped.ending, Ending::Stopped);
+    let tables = ["histories.csv", "energy.csv"];
+    for file in tables {
+        let table = Table::read(&bits.join(file)).unwrap();
+        let last = |column: usize| table.columns[column].values.last().copied();
+        assert_eq!(last(0), Some(stopped.manifest.steps as f64), "{file}");
+        assert_eq!(last(1), Some(stopped.manifest.time), "{file}");
+    }
+    let table = Table::read(&bits.join("energy.csv")).unwrap();
+    let row = table.columns[2..].iter().map(|c| c.values.last().copied());
+    let terms = stopped.energies.unwrap().terms;
+    assert!(row.eq(terms.iter().map(|(_, term)| Some(*term))));
+    // A run that is reopened and closed where it was has nothing to add.
+    let rows = || tables.map(|file| std::fs::read(bits.join(file)).unwrap());
+    let before = rows();
+    Live::reopen(&bits, 1).unwrap().close().unwrap();
+    assert!(rows() == before);
+    let resumed = resume(&bits, 1, &mut go).unwrap();
+    assert_eq!(resumed.manifest.state_hash, wanted.manifest.state_hash);
+    assert!(rows() == tables.map(|file| std::fs::read(whole.join(file)).unwrap()));
 }
 
 #[test]
