@@ -7,6 +7,7 @@
 mod disks;
 mod faults;
 mod files;
+mod laws;
 mod process;
 
 use std::path::{Path, PathBuf};
@@ -49,7 +50,7 @@ struct Attack {
     run: fn(&Field<'_>, &mut Chance) -> Result<Found, String>,
 }
 
-const ATTACKS: [Attack; 10] = [
+const ATTACKS: [Attack; 11] = [
     Attack {
         name: "scenes",
         about: "scene files of this repository with bytes, numbers, lines and words changed; `riprap check`",
@@ -102,6 +103,13 @@ const ATTACKS: [Attack; 10] = [
         about: "runs on a disk of 16 to 176 kB that fills up, resumed when there is room. Failure: an end without `could not write` and exit 3, another state, \
                 history or list than on a large disk",
         run: disks::full,
+    },
+    Attack {
+        name: "two laws",
+        about: "every scene in the plane under `riprap compare`, the plain case under both normal laws. Those in a folder `long` or `bench`, and those that take more than \
+                30 s (counted under *over*), with each phase ended after 3000 steps, or ten or a hundred times as many until something has met, and gravity there at once. \
+                Failure: a stop, an error, another exit code than 0; nothing has met",
+        run: laws::two,
     },
 ];
 
@@ -234,7 +242,8 @@ fn text(root: &Path, rows: &[Row], tries: usize, version: &str) -> String {
             package, and forged checkpoints whose checksum is right: they belong to whoever wrote them.\n"
 }
 
-/// The step `attack` of CI: a few tries of each attack but the kills, which tests of the command line do.
+/// The step `attack` of CI: a few tries of each attack but the kills, which tests of the command line do. Under two laws every scene is begun, for a hundred
+/// steps of each phase.
 pub fn step(root: &Path) -> Result<crate::steps::Outcome, String> {
     const SMOKE: usize = 25;
     let program = Program::new(&verify::ci_binary(root)?);

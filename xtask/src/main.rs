@@ -7,6 +7,7 @@ mod attack;
 mod bench;
 mod book;
 mod browser;
+mod cut;
 mod licences;
 mod modules;
 mod mutate;

@@ -8,7 +8,7 @@ use super::{Field, Found};
 use riprap_fuzz::damage::{Chance, without_checks};
 
 /// Longest that a run of these attacks may take: more than that is a failure.
-const LONG: Duration = Duration::from_secs(300);
+pub const LONG: Duration = Duration::from_secs(300);
 
 /// A block that falls in the plane.
 pub const FALL: &str = "riprap = 1\ntitle = \"a block falls\"\n[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[materials.rock]\ndensity = \"2000 kg/m3\"\n\
