@@ -34,7 +34,8 @@ Tasks:
   verify-all [SCENE]...
                    run every scene, the long ones too, and write docs/src/verification.csv and .md;
                    with names: run these and replace their rows
-                   --from FILE: take the lines that `riprap verify --json` printed; --table: run nothing, show what is stale
+                   --from FILE: take the lines that this program's `riprap verify --json` printed; --table: run nothing, show what is stale;
+                   --probes: make the probes that are missing (docs/src/verification_probes.csv)
   attack [ATTACK]...
                    damage, kill, crowd and hurry the program: attack / tries / failures; --tries N (1500), --page writes
                    docs/src/reliability.md, --binary FILE takes a program that is there

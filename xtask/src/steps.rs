@@ -98,7 +98,7 @@ pub const STEPS: &[Step] = &[
     ),
     built(
         "scenes",
-        "riprap verify on the fast scenes",
+        "riprap verify on the fast scenes; the first steps of the long ones",
         None,
         verify::fast,
     ),

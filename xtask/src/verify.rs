@@ -5,15 +5,19 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::time::Instant;
 
 use serde_json::Value;
 
 mod basis;
+mod probe;
 mod table;
 
 use crate::shell::{self, Counts, cargo};
 use crate::steps::Outcome;
 use basis::Now;
+use probe::Probes;
+use table::Row;
 pub use table::this_run;
 
 /// Builds the release binary; `Err` when it does not build.
@@ -62,7 +66,8 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
         long.len()
     );
     let fast: Vec<&str> = fast.iter().map(String::as_str).collect();
-    let (checks, success) = run(root, &ci_binary(root)?, &fast)?;
+    let binary = ci_binary(root)?;
+    let (checks, success) = run(root, &binary, &fast)?;
     write(&root.join(LAST), &lines(&checks))?;
     let count = |what: &str| checks.iter().filter(|c| c["status"] == what).count() as u64;
     let mut counts = Counts {
@@ -86,12 +91,32 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
             table::DATA
         );
     }
+    counts.add(probed(root, &binary, &rows, &now)?);
     println!(
         "{}: {}; stale rows of fast scenes are made fresh by `cargo xtask verify-all --from {LAST}`",
         table::PAGE,
         table::totals(&rows, &now)
     );
     Ok(Outcome::Counted(counts))
+}
+
+/// Begins long scenes and holds their states against those of the program that made their rows.
+fn probed(root: &Path, binary: &Path, rows: &[Row], now: &Now) -> Result<Counts, String> {
+    let begun = Instant::now();
+    let (different, run) = Probes::read(root)?.differences((root, binary), rows, now)?;
+    for difference in &different {
+        println!("{}: {difference}", probe::DATA);
+    }
+    let seconds = begun.elapsed().as_secs_f64();
+    println!(
+        "the first steps of {run} cases of long scenes: {} differ ({seconds:.0} s)",
+        different.len()
+    );
+    Ok(Counts {
+        passed: (run - different.len()) as u64,
+        failed: different.len() as u64,
+        skipped: 0,
+    })
 }
 
 /// What the step `scenes` found last, one check a line, as `riprap verify --json` prints it.
@@ -145,10 +170,13 @@ pub fn table_step(root: &Path) -> Result<Outcome, String> {
 }
 
 /// `cargo xtask verify-all [SCENE]...`: runs every scene, or those named, and writes the table; `--from FILE`: takes what has been
-/// run already; `--table`: runs nothing, and shows what is stale.
+/// run already; `--table`: runs nothing, and shows what is stale; `--probes`: makes the probes that are missing.
 pub fn all(root: &Path, words: &[&str]) -> ExitCode {
     let done = match words {
-        ["--table"] => rewrite(root, &[]).map(|()| 0),
+        ["--table"] => rewrite(root, &[], None).map(|()| 0),
+        ["--probes"] => {
+            ci_binary(root).and_then(|binary| rewrite(root, &[], Some(&binary)).map(|()| 0))
+        }
         ["--from", file] => taken(root, file),
         chosen => run_all(root, chosen),
     };
@@ -162,8 +190,9 @@ pub fn all(root: &Path, words: &[&str]) -> ExitCode {
     }
 }
 
-/// Writes the page with the checks that were run in place of the rows of their scenes.
-fn rewrite(root: &Path, checks: &[Value]) -> Result<(), String> {
+/// Writes the page with the checks that were run in place of the rows of their scenes. With the `binary` that ran them come probes of these
+/// scenes, without checks those that are missing.
+fn rewrite(root: &Path, checks: &[Value], binary: Option<&Path>) -> Result<(), String> {
     let now = Now::of(root);
     let stranger = checks
         .iter()
@@ -181,9 +210,19 @@ fn rewrite(root: &Path, checks: &[Value]) -> Result<(), String> {
     let index = root.join(table::INDEX);
     let text = std::fs::read_to_string(&index).map_err(|e| format!("{}: {e}", table::INDEX))?;
     write(&index, &table::index(&text, &rows, &now)?)?;
+    // Last: rows may be the work of hours.
+    let mut probes = Probes::read(root)?;
+    probes.keep(&rows);
+    if let Some(binary) = binary {
+        let ran = |scene: &str| checks.iter().any(|c| c["scene"] == scene);
+        let chosen: Option<&dyn Fn(&str) -> bool> = (!checks.is_empty()).then_some(&ran);
+        probes.make((root, binary), &rows, chosen)?;
+    }
+    write(&root.join(probe::DATA), &probes.text()?)?;
     println!(
-        "wrote {}, {} and {}",
+        "wrote {}, {}, {} and {}",
         table::DATA,
+        probe::DATA,
         table::PAGE,
         table::INDEX
     );
@@ -194,7 +233,12 @@ fn rewrite(root: &Path, checks: &[Value]) -> Result<(), String> {
 fn taken(root: &Path, file: &str) -> Result<u64, String> {
     let text = std::fs::read_to_string(root.join(file)).map_err(|e| format!("{file}: {e}"))?;
     let checks = parse(&text)?;
-    rewrite(root, &checks)?;
+    let long = |check: &Value| check["scene"].as_str().is_some_and(table::is_long);
+    let binary = match checks.iter().any(long) {
+        true => Some(ci_binary(root)?),
+        false => None,
+    };
+    rewrite(root, &checks, binary.as_deref())?;
     Ok(checks.iter().filter(|c| c["status"] == "failed").count() as u64)
 }
 
@@ -215,8 +259,9 @@ fn run_all(root: &Path, chosen: &[&str]) -> Result<u64, String> {
     } else {
         chosen.to_vec()
     };
-    let (checks, success) = run(root, &release_binary(root)?, &chosen)?;
-    rewrite(root, &checks)?;
+    let binary = release_binary(root)?;
+    let (checks, success) = run(root, &binary, &chosen)?;
+    rewrite(root, &checks, Some(&binary))?;
     let failed = checks.iter().filter(|r| r["status"] == "failed").count() as u64;
     Ok(failed + u64::from(!success && failed == 0))
 }

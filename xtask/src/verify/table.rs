@@ -13,6 +13,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use super::basis::Now;
+use super::probe::Probes;
 use crate::source_tree::{files, shown};
 
 /// The page.
@@ -97,13 +98,18 @@ impl Row {
         &self.cells[0]
     }
 
+    /// Its case; empty for the only one of a scene.
+    pub fn case(&self) -> &str {
+        &self.cells[1]
+    }
+
     /// Scene, case and name of the check.
     fn name(&self) -> String {
         self.cells[..NAME].join(" | ")
     }
 
     /// Whether what was measured then is what would be measured now.
-    fn fresh(&self, now: &Now) -> bool {
+    pub fn fresh(&self, now: &Now) -> bool {
         let [_, _, numerics, digest] = &self.run;
         let same = now.digest(self.scene()) == digest;
         same && (!is_long(self.scene()) || numerics.parse() == Ok(now.numerics(self.scene())))
@@ -240,7 +246,8 @@ pub fn page(rows: &[Row], now: &Now) -> String {
          commit and on what it rests is a row of [verification.csv](verification.csv). `riprap verify SCENE` runs a scene again, `cargo xtask verify-all SCENE` renews\n\
          its rows. Skipped = known failures, run and listed below with their reason. Stale = not run since the scene changed or, for scenes in a folder `long`, since\n\
          `CHANGELOG.md` got another *Numerics* entry that concerns them: such a row says what came out then and counts for nothing. What fast scenes give is held\n\
-         against their rows in every test run.\n\n{}\n\n| scene | what it shows | passed | failed | skipped | stale | last run |\n|---|---|---|---|---|---|---|\n",
+         against their rows in every test run; of long scenes the state after the first steps of each phase is, against [verification_probes.csv](verification_probes.csv),\n\
+         so that no change of results goes without an entry.\n\n{}\n\n| scene | what it shows | passed | failed | skipped | stale | last run |\n|---|---|---|---|---|---|---|\n",
         totals(rows, now)
     );
     let escaped = |text: &str| text.replace('|', "\\|");
@@ -314,6 +321,7 @@ pub fn judge(root: &Path) -> Result<String, String> {
             row.scene()
         ));
     }
+    Probes::read(root)?.judge(&rows, &now)?;
     let due = page(&rows, &now);
     if due != text {
         let mut lines = due.lines().zip(text.lines());
