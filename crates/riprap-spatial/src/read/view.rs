@@ -441,11 +441,25 @@ impl View<'_> {
     #[must_use]
     pub fn on_terrain(&self, b: usize) -> (Vec3, f64) {
         let facets = self.world.found.terrain.get(b).into_iter();
-        facets
+        let facets = facets
             .flat_map(|on| &on.facets)
-            .fold((Vec3::ZERO, 0.0), |(force, depth), facet| {
-                (force + facet.force, depth.max(facet.depth))
-            })
+            .map(|facet| (facet.force, facet.depth));
+        let world = self.world;
+        let block = b as u32;
+        let deformed = world.found.deformable.pairs.iter();
+        let deformed = deformed.filter_map(move |pair| match pair.ends {
+            [ground, j] if j == block && world.is_terrain(ground as usize) => {
+                Some((pair.force, pair.depth))
+            }
+            [i, ground] if i == block && world.is_terrain(ground as usize) => {
+                Some((-pair.force, pair.depth))
+            }
+            _ => None,
+        });
+        let both = facets.chain(deformed);
+        both.fold((Vec3::ZERO, 0.0), |(force, depth), (f, d): (Vec3, f64)| {
+            (force + f, depth.max(d))
+        })
     }
 
     /// Height to which the energy of a block would lift its centroid: its height (global) and its kinetic energy over its weight, m. Not a

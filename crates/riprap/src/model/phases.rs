@@ -202,7 +202,8 @@ impl Builder<'_> {
 
     /// Whether every block that is not held is deformable.
     pub(super) fn all_free_deform(&self) -> bool {
-        let mut bound = vec![false; self.spatial.blocks.len()];
+        let blocks = self.spatial.blocks.iter();
+        let mut bound: Vec<bool> = blocks.map(|block| block.shape.is_terrain()).collect();
         let sets = self.spatial.deform.sets.iter().map(|s| &s.blocks);
         let held = self.spatial.supports.iter().map(|s| &s.blocks);
         for &b in sets.chain(held).flatten() {
