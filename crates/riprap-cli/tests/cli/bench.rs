@@ -120,6 +120,19 @@ impl Bench {
         std::fs::read_to_string(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
 
+    /// The whole checkpoints of a run, the newest last.
+    pub fn checkpoints(&self, run: &str) -> Vec<PathBuf> {
+        let Ok(files) = self.path(run).join("checkpoints").read_dir() else {
+            return Vec::new();
+        };
+        let mut files: Vec<_> = files
+            .map(|file| file.expect("an entry").path())
+            .filter(|file| file.extension().is_some_and(|e| e == "rck"))
+            .collect();
+        files.sort();
+        files
+    }
+
     /// The command, not yet started.
     pub fn command(&self, words: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_riprap"));

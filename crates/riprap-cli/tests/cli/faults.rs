@@ -44,10 +44,7 @@ fn survives_kills(scene: &str, seed: u64) {
     let mut chance = Chance(seed);
     let mut kills = 0;
     let mut going = bench.start(&run("died.run"));
-    bench.wait_for("a checkpoint", || {
-        let files = bench.path("died.run/checkpoints").read_dir();
-        files.is_ok_and(|files| files.count() > 0)
-    });
+    bench.wait_for("a checkpoint", || !bench.checkpoints("died.run").is_empty());
     let said = loop {
         if kills < 6 {
             std::thread::sleep(Duration::from_millis(20 + chance.below(200)));
@@ -160,16 +157,10 @@ fn damaged_checkpoints_are_passed_over_or_named() {
     let whole = bench.run(&["hash", "whole.run"]).expect(0).out;
     let begin = || {
         let run = bench.start(&["run", "fall.toml", "--out", "a.run", "--force"]);
-        bench.wait_for("two checkpoints", || {
-            let files = bench.path("a.run/checkpoints").read_dir();
-            files.is_ok_and(|files| files.count() > 1)
-        });
+        bench.wait_for("two checkpoints", || bench.checkpoints("a.run").len() > 1);
         run.signal("KILL");
         run.end();
-        let files = bench.path("a.run/checkpoints").read_dir().unwrap();
-        let mut files: Vec<_> = files.map(|f| f.unwrap().path()).collect();
-        files.sort();
-        files
+        bench.checkpoints("a.run")
     };
     // The newest: an earlier one serves, and the bits are the same.
     let newest = begin().pop().unwrap();
@@ -192,27 +183,15 @@ fn killed(bench: &Bench, scene: &str, out: &str, words: &[&str]) {
     let mut all = vec!["run", scene, "--out", out];
     all.extend_from_slice(words);
     let run = bench.start(&all);
-    bench.wait_for("two checkpoints", || {
-        let files = bench.path(&format!("{out}/checkpoints")).read_dir();
-        files.is_ok_and(|files| files.count() > 1)
-    });
+    bench.wait_for("two checkpoints", || bench.checkpoints(out).len() > 1);
     run.signal("KILL");
     run.end();
 }
 
 /// Puts the newest checkpoint of one run into the folder of another, in the place of all that are there.
 fn put(bench: &Bench, from: &str, to: &str) {
-    let list = |run: &str| {
-        let files = bench
-            .path(&format!("{run}/checkpoints"))
-            .read_dir()
-            .unwrap();
-        let mut files: Vec<_> = files.map(|f| f.unwrap().path()).collect();
-        files.sort();
-        files
-    };
-    let newest = list(from).pop().unwrap();
-    for file in list(to) {
+    let newest = bench.checkpoints(from).pop().unwrap();
+    for file in bench.checkpoints(to) {
         std::fs::remove_file(file).unwrap();
     }
     let name = newest.file_name().unwrap();
@@ -241,8 +220,7 @@ fn a_checkpoint_of_another_scene_is_refused_by_name() {
     }
     // Beside a good one of its own it is passed over, with a word.
     killed(&bench, "fall.toml", "a.run", &["--force"]);
-    let foreign = bench.path("b.run/checkpoints").read_dir().unwrap();
-    let foreign = foreign.map(|f| f.unwrap().path()).max().unwrap();
+    let foreign = bench.checkpoints("b.run").pop().unwrap();
     let place = bench.path("a.run/checkpoints/checkpoint_000000999999.rck");
     std::fs::copy(&foreign, place).unwrap();
     bench.run(&["resume", "a.run"]).expect(0).warns(&[
@@ -308,8 +286,7 @@ fn a_checkpoint_of_an_older_format_is_refused_by_number() {
         FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
     );
     killed(&bench, "fall.toml", "a.run", &[]);
-    for file in bench.path("a.run/checkpoints").read_dir().unwrap() {
-        let path = file.unwrap().path();
+    for path in bench.checkpoints("a.run") {
         let mut bytes = std::fs::read(&path).unwrap();
         bytes[8..12].copy_from_slice(&2u32.to_le_bytes());
         std::fs::write(path, bytes).unwrap();

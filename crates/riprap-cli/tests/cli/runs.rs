@@ -155,14 +155,7 @@ fn physics_that_stops_a_run_is_code_1_and_leaves_a_checkpoint() {
             .read("wild.run/manifest.json")
             .contains("\"ended\": \"unstable\"")
     );
-    assert!(
-        bench
-            .path("wild.run/checkpoints")
-            .read_dir()
-            .unwrap()
-            .next()
-            .is_some()
-    );
+    assert!(!bench.checkpoints("wild.run").is_empty());
 }
 
 /// Two bricks, and a time step above the stable one: 2/omega = 0.61 L/c_P = 0.2 ms.
@@ -243,14 +236,7 @@ fn ctrl_c_before_the_first_step_quits_at_once() {
     // Nobody has it any more: what was saved is gone on with, what was only begun is in nobody's way.
     let one = "phases.timed.until.steps=1";
     let again = ["run", "lattice.toml", "--out", "a.run", "--set", one];
-    let saved = bench.path("a.run/checkpoints").read_dir();
-    let saved = saved.is_ok_and(|files| {
-        let names = files.flatten().map(|file| file.file_name());
-        names
-            .into_iter()
-            .any(|name| name.to_string_lossy().ends_with(".rck"))
-    });
-    if saved {
+    if !bench.checkpoints("a.run").is_empty() {
         said.warns(&["riprap resume a.run"]);
         bench.run(&again).expect(2).warns(&["--force"]);
         bench.run(&[&again[..], &["--force"]].concat()).expect(0);
@@ -304,8 +290,7 @@ fn a_killed_run_resumes_to_the_same_bits() {
         .expect(0);
     let run = bench.start(&["run", "fall.toml", "--out", "died.run"]);
     bench.wait_for("a checkpoint after the first", || {
-        let files = bench.path("died.run/checkpoints").read_dir();
-        files.is_ok_and(|files| files.count() > 1)
+        bench.checkpoints("died.run").len() > 1
     });
     run.signal("KILL");
     assert_eq!(run.end().code, None);
