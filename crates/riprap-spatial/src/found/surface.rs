@@ -2,7 +2,8 @@
 //!
 //! The walk starts from the piece that carried most in the last step (the *hint*) or from the peak, and goes over shared edges. The surface
 //! can have two parts (a spike through the thin part near a sharp edge of the other block): each listed face that the walk has
-//! not met is looked at afterwards.
+//! not met is looked at afterwards. Where blocks lie in each other so deep that corners of both come out on several sides, parts share
+//! all of their faces with others; then every pair of faces is looked at.
 //!
 //! **Ties.** Where faces f' of A and g' of B are coplanar and face the same way, `phi_f' = phi_g'` in a whole region and the
 //! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
@@ -22,6 +23,9 @@ const TIE_BAND: f64 = 1e-6;
 const LOST: f64 = 1e-14;
 /// Overlaps less deep than this, times the radius of the smaller block, may have no piece that is left by round-off.
 const UNSURE: f64 = 1e-10;
+
+/// Overlaps thicker than this, times the radius of the largest ball inside the smaller block: all pairs of faces are looked at.
+const DEEP: f64 = 1.0;
 
 /// Sums over the surface of equal pressure, about the origin of the planes. Depths stand for pressures (p = 2 kn depth).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -183,6 +187,10 @@ impl Walker {
             return verdict;
         }
         self.look_at_the_rest(pair);
+        let inside = |side: usize| pair.bodies[side].shape.inradius;
+        if self.sums.depth > DEEP * inside(0).min(inside(1)) {
+            self.walk_all();
+        }
         Found::Touching(self.sums)
     }
 

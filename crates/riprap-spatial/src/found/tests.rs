@@ -1,11 +1,12 @@
 //! The law against closed forms, against all pairs of all faces, and along closed paths.
 
+use riprap_geom::polyhedron::hull;
 use riprap_geom::{Quat, Vec3};
 
 use super::kit::{Chance, KINDS, Kind, Placed, all_faces, overlapping};
 use super::piece::{Cutter, Frame, integrate};
 use super::planes::{Planes, origin};
-use super::{Found, Pose, Shape, Sums, Walker};
+use super::{Found, Pair, Pose, Shape, Sums, Walker};
 use crate::lanes::Width;
 
 /// Depth integral with normal, moment and weight over all pieces of all pairs of faces, with no lists and no walk.
@@ -55,6 +56,59 @@ fn the_walk_finds_what_all_pairs_of_faces_find() {
             pieces += sums.pieces;
         }
         println!("{kind:?}: {:.2} pieces a pair", f64::from(pieces) / 1500.0);
+    }
+}
+
+/// Two blocks about one middle, corners of each outside the other: the surface has two parts, and each of the faces of the smaller part has a
+/// piece of the larger one too. The sums hung on the piece from which the walk began, and with it on the order of the blocks.
+#[test]
+fn blocks_deep_in_each_other_push_alike_wherever_the_walk_begins() {
+    let h = 0.5;
+    let cut_off = [
+        [-h, -h, -h],
+        [-h, -h, h],
+        [-h, h, -h],
+        [-h, h, h],
+        [h, -h, -h],
+        [h, -h, h],
+        [h, h, -h],
+        [h, 0.0078125, 0.0],
+    ];
+    let spiky = [
+        [-h, -h, -h],
+        [-h, h, -h],
+        [h, h, h],
+        [-h, -0.734375, 0.0],
+        [0.0, 0.0546875, 0.6640625],
+        [0.9765625, 0.0, 0.0],
+        [0.046875, -0.375, 0.4765625],
+        [-1.0, 0.0, 0.0],
+    ];
+    let shape = |points: [[f64; 3]; 8]| {
+        let solid = hull(&points.map(Vec3::from_array)).unwrap();
+        Shape::new(&solid, solid.moments().centroid).unwrap()
+    };
+    let shapes = [shape(cut_off), shape(spiky)];
+    let placed = Placed::new([&shapes[0], &shapes[1]], [Pose::at(Vec3::ZERO); 2]);
+    let (force, moment, weight) = brute(&placed);
+    let bodies = placed.bodies();
+    let faces = [all_faces(&shapes[0]), all_faces(&shapes[1])];
+    let mut walker = Walker::default();
+    for f in 0..shapes[0].faces() as u16 {
+        for g in 0..shapes[1].faces() as u16 {
+            let pair = Pair {
+                bodies: [&bodies[0], &bodies[1]],
+                faces: [&faces[0], &faces[1]],
+                ties: true,
+                hint: Some([f, g]),
+            };
+            let Found::Touching(sums) = walker.find(&pair) else {
+                panic!("they overlap")
+            };
+            assert!((sums.weight - weight).abs() < 1e-11 * weight, "{f} {g}");
+            assert!((sums.force - force).length() < 1e-11 * weight, "{f} {g}");
+            assert!((sums.moment - moment).length() < 1e-11 * weight, "{f} {g}");
+        }
     }
 }
 
