@@ -19,10 +19,11 @@ pub fn check(root: &Path) -> Result<u64, String> {
         command.args(["deny", "check", "licenses", "bans", "sources"]);
         return Ok(u64::from(!shell::run(root, &mut command)?.success));
     }
-    check_metadata(root)
+    check_metadata(root, root)
 }
 
-fn check_metadata(root: &Path) -> Result<u64, String> {
+/// The same for the workspace in `folder`, by what cargo has at hand.
+pub fn check_metadata(root: &Path, folder: &Path) -> Result<u64, String> {
     let allowed = allowed_licences(root)?;
     let host = host()?;
     let output = Command::new(shell::cargo())
@@ -34,7 +35,7 @@ fn check_metadata(root: &Path) -> Result<u64, String> {
             "--filter-platform",
             &host,
         ])
-        .current_dir(root)
+        .current_dir(folder)
         .stderr(Stdio::inherit())
         .output()
         .map_err(|e| format!("cargo metadata: {e}"))?;
@@ -61,7 +62,8 @@ fn check_metadata(root: &Path) -> Result<u64, String> {
     Ok(refused)
 }
 
-fn host() -> Result<String, String> {
+/// The machine for which the compiler compiles.
+pub fn host() -> Result<String, String> {
     let output = Command::new("rustc")
         .arg("-vV")
         .output()

@@ -8,6 +8,7 @@ mod bench;
 mod book;
 mod browser;
 mod cut;
+mod fuzz;
 mod licences;
 mod modules;
 mod mutate;
@@ -39,6 +40,8 @@ Tasks:
   attack [ATTACK]...
                    damage, kill, crowd and hurry the program: attack / tries / failures; --tries N (1500), --page writes
                    docs/src/reliability.md, --binary FILE takes a program that is there
+  fuzz [TARGET]... readers, scenes and kernels under bytes that are guided by the code that they reach: target / inputs / edges / failures;
+                   needs a C++ compiler; --seconds N (600) for each, --seed K; --keep: what reached new code goes into crates/riprap-fuzz/found
   mutate [SCENE]...
                    break scenes on purpose (gravity, stiffness, friction, strength, loads, time ...) and list the checks that never fail;
                    --seconds S (3): only scenes as quick as that; --binary FILE
@@ -68,6 +71,7 @@ fn main() -> ExitCode {
         }
         ["verify-all", scenes @ ..] => verify::all(&root, scenes),
         ["attack", words @ ..] => attack::run(&root, words),
+        ["fuzz", words @ ..] => fuzz::run(&root, words),
         ["mutate", words @ ..] => mutate::run(&root, words),
         ["soak", words @ ..] => soak::run(&root, words),
         ["arrows", name] => match modules::print_arrows(&root, name) {

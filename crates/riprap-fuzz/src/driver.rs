@@ -1,13 +1,13 @@
 //! Runs a target over its corpus and over damaged copies of it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use std::{fs, io};
 
-use crate::Target;
 use crate::damage::{self, Chance};
+use crate::{Target, corpus};
 
 /// A try that takes longer is a failure: what is large must be refused, or cost no more than it says.
 const LIMIT: Duration = Duration::from_secs(20);
@@ -37,7 +37,9 @@ pub struct Seeds {
 /// What a campaign has found.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Inputs tried.
+    /// Files of the corpus that were taken as they are.
+    pub sound: u64,
+    /// Damaged inputs tried.
     pub tries: u64,
     /// Those that were taken.
     pub taken: u64,
@@ -54,42 +56,17 @@ pub fn bound_memory() -> Result<(), String> {
     setrlimit(Resource::RLIMIT_AS, MEMORY, MEMORY).map_err(|e| format!("no bound on memory: {e}"))
 }
 
-/// Files that the tests of the readers have: those with the name of a target as their extension belong to its corpus too.
-const DATA: [&str; 2] = [
-    "../riprap-scenario/tests/data/msh",
-    "../riprap-scenario/tests/data/shapes",
-];
-
 /// The corpus of a target.
 ///
 /// # Errors
 /// A folder cannot be read.
 pub fn seeds(target: &Target) -> io::Result<Seeds> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let own = here.join("corpus").join(target.name);
-    let mut paths = if own.exists() {
-        listed(&own)?
-    } else {
-        Vec::new()
-    };
-    for folder in DATA {
-        let all = listed(&here.join(folder))?;
-        let own = |path: &PathBuf| path.extension().is_some_and(|e| e == target.name);
-        paths.extend(all.into_iter().filter(own));
-    }
-    paths.sort();
-    let files = paths
-        .into_iter()
-        .map(|path| fs::read(&path).map(|bytes| (path, bytes)));
-    let mut files = files.collect::<io::Result<Vec<_>>>()?;
+    let read = |path: PathBuf| fs::read(&path).map(|bytes| (path, bytes));
+    let paths = corpus::all(target.name)?.into_iter();
+    let mut files = paths.map(read).collect::<io::Result<Vec<_>>>()?;
     let made = (target.made)().into_iter().enumerate();
     files.extend(made.map(|(k, bytes)| (format!("made {k}").into(), bytes)));
     Ok(Seeds { files })
-}
-
-fn listed(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
-    entries.collect()
 }
 
 /// Tries one input. The message of a panic is caught, not printed.
@@ -121,8 +98,8 @@ pub fn attempt(target: &Target, input: &[u8]) -> Outcome {
     }
 }
 
-/// Tries damaged copies of the corpus, and what was taken of these again; the same tries for the same seed. What fails is kept in
-/// `target/fuzz/TARGET`.
+/// Tries the corpus as it is, then damaged copies of it, and what was taken of these again; the same tries for the same seed. What fails
+/// is kept in `target/fuzz/failures/TARGET`.
 #[must_use]
 pub fn campaign(target: &Target, seeds: &Seeds, seed: u64, tries: u64) -> Tally {
     campaign_after(target, seeds, seed, tries, |_| {})
@@ -140,6 +117,15 @@ pub fn campaign_after(
     let mut pool: Vec<Vec<u8>> = seeds.files.iter().map(|(_, bytes)| bytes.clone()).collect();
     let own = pool.len();
     let mut tally = Tally::default();
+    // What was once a fault, and what reached code that others do not.
+    for (place, input) in &seeds.files {
+        before(input);
+        match attempt(target, input) {
+            Outcome::Taken => tally.sound += 1,
+            Outcome::Refused => {}
+            Outcome::Failed(why) => tally.failures.push((place.clone(), why)),
+        }
+    }
     for _ in 0..tries {
         let input = damaged(target, &pool, &mut chance);
         tally.tries += 1;
@@ -165,7 +151,7 @@ pub fn campaign_after(
             Outcome::Failed(why) => {
                 let place = keep(target, tally.failures.len(), &input);
                 tally.failures.push((place, why));
-                if tally.failures.len() == 20 {
+                if tally.failures.len() >= 20 {
                     break;
                 }
             }
@@ -178,22 +164,28 @@ fn damaged(target: &Target, pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
     let Some(original) = pool.get(chance.below(pool.len())) else {
         return Vec::new();
     };
-    let mut input = match std::str::from_utf8(original) {
+    let mut input = altered(target, original, chance);
+    input.truncate(LARGEST);
+    input
+}
+
+/// A damaged copy of an input of this target.
+#[must_use]
+pub fn altered(target: &Target, original: &[u8], chance: &mut Chance) -> Vec<u8> {
+    match std::str::from_utf8(original) {
         // Most changes of a text are refused at once; a number goes far.
         Ok(text) if target.text && chance.below(2) == 0 => {
             damage::number(text, 0, chance).into_bytes()
         }
         Ok(text) if target.text || chance.below(3) > 0 => damage::text(text, chance),
         Ok(_) | Err(_) => damage::bytes(original, chance),
-    };
-    input.truncate(LARGEST);
-    input
+    }
 }
 
 /// Writes an input that failed; where it lies, or would.
 fn keep(target: &Target, number: usize, input: &[u8]) -> PathBuf {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let folder = root.join("target/fuzz").join(target.name);
+    let root = corpus::folder().join("../..");
+    let folder = root.join("target/fuzz/failures").join(target.name);
     let place = folder.join(format!("failure-{number}"));
     if let Err(error) = fs::create_dir_all(&folder).and_then(|()| fs::write(&place, input)) {
         eprintln!("{} cannot be written: {error}", place.display());

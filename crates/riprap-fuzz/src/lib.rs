@@ -4,6 +4,7 @@
 //! likes). Both start from the files of `corpus/TARGET` and from those with which the readers are tested, damage them by chance, and go on
 //! from what was taken. An input that was once a fault stays in the corpus.
 
+pub mod corpus;
 pub mod damage;
 #[cfg(feature = "targets")]
 mod driver;
@@ -15,7 +16,9 @@ mod readers;
 mod scenes;
 
 #[cfg(feature = "targets")]
-pub use driver::{Outcome, Seeds, Tally, attempt, bound_memory, campaign, campaign_after, seeds};
+pub use driver::{
+    Outcome, Seeds, Tally, altered, attempt, bound_memory, campaign, campaign_after, seeds,
+};
 
 /// One way into the program.
 #[cfg(feature = "targets")]
@@ -33,7 +36,7 @@ pub struct Target {
     pub made: fn() -> Vec<Vec<u8>>,
     /// Whether every change must be refused.
     pub sealed: bool,
-    /// Executions in the short run: about a second each, a few for what builds models.
+    /// Executions in the short run: four seconds of processor time each, twice that for scenes, less where all damage is refused at once.
     pub short: u64,
 }
 
@@ -44,27 +47,32 @@ pub const TARGETS: &[Target] = &[
         "formula",
         "formulas of time and place, compiled and evaluated",
         readers::formula,
-        40_000,
+        1_400_000,
     ),
-    text("quantity", "numbers with units", readers::quantity, 40_000),
+    text(
+        "quantity",
+        "numbers with units",
+        readers::quantity,
+        1_400_000,
+    ),
     text(
         "columns",
         "columns of a CSV file with units",
         readers::columns,
-        20_000,
+        180_000,
     ),
-    text("table", "histories of a run", readers::table, 20_000),
-    text("dxf", "drawings", readers::dxf, 10_000),
-    text("tess", "cells of a tessellation", readers::tess, 5_000),
-    text("asc", "grids of heights", readers::asc, 10_000),
+    text("table", "histories of a run", readers::table, 220_000),
+    text("dxf", "drawings", readers::dxf, 90_000),
+    text("tess", "cells of a tessellation", readers::tess, 150_000),
+    text("asc", "grids of heights", readers::asc, 2_200_000),
     bytes(
         "stl",
         "surfaces, as solids and as terrain",
         readers::stl,
-        10_000,
+        420_000,
     ),
-    bytes("msh", "meshes", readers::msh, 5_000),
-    bytes("vtu", "frames of a run", readers::vtu, 5_000),
+    bytes("msh", "meshes", readers::msh, 850_000),
+    bytes("vtu", "frames of a run", readers::vtu, 430_000),
     Target {
         made: readers::sound_checkpoint,
         sealed: true,
@@ -72,32 +80,32 @@ pub const TARGETS: &[Target] = &[
             "checkpoint",
             "checkpoints of a run, of which every damaged one must be refused",
             readers::checkpoint,
-            5_000,
+            2_000_000,
         )
     },
     text(
         "scene",
         "scenes, from the text to the third step",
         scenes::first_steps,
-        300,
+        3_000,
     ),
     bytes(
         "clip",
         "polygons cut by a line and laid over each other: areas add up",
         kernels::clip,
-        20_000,
+        480_000,
     ),
     bytes(
         "cut",
         "polyhedra cut by planes: volumes add up, parts are sound",
         kernels::cut,
-        4_000,
+        150_000,
     ),
     bytes(
         "contact",
         "two polyhedra in each other: forces are finite, closed and do not depend on the order",
         kernels::contact,
-        10_000,
+        95_000,
     ),
 ];
 
@@ -150,11 +158,6 @@ mod tests {
         for target in TARGETS {
             let seeds = seeds(target).unwrap();
             assert!(!seeds.files.is_empty(), "{}: no corpus", target.name);
-            assert!(
-                seeds.files.iter().any(|(_, bytes)| (target.run)(bytes)),
-                "{}: no file of its corpus is taken",
-                target.name
-            );
             let tally = campaign(target, &seeds, 1, target.short);
             assert!(
                 tally.failures.is_empty(),
@@ -162,12 +165,32 @@ mod tests {
                 target.name,
                 tally.failures
             );
+            assert!(
+                tally.sound > 0,
+                "{}: no file of its corpus is taken",
+                target.name
+            );
             // Damage that is always refused tests the first line of a reader alone.
             assert!(
                 tally.taken > 0 || target.sealed,
                 "{}: nothing damaged was taken",
                 target.name
             );
+        }
+    }
+
+    /// Each target is a program of the package that is guided by coverage, which CI does not compile.
+    #[test]
+    fn all_targets_can_be_guided() {
+        let folder = corpus::folder().join("../../fuzz");
+        let files = corpus::listed(&folder.join("fuzz_targets")).unwrap();
+        let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+        assert_eq!(files.len(), TARGETS.len());
+        assert_eq!(manifest.matches("[[bin]]").count(), TARGETS.len());
+        for Target { name, .. } in TARGETS {
+            let program = format!("name = \"{name}\"\npath = \"fuzz_targets/{name}.rs\"");
+            assert!(manifest.contains(&program), "fuzz/Cargo.toml: no {name}");
+            assert!(folder.join(format!("fuzz_targets/{name}.rs")).exists());
         }
     }
 
