@@ -136,10 +136,10 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
     desk.inverse_masses
         .extend((0..n).map(|b| inverse_mass(world, b)));
     desk.damped = false;
-    for b in 0..n {
+    for (b, inradius) in inradii.into_iter().enumerate() {
         let laws = desk.blocks.iter().map(|&terrain| {
             // Behind terrain there is no centroid: it counts as deep as the block.
-            law(&world.setup, [terrain, b as u32], [inradii[b]; 2])
+            law(&world.setup, [terrain, b as u32], [inradius; 2])
         });
         let laws: Vec<ContactLaw> = if world.meets_terrain(b) {
             laws.collect()
