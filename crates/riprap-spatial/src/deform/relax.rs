@@ -19,8 +19,10 @@ pub(super) const MARGIN: f64 = 1.05;
 const MOST: f64 = 1.5;
 /// Forces below this share of the largest so far are none: a body in two parts would never be at rest by round-off.
 const REST: f64 = 1e-6;
-/// Masses on bonds, over those that keep a linear model stable, where bonds break in every iteration under little damping: a broken
-/// bond is a contact, and one that opens and closes within a step or two makes energy.
+/// Masses on bonds, over those that keep a linear model stable, where bonds break in every iteration under little damping. A broken
+/// bond is a contact. One that is closed from step `a` to step `b` makes `k/2 (d_b g_(b+1) - d_a g_(a-1))` (depths `d` inside, gaps `g`
+/// beside): with the masses of the linear model a node comes back with three times its energy, in the mean over where the step falls,
+/// and at most eight times; with four times these masses with 1.002 times.
 const CONTACT: f64 = 4.0;
 /// Damping before the first look.
 const FIRST: f64 = 0.5;
@@ -173,4 +175,44 @@ fn rows(facet: &Facet) -> Vec3 {
             })
             .sum()
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Energy after a bounce off a spring that only presses, over that before, and what the depths and gaps at its ends say; `share`
+    /// of the masses of the linear model, the spring at the bound of Gershgorin; `depth` of the first step inside, over the way of a step.
+    fn bounce(share: f64, depth: f64) -> [f64; 2] {
+        let stiffness = 4.0 / (MARGIN * share);
+        let (mut at, mut speed) = (-depth, -1.0);
+        loop {
+            let last = at;
+            speed += stiffness * f64::max(-at, 0.0);
+            at += speed;
+            if at >= 0.0 && last < 0.0 {
+                let made = stiffness * (-last * at - depth * (1.0 - depth));
+                return [speed * speed, 1.0 + made];
+            }
+        }
+    }
+
+    /// Why breaking in every iteration asks for heavier nodes: the literal beam of the fracture paper made energy without bound.
+    #[test]
+    fn a_bounce_off_a_broken_bond_makes_less_energy_than_damping_takes() {
+        let energies = |share: f64| {
+            let all = (1..1000).map(|k| {
+                let [energy, told] = bounce(share, f64::from(k) * 1e-3);
+                assert!((energy - told).abs() < 1e-12, "{energy} {told}");
+                energy
+            });
+            all.collect::<Vec<f64>>()
+        };
+        let mean = |all: &[f64]| all.iter().sum::<f64>() / all.len() as f64;
+        let light = energies(1.0);
+        assert!((mean(&light) - 3.0).abs() < 0.05, "{}", mean(&light));
+        assert!(light.iter().copied().fold(0.0, f64::max) > 7.8);
+        // The paper's damping takes 2 % of the speed in a step, and a bounce has two steps at least.
+        assert!(mean(&energies(CONTACT)) < 1.005);
+    }
 }
