@@ -339,9 +339,11 @@ fn gravity_upwards_and_steps_that_follow_nothing_are_warned_of() {
     assert!(!said.err.contains("gravity"), "{}", said.err);
     let long = change("time_step = \"10 us\"", "time_step = \"0.1 s\"");
     long.warns(&["`fall` has only 2 steps of 1.000e-1 s"]);
-    let until = "until = { time = \"0.2 s\" }";
-    change(until, &format!("{until}\ngravity_ramp = \"1 s\""))
-        .warns(&["before its gravity is there"]);
+    let whole = "until = { time = \"0.2 s\" }";
+    for until in [whole, "until = { steps = 20 }"] {
+        change(whole, &format!("{until}\ngravity_ramp = \"1 s\""))
+            .warns(&["before its gravity is there"]);
+    }
 }
 
 #[test]

@@ -227,16 +227,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
                 .to_owned(),
         );
     }
-    for phase in &plan.phases {
-        if let (Some(ramp), Some(time)) = (phase.gravity_ramp, phase.until.time)
-            && ramp > time
-        {
-            found.push(format!(
-                "the phase `{}` ends after {time} s, before its gravity is there in full (`gravity_ramp`, {ramp} s)",
-                phase.name
-            ));
-        }
-    }
+    found.extend((plan.phases.iter()).filter_map(|p| gravity_cut_off(p, stable)));
     for phase in plan.phases.iter().filter(|p| relaxing(p).is_none()) {
         let dt = phase
             .time_step
@@ -280,6 +271,23 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
 /// 0.8, 1 % at 0.9, 18 % at 0.99 and 95 % at 1: near the limit the fastest motion turns round in every step, and a bond that breaks
 /// between two kicks leaves its blocks with the first one alone. Joints of rigid blocks make 1 % at 0.99 there.
 const MOST_WITH_BREAKING: f64 = 0.8;
+
+/// That a phase ends before its gravity is there in full, in words; `stable` is the stable step at the start, s.
+fn gravity_cut_off(phase: &Phase, stable: f64) -> Option<String> {
+    let ramp = phase.gravity_ramp?;
+    let dt = phase
+        .time_step
+        .wanted(stable, &phase.until, phase.gravity_ramp);
+    // Steps of a relaxing phase are iterations, in which no time passes.
+    let steps = phase.until.steps.filter(|_| relaxing(phase).is_none());
+    let stepped = steps.map(|steps| steps as f64 * dt);
+    let time = phase.until.time.into_iter().chain(stepped);
+    let time = time.reduce(f64::min).filter(|time| *time < ramp)?;
+    Some(format!(
+        "the phase `{}` ends after {time:.3e} s, before its gravity is there in full (`gravity_ramp`, {ramp} s): a phase after it has the whole at once",
+        phase.name
+    ))
+}
 
 /// That a phase with bonds that can break steps near the limit, in words; `stable` is the stable step at the start, s.
 fn near_limit(view: &View<'_>, phase: &Phase, stable: f64) -> Option<String> {

@@ -176,7 +176,8 @@ impl Simulation {
             return Ok(());
         };
         if !ratio.is_finite() {
-            return Err(self.not_finite(i, "its overlap with a neighbour"));
+            let deep = format!("how deep it and block `{}` lie in each other", view.name(j));
+            return Err(self.not_finite(i, &deep));
         }
         let given = step < LOOK && self.cursor.overlap_at_start > WORST_OVERLAP;
         if step > 0 && ratio > WORST_OVERLAP && !given {
