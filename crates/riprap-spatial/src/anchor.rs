@@ -9,7 +9,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use super::state::bodies::{Bodies, Turned};
-use super::state::deform::Deform;
+use super::state::deform;
 use super::state::push::Account;
 
 /// A point of a block.
@@ -123,14 +123,13 @@ pub struct Freedoms<'a> {
 }
 
 impl<'a> Freedoms<'a> {
-    /// Of the rigid blocks, and of the nodes of `deform` if there are deformable ones.
+    /// Of the rigid blocks, and of the nodes of deformable ones if there are any.
     #[must_use]
     pub fn new(
         bodies: &'a Bodies,
         turned: &'a [Option<Box<Turned>>],
-        deform: Option<&'a Deform>,
+        nodes: Option<&'a deform::Nodes>,
     ) -> Self {
-        let nodes = deform.map(|d| &d.nodes);
         Self {
             bodies,
             turned,

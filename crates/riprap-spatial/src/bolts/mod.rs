@@ -55,7 +55,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         setup,
         ..
     } = world;
-    let freedoms = Freedoms::new(bodies, turned, deform.as_deref());
+    let freedoms = Freedoms::new(bodies, turned, deform.as_deref().map(|d| &d.nodes));
     if changes {
         if scratch.bolts.len() != bolts.len() {
             let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));

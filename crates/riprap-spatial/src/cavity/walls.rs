@@ -64,7 +64,7 @@ pub(crate) fn follow(world: &mut World, k: usize) {
         deform,
         ..
     } = world;
-    let freedoms = Freedoms::new(bodies, turned, deform.as_deref());
+    let freedoms = Freedoms::new(bodies, turned, deform.as_deref().map(|d| &d.nodes));
     for wall in &mut cavities[k].walls {
         let Some(block) = &turned[wall.block as usize] else {
             continue;

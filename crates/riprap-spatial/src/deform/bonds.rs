@@ -75,12 +75,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
     super::turn::look(deform, work, &scratch.exec, scratch.width);
     let relax = deform.relax.as_ref();
     let context = Context {
-        freedoms: Freedoms {
-            bodies: &world.bodies,
-            turned: &world.turned,
-            displacement: &deform.nodes.displacement,
-            velocity: &deform.nodes.velocity,
-        },
+        freedoms: Freedoms::new(&world.bodies, &world.turned, Some(&deform.nodes)),
         turning: super::turn::Turning::new(&world.turned, &deform.slot, &work.turns),
         points: &deform.points,
         links: &work.links.links,

@@ -10,6 +10,7 @@ use riprap_geom::Mat3;
 use super::bonds;
 use super::relax::{Breaks, Relax};
 use super::store::{Break, Deform, Facet, State};
+use crate::anchor::Freedoms;
 use crate::laws::bond::{self, Traction};
 use crate::ledger::Works;
 use crate::read::view::View;
@@ -75,43 +76,42 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
 
 /// Commits softening and slip of a converged state of a relaxing phase, once, and books what they have taken since the last one.
 pub(super) fn settle(world: &mut World) {
-    let Some(mut deform) = world.deform.take() else {
+    let Some(deform) = world.deform.as_deref_mut() else {
         return;
     };
     let due = |relax: &mut Relax| relax.converged && !std::mem::replace(&mut relax.settled, true);
-    if deform.relax.as_mut().is_some_and(due) {
-        let mut memory = std::mem::take(&mut deform.memory);
-        let freedoms = world.freedoms_with(&deform);
-        let (mut broke, mut works) = (false, Works::default());
-        for (k, facet) in deform.facets.iter().enumerate() {
-            let law = world.setup.interfaces[usize::from(facet.row)].bond.as_ref();
-            // Bonds that may not break do not soften for good.
-            let changes = |l: &&BondLaw| match l.cohesive {
-                Some(_) => deform.breaking,
-                None => deform.worn[k],
-            };
-            let Some(law) = law.filter(changes) else {
-                continue;
-            };
-            for p in facet.points() {
-                let jump = freedoms.jump(&deform.points[p].anchors);
-                let at = facet.now.map(|e| e.dot(jump));
-                let held = bond::connect(facet.stiffness, &memory[p].start, &at);
-                let (_, after) = bonds::respond(law, facet.stiffness, &memory[p], &at, false);
-                let area = deform.points[p].area;
-                if bonds::commit(&mut memory[p], after, area, &mut works) {
-                    bonds::tell(&mut memory[p], law, &held, world.time);
-                    broke = true;
-                }
+    if !deform.relax.as_mut().is_some_and(due) {
+        return;
+    }
+    let freedoms = Freedoms::new(&world.bodies, &world.turned, Some(&deform.nodes));
+    let memory = &mut deform.memory;
+    let (mut broke, mut works) = (false, Works::default());
+    for (k, facet) in deform.facets.iter().enumerate() {
+        let law = world.setup.interfaces[usize::from(facet.row)].bond.as_ref();
+        // Bonds that may not break do not soften for good.
+        let changes = |l: &&BondLaw| match l.cohesive {
+            Some(_) => deform.breaking,
+            None => deform.worn[k],
+        };
+        let Some(law) = law.filter(changes) else {
+            continue;
+        };
+        for p in facet.points() {
+            let jump = freedoms.jump(&deform.points[p].anchors);
+            let at = facet.now.map(|e| e.dot(jump));
+            let held = bond::connect(facet.stiffness, &memory[p].start, &at);
+            let (_, after) = bonds::respond(law, facet.stiffness, &memory[p], &at, false);
+            let area = deform.points[p].area;
+            if bonds::commit(&mut memory[p], after, area, &mut works) {
+                bonds::tell(&mut memory[p], law, &held, world.time);
+                broke = true;
             }
         }
-        world.works.add(&works);
-        deform.memory = memory;
-        if broke {
-            tell(&mut deform, world.step, world.time, 1.0, 0.0);
-        }
     }
-    world.deform = Some(deform);
+    world.works.add(&works);
+    if broke {
+        tell(deform, world.step, world.time, 1.0, 0.0);
+    }
 }
 
 /// What breaks now.
@@ -272,11 +272,10 @@ impl Stresses {
 
 /// Breaks what is due; returns the number of facets.
 fn apply(world: &mut World, due: &[Due]) -> usize {
-    let Some(mut deform) = world.deform.take() else {
+    let Some(deform) = world.deform.as_deref_mut() else {
         return 0;
     };
-    let mut memory = std::mem::take(&mut deform.memory);
-    let freedoms = world.freedoms_with(&deform);
+    let freedoms = Freedoms::new(&world.bodies, &world.turned, Some(&deform.nodes));
     let mut released = 0.0;
     let mut facets: Vec<u32> = Vec::new();
     for one in due {
@@ -290,7 +289,7 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
             None => facet.points(),
         };
         for p in points {
-            let m = &mut memory[p];
+            let m = &mut deform.memory[p];
             if m.state.is_broken() {
                 continue;
             }
@@ -317,16 +316,14 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
     for &k in &facets {
         deform.worn[k as usize] = true;
     }
-    deform.memory = memory;
     world.works.fracture += released;
     let most = due.iter().map(|d| d.utilisation).fold(0.0, f64::max);
-    tell(&mut deform, world.step, world.time, most, released);
+    tell(deform, world.step, world.time, most, released);
     if let Some(relax) = &mut deform.relax {
         relax.disturb();
         deform.breaks += 1;
         deform.peak_share = deform.peak_share.max(1.0 / most);
     }
-    world.deform = Some(deform);
     facets.len()
 }
 

@@ -157,12 +157,7 @@ fn times(
             }
         },
     );
-    let freedoms = Freedoms {
-        bodies,
-        turned,
-        displacement: &nodes.displacement,
-        velocity: &nodes.velocity,
-    };
+    let freedoms = Freedoms::new(bodies, turned, Some(&nodes));
     for facet in &deform.facets {
         let n = facet.frame[0];
         let [kn, ks] = facet.stiffness;

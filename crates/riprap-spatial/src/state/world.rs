@@ -143,13 +143,14 @@ impl World {
     /// The freedoms of all blocks, with the nodes of `deform`, the deformable part that has been taken out.
     #[must_use]
     pub fn freedoms_with<'a>(&'a self, deform: &'a Deform) -> Freedoms<'a> {
-        Freedoms::new(&self.bodies, &self.turned, Some(deform))
+        Freedoms::new(&self.bodies, &self.turned, Some(&deform.nodes))
     }
 
     /// The freedoms of all blocks.
     #[must_use]
     pub fn all_freedoms(&self) -> Freedoms<'_> {
-        Freedoms::new(&self.bodies, &self.turned, self.deform.as_deref())
+        let nodes = self.deform.as_deref().map(|d| &d.nodes);
+        Freedoms::new(&self.bodies, &self.turned, nodes)
     }
 
     /// The centroid of a block.
