@@ -59,7 +59,7 @@ fn on_block(world: &World, shapes: &Shapes, kind: &LoadKind, factor: f64, b: usi
             pressure,
         } => {
             let ends = [*from, *to].map(body);
-            let edge = EdgePush::new(shapes, b, ends, (*traction, *pressure), factor, turn);
+            let edge = EdgeTraction::new(shapes, b, ends, (*traction, *pressure), factor, turn);
             // Moment of a linear pressure: mean part at the middle, slope about it.
             let slope = edge.pressure_change / 12.0 * edge.along.perp_dot(edge.inward)
                 + factor * edge.along.length() / 12.0 * edge.along.perp_dot(edge.traction_change);
@@ -80,7 +80,7 @@ fn on_block(world: &World, shapes: &Shapes, kind: &LoadKind, factor: f64, b: usi
 }
 
 /// A load on an edge of a block that varies linearly along it, at the block's present attitude.
-struct EdgePush {
+struct EdgeTraction {
     /// Middle of the edge from the centroid, m.
     middle: Vec2,
     /// From its first end to its second, m.
@@ -95,7 +95,7 @@ struct EdgePush {
     traction_change: Vec2,
 }
 
-impl EdgePush {
+impl EdgeTraction {
     /// `ends`: from the centroid in the body frame, m.
     fn new(
         shapes: &Shapes,
@@ -145,7 +145,8 @@ pub fn pushes(world: &World, shapes: &Shapes, put: &mut dyn FnMut(usize, Vec2, V
                     pressure,
                 } => {
                     let ends = [*from, *to].map(body);
-                    let edge = EdgePush::new(shapes, b, ends, (*traction, *pressure), factor, turn);
+                    let edge =
+                        EdgeTraction::new(shapes, b, ends, (*traction, *pressure), factor, turn);
                     put(b, edge.middle, edge.push);
                     let change = edge.pressure_change * edge.inward
                         + factor * edge.along.length() * edge.traction_change;

@@ -399,7 +399,8 @@ impl<K: Kind> Quantity<K> {
 }
 
 impl Quantity<FrictionAngle> {
-    /// The coefficient of friction: laws know no angle, and this is the only place that makes one of the other.
+    /// The coefficient of friction. Laws of sliding know no angle, and this is the only place that makes their number of one; where a
+    /// formula is in angles (Barton and Bandis, the plane of a cut, what is shown of a default) the angle is made of it again.
     pub fn tangent(&self) -> f64 {
         libm::tan(self.si())
     }

@@ -125,7 +125,7 @@ fn is_on(set: &FaceSet, face: &Face, centre: Vec3, tolerance: f64) -> bool {
 
 /// What acts on a face, by the account it is booked on.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Pushes {
+pub struct FaceForces {
     /// Springs: held, moved and viscous faces.
     pub spring: Wrench,
     /// Tractions with a given value.
@@ -274,8 +274,8 @@ impl<'a> Context<'a> {
         face: &mut Face,
         works: &mut Works,
         dashpots: &mut Option<Dashpots>,
-    ) -> Pushes {
-        let mut out = Pushes::default();
+    ) -> FaceForces {
+        let mut out = FaceForces::default();
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return out;
         };

@@ -254,7 +254,7 @@ impl World {
             self.patches.need_slip();
         }
         if !self.patches.normal_offset.is_empty() {
-            self.patches.need_lift();
+            self.patches.need_normal_offset();
         }
         if remembers || !self.patches.wear.is_empty() {
             self.patches.need_wear();

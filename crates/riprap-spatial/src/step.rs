@@ -262,7 +262,7 @@ impl World {
             return;
         }
         self.patches.need_slip();
-        self.patches.need_lift();
+        self.patches.need_normal_offset();
         self.patches.flags[p] |= flag::OFFSET;
         for (q, shift) in shifts.iter().enumerate() {
             self.patches.normal_offset[p][q] += shift[0];

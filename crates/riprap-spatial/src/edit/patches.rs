@@ -212,7 +212,7 @@ impl New {
         if !zero {
             flags |= flag::OFFSET;
             list.need_slip();
-            list.need_lift();
+            list.need_normal_offset();
             list.slip[p] = slip;
             list.normal_offset[p] = normal_offset;
         }

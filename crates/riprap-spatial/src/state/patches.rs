@@ -112,7 +112,7 @@ impl Patches {
     }
 
     /// Makes room for lifts where there is none yet.
-    pub fn need_lift(&mut self) {
+    pub fn need_normal_offset(&mut self) {
         self.normal_offset.resize(self.ends.len(), [0.0; 4]);
     }
 

@@ -140,7 +140,7 @@ impl World {
         }
     }
 
-    /// The freedoms of all blocks, with the nodes of `deform`, the deformable part that has been taken out.
+    /// The freedoms of all blocks, with the nodes of `deform`, the deformable part.
     #[must_use]
     pub fn freedoms_with<'a>(&'a self, deform: &'a Deform) -> Freedoms<'a> {
         Freedoms::new(&self.bodies, &self.turned, Some(&deform.nodes))

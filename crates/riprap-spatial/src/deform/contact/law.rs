@@ -14,6 +14,7 @@ use riprap_geom::Vec3;
 use crate::found::ContactLaw;
 use crate::found::cells::{Member, Spot};
 use crate::found::tetra::Piece;
+use crate::laws::mohr_coulomb::shear_limit;
 use crate::state::bodies::Bodies;
 use crate::state::deform::Deform;
 use crate::state::deformable::DeformableMemory;
@@ -267,7 +268,7 @@ pub(super) fn respond(
     let largest = if law.friction.is_infinite() {
         f64::INFINITY
     } else {
-        law.friction * normal + law.cohesion * c.area
+        shear_limit(law.cohesion * c.area, law.friction, -normal)
     };
     let radius = MEAN_RADIUS * c.gyration.sqrt();
     // How far outside the ellipse of sliding.
