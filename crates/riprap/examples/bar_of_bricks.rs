@@ -2,10 +2,7 @@
 //!
 //! `cargo run --release -p riprap --example bar_of_bricks`
 
-use riprap::Vec3;
-use riprap::exec::Exec;
-use riprap::plan::{Phase, Plan, TimeStep};
-use riprap::run::simulation::Simulation;
+use riprap::prelude::*;
 use riprap::spatial::setup::{
     BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Points, Setup,
     Shape, Stiffness, StiffnessRule,

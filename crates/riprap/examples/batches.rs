@@ -4,9 +4,7 @@
 
 use std::path::PathBuf;
 
-use riprap::exec::Exec;
-use riprap::run::scene::Scene;
-use riprap::run::simulation::Reached;
+use riprap::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = std::env::args_os()

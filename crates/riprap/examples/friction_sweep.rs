@@ -2,8 +2,7 @@
 //!
 //! `cargo run --release -p riprap --example friction_sweep`
 
-use riprap::exec::side_by_side;
-use riprap::run::simulation::Simulation;
+use riprap::prelude::*;
 
 /// A block on a slope of 30 deg.
 fn scene(friction_deg: f64) -> String {

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p riprap --example scene_from_text`
 
-use riprap::run::simulation::{Reached, Simulation};
+use riprap::prelude::*;
 
 const SCENE: &str = r#"
 riprap = 1

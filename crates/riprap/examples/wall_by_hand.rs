@@ -2,13 +2,10 @@
 //!
 //! `cargo run --release -p riprap --example wall_by_hand`
 
-use riprap::Vec2;
-use riprap::exec::Exec;
-use riprap::plan::{Phase, Plan};
 use riprap::planar::setup::{
     BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Reflex, Setup, Support,
 };
-use riprap::run::simulation::Simulation;
+use riprap::prelude::*;
 
 /// A rectangle of rock with corners (m) `from` and `to`.
 fn block(name: &str, from: [f64; 2], to: [f64; 2]) -> BlockSpec {

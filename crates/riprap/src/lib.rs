@@ -5,7 +5,7 @@
 //!
 //! A program begins with [`run::simulation::Simulation`]: made of a scene as text (`from_toml`) or of a [`setup::Setup`] and a
 //! [`plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
-//! checks and checkpoints are [`run::job`]. Features: `scenario` (the language, and all that runs scene files) and `plot`.
+//! checks and checkpoints are [`run::job`]. [`prelude`] brings what nearly every program needs. Features: `scenario` (the language, and all that runs scene files) and `plot`.
 
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
@@ -13,6 +13,7 @@
 #[cfg(feature = "scenario")]
 pub mod model;
 pub mod plan;
+pub mod prelude;
 pub mod run;
 pub mod setup;
 
