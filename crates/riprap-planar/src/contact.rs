@@ -10,8 +10,8 @@ use super::convex::{self, Side, Turned};
 use super::depths;
 use super::handover;
 use super::parting;
-use super::pieces::{self, Piece};
-use super::potential;
+use super::pieces;
+use super::scratch::Workspace;
 use super::search::Candidate;
 use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
@@ -163,16 +163,6 @@ pub fn press_convex(
         depth: overlap.depth,
         friction: None,
     })
-}
-
-/// Room that the general kernel works in.
-#[derive(Clone, Debug, Default)]
-pub struct Workspace {
-    pieces: Vec<Piece>,
-    cuts: Vec<(f64, Option<u16>)>,
-    kinks: Vec<f64>,
-    local: potential::Local,
-    old: Vec<Region>,
 }
 
 /// Forces of the general pairs in one group.

@@ -10,9 +10,9 @@
 //! booked as `edit_defect`. Both forces meet in the middle of a step, so that each has done half a
 //! step's work that no later evaluation sees; that is booked here too.
 
-use super::contact::{self, Context, Pressed, Relative, Workspace};
+use super::contact::{self, Context, Pressed, Relative};
+use super::scratch::{Scratch, Workspace};
 use super::setup::NormalLaw;
-use super::step::Scratch;
 use super::view;
 use super::world::{Contact, PairState, Region, World, Wrench};
 

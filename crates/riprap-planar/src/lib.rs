@@ -22,6 +22,7 @@ pub mod picture;
 mod pieces;
 mod potential;
 pub mod removal;
+mod scratch;
 mod search;
 mod seepage;
 pub mod setup;

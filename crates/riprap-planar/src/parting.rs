@@ -6,7 +6,8 @@
 //! along the resultant of the region, without turning, until the force is gone. Without this the first rebound would
 //! be energy from nowhere.
 
-use super::contact::{self, Context, Relative, Workspace};
+use super::contact::{self, Context, Relative};
+use super::scratch::Workspace;
 use super::search::Candidate;
 use super::world::Wrench;
 

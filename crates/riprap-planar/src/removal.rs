@@ -4,8 +4,9 @@
 //! It is what the block loses when they are gone, found by evaluating before and after, so that it holds for joints and
 //! contacts alike and the state is the same at first.
 
+use super::scratch::{Net, NonFinite, Scratch};
 use super::setup::{Load, LoadKind};
-use super::step::{self, Damping, Net, NonFinite, Scratch};
+use super::step::{self, Damping};
 use super::world::World;
 use crate::dynamics::TimeFunction;
 

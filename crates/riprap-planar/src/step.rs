@@ -13,103 +13,27 @@ use riprap_geom::Vec2;
 
 use super::bolts;
 use super::bond;
-use super::contact::{self, Context, Workspace};
+use super::contact::{self, Context};
 use super::convex::Turned;
 use super::handover;
 use super::loads::{self, Applied};
+pub use super::scratch::{Change, Net, NonFinite, Scratch};
+use super::scratch::{Partial, Workspace};
 use super::search::{self, Candidates};
 use super::seepage;
-use super::setup::{ContactLaw, Setup};
+use super::setup::Setup;
 use super::shapes::Shapes;
 use super::water;
 use super::world::{Body, World, Wrench};
 use crate::accounts::{Account, Entries, add};
 use crate::exec::{Exec, piece};
-use crate::laws::bolt::Desk;
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
 use kick::kicks;
-pub use kick::{Change, Net};
 use riprap_core::profile::Profile;
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
-
-/// Everything that can be dropped and rebuilt without changing a result.
-#[derive(Debug)]
-pub struct Scratch {
-    /// Body geometry.
-    pub shapes: Shapes,
-    /// Thread pool.
-    pub exec: Exec,
-    /// Stage timers.
-    pub profile: Profile,
-    /// Candidate pairs.
-    pub candidates: Candidates,
-    /// Edges at the present angles.
-    pub turned: Vec<Turned>,
-    /// Wrench of each convex pair, then each general pair, then each bond, then each tie of a bolt.
-    pub slots: Vec<Wrench>,
-    /// Blocks that bolts tie together, one pair for each of their slots.
-    pub(super) ties: Vec<(u32, u32)>,
-    /// What bolts are solved with.
-    pub(super) bolts: Vec<Desk>,
-    /// For block `b` the entries `incidence[first_entry[b]..first_entry[b + 1]]`.
-    first_entry: Vec<u32>,
-    /// Slot number times two, plus one for the second block of the pair.
-    incidence: Vec<u32>,
-    /// Velocity changes of the coming kick.
-    pub changes: Vec<Change>,
-    /// Length of the step that the kick was found for, s.
-    pub coming_dt: f64,
-    /// Sums of forces, without damping and supports.
-    pub net: Vec<Net>,
-    /// External loads.
-    pub applied: Vec<Applied>,
-    /// Works of the half step after the present time, booked by `advance`.
-    departure: Works,
-    /// Works of single conditions.
-    entries: Entries,
-    /// Contact laws by row.
-    pub(super) laws: Vec<ContactLaw>,
-    partial: Vec<Partial>,
-    workspaces: Vec<Workspace>,
-    stale: bool,
-    /// Candidate lists built since the start.
-    pub rebuilds: u64,
-    /// Smallest time in which a block crosses the reach of its neighbourhood, s.
-    pub transit: f64,
-}
-
-/// Sums of one group.
-#[derive(Clone, Copy, Debug)]
-struct Partial {
-    arrival: Works,
-    departure: Works,
-    bad: Option<u32>,
-    moved: bool,
-    transit: f64,
-}
-
-impl Default for Partial {
-    fn default() -> Self {
-        Self {
-            arrival: Works::default(),
-            departure: Works::default(),
-            bad: None,
-            moved: false,
-            transit: f64::INFINITY,
-        }
-    }
-}
-
-/// A block whose state is no longer finite.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the forces on block {block} are not finite")]
-pub struct NonFinite {
-    /// Index of the block.
-    pub block: u32,
-}
 
 impl World {
     /// A world at rest at time zero, with joints built; the scratch data come with it.

@@ -4,9 +4,9 @@ use riprap_geom::Vec2;
 
 use super::convex::Side;
 use super::energy;
+use super::scratch::{Change, Scratch};
 use super::search::Candidate;
 use super::setup::NormalLaw;
-use super::step::{Change, Scratch};
 use super::water;
 use super::world::{Contact, World, Wrench};
 use crate::ledger::Balance;

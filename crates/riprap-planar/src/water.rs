@@ -4,10 +4,10 @@ use riprap_geom::{Vec2, Vec3};
 
 use super::convex::Turned;
 use super::loads::Applied;
+use super::scratch::Scratch;
 use super::seepage;
 use super::setup::WaterTable;
 use super::shapes::Shapes;
-use super::step::Scratch;
 use super::world::World;
 
 impl World {

@@ -1,9 +1,10 @@
 //! Work of single supports and loads ([`riprap_core::accounts`]).
 
+use super::Damping;
 use super::kick;
-use super::{Damping, Scratch};
 use crate::accounts::{Entries, Holder, Line, add};
 use crate::loads;
+use crate::scratch::Scratch;
 use crate::setup::Motion;
 use crate::world::World;
 

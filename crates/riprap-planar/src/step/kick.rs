@@ -2,30 +2,13 @@
 
 use riprap_geom::Vec2;
 
-use super::{Damping, NonFinite, Partial, Scratch, nobody};
+use super::{Damping, nobody};
 use crate::dynamics::kick::{self, Support, Target};
 use crate::loads::Applied;
+use crate::scratch::{Change, Net, NonFinite, Partial, Scratch};
 use crate::shapes::Shapes;
 use crate::sums::{self, GROUP};
 use crate::world::{World, Wrench};
-
-/// Velocity change of one block in the coming kick.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Change {
-    /// m/s.
-    pub velocity: Vec2,
-    /// rad/s.
-    pub spin: f64,
-}
-
-/// Sum of all forces on a block but damping and the reaction of supports.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Net {
-    /// N/m.
-    pub force: Vec2,
-    /// About the centroid, N.
-    pub moment: f64,
-}
 
 /// Gathers the slots of each block and finds its velocity change.
 pub(super) fn kicks(
