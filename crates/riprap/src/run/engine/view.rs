@@ -161,6 +161,15 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Largest work of any kind so far, J or J/m.
+    #[must_use]
+    pub fn largest_work(&self) -> f64 {
+        match self {
+            Self::Planar(v) => v.world.works.peak,
+            Self::Spatial(v) => v.world.works.peak,
+        }
+    }
+
     /// What blocks in space that were built into each other have given back by found contact, J: a search for equilibrium presses them
     /// apart. Their energy counts from nil at the start, so less than nothing is left of it.
     #[must_use]
