@@ -357,3 +357,46 @@ fn a_given_time_step_that_is_made_shorter_is_told_once_with_both_numbers() {
     assert_eq!(said.err.matches(wanted).count(), 1, "{said:?}");
     assert!(!run(&[]).1.err.contains("made shorter"));
 }
+
+/// Back at the height that it fell from, a block has next to nothing of what gravity put in: its own motion was called energy from nowhere.
+#[test]
+fn a_block_that_bounces_without_loss_is_not_stopped_at_its_highest_point() {
+    for height in ["0.3 m", "1.3 m", "1.7 m"] {
+        let bench = Bench::new();
+        bench.file(
+            "a.toml",
+            format!(
+                "riprap = 1\ntitle = \"a block bounces\"\nspace.planar.gravity = [\"0 m/s2\", \"-10 m/s2\"]\n\
+                 materials.rock.density = \"2500 kg/m3\"\n\
+                 [interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\nshear_stiffness = \"1 GPa/m\"\nfriction_angle = \"30 deg\"\ndamping_ratio = 0\n\
+                 [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"10 m\", \"1 m\"], corner = [\"-5 m\", \"-1 m\"] }}\n\
+                 [[blocks]]\nname = \"stone\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"0 m\", \"{height}\"] }}\n\
+                 [[supports]]\non.block = \"floor\"\nfixed = {{}}\n\
+                 [[phases]]\nname = \"bounce\"\nuntil.time = \"2.1 s\"\n"
+            ),
+        );
+        bench.run(&["run", "a.toml", "-q"]).expect(0);
+    }
+}
+
+/// The forces of a relaxing phase were balanced as a whole: a block that hangs in the air weighs nothing beside the pressure on the other one.
+#[test]
+fn a_deformable_block_that_falls_is_told_beside_one_under_pressure() {
+    let bench = Bench::new();
+    bench.file(
+        "a.toml",
+        "riprap = 1\ntitle = \"one is pressed, one falls\"\nspace.spatial.gravity = \"9.81 m/s2\"\n\
+         [materials.rock]\ndensity = \"2700 kg/m3\"\nyoung = \"50 GPa\"\npoisson = 0.2\n\
+         [interfaces.default]\nbrittle_bond = { thickness = \"1 mm\", elastic = true }\n\
+         [[blocks]]\nname = \"base\"\nmaterial = \"rock\"\nbrick = { size = [\"4 m\", \"4 m\", \"1 m\"], corner = [\"-2 m\", \"-2 m\", \"-1 m\"] }\n\
+         mechanics.deformable = {}\n\
+         [[blocks]]\nname = \"roof\"\nmaterial = \"rock\"\nbrick = { size = [\"0.2 m\", \"0.2 m\", \"0.2 m\"], corner = [\"0 m\", \"0 m\", \"3 m\"] }\n\
+         mechanics.deformable = {}\n\
+         [[boundaries]]\nname = \"bottom\"\non.plane = \"z-min\"\nheld = {}\n\
+         [[boundaries]]\nname = \"side\"\non.plane = \"x-min\"\npressure.value = \"100 MPa\"\n\
+         [[phases]]\nname = \"press\"\nkind = \"static\"\nuntil = { unbalanced = 1e-4 }\n",
+    );
+    let said = bench.run(&["run", "a.toml", "-q"]).expect(0);
+    let said = said.warns(&["not every block is", "`roof` is 100 %"]);
+    assert!(!said.err.contains("`base`"), "{}", said.err);
+}

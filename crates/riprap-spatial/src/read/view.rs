@@ -1,5 +1,7 @@
 //! What can be read from a spatial model.
 
+use std::collections::BTreeMap;
+
 use riprap_geom::Vec3;
 
 use crate::boundary;
@@ -8,6 +10,8 @@ use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 use crate::patch::{self, Points, Poses, Resultant, turned_inertia};
+use crate::state::deform::Body;
+use crate::state::hold::Hold;
 use crate::state::scratch::Scratch;
 use crate::world::{PatchClass, World, flag};
 
@@ -229,7 +233,7 @@ impl View<'_> {
         deformable.map_or(rigid, |deformable| deformable.max(rigid))
     }
 
-    /// The free rigid block whose net force is the largest share of the forces that act on it, and that share.
+    /// The block whose net force, as far as it is free to follow it, is the largest share of the forces that act on it, and that share.
     #[must_use]
     pub fn least_balanced(&self) -> Option<(f64, u32)> {
         let (world, scratch) = (self.world, self.scratch);
@@ -257,14 +261,53 @@ impl View<'_> {
         for (b, _, force) in self.bond_forces() {
             all[b] += force.length();
         }
+        let nets = self.add_deformable(&mut all);
         self.living()
-            .filter(|&b| world.is_free(b) && self.deformable(b).is_none() && all[b] > 0.0)
+            .filter(|&b| world.is_free(b) && all[b] > 0.0)
             .map(|b| {
-                let [along, _] = world.freedoms(b);
-                let net = along * scratch.net.force(b);
+                let net = nets.get(&b).copied().unwrap_or_else(|| {
+                    let [along, _] = world.freedoms(b);
+                    along * scratch.net.force(b)
+                });
                 (net.length() / all[b], b as u32)
             })
             .max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Adds what bonds, loads and holds do to deformable blocks to the forces on each block (N), and returns their net forces, as far as
+    /// their nodes are free.
+    fn add_deformable(&self, all: &mut [f64]) -> BTreeMap<usize, Vec3> {
+        let Some((deform, work)) = self.deformables() else {
+            return BTreeMap::new();
+        };
+        for facet in &deform.facets {
+            for side in (0..2).filter(|side| !facet.rigid[*side]) {
+                let slots = work.slots[facet.points()].iter();
+                let forces = slots.map(|f| Vec3::from_array(*f).length());
+                all[facet.blocks[side] as usize] += forces.sum::<f64>();
+            }
+        }
+        let holds: BTreeMap<u32, &Hold> = deform.holds.iter().map(|h| (h.node, h)).collect();
+        let loads = &self.scratch.pushes.loads.nodes;
+        let net = |body: &Body| {
+            let (mut net, mut forces) = (Vec3::ZERO, 0.0);
+            for k in body.nodes() {
+                let force = Vec3::from_array(work.net[k]);
+                let free = holds.get(&(k as u32)).map_or(force, |h| h.free * force);
+                let load = loads.get(k).copied().map_or(Vec3::ZERO, Vec3::from_array);
+                net += free;
+                forces += load.length() + (force - free).length();
+            }
+            (net, forces)
+        };
+        let bodies = deform.bodies.iter().filter(|b| b.count > 0);
+        let mut nets = BTreeMap::new();
+        for body in bodies {
+            let (net, forces) = net(body);
+            all[body.block as usize] += forces;
+            nets.insert(body.block as usize, net);
+        }
+        nets
     }
 
     pub(crate) fn poses(&self) -> Poses<'_> {

@@ -133,6 +133,13 @@ impl Watch {
         }
     }
 
+    /// Time between two readings of an interval where not every step was read, s: what lies between was not seen.
+    fn rhythm(&self) -> Option<f64> {
+        let (time, _) = self.last?;
+        let over = matches!(self.check.window.within(), Window::Over { .. });
+        (over && self.next > time).then(|| self.next - time)
+    }
+
     /// Time and value of the reading, or why there is none.
     fn reading(&self) -> Result<(f64, f64), String> {
         let (end, last) = self.last.ok_or("the field was never read")?;
@@ -208,6 +215,10 @@ impl Watch {
             }
         };
         result.words = self.words(at, result.measured, &unit);
+        if let Some(rhythm) = self.rhythm() {
+            let every = Shown::suited("s", rhythm).text(rhythm, 2);
+            result.words.push_str(&format!("; read every {every}"));
+        }
         result.status = match (&self.check.known, agrees) {
             (None, true) => Status::Passed,
             (None, false) => Status::Failed,

@@ -37,8 +37,9 @@ impl Simulation {
         let (name, kind, wanted) = (phase.name.clone(), phase.kind, phase.until.unbalanced);
         let quiet = kind == PhaseKind::Static;
         let view = self.view();
+        // Speeds of a relaxing phase are those of fictitious masses.
         let judged = quiet && !self.relaxes();
-        let worst = judged.then(|| view.least_balanced()).flatten();
+        let worst = quiet.then(|| view.least_balanced()).flatten();
         let ways = |elapsed: f64| {
             let ways = view.movements().into_iter();
             let ways = ways.map(|m| (m.block, m.speed * elapsed / m.size));

@@ -216,6 +216,22 @@ fn tables_formulas_and_bands() {
 }
 
 #[test]
+fn a_verdict_says_how_often_a_costly_field_was_read() {
+    let words = |next| {
+        let mut watch = Watch::new(check(over(Reduce::Max), Expected::Value(1.0)));
+        watch.observe(0.5, 1.0);
+        watch.next = next;
+        watch.finish("", "", false).words
+    };
+    assert!(
+        words(0.5 + 2e-3).ends_with("; read every 2 ms"),
+        "{}",
+        words(0.502)
+    );
+    assert!(!words(0.5).contains("read every"), "{}", words(0.5));
+}
+
+#[test]
 fn relative_or_absolute_is_enough() {
     let mut one = check(Window::End, Expected::Value(9.95));
     one.absolute = None;
