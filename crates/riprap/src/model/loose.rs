@@ -17,7 +17,7 @@ use crate::scenario::Diagnostic;
 use crate::scenario::language::Geometry;
 use crate::scenario::read::with_unit;
 use crate::scenario::vectors::InSpace;
-use crate::spatial::setup::Shape;
+use crate::spatial::setup::{FaceSet, Shape};
 
 /// Gap between two blocks that touch, over the width of the smaller one.
 const TOUCHING: f64 = 1e-6;
@@ -93,7 +93,8 @@ impl Builder<'_> {
             .filter(|p| p.kind == PhaseKind::Static);
         let settles = settles.map(|phase| phase.name.clone());
         if let (Some(phase), true) = (&settles, down.is_some() && self.falls_freely()) {
-            let lost: Vec<u32> = apart.iter().filter(|a| !a.below).map(|a| a.block).collect();
+            let falls = |a: &&&Around| !a.below && !self.on_boundary(a.block, &extents);
+            let lost: Vec<u32> = apart.iter().filter(falls).map(|a| a.block).collect();
             if let Some(first) = lost.first() {
                 let (names, verb) = self.named(&lost);
                 let message = format!(
@@ -226,8 +227,36 @@ impl Builder<'_> {
     /// Whether nothing but blocks that are held below can stop a fall, and something is held at all.
     fn falls_freely(&self) -> bool {
         let terrain = self.spatial.blocks.iter().any(|b| b.shape.is_terrain());
-        let held = !self.setup.supports.is_empty() || !self.spatial.supports.is_empty() || terrain;
-        held && !self.hangs_or_floats() && self.spatial.boundaries.is_empty()
+        let held = !self.setup.supports.is_empty()
+            || !self.spatial.supports.is_empty()
+            || !self.spatial.boundaries.is_empty()
+            || terrain;
+        held && !self.hangs_or_floats()
+    }
+
+    /// Whether a boundary may hold or press a face of this block: it does for certain not where its faces are away from the block's box.
+    fn on_boundary(&self, block: u32, extents: &[Extent]) -> bool {
+        let own = &extents[block as usize];
+        let half = 0.5 * (own.max - own.min);
+        self.spatial
+            .boundaries
+            .iter()
+            .any(|boundary| match &boundary.on {
+                FaceSet::Plane { normal, offset } => {
+                    let middle = normal.dot(0.5 * (own.min + own.max)) - offset;
+                    middle.abs() <= normal.abs().dot(half) + TOUCHING * own.width()
+                }
+                FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => {
+                    blocks.contains(&block)
+                }
+                FaceSet::Box { min, max, .. } => {
+                    let there = Extent {
+                        min: *min,
+                        max: *max,
+                    };
+                    own.gaps(&there).max_element() <= TOUCHING * own.width()
+                }
+            })
     }
 
     /// Whether bolts or water can carry a block.

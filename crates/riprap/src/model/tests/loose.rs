@@ -151,6 +151,22 @@ fn the_same_in_space() {
         ["model.falls"]
     );
     assert_eq!(codes("[\"5 m\", \"0 m\", \"4 m\"]", ""), [""; 0]);
+    // Boundaries hold what they may touch, and nothing else.
+    let bounded = |plane: &str| {
+        let text = format!(
+            "{SPACE}{}{}[[boundaries]]\nname = \"edge\"\non.plane = \"{plane}\"\nheld = {{}}\n\
+             [[phases]]\nname = \"go\"\n{STATIC}\nuntil = {{ time = \"1 s\" }}\n",
+            brick("floor", "[\"0 m\", \"0 m\", \"0 m\"]"),
+            brick("loose", "[\"5 m\", \"0 m\", \"4 m\"]")
+        );
+        let told = told(&text);
+        ["floor", "loose"].map(|name| {
+            told.iter()
+                .any(|(_, words)| words.contains(&format!("`{name}`")))
+        })
+    };
+    assert_eq!(bounded("z-min"), [false, true]);
+    assert_eq!(bounded("x-max"), [true, false]);
     // Held by its nodes.
     let text = format!(
         "{SPACE}{}{}mechanics.deformable = {{}}\n[[supports]]\non.block = \"floor\"\nfixed = {{}}\n\
