@@ -280,6 +280,28 @@ fn anchored_planes_go_through_the_point() {
     assert_eq!(cut_high.offsets, [0.95]);
 }
 
+/// Catalogue entry E7: a cube of 30 mm, cut as in the fracture paper. The outer part is a prism over a triangle whose sides are
+/// in the ratio of tan 30 deg: `a^3 (cos + sin)^2/(32 sin cos)`.
+#[test]
+fn the_volumes_of_the_cut_of_the_fracture_paper() {
+    let (a, [sin, cos]) = (0.03, [0.5, libm::sqrt(0.75)]);
+    let cube = Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5 * a));
+    let limits = Limits::default();
+    let normal = Vec3::new(cos, sin, 0.0);
+    let cut = cut(&cube, normal, Planes::Spaced { count: 3 }, &limits).unwrap();
+    let outer = a * a * a * (cos + sin) * (cos + sin) / (32.0 * sin * cos);
+    let inner = 0.5 * a * a * a - outer;
+    assert!((outer - 3.636_057_159e-6).abs() < 1e-15);
+    for (part, volume) in cut.parts.iter().zip([outer, inner, inner, outer]) {
+        let found = part.mesh.volume();
+        assert!((found / volume - 1.0).abs() < 1e-13, "{found} {volume}");
+        let edges: usize = part.solid.faces.iter().map(Vec::len).sum();
+        let (v, f) = (part.solid.vertices.len(), part.solid.faces.len());
+        assert_eq!(v + f, edges / 2 + 2);
+    }
+    assert_eq!(cut.parts.len(), 4);
+}
+
 #[test]
 fn bad_cuts_are_errors() {
     let cube = Polyhedron::brick(Vec3::ZERO, Vec3::ONE);
