@@ -137,7 +137,7 @@ impl Watch {
     fn rhythm(&self) -> Option<f64> {
         let (time, _) = self.last?;
         let over = matches!(self.check.window.within(), Window::Over { .. });
-        (over && self.next > time).then(|| self.next - time)
+        (over && self.next > time).then_some(self.next - time)
     }
 
     /// Time and value of the reading, or why there is none.
