@@ -10,10 +10,11 @@
 //! title = "a stone falls"
 //! space.planar.gravity = ["0 m/s2", "-10 m/s2"]
 //! materials.rock.density = "2500 kg/m3"
+//! interfaces.default = { friction_angle = "30 deg", normal_stiffness = "1 GPa/m" }
 //! [[blocks]]
 //! name = "stone"
 //! material = "rock"
-//! rectangle.size = ["1 m", "1 m"]
+//! rectangle = { size = ["1 m", "1 m"], centre = ["0 m", "9 m"] }
 //! [[phases]]
 //! name = "fall"
 //! time_step = "1 ms"
