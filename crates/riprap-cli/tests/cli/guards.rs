@@ -383,9 +383,7 @@ fn a_block_that_bounces_without_loss_is_not_stopped_at_its_highest_point() {
 #[test]
 fn a_deformable_block_that_falls_is_told_beside_one_under_pressure() {
     let bench = Bench::new();
-    bench.file(
-        "a.toml",
-        "riprap = 1\ntitle = \"one is pressed, one falls\"\nspace.spatial.gravity = \"9.81 m/s2\"\n\
+    let scene = "riprap = 1\ntitle = \"one is pressed, one falls\"\nspace.spatial.gravity = \"9.81 m/s2\"\n\
          [materials.rock]\ndensity = \"2700 kg/m3\"\nyoung = \"50 GPa\"\npoisson = 0.2\n\
          [interfaces.default]\nbrittle_bond = { thickness = \"1 mm\", elastic = true }\n\
          [[blocks]]\nname = \"base\"\nmaterial = \"rock\"\nbrick = { size = [\"4 m\", \"4 m\", \"1 m\"], corner = [\"-2 m\", \"-2 m\", \"-1 m\"] }\n\
@@ -394,9 +392,18 @@ fn a_deformable_block_that_falls_is_told_beside_one_under_pressure() {
          mechanics.deformable = {}\n\
          [[boundaries]]\nname = \"bottom\"\non.plane = \"z-min\"\nheld = {}\n\
          [[boundaries]]\nname = \"side\"\non.plane = \"x-min\"\npressure.value = \"100 MPa\"\n\
-         [[phases]]\nname = \"press\"\nkind = \"static\"\nuntil = { unbalanced = 1e-4 }\n",
-    );
+         [[phases]]\nname = \"press\"\nkind = \"static\"\nuntil = { unbalanced = 1e-4 }\n";
+    bench.file("a.toml", scene);
     let said = bench.run(&["run", "a.toml", "-q"]).expect(0);
     let said = said.warns(&["not every block is", "`roof` is 100 %"]);
     assert!(!said.err.contains("`base`"), "{}", said.err);
+    // Without balance nothing is said of one.
+    bench.file("b.toml", format!("{scene}iterations = 10\n"));
+    let said = bench.run(&["run", "b.toml", "-q"]).expect(0);
+    let said = said.warns(&[
+        "without equilibrium",
+        "used up its iterations, and not every block",
+        "`roof` is 100 %",
+    ]);
+    assert!(!said.err.contains("in balance as a whole"), "{}", said.err);
 }

@@ -226,10 +226,13 @@ impl PhaseEnd {
         let unused = match self.reason {
             Reason::Time => Some("time"),
             Reason::Steps => Some("steps"),
-            Reason::Balanced | Reason::AtRest | Reason::Iterations => None,
+            Reason::Iterations => Some("iterations"),
+            Reason::Balanced | Reason::AtRest => None,
         };
+        // Iterations without balance are told by `Unconverged`.
         if let (Some(what), Some(wanted)) = (unused, self.wanted)
             && self.unbalanced > wanted
+            && self.reason != Reason::Iterations
         {
             let also = restless.map_or(String::new(), |words| format!("; {words}"));
             return Some(format!(
