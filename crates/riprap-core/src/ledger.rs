@@ -42,9 +42,32 @@ pub struct Works {
     /// Largest magnitude that a work above has had at the end of a step: the scale of the residual.
     /// Not a sum.
     pub peak: f64,
+    /// What friction, damping, fracture, absorption and bolts have taken at most: none of them falls below it. Not a sum.
+    pub floor: [f64; 5],
 }
 
 impl Works {
+    /// Closes the books of an instant, once all its forces have done their work: where a line of dissipation has fallen, the step has *made*
+    /// energy. That is an error of the laws (a trapezoid over a reversal, a spring that turned in one step), and the line stays
+    /// where it was. Doing it again changes nothing.
+    pub fn settle(&mut self) {
+        let lines = [
+            &mut self.friction,
+            &mut self.damping,
+            &mut self.fracture,
+            &mut self.absorbed,
+            &mut self.bolts,
+        ];
+        for (line, floor) in lines.into_iter().zip(&mut self.floor) {
+            if *line < *floor {
+                self.law_defect += *floor - *line;
+                *line = *floor;
+            } else {
+                *floor = *line;
+            }
+        }
+    }
+
     /// Books what friction and fracture have taken in a step. Where the ledger of a law says that it has *made* energy, the step was too
     /// long for it: that is an error of the law, and dissipation never shrinks.
     pub fn dissipate(&mut self, friction: f64, fracture: f64) {
@@ -106,6 +129,7 @@ impl Works {
             law_defect: factor * self.law_defect,
             edit_defect: factor * self.edit_defect,
             peak: factor * self.peak,
+            floor: self.floor.map(|floor| factor * floor),
         }
     }
 

@@ -382,8 +382,6 @@ fn apply(
     let normal = pressed.normal.force / elastic;
     let tangent = normal.perp();
     let velocity = relative.at(x);
-    let remembered = contact.shear;
-
     // Dashpots: along the resultant, and against relative rotation of the contact length.
     let stiffness = law.normal_stiffness * length;
     let root = length.sqrt();
@@ -403,13 +401,15 @@ fn apply(
         // The dashpot presses on the sliding face too.
         Some(wrench) => (wrench.times(total_normal / elastic), true),
         None => {
-            let stiffness = law.shear_stiffness * length;
+            contact.springs = contact.springs.max(length);
+            let spring = law.shear_stiffness * contact.springs;
             let limit = shear_limit(law.cohesion * length, law.friction, -total_normal);
             let rate = velocity.dot(tangent);
-            let slid = coulomb::shear_spring(contact.shear, stiffness, slip, limit);
+            let slid = coulomb::shear_spring(contact.shear, spring, slip, limit);
             contact.shear = slid.force;
             let mut force = slid.force;
             if !slid.slipping {
+                let stiffness = law.shear_stiffness * length;
                 let c = dashpots[1] * root + context.stiffness_damping * stiffness;
                 force = within(force - c * rate, limit);
             }
@@ -427,19 +427,8 @@ fn apply(
         &damp,
         works,
     );
-    let stored = |force: f64| {
-        if force == 0.0 {
-            0.0
-        } else {
-            0.5 * force * force / (law.shear_stiffness * length)
-        }
-    };
-    let energy = stored(contact.shear);
-    // The stiffness of the spring goes with the contact length: what a change of length alone does to the energy of the
-    // force that is remembered nobody has rubbed off. It is the law's.
-    let stretched = stored(remembered) - contact.shear_energy;
-    works.law_defect += stretched;
-    works.friction += contact.shear_energy + stretched - energy;
+    let energy = shear_energy(law, contact);
+    works.friction += contact.shear_energy - energy;
     contact.shear_energy = energy;
     contact.length = length;
     contact.depth = pressed.depth;
@@ -452,6 +441,15 @@ fn apply(
     let handed = Wrench::at(handed * normal, x, arm_j);
     book_handed(relative, context.elapsed, contact, handed, works);
     total.plus(&handed)
+}
+
+/// Elastic energy of a shear spring, J/m.
+pub fn shear_energy(law: &ContactLaw, contact: &Contact) -> f64 {
+    if contact.shear == 0.0 {
+        0.0
+    } else {
+        0.5 * contact.shear * contact.shear / (law.shear_stiffness * contact.springs)
+    }
 }
 
 /// Books the trapezoidal works of the three parts over the elapsed time and remembers the parts.

@@ -129,13 +129,14 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
         }
         let share = force / elastic;
         let shear = -share * borne.shear;
-        let contact = Contact {
+        let mut contact = Contact {
             shear,
-            shear_energy: 0.5 * shear * shear / (law.shear_stiffness * pressed.length),
+            springs: pressed.length,
             offset: share * borne.compression - force,
             offset_left: FADE * borne.length,
             ..Contact::default()
         };
+        contact.shear_energy = contact::shear_energy(&law, &contact);
         stored += contact.shear_energy;
         work = work.plus(&pressed.normal);
         opened.push(Region { edges, contact });

@@ -80,6 +80,7 @@ fn remember(hash: &mut StateHash, contact: &Contact) {
     let handed = &contact.handed;
     hash.numbers(&[
         contact.shear,
+        contact.springs,
         contact.offset,
         contact.offset_left,
         handed.force.x,

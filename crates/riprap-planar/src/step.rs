@@ -291,6 +291,7 @@ pub fn evaluate(
             entries::book(world, scratch, damping, dt);
         });
     }
+    world.works.settle();
     world.pending = 0.0;
     scratch.coming_dt = dt;
     result

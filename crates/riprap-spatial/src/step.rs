@@ -96,6 +96,7 @@ pub fn evaluate(
     if !world.accounts.is_empty() {
         stage(scratch, "accounts", |scratch| entries::book(world, scratch));
     }
+    world.works.settle();
     world.pending = 0.0;
     world.fresh = false;
     result

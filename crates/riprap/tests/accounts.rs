@@ -362,3 +362,76 @@ fn blocks_that_are_divided_keep_the_accounts() {
     assert!((sum.supports - works.supports).abs() <= 1e-12 * works.peak);
     assert!(accounts.iter().all(|a| a.work() != 0.0), "{accounts:?}");
 }
+
+/// Blocks that fall onto each other and tumble on, sticking and sliding, hardly damped; the engine and how blocks are given stand in for `ENGINE` and `BLOCKS`.
+const TUMBLE: &str = r#"
+riprap = 1
+title = "blocks that tumble"
+ENGINE
+[materials.rock]
+density = "2600 kg/m3"
+young = "1 GPa"
+poisson = 0.25
+[interfaces.default]
+normal_stiffness = "100 MPa/m"
+friction_angle = "30 deg"
+damping_ratio = 0.02
+BLOCKS
+[[supports]]
+on = { block = "floor" }
+fixed = {}
+[[phases]]
+name = "tumble"
+max_residual = 1
+until = { time = "10 s" }
+"#;
+
+fn tumbling(engine: &str, floor: &str, blocks: &[(&str, &str)]) -> String {
+    let block = |(name, shape): &(&str, &str)| {
+        format!("[[blocks]]\nname = \"{name}\"\nmaterial = \"rock\"\n{shape}\n")
+    };
+    let blocks: String = [("floor", floor)].iter().chain(blocks).map(block).collect();
+    TUMBLE.replace("ENGINE", engine).replace("BLOCKS", &blocks)
+}
+
+#[test]
+fn no_line_of_dissipation_ever_falls() {
+    let plane = tumbling(
+        "[space.planar]\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]",
+        r#"rectangle = { size = ["40 m", "1 m"], corner = ["-20 m", "-1 m"] }"#,
+        &[
+            (
+                "brick",
+                "rectangle = { size = [\"1 m\", \"2 m\"], centre = [\"0 m\", \"1.5 m\"] }\nrotate = { angle = \"20 deg\" }\nvelocity = [\"3 m/s\", \"0 m/s\"]",
+            ),
+            (
+                "other",
+                "rectangle = { size = [\"1 m\", \"1 m\"], centre = [\"1.6 m\", \"1 m\"] }\nrotate = { angle = \"40 deg\" }",
+            ),
+        ],
+    );
+    let bricks = [
+        "brick = { size = [\"1 m\", \"2 m\", \"1 m\"], corner = [\"0 m\", \"0 m\", \"0.6 m\"] }\nrotate = { axis = [1, 0.3, 0], angle = \"20 deg\" }\nvelocity = [\"3 m/s\", \"0 m/s\", \"0 m/s\"]",
+        "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"2.3 m\", \"0 m\", \"0.4 m\"] }\nrotate = { axis = [0, 1, 1], angle = \"40 deg\" }",
+    ];
+    let space = "[space.spatial]\ngravity = \"9.81 m/s2\"";
+    let floor =
+        r#"brick = { size = ["20 m", "20 m", "1 m"], corner = ["-10 m", "-10 m", "-1 m"] }"#;
+    let rigid = tumbling(space, floor, &[("brick", bricks[0]), ("other", bricks[1])]);
+    let soft = bricks.map(|brick| format!("{brick}\nmechanics.deformable = {{}}"));
+    let soft = tumbling(space, floor, &[("brick", &soft[0]), ("other", &soft[1])]);
+    let scenes = [(&*plane, 4000), (&*rigid, 4000), (&*soft, 2000)];
+    for (text, steps) in scenes.into_iter().chain(ALL.map(|(text, _)| (text, 400))) {
+        let mut simulation = simulation(text, 1);
+        let mut before = [0.0; 5];
+        for step in 0..steps {
+            run(&mut simulation, 1);
+            let (_, w) = accounts(&simulation);
+            let lines = [w.friction, w.damping, w.fracture, w.absorbed, w.bolts];
+            let falls = lines.iter().zip(&before).any(|(now, before)| now < before);
+            assert!(!falls, "step {step}: {before:?}, {lines:?} in{text}");
+            before = lines;
+        }
+        assert!(ALL.iter().any(|(other, _)| *other == text) || before[0] > 100.0);
+    }
+}

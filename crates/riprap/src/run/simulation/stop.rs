@@ -5,6 +5,7 @@ use super::cursor::Reason;
 use super::{Rules, RunError, Simulation};
 use crate::ledger::{COLUMNS, Unexplained};
 use crate::plan::{PhaseKind, Relaxing};
+use crate::planar::setup::NormalLaw;
 use crate::run::engine::View;
 use crate::spatial::found::desk::Deepest;
 use crate::spatial::found::limits::{self, Depth};
@@ -20,7 +21,7 @@ const LOOK: u64 = 50;
 const LEDGER: u64 = 1000;
 /// Residual over the largest energy that moved from which on a run is warned of.
 const NOTED: f64 = 0.01;
-/// The same of what the laws of the plane make by themselves.
+/// The same of what a law without potential makes by itself.
 const TOLD: f64 = 0.1;
 /// Kinetic energy over the energy put in at which a run is stopped.
 const BLOW_UP: f64 = 5.0;
@@ -279,12 +280,17 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether a run is stopped for it. Laws of the plane make and lose energy by themselves (penetration potential, shear springs on
-    /// contacts that change their length): that is told.
+    /// Whether a run is stopped for it. The penetration potential of the plane makes and loses energy by itself, whatever the step: that is
+    /// told.
     fn forbids(&self, what: Unexplained) -> bool {
         match what {
             Unexplained::Residual => true,
-            Unexplained::LawDefect => self.view().spatial().is_some(),
+            Unexplained::LawDefect => self.view().planar().is_none_or(|view| {
+                let interfaces = &view.world.setup.interfaces;
+                interfaces
+                    .iter()
+                    .all(|i| i.contact.normal == NormalLaw::DistancePotential)
+            }),
         }
     }
 
