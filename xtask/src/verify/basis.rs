@@ -9,17 +9,17 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 7] = [
+const SCOPES: [(&str, Concerns); 8] = [
     ("In the plane:", |scene| !in_space(scene)),
     ("In space:", in_space),
     ("Found contact in space:", |scene| {
         in_space(scene) && !scene.contains("found_contacts = false")
     }),
     // Joints of rigid blocks that can give way to found contact.
-    ("Rigid joints in space:", |scene| {
-        in_space(scene)
-            && !scene.contains("found_contacts = false")
-            && !scene.contains("deformable")
+    ("Rigid joints in space:", joined),
+    // The same where blocks lie on each other at the start: stones that are poured have no joints.
+    ("Joints in space that give way:", |scene| {
+        joined(scene) && !scene.contains("pour = ")
     }),
     ("Terrain in space:", |scene| {
         in_space(scene) && scene.contains("terrain")
@@ -27,6 +27,10 @@ const SCOPES: [(&str, Concerns); 7] = [
     ("Seepage:", |scene| scene.contains("seepage")),
     ("Water:", |scene| scene.contains("[water.")),
 ];
+
+fn joined(scene: &str) -> bool {
+    in_space(scene) && !scene.contains("found_contacts = false") && !scene.contains("deformable")
+}
 
 fn in_space(scene: &str) -> bool {
     scene.contains("[space.spatial]")
@@ -141,13 +145,14 @@ mod tests {
 
     #[test]
     fn an_entry_can_concern_some_scenes_only() {
-        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- e\n";
+        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Joints in space that give way: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- e\n";
         let space = "[space.spatial]\n";
         assert_eq!(numerics(text, "[space.planar]"), 2);
         assert_eq!(numerics(text, "[space.planar]\nwater.seepage = {}"), 3);
         assert_eq!(numerics(text, "[space.planar]\n[water.seepage]"), 4);
-        assert_eq!(numerics(text, space), 4);
-        assert_eq!(numerics(text, &format!("{space}terrain.csv")), 5);
+        assert_eq!(numerics(text, space), 5);
+        assert_eq!(numerics(text, &format!("{space}pour = {{}}")), 4);
+        assert_eq!(numerics(text, &format!("{space}terrain.csv")), 6);
         assert_eq!(numerics(text, &format!("{space}mechanics.deformable")), 3);
         assert_eq!(numerics(text, &format!("{space}found_contacts = false")), 2);
     }

@@ -7,10 +7,14 @@
 //! goes with the overlap when they part. So does the rocking couple in every case:
 //!
 //! ```text
-//! H = H_0 max(0, 1 - slip/(0.1 sqrt A) - turned/0.0002) min(1, |S_F|/|S_F|_0)
+//! H = H_0 max(0, 1 - slip/(0.1 sqrt A) - turned/t) min(1, |S_F|/|S_F|_0)
+//!
+//! t = 0.0002 for the force, at most 2 E_joint/|couple| for the couple
 //! ```
 //!
-//! The rocking is ours: a couple that stayed would move the hinge of a block for good, which the found contact has at its edge.
+//! The rocking is ours: a couple that stayed would move the hinge of a block for good, which the found contact has at its edge. It has no
+//! potential, so it does no more work than what the joint stored: with faces of 100 GPa/m blocks got many times that from it and were
+//! thrown off slopes on which they stand (`leaning_block.toml`).
 //!
 //! **It pressed softer.** Then the joint has a smaller stiffness, or the blocks lie in each other deeper than any force has pressed them: a
 //! hinge about the points of a joint folds its blocks into each other, and pairs that joints hold in place are not looked at. Let the
@@ -69,6 +73,8 @@ pub struct Offset {
     pub begins: Option<[f64; 2]>,
     /// Couple on B across the normal at the hand-over, turned with the contact since, N m.
     pub rocking: Vec3,
+    /// Rotation across the normal over which the couple fades, rad.
+    pub rocks: f64,
     /// Length of |S_F| at the hand-over, m³.
     pub overlap: f64,
     /// Way slid since, m.
@@ -137,6 +143,7 @@ impl Offset {
             energy: 0.0,
             begins: None,
             rocking: Vec3::ZERO,
+            rocks: TURNED,
             overlap: 0.0,
             slip: 0.0,
             turned: 0.0,
@@ -187,6 +194,10 @@ impl Offset {
                 self.hidden *= here.energy;
             }
             self.rocking = rocking - rocking.dot(n) * n;
+            let couple = self.rocking.length();
+            if couple * TURNED > 2.0 * joint.energy {
+                self.rocks = 2.0 * joint.energy / couple;
+            }
             self.overlap = here.overlap;
             self.stored = joint.energy;
             begun = joint.energy;
@@ -203,12 +214,13 @@ impl Offset {
                 across
             };
         }
-        let left = self.left(here.area);
-        let share = if here.overlap < self.overlap {
-            left * here.overlap / self.overlap
+        let closed = if here.overlap < self.overlap {
+            here.overlap / self.overlap
         } else {
-            left
+            1.0
         };
+        let [share, rocking] =
+            [TURNED, self.rocks].map(|turned| closed * self.left(here.area, turned));
         if here.energy < self.hidden {
             (self.hidden, self.softness) = (here.energy, 1.0);
         }
@@ -219,7 +231,7 @@ impl Offset {
         };
         let [pressure, moment] = here.pressure;
         self.force = share * self.normal * n - missing * pressure;
-        self.couple = share * self.rocking - missing * moment;
+        self.couple = rocking * self.rocking - missing * moment;
         (self.pressure, self.moment) = (pressure, moment);
         self.energy = here.energy;
         begun
@@ -239,14 +251,21 @@ impl Offset {
         (self.softness, self.hidden) = (softness, (1.0 - depth) * (1.0 - depth));
     }
 
-    /// The share of what was too much that sliding and rocking have left.
-    fn left(&self, area: f64) -> f64 {
-        (1.0 - self.slip / (FADED * area.sqrt()) - self.turned / TURNED).max(0.0)
+    /// The share of what was too much that sliding and rocking have left, where a rotation of `turned` (rad) leaves nothing.
+    fn left(&self, area: f64, turned: f64) -> f64 {
+        if self.turned < turned {
+            (1.0 - self.slip / (FADED * area.sqrt()) - self.turned / turned).max(0.0)
+        } else {
+            0.0
+        }
     }
 
     /// Whether nothing is left of it for good.
     pub(super) fn is_gone(&self, area: f64) -> bool {
-        self.joint.is_none() && self.hidden == 0.0 && self.softness == 1.0 && self.left(area) == 0.0
+        self.joint.is_none()
+            && self.hidden == 0.0
+            && self.softness == 1.0
+            && self.left(area, TURNED) == 0.0
     }
 
     /// Goes on through half a step of `dt` (s) with the forces it has; `arms` are those of their point from the centroids, m.
