@@ -405,10 +405,13 @@ fn apply(
             let spring = law.shear_stiffness * contact.springs;
             let limit = shear_limit(law.cohesion * length, law.friction, -total_normal);
             let rate = velocity.dot(tangent);
-            let slid = coulomb::shear_spring(contact.shear, spring, slip, limit);
+            let before = contact.shear;
+            let slid = coulomb::shear_spring(before, spring, slip, limit);
             contact.shear = slid.force;
             let mut force = slid.force;
-            if !slid.slipping {
+            if slid.slipping {
+                renew(law, contact, before, slip, length);
+            } else {
                 let stiffness = law.shear_stiffness * length;
                 let c = dashpots[1] * root + context.stiffness_damping * stiffness;
                 force = within(force - c * rate, limit);
@@ -441,6 +444,20 @@ fn apply(
     let handed = Wrench::at(handed * normal, x, arm_j);
     book_handed(relative, context.elapsed, contact, handed, works);
     total.plus(&handed)
+}
+
+/// Lets the spring of a contact that slides stand for its present length, as far as sliding pays for it; `before` is its force before the
+/// slip of this step (m).
+///
+/// The springs that slide are those that touch now. They are softer than those of a longer contact and store more at the same
+/// force, which comes out of what friction takes in this step.
+fn renew(law: &ContactLaw, contact: &mut Contact, before: f64, slip: f64, length: f64) {
+    let stored = shear_energy(law, contact);
+    let paid = contact.shear_energy - stored - 0.5 * (before + contact.shear) * slip;
+    if stored > 0.0 && paid > 0.0 && contact.springs > length {
+        let softest = contact.springs * stored / (stored + paid);
+        contact.springs = softest.max(length);
+    }
 }
 
 /// Elastic energy of a shear spring, J/m.

@@ -171,14 +171,17 @@ pub struct Contact {
     pub shear: f64,
     /// Elastic energy in the shear spring, J/m.
     pub shear_energy: f64,
-    /// Length that the shear spring stands for, m: the longest that the contact has been. Where it grows, unloaded springs are added, and
-    /// what the force stores falls (that is friction); where it shrinks, the spring stays what it is, and no energy comes of it.
+    /// Length that the shear spring stands for, m: the longest that the contact has been since it slid. Where it grows, unloaded springs are
+    /// added, and what the force stores falls (that is friction); where it shrinks, the spring stays what it is, and no energy
+    /// comes of it; where it slides, its springs become those of its present length, and friction pays for what they store.
     ///
     /// Deviation: Cundall & Strack's spring (see [`coulomb`](crate::laws::coulomb)) has one stiffness; one that follows the length is usual, with
     /// the force kept. A contact that sticks while it shrinks then makes energy: a brick that tumbled over its corners made 10 % of
-    /// all that it had, and 2 % with an eighth of the step. Dropping the share of what has opened, as contacts in space do, or keeping the
-    /// energy and scaling the force with the root of the length lets a block that rocks on a slope walk down it below the
-    /// angle of friction (`a1_incline`): the pressure at an edge that opens is none, and no shear goes with it.
+    /// all that it had, and 2 % with an eighth of the step. Tried and left: dropping the share of what has opened, as
+    /// contacts in space do, or keeping the energy and scaling the force with the root of the length lets a block that rocks
+    /// on a slope walk down it below the angle of friction (`a1_incline`), since the pressure at an edge that opens is none and no
+    /// shear goes with it; a spring that stays long while it slides is too stiff at a corner (`g3_goodman_bray`: a slope fails
+    /// under 1.1 times the anchor force that holds it).
     pub springs: f64,
     /// Elastic normal energy by path, J/m (only for laws without potential).
     pub path_energy: f64,
