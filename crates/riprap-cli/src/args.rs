@@ -384,7 +384,7 @@ pub struct ProbeContact {
 ///
 /// Prints a line a check and closes with `N passed, N failed, N skipped`. Skipped are checks
 /// that the scene marks as known failures: they are run and shown with their reason. Ends with
-/// code 1 when a check failed.
+/// code 1 when a check failed, 2 when there was none.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

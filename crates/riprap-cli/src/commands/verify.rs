@@ -45,6 +45,11 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
     }
     if tally.failed > 0 {
         Err(Failure::Checks)
+    } else if tally.passed + tally.skipped == 0 {
+        Err(Failure::Input(
+            "nothing was verified: no scene here has a check; add [[checks]], or use `riprap run`"
+                .to_owned(),
+        ))
     } else {
         Ok(())
     }

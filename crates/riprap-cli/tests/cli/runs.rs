@@ -136,6 +136,17 @@ fn a_failed_check_is_code_1() {
 }
 
 #[test]
+fn verifying_nothing_is_no_success() {
+    let bench = Bench::new();
+    let checks = FALL.find("[[checks]]").expect("the scene has checks");
+    bench.file("bare.toml", &FALL[..checks]);
+    bench
+        .run(&["verify", "bare.toml"])
+        .expect(2)
+        .warns(&["nothing was verified", "[[checks]]"]);
+}
+
+#[test]
 fn physics_that_stops_a_run_is_code_1_and_leaves_a_checkpoint() {
     let bench = Bench::new();
     // A step far above the stable one; the check is switched off to get that far.
