@@ -190,9 +190,19 @@ pub fn all(root: &Path, words: &[&str]) -> ExitCode {
     }
 }
 
+/// A check that stands in the list twice, as where two files were joined: it would be counted twice.
+fn twice(checks: &[Value]) -> Option<&Value> {
+    let mut seen = std::collections::BTreeSet::new();
+    let key = |c: &Value| ["scene", "case", "check"].map(|k| c[k].to_string());
+    checks.iter().find(|c| !seen.insert(key(c)))
+}
+
 /// Writes the page with the checks that were run in place of the rows of their scenes. With the `binary` that ran them come probes of these
 /// scenes, without checks those that are missing.
 fn rewrite(root: &Path, checks: &[Value], binary: Option<&Path>) -> Result<(), String> {
+    if let Some(check) = twice(checks) {
+        return Err(format!("it stands there twice: {check}"));
+    }
     let now = Now::of(root);
     let stranger = checks
         .iter()
