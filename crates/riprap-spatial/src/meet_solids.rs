@@ -1,17 +1,19 @@
 //! Where convex polyhedra (and bricks among them) touch: polygons shared by opposite faces, and what is left of
 //! the faces.
 //!
-//! Faces are swept along x; two touch when they lie in one plane back to back. What is left of a face enters by
+//! Two faces touch when they lie in one plane back to back. What is left of a face enters by
 //! its area, centroid and second moments, which is all that four points of a boundary need.
 
 use riprap_geom::face_overlap::{self, face_overlap};
 use riprap_geom::polyhedron::{Polyhedron, area_vector, frame};
 use riprap_geom::{Mat3, Vec3};
 
+use super::found::grid::{Box3, Grid, Role};
 use super::overlap::{Overlap, axis_frame};
 use super::region::Extent;
 use super::setup::BlockSpec;
 use super::state::face::Face;
+use crate::exec::Exec;
 
 /// Largest sine between opposite faces that touch.
 const PARALLEL: f64 = 1e-6;
@@ -81,22 +83,35 @@ fn each_touch(
     tolerance: f64,
     mut found: impl FnMut([&Side; 2], face_overlap::Overlap),
 ) {
+    // Along x, which is the order of the sums: pairs by their farther face, then by the nearer one.
     let mut order: Vec<usize> = (0..sides.len()).collect();
     order.sort_by(|&a, &b| sides[a].min.x.total_cmp(&sides[b].min.x).then(a.cmp(&b)));
-    let mut active: Vec<usize> = Vec::new();
-    for b in order {
-        active.retain(|&a| sides[a].max.x >= sides[b].min.x - tolerance);
-        for &a in &active {
-            // The lower number first, the image last.
-            let image = |k: usize| sides[k].shift != Vec3::ZERO;
-            let key = |k: usize| (image(k), sides[k].block, k);
-            let (first, second) = if key(a) < key(b) { (a, b) } else { (b, a) };
-            let pair = [&sides[first], &sides[second]];
-            if let Some(shared) = touch(pair, tolerance) {
-                found(pair, shared);
-            }
+    let boxes: Vec<Box3> = order
+        .iter()
+        .map(|&k| Box3 {
+            low: sides[k].min,
+            high: sides[k].max + Vec3::splat(tolerance),
+        })
+        .collect();
+    let apart = |a: u32, b: u32| {
+        let [a, b] = [a, b].map(|k| &sides[order[k as usize]]);
+        !back_to_back([a, b])
+    };
+    let seekers = vec![Role::Seeker; boxes.len()];
+    let mut grid = Grid::default();
+    let mut pairs = grid
+        .close_pairs(&boxes, &seekers, apart, &Exec::serial())
+        .to_vec();
+    pairs.sort_unstable_by_key(|&[a, b]| [b, a]);
+    for pair in pairs {
+        let [a, b] = pair.map(|k| order[k as usize]);
+        // The lower number first, the image last.
+        let key = |k: usize| (sides[k].shift != Vec3::ZERO, sides[k].block, k);
+        let (first, second) = if key(a) < key(b) { (a, b) } else { (b, a) };
+        let pair = [&sides[first], &sides[second]];
+        if let Some(shared) = touch(pair, tolerance) {
+            found(pair, shared);
         }
-        active.push(b);
     }
 }
 
@@ -165,15 +180,18 @@ impl Side {
     }
 }
 
-/// Shared polygon of two faces that lie back to back in one plane; its normal is that of the first.
+/// Whether two faces lie back to back, not both of them images: their planes are parallel.
+fn back_to_back([a, b]: [&Side; 2]) -> bool {
+    let images = a.shift != Vec3::ZERO && b.shift != Vec3::ZERO;
+    !images && (a.normal + b.normal).length() <= PARALLEL
+}
+
+/// Shared polygon of two faces whose planes are parallel, where they lie in one plane; its normal is that of the first.
 fn touch([a, b]: [&Side; 2], tolerance: f64) -> Option<face_overlap::Overlap> {
-    let apart = Vec3::splat(tolerance);
-    let close = a.min.cmple(b.max + apart).all() && b.min.cmple(a.max + apart).all();
     let gap = a
         .normal
         .dot(b.whole.centroid + b.shift - a.whole.centroid - a.shift);
-    let images = a.shift != Vec3::ZERO && b.shift != Vec3::ZERO;
-    if images || !close || (a.normal + b.normal).length() > PARALLEL || gap.abs() > tolerance {
+    if gap.abs() > tolerance {
         return None;
     }
     let smallest = SLIVER * a.whole.area.min(b.whole.area);
