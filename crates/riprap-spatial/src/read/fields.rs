@@ -164,7 +164,8 @@ fn between<'a>(v: &'a View<'_>, of: &[u32]) -> impl Iterator<Item = (usize, f64)
         })
 }
 
-/// Sum over the patches of a pair of area times a function of the four tractions, over the whole area.
+/// Mean over the area of the points of patches and the springs of facets between two blocks of a function of their
+/// tractions.
 fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
     let (mut sum, mut area) = (0.0, 0.0);
     for (p, _) in between(v, of) {
@@ -174,31 +175,53 @@ fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
             area += part;
         }
     }
+    let joined = joins(pair(of));
+    for (deform, work) in v.deformables() {
+        for facet in deform.facets.iter().filter(|f| joined(f.blocks)) {
+            for p in facet.points() {
+                let part = deform.points[p].area;
+                let force = Vec3::from(work.slots[p]);
+                sum += part * get(&facet.frame.map(|e| e.dot(force) / part));
+                area += part;
+            }
+        }
+    }
     if area > 0.0 { sum / area } else { 0.0 }
 }
 
-/// Number of points of all patches, or of those of a pair, with a bit of a group set.
-fn count(v: &View<'_>, patches: impl Iterator<Item = usize>, group: u16) -> f64 {
-    patches
-        .map(|p| f64::from((v.world.patches.flags[p] & group).count_ones()))
-        .sum()
+/// Whether ends are these two blocks.
+fn joins((a, b): (u32, u32)) -> impl Fn([u32; 2]) -> bool {
+    move |ends| ends == [a, b] || ends == [b, a]
 }
 
-/// Share of failed points among all points of a block's patches.
-fn broken_share(v: &View<'_>, b: u32) -> f64 {
-    let (mut broken, mut all) = (0.0, 0.0);
-    for (p, _) in v
-        .world
-        .patches
-        .ends
-        .iter()
-        .enumerate()
-        .filter(|(_, e)| e.contains(&b))
-    {
-        broken += count(v, std::iter::once(p), flag::BROKEN);
-        all += 4.0;
+/// Share of the points of patches and the springs of facets between blocks that `chosen` takes that have failed, or that are open.
+fn share_of_points(v: &View<'_>, group: u16, chosen: impl Fn([u32; 2]) -> bool) -> Vec3 {
+    let (mut such, mut all) = (0.0, 0.0);
+    let patches = &v.world.patches;
+    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        if chosen(*ends) {
+            such += f64::from((flags & group).count_ones());
+            all += 4.0;
+        }
     }
-    if all > 0.0 { broken / all } else { 0.0 }
+    for (deform, work) in v.deformables() {
+        for facet in deform.facets.iter().filter(|f| chosen(f.blocks)) {
+            let is_such = |p: &usize| {
+                let open = work.slots[*p] == [0.0; 3];
+                deform.memory[*p].state.is_broken() && (group == flag::BROKEN || open)
+            };
+            such += facet.points().filter(is_such).count() as f64;
+            all += f64::from(facet.count);
+        }
+    }
+    one(if all > 0.0 { such / all } else { 0.0 })
+}
+
+/// Share of the points of all patches that slid in the last step.
+fn sliding_share(v: &View<'_>) -> f64 {
+    let flags = &v.world.patches.flags;
+    let sliding = flags.iter().map(|f| (f & flag::SLIDING).count_ones());
+    f64::from(sliding.sum::<u32>()) / (4 * flags.len()).max(1) as f64
 }
 
 /// Principal values of a symmetric matrix, largest first (analytic, for 3 x 3).
@@ -251,7 +274,7 @@ fields! {
     "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[2]);
     "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression of the block's average stress (negative in tension)." |v, of| one(-principal(&stress(v, of))[0]);
     "block.pressure" "Pa" Block Scalar true "Mean compression of the block's average stress." |v, of| { let s = stress(v, of); one(-(s.x_axis.x + s.y_axis.y + s.z_axis.z) / 3.0) };
-    "block.broken_share" "-" Block Scalar true "Share of the points of its patches that have failed. Patches that found contact has taken over are no longer among them." |v, of| one(broken_share(v, first(of) as u32));
+    "block.broken_share" "-" Block Scalar true "Share of the points of its patches and the springs of its facets that have failed. Patches that found contact has taken over are no longer among them." |v, of| { let b = first(of) as u32; share_of_points(v, flag::BROKEN, |ends| ends.contains(&b)) };
     "block.level" "-" Block Scalar false "How often the block's ancestors were split." |v, of| one(f64::from(v.world.level(first(of))));
     "block.removed" "-" Block Scalar false "1 once the block has been removed or split." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "block.contact_force" "N" Block Vector3 true "Sum of the forces of found contacts on the block, without dashpots." |v, of| v.contacts_of(first(of)).map(|(_, force)| force).sum();
@@ -262,9 +285,9 @@ fields! {
     "pair.seepage_rate" "m3/s" Pair Scalar true "Largest rate of flow through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
-    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
-    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of the patches between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
-    "pair.broken" "-" Pair Scalar true "Share of the points between the two that have failed. Patches that found contact has taken over are no longer among them." |v, of| { let n = between(v, of).count() as f64; one(count(v, between(v, of).map(|(p, _)| p), flag::BROKEN) / (4.0 * n).max(1.0)) };
+    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches and facets between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
+    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches and the springs of facets between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
+    "pair.broken" "-" Pair Scalar true "Share of the points of patches and the springs of facets between the two that have failed. Patches that found contact has taken over are no longer among them." |v, of| share_of_points(v, flag::BROKEN, joins(pair(of)));
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
     "group.water_force" "N" Group Vector3 false "Sum of the pushes of the standing water on the group's blocks." |v, of| members(v, of).map(|b| v.water_force(b)).sum();
     "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
@@ -296,9 +319,9 @@ fields! {
     "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
     "model.blocks" "-" Model Scalar true "Number of blocks that are there." |v, _| one(v.living().count() as f64);
     "model.patches" "-" Model Scalar false "Number of patches." |v, _| one(v.world.patches.len() as f64);
-    "model.broken_share" "-" Model Scalar true "Share of all points that have failed. Patches that found contact has taken over are no longer among them." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::BROKEN) / (4 * n).max(1) as f64) };
-    "model.open_share" "-" Model Scalar true "Share of all points that are open." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::OPEN) / (4 * n).max(1) as f64) };
-    "model.sliding_share" "-" Model Scalar true "Share of all points that slid in the last step." |v, _| { let n = v.world.patches.len(); one(count(v, 0..n, flag::SLIDING) / (4 * n).max(1) as f64) };
+    "model.broken_share" "-" Model Scalar true "Share of the points of all patches and the springs of all facets that have failed. Patches that found contact has taken over are no longer among them." |v, _| share_of_points(v, flag::BROKEN, |_| true);
+    "model.open_share" "-" Model Scalar true "Share of the points of all patches and the springs of all facets that are open." |v, _| share_of_points(v, flag::OPEN, |_| true);
+    "model.sliding_share" "-" Model Scalar true "Share of the points of all patches that slid in the last step." |v, _| one(sliding_share(v));
     "model.contacts" "-" Model Scalar false "Number of found contacts that touch." |v, _| one(v.contacts().count() as f64);
     "model.candidates" "-" Model Scalar false "Number of pairs of blocks that are watched for contact because they can meet soon." |v, _| one(v.world.found.pairs.len() as f64);
     "model.max_overlap" "m" Model Scalar false "How far two blocks lie in each other at most, by found contacts." |v, _| one(v.contacts().map(|c| c.depth).fold(0.0, f64::max));
@@ -360,7 +383,7 @@ fields! {
     "model.cut_unbalanced" "-" Model Scalar true "Largest ratio of the net to the external forces just after blocks were cut, before anything moved." |v, _| one(v.deformables().map_or(0.0, |s| s.0.cut_unbalanced));
     "model.utilisation" "-" Model Scalar true "Largest traction over strength of a spring that is not broken." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
     "model.facet_utilisation" "-" Model Scalar true "Largest traction over strength of a facet that is not broken, by the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
-    "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| { let (a, b) = pair(of); one(fracture::largest(v, BondFailure::Spring, |e| e == [a, b] || e == [b, a])) };
+    "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| one(fracture::largest(v, BondFailure::Spring, joins(pair(of))));
     "model.seepage_inflow" "m3/s" Model Scalar true "Rate at which water comes in from the open." |v, _| one(v.world.seepage_inflow());
     "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(crate::stable::stable_step(v.world, v.scratch, 0.0).dt);
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed." |v, _| one(v.fragments().list.len() as f64);
