@@ -1,6 +1,7 @@
 //! `riprap check`: what a scene holds and what a run of it will take.
 
 use riprap::model::{Charge, Setup, Summary};
+use riprap::run::cpu::Work;
 use riprap::run::forecast::{Forecast, ForecastError, forecast};
 use riprap::run::meeting::Outlook;
 use serde_json::json;
@@ -14,9 +15,13 @@ use crate::{scenes, screen};
 /// Fewer blocks than these have no distribution of sizes, nor have those whose sizes differ by less than this factor.
 const FEW: usize = 10;
 const ALIKE: f64 = 1.01;
+/// CPU time before the first step that is worth a word, s.
+const NOTICED: f64 = 1.0;
 
 pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
+    let work = Work::begin();
     let prepared = scenes::prepare(&args.scene, style, false)?;
+    let laid_out = work.done().as_secs_f64();
     let (model, summary) = (&prepared.model, &prepared.model.summary);
     let expected = forecast(&model.setup, &model.plan).map_err(|e| match e {
         ForecastError::Build(e) => Failure::Input(e.to_string()),
@@ -52,7 +57,7 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     });
     let memory = grouped((1e-6 * expected.memory).ceil() as u64);
     screen::line(&format!("  memory     about {memory} MB"));
-    screen::print(&expected_text(&expected));
+    screen::print(&expected_text(&expected, laid_out + expected.build_time));
     for doubt in &expected.warnings {
         print_line("warning", doubt);
     }
@@ -192,7 +197,8 @@ fn mass(kilograms: f64, per: &str) -> String {
     }
 }
 
-fn expected_text(f: &Forecast) -> String {
+/// What a run will take; `before` is the CPU time until its first step, s.
+fn expected_text(f: &Forecast, before: f64) -> String {
     let mut text = match (f.stable_time_step, f.share_of_stable) {
         (Some(stable), Some(share)) => format!(
             "  time step  {} = {} % of the stable {}",
@@ -225,9 +231,14 @@ fn expected_text(f: &Forecast) -> String {
         text.push_str(&found_text(found));
     }
     text.push_str(&format!(
-        "  expected   {} at {} steps/s on one thread\n",
+        "  expected   {} at {} steps/s of CPU time (one thread, no records){}\n",
         steps_text(f),
-        grouped(f.steps_per_second as u64)
+        grouped(f.steps_per_second as u64),
+        if before >= NOTICED {
+            format!(", {} before the first step", duration(before))
+        } else {
+            String::new()
+        }
     ));
     if f.apart {
         text.push_str("             as long as the blocks are apart; several times longer once they rest on each other\n");

@@ -28,7 +28,7 @@ class Report:
     model: dict[str, Any]
     """Counts and sizes of the model (the keys of ``riprap check --json``)."""
     expected: dict[str, Any]
-    """Time step, its block, number of steps, expected wall time on one thread."""
+    """Time step, its block, number of steps, expected CPU time on one thread."""
     warnings: list[Diagnostic]
     input_hash: str
     text: str

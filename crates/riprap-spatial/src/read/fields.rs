@@ -176,7 +176,7 @@ fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
         }
     }
     let joined = joins(pair(of));
-    for (deform, work) in v.deformables() {
+    if let Some((deform, work)) = v.deformables() {
         for facet in deform.facets.iter().filter(|f| joined(f.blocks)) {
             for p in facet.points() {
                 let part = deform.points[p].area;
@@ -204,7 +204,7 @@ fn share_of_points(v: &View<'_>, group: u16, chosen: impl Fn([u32; 2]) -> bool) 
             all += 4.0;
         }
     }
-    for (deform, work) in v.deformables() {
+    if let Some((deform, work)) = v.deformables() {
         for facet in deform.facets.iter().filter(|f| chosen(f.blocks)) {
             let is_such = |p: &usize| {
                 let open = work.slots[*p] == [0.0; 3];

@@ -1,10 +1,11 @@
-//! What a run will take: stable step, number of steps, wall time, memory; told by trying a few.
+//! What a run will take: stable step, number of steps, CPU time, memory; told by trying a few.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde::Serialize;
 use thiserror::Error;
 
+use super::cpu::Work;
 use super::engine::{BuildError, Kind, View};
 use super::given_step::{self, TooLong};
 use super::meeting::{self, Outlook};
@@ -17,7 +18,7 @@ use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use crate::setup::Setup;
 use crate::spatial::setup::{BoundaryKind, Shape};
 
-/// Longest time spent on the first trial steps, and on all where more than those are done.
+/// Most CPU time spent on the first trial steps, and on all where more than those are done.
 const TRIAL: [Duration; 2] = [Duration::from_millis(300), Duration::from_millis(100)];
 /// The first trial steps. Where the physics stops one of the first phase it is an error; what comes later is left to the run.
 const FIRST: u64 = 200;
@@ -67,12 +68,14 @@ pub struct Forecast {
     /// Most iterations of a load step of static phases of deformable blocks; absent without such phases. How many it
     /// takes, and how often bonds break between them, shows the run alone.
     pub iterations: Option<u64>,
-    /// Steps per second on one thread without records, measured on the first steps, of small models on all.
+    /// Steps per second of CPU time on one thread without records, measured on the first steps, of small models on all.
     pub steps_per_second: f64,
     /// There are fewer contacts than half the blocks: once these meet, a step costs more than those timed.
     pub apart: bool,
-    /// Wall time on one thread, s; absent if the number of steps is.
-    pub wall_time: Option<f64>,
+    /// CPU time on one thread without records, s; absent if the number of steps is.
+    pub cpu_time: Option<f64>,
+    /// CPU time for joints, lists and the state before the first step, s; the blocks are there before.
+    pub build_time: f64,
     /// Most memory at a time, B.
     pub memory: f64,
     /// Blocks in space that can meet.
@@ -133,9 +136,11 @@ pub struct Forecast {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
+    let work = Work::begin();
     let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial())?;
     given_step::check(&simulation)?;
     let stage = simulation.prepare()?;
+    let build_time = work.done().as_secs_f64();
     let stable = simulation.stable();
     let dt = simulation.dt();
     let view = simulation.view();
@@ -188,7 +193,8 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         iterations,
         steps_per_second: trial.rate,
         apart: 2 * contacts < blocks && trial.end.is_none(),
-        wall_time: steps.map(|n| n as f64 / trial.rate),
+        cpu_time: steps.map(|n| n as f64 / trial.rate),
+        build_time,
         memory,
         found,
         warnings,
@@ -404,7 +410,7 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
 
 /// The first steps of a run.
 struct Trial {
-    /// Steps per second.
+    /// Steps per second of CPU time.
     rate: f64,
     /// Steps done.
     steps: u64,
@@ -415,10 +421,10 @@ struct Trial {
 impl Trial {
     /// Goes on as long as there is time, from a state that has been prepared.
     fn of(simulation: &mut Simulation, stage: Stage) -> Result<Self, RunError> {
-        let begun = Instant::now();
+        let work = Work::begin();
         let (mut steps, mut end) = (0, None);
         let mut stage = Ok(stage);
-        while begun.elapsed() < TRIAL[usize::from(steps >= FIRST)] {
+        while work.done() < TRIAL[usize::from(steps >= FIRST)] {
             stage = match stage {
                 Ok(Stage::Within) => {
                     simulation.step();
@@ -440,7 +446,7 @@ impl Trial {
             };
         }
         Ok(Self {
-            rate: steps.max(1) as f64 / begun.elapsed().as_secs_f64().max(1e-9),
+            rate: steps.max(1) as f64 / work.done().as_secs_f64().max(1e-9),
             steps,
             end,
         })

@@ -4,6 +4,7 @@ pub mod ask;
 pub mod bracket;
 pub mod checks;
 pub mod compare;
+pub mod cpu;
 pub mod drive;
 pub mod engine;
 pub mod forecast;
