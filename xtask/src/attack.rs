@@ -4,6 +4,7 @@
 //! signal, leaves with a code that the manual does not have, or gives a wrong answer in silence (attack by attack, see [`ATTACKS`]).
 //! Each attack has a seed of its own, so that a failure comes again; the input that failed is kept in `target/attack`.
 
+mod clocks;
 mod disks;
 mod faults;
 mod files;
@@ -50,7 +51,7 @@ struct Attack {
     run: fn(&Field<'_>, &mut Chance) -> Result<Found, String>,
 }
 
-const ATTACKS: [Attack; 11] = [
+const ATTACKS: [Attack; 12] = [
     Attack {
         name: "scenes",
         about: "scene files of this repository with bytes, numbers, lines and words changed; `riprap check`",
@@ -103,6 +104,12 @@ const ATTACKS: [Attack; 11] = [
         about: "runs on a disk of 16 to 176 kB that fills up, resumed when there is room. Failure: an end without `could not write` and exit 3, another state, \
                 history or list than on a large disk",
         run: disks::full,
+    },
+    Attack {
+        name: "clocks",
+        about: "runs whose clock jumps by hours and decades, forward and back, in the plane, with rigid and with deformable blocks. Failure: another exit code than 0, \
+                another state, history or list than with a clock that goes on",
+        run: clocks::jump,
     },
     Attack {
         name: "two laws",

@@ -96,7 +96,23 @@ impl Program {
         words: &[&str],
         limit: Duration,
     ) -> Result<Ended, String> {
-        let mut child = self.start(folder, words)?;
+        self.run_with(folder, words, limit, &[])
+    }
+
+    /// The same with these variables in its environment.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn run_with(
+        &self,
+        folder: &Path,
+        words: &[&str],
+        limit: Duration,
+        variables: &[(&str, &Path)],
+    ) -> Result<Ended, String> {
+        let mut command = self.command(folder, words)?;
+        let child = command.envs(variables.iter().copied()).spawn();
+        let mut child = child.map_err(|e| format!("{}: {e}", self.binary.display()))?;
         let begun = Instant::now();
         let (code, slow) = loop {
             if let Some(status) = child.try_wait().map_err(|e| e.to_string())? {
