@@ -4,6 +4,7 @@
 //! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
 //! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
+//! - [`rhythm`]: how often something is done;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
 //!
 //! This crate knows no engine, no file and no scenario.
@@ -20,6 +21,7 @@ pub mod lanes;
 pub mod laws;
 pub mod ledger;
 pub mod profile;
+pub mod rhythm;
 pub mod state_hash;
 pub mod sums;
 

@@ -1,5 +1,7 @@
 //! Ready-made blocks: rectangle, regular polygon, wall, arch. All outlines anticlockwise.
 
+use riprap_keys::Words;
+
 use crate::error::demand;
 use crate::{GeomError, Vec2, tol};
 
@@ -29,12 +31,13 @@ pub fn unit(angle: f64) -> Vec2 {
     Vec2::new(libm::cos(angle), libm::sin(angle))
 }
 
-/// How the courses of a wall lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bond {
-    /// Every second course shifted by half a block.
+/// How rows of a wall stand on each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
+pub enum WallBond {
+    #[default]
+    /// Every second row is shifted by half a block.
     Running,
-    /// All vertical joints above each other.
+    /// Blocks stand exactly on each other.
     Stack,
 }
 
@@ -50,7 +53,7 @@ pub struct Wall {
     /// Whole blocks in the first course.
     pub per_course: usize,
     /// How the courses lie.
-    pub bond: Bond,
+    pub bond: WallBond,
     /// Running bond: even courses (second, fourth, ...) end in half blocks, so that the ends of the
     /// wall are straight; else they stick out by half a block to the right.
     pub half_blocks: bool,
@@ -108,7 +111,7 @@ pub fn wall(wall: &Wall) -> Result<Vec<Vec<Vec2>>, GeomError> {
             ]);
         };
         let end = 2 * wall.per_course;
-        let shifted = wall.bond == Bond::Running && course % 2 == 1;
+        let shifted = wall.bond == WallBond::Running && course % 2 == 1;
         if !shifted {
             (0..wall.per_course).for_each(|k| brick(2 * k, 2 * k + 2));
         } else if wall.half_blocks {
@@ -233,12 +236,12 @@ mod tests {
             block: Vec2::new(0.4, 0.2),
             courses: 5,
             per_course: 3,
-            bond: Bond::Stack,
+            bond: WallBond::Stack,
             half_blocks: false,
         };
         assert_eq!(wall(&plain).unwrap().len(), 15);
         let ragged = Wall {
-            bond: Bond::Running,
+            bond: WallBond::Running,
             ..plain
         };
         assert_eq!(wall(&ragged).unwrap().len(), 15);

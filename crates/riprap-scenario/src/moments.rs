@@ -1,60 +1,45 @@
 //! Words for moments and intervals: `"1 ms"`, `"10 steps"`, `"1 phase"`, `"start"`, `"end"`.
 
+use riprap_core::rhythm::Every;
+
 use super::quantity::Raw;
 use super::units::{self, Dim, UnitError};
 
-/// What [`super::language::Every`] says.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Interval {
-    /// Model time, s.
-    Time(f64),
-    /// Steps.
-    Steps(u64),
-    /// At the end of each phase.
-    Phase,
-    /// Not at all.
-    Never,
-}
-
-impl Interval {
-    /// Reads `"1 ms"`, `"10 steps"`, `"1 phase"` or `"never"`.
-    ///
-    /// # Errors
-    /// Anything else; a time that is not greater than zero.
-    pub fn read(raw: &Raw) -> Result<Self, UnitError> {
-        let help =
-            "write a time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"";
-        let wrong = |message: &str| UnitError {
-            message: message.to_owned(),
-            help: Some(help.to_owned()),
-        };
-        let Raw::Text(text) = raw else {
-            return Err(wrong("a bare number: is it a time or a number of steps?"));
-        };
-        let words: Vec<&str> = text.split_whitespace().collect();
-        match words[..] {
-            ["never"] => Ok(Interval::Never),
-            ["phase"] | ["1", "phase"] => Ok(Interval::Phase),
-            [count, "step" | "steps"] => match count.parse::<u64>() {
-                Ok(count) if count > 0 => Ok(Interval::Steps(count)),
-                _ => Err(wrong(
-                    "the number of steps must be a whole number of at least 1",
-                )),
-            },
-            _ => match units::parse(text) {
-                Ok((time, Dim::TIME)) if time > 0.0 => Ok(Interval::Time(time)),
-                Ok((_, Dim::TIME)) => {
-                    Err(wrong("the time between outputs must be greater than zero"))
-                }
-                Ok((_, Dim::NONE)) => Err(wrong("the unit is missing")),
-                Ok((_, dim)) => Err(wrong(&format!(
-                    "this is {}, an interval is expected",
-                    dim.describe()
-                ))),
-                Err(error) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(error),
-                Err(_) => Err(wrong("this is no interval")),
-            },
-        }
+/// What [`super::language::Every`] says: `"1 ms"`, `"10 steps"`, `"1 phase"` or `"never"`.
+///
+/// # Errors
+/// Anything else; a time that is not greater than zero.
+pub fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
+    let help =
+        "write a time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"";
+    let wrong = |message: &str| UnitError {
+        message: message.to_owned(),
+        help: Some(help.to_owned()),
+    };
+    let Raw::Text(text) = raw else {
+        return Err(wrong("a bare number: is it a time or a number of steps?"));
+    };
+    let words: Vec<&str> = text.split_whitespace().collect();
+    match words[..] {
+        ["never"] => Ok(Every::Never),
+        ["phase"] | ["1", "phase"] => Ok(Every::Phase),
+        [count, "step" | "steps"] => match count.parse::<u64>() {
+            Ok(count) if count > 0 => Ok(Every::Steps(count)),
+            _ => Err(wrong(
+                "the number of steps must be a whole number of at least 1",
+            )),
+        },
+        _ => match units::parse(text) {
+            Ok((time, Dim::TIME)) if time > 0.0 => Ok(Every::Time(time)),
+            Ok((_, Dim::TIME)) => Err(wrong("the time between outputs must be greater than zero")),
+            Ok((_, Dim::NONE)) => Err(wrong("the unit is missing")),
+            Ok((_, dim)) => Err(wrong(&format!(
+                "this is {}, an interval is expected",
+                dim.describe()
+            ))),
+            Err(error) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(error),
+            Err(_) => Err(wrong("this is no interval")),
+        },
     }
 }
 

@@ -13,7 +13,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Visitor};
 
 use super::diagnostic::Diagnostic;
-pub use super::moments::{Interval, When};
+pub use super::moments::When;
 pub use super::names::{Name, Names, Table};
 use super::units::{self, Dim, UnitError};
 use super::vectors::InSpace;

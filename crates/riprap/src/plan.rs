@@ -10,6 +10,7 @@ pub use check::{Check, Expected, Part, Reduce, Window};
 pub use crate::dynamics::damping::Damping;
 pub use crate::dynamics::relaxation::{Breaks, PhaseKind, Relaxation};
 use crate::planar::setup::ContactLaw;
+pub use crate::rhythm::Every;
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
 
@@ -260,17 +261,4 @@ pub struct History {
     pub gauge: Gauge,
     /// Sampling.
     pub every: Every,
-}
-
-/// A rhythm.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Every {
-    /// Model time, s.
-    Time(f64),
-    /// Steps.
-    Steps(u64),
-    /// At the end of each phase.
-    Phase,
-    /// Not at all.
-    Never,
 }

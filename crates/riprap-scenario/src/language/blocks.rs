@@ -1,6 +1,7 @@
 //! Blocks and generators of blocks.
 
-use riprap_keys::{Keys, Words};
+use riprap_geom::shapes::WallBond;
+use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -266,16 +267,6 @@ pub struct Wall {
     /// Default false.
     #[serde(default)]
     pub half_blocks: bool,
-}
-
-/// How rows of a wall stand on each other.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
-pub enum WallBond {
-    #[default]
-    /// Every second row is shifted by half a block.
-    Running,
-    /// Blocks stand exactly on each other.
-    Stack,
 }
 
 /// A circular arch.

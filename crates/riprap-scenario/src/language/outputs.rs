@@ -1,11 +1,12 @@
 //! What is written to the run folder, and how often.
 
+use riprap_core::rhythm;
 use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::moments::read_period;
-use crate::quantity::{Direction, Interval, Length, Name, Names, Raw, Span, Vector, When};
+use crate::moments::{read_interval, read_period};
+use crate::quantity::{Direction, Length, Name, Names, Raw, Span, Vector, When};
 
 /// Something that is written to the run folder. Exactly one form.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -69,8 +70,8 @@ pub struct Every {
 
 impl Every {
     /// The interval; `Never` where a check reports an error.
-    pub fn read(&self) -> Interval {
-        Interval::read(&self.raw).unwrap_or(Interval::Never)
+    pub fn read(&self) -> rhythm::Every {
+        read_interval(&self.raw).unwrap_or(rhythm::Every::Never)
     }
 }
 

@@ -1,11 +1,13 @@
 //! Rules of charges, explosives and the splitting of blocks.
 
+use riprap_core::rhythm::Every;
+
 use super::Rules;
 use crate::language::{
     Around, CouplingWord, GasCavity, Place, Point3, PressureCavity, Refine, Scenario, Segment,
     Source, span_of,
 };
-use crate::quantity::{Interval, Name};
+use crate::quantity::Name;
 use crate::words::WordOr;
 
 impl Rules {
@@ -116,8 +118,8 @@ impl Rules {
         );
         if let Some(every) = &during.every {
             match every.read() {
-                Interval::Steps(_) => {}
-                Interval::Time(_) | Interval::Phase | Interval::Never => {
+                Every::Steps(_) => {}
+                Every::Time(_) | Every::Phase | Every::Never => {
                     let message = "`every` of refine.during is a number of steps".to_owned();
                     let help = "write for example every = \"50 steps\"";
                     self.error("value.time", &every.span, message, help);

@@ -11,9 +11,9 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::diagnostic::{Diagnostic, closest, list, one_of, suggest};
-use super::moments::read_period;
+use super::moments::{read_interval, read_period};
 use super::path::resolve;
-use super::quantity::{Interval, KindInfo, Raw, Span, When};
+use super::quantity::{KindInfo, Raw, Span, When};
 use super::schema::{Node, description, example, takes};
 use super::units;
 use super::values::{assignment, check_quantity, short};
@@ -429,7 +429,7 @@ impl Walk {
     }
 
     fn interval(&mut self, value: &Spanned<DeValue<'_>>) {
-        let result = Self::raw(value.get_ref()).map(|raw| Interval::read(&raw));
+        let result = Self::raw(value.get_ref()).map(|raw| read_interval(&raw));
         self.text_with_time(value, result.map(Result::err));
     }
 

@@ -5,15 +5,13 @@ use riprap_geom::heal::Blocks;
 use riprap_geom::measure::SliverReport;
 use riprap_geom::pack::{self, Pour};
 use riprap_geom::polygon::{self, Aabb, Collinear};
-use riprap_geom::shapes::{self, Arch, Bond, Wall};
+use riprap_geom::shapes::{self, Arch, Wall};
 use riprap_geom::voronoi::{self, Cells};
 use riprap_geom::{GeomError, Vec2};
 
 use super::builder::{Builder, global};
 use super::summary::Region;
-use crate::scenario::language::{
-    Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
-};
+use crate::scenario::language::{Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Name, Span, csv_columns};
 
@@ -109,10 +107,7 @@ impl Builder<'_> {
                     block: Vec2::new(w.block[0].si(), w.block[1].si()),
                     courses: w.courses as usize,
                     per_course: w.per_course as usize,
-                    bond: match w.bond.unwrap_or_default() {
-                        WallBond::Running => Bond::Running,
-                        WallBond::Stack => Bond::Stack,
-                    },
+                    bond: w.bond.unwrap_or_default(),
                     half_blocks: w.half_blocks,
                 };
                 self.made(block, shapes::wall(&wall))

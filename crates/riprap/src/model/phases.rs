@@ -11,7 +11,6 @@ use crate::plan::{
 };
 use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
-use crate::scenario::quantity::Interval;
 use crate::scenario::read::{Given, Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity, Span};
 use crate::spatial::setup::JointLaw;
@@ -217,33 +216,27 @@ impl Builder<'_> {
             match output {
                 Output::History(history) => self.history(history),
                 Output::Frames(pictures) => {
-                    self.plan.frames = every(pictures.every.read()).or(Some(Every::Never));
+                    let every = pictures.every.read();
+                    self.plan.frames = Some(every);
                     let ends = "are written at the start and at the ends of phases alone";
-                    self.too_rare(
-                        format!("frames {ends}"),
-                        self.plan.frames,
-                        &pictures.every.span,
-                    );
+                    self.too_rare(format!("frames {ends}"), every, &pictures.every.span);
                     self.plan.tetrahedra = pictures.tetrahedra;
                 }
                 Output::Checkpoints(schedule) => {
-                    self.plan.checkpoints = every(schedule.every.read());
+                    let every = schedule.every.read();
+                    self.plan.checkpoints = Some(every).filter(|every| *every != Every::Never);
                     let ends = "are written at the ends of phases, and now and then of themselves";
-                    self.too_rare(
-                        format!("checkpoints {ends}"),
-                        self.plan.checkpoints,
-                        &schedule.every.span,
-                    );
+                    self.too_rare(format!("checkpoints {ends}"), every, &schedule.every.span);
                 }
             }
         }
     }
 
     /// Warns of a rhythm that is longer than the run, which is no longer than the times, or the steps, of its phases.
-    fn too_rare(&mut self, what: String, every: Option<Every>, span: &Span) {
+    fn too_rare(&mut self, what: String, every: Every, span: &Span) {
         let phases = self.plan.phases.iter();
         let (rhythm, run) = match every {
-            Some(Every::Time(rhythm)) => {
+            Every::Time(rhythm) => {
                 let run = phases.map(|p| p.until.time).sum::<Option<f64>>();
                 let longer = run.filter(|run| rhythm > *run * (1.0 + 1e-9));
                 (
@@ -251,7 +244,7 @@ impl Builder<'_> {
                     longer.map(|run| with_unit(run, "s")),
                 )
             }
-            Some(Every::Steps(rhythm)) => {
+            Every::Steps(rhythm) => {
                 let run = phases.map(|p| p.until.steps).sum::<Option<u64>>();
                 let longer = run.filter(|run| rhythm > *run);
                 (
@@ -259,7 +252,7 @@ impl Builder<'_> {
                     longer.map(|run| format!("{run} steps")),
                 )
             }
-            Some(Every::Phase | Every::Never) | None => return,
+            Every::Phase | Every::Never => return,
         };
         if let Some(run) = run {
             let message = format!("{what}: `every`, {rhythm}, is longer than the run, {run}");
@@ -278,15 +271,16 @@ impl Builder<'_> {
         let Some(used) = self.field(&said.field, place) else {
             return;
         };
-        let Some(every) = every(said.every.read()) else {
+        let every = said.every.read();
+        if every == Every::Never {
             let message = format!("history `{}` is never written", said.name);
             let note = Diagnostic::warning("output.never", message);
             self.found.push(note.at(said.every.span.clone()));
             return;
-        };
+        }
         let ends = "is written at the start and at the ends of phases alone";
         let what = format!("history `{}` {ends}", said.name);
-        self.too_rare(what, Some(every), &said.every.span);
+        self.too_rare(what, every, &said.every.span);
         let suffixes = used.suffixes;
         let gauge = used.gauge();
         for part in suffixes {
@@ -306,15 +300,6 @@ impl Builder<'_> {
 struct Laws {
     contacts: Vec<ContactLaw>,
     joints: Vec<JointLaw>,
-}
-
-fn every(interval: Interval) -> Option<Every> {
-    match interval {
-        Interval::Time(time) => Some(Every::Time(time)),
-        Interval::Steps(steps) => Some(Every::Steps(steps)),
-        Interval::Phase => Some(Every::Phase),
-        Interval::Never => None,
-    }
 }
 
 /// How a phase relaxes.

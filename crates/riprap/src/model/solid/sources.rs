@@ -8,10 +8,10 @@ use super::places::region_of;
 use crate::laws::explosive::{Explosive, ExplosiveError};
 use crate::model::builder::Builder;
 use crate::model::summary::Charge;
+use crate::plan::Every;
 use crate::scenario::language::{
     self, Around, CouplingWord, GasCavity, Point3, PressureCavity, Refine, Segment, span_of,
 };
-use crate::scenario::quantity::Interval;
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
@@ -374,8 +374,8 @@ impl Builder<'_> {
             (None, None, None) => return None,
         };
         let every = match said.every.as_ref().map(language::Every::read) {
-            Some(Interval::Steps(steps)) => steps,
-            Some(Interval::Time(_) | Interval::Phase | Interval::Never) | None => EVERY,
+            Some(Every::Steps(steps)) => steps,
+            Some(Every::Time(_) | Every::Phase | Every::Never) | None => EVERY,
         };
         Some(During {
             criterion,
