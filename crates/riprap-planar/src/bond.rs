@@ -273,9 +273,9 @@ fn general_point(
 ) -> (Response, [f64; 2]) {
     let mut memory = Memory {
         slip: [point.slip, 0.0],
-        accumulated_slip: point.wear.path,
+        accumulated_slip: point.wear.accumulated_slip,
         parted: point.wear.parted,
-        lift: point.wear.lift,
+        dilated: point.wear.dilated,
         broken: failed,
         open: point.wear.open,
         ..Memory::default()
@@ -284,9 +284,9 @@ fn general_point(
     let (t, loss) = law.point(&[0.0; 3], &at, moved, &mut memory);
     let stored = law.energy(&[0.0; 3], &at, &memory);
     point.wear = Wear {
-        path: memory.accumulated_slip,
+        accumulated_slip: memory.accumulated_slip,
         parted: memory.parted,
-        lift: memory.lift,
+        dilated: memory.dilated,
         gap: law.opening_of(&[0.0; 3], &at, &memory),
         open: memory.open,
     };

@@ -44,7 +44,7 @@ impl World {
                 hash.count(u64::from(point.failed));
                 if point.wear != Wear::default() {
                     let wear = &point.wear;
-                    hash.numbers(&[wear.path, wear.parted, wear.lift]);
+                    hash.numbers(&[wear.accumulated_slip, wear.parted, wear.dilated]);
                     hash.count(u64::from(wear.open));
                 }
             }
@@ -56,7 +56,7 @@ impl World {
                 &chain.motion,
                 &chain.slip,
                 &chain.plastic,
-                &chain.path,
+                &chain.yielded,
                 &chain.force,
             ] {
                 hash.numbers(list);

@@ -328,11 +328,11 @@ pub struct Bond {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Wear {
     /// Accumulated slip, m.
-    pub path: f64,
+    pub accumulated_slip: f64,
     /// Largest opening beyond the elastic one while it softened, m.
     pub parted: f64,
     /// How far the roughness of its sides has parted them, m.
-    pub lift: f64,
+    pub dilated: f64,
     /// How far it is open beyond that at the last evaluation, m; negative where it is closed.
     pub gap: f64,
     /// Whether it is open.

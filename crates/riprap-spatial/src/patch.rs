@@ -256,7 +256,7 @@ pub fn memories(
         normal_offset: normal_offset.map_or(0.0, |l| l[p]),
         accumulated_slip: accumulated_slip.map_or(0.0, |l| l[p]),
         parted: wear.map_or(0.0, |w| w[0][p]),
-        lift: wear.map_or(0.0, |w| w[1][p]),
+        dilated: wear.map_or(0.0, |w| w[1][p]),
         broken: flags & flag::of(flag::BROKEN, p) != 0,
         open: flags & flag::of(flag::OPEN, p) != 0,
         sliding: flags & flag::of(flag::SLIDING, p) != 0,
@@ -301,7 +301,7 @@ impl State<'_> {
             }
             if let Some(wear) = self.wear.as_deref_mut() {
                 wear[0][p] = m.parted;
-                wear[1][p] = m.lift;
+                wear[1][p] = m.dilated;
             }
         }
         *self.flags = flags;

@@ -199,23 +199,23 @@ impl<'a> Law<'a> {
     }
 
     /// Damage of a point with this memory, 0 to 1.
-    fn damage(&self, memory: &Memory, path: f64) -> f64 {
+    fn damage(&self, memory: &Memory, accumulated: f64) -> f64 {
         if memory.broken {
             return 1.0;
         }
         match &self.behaviour.weakening {
-            Weakening::Softening(s) => (path / s.slip + memory.parted / s.opening).min(1.0),
+            Weakening::Softening(s) => (accumulated / s.slip + memory.parted / s.opening).min(1.0),
             Weakening::Brittle | Weakening::BartonBandis(_) => 0.0,
         }
     }
 
-    /// Shear strength (Pa) under the normal traction `sigma` after the plastic slip `path` (m).
-    fn limit(&self, sigma: f64, damage: f64, path: f64) -> f64 {
+    /// Shear strength (Pa) under the normal traction `sigma` after the plastic slip `accumulated` (m).
+    fn limit(&self, sigma: f64, damage: f64, accumulated: f64) -> f64 {
         let Some(s) = self.strength else {
             return f64::INFINITY;
         };
         if let Weakening::BartonBandis(rough) = &self.behaviour.weakening {
-            return rough.strength(s.residual_friction, -sigma, path);
+            return rough.strength(s.residual_friction, -sigma, accumulated);
         }
         let between = |peak: f64, residual: f64| peak + damage * (residual - peak);
         let friction = between(s.friction, s.residual_friction);
@@ -234,11 +234,11 @@ impl<'a> Law<'a> {
     }
 
     /// Shear strength above the residual one, Pa: work against it is work of separation. Rough surfaces have friction alone.
-    fn above_residual(&self, sigma: f64, damage: f64, path: f64) -> f64 {
+    fn above_residual(&self, sigma: f64, damage: f64, accumulated: f64) -> f64 {
         match &self.behaviour.weakening {
             Weakening::BartonBandis(_) => 0.0,
             Weakening::Brittle | Weakening::Softening(_) => {
-                self.limit(sigma, damage, path) - self.limit(sigma, 1.0, path)
+                self.limit(sigma, damage, accumulated) - self.limit(sigma, 1.0, accumulated)
             }
         }
     }
@@ -274,12 +274,12 @@ impl<'a> Law<'a> {
     }
 
     /// How far dilation has parted the two sides (m) at the irrecoverable slip `slip`. It closes again where the joint slides back.
-    fn lift(&self, slip: [f64; 2], memory: &Memory) -> f64 {
+    fn dilated(&self, slip: [f64; 2], memory: &Memory) -> f64 {
         match self.strength {
             Some(s) if s.dilation > 0.0 => {
                 s.dilating() * norm(slip[0], slip[1]).min(s.dilation_end)
             }
-            Some(_) | None => memory.lift,
+            Some(_) | None => memory.dilated,
         }
     }
 
@@ -302,9 +302,9 @@ impl<'a> Law<'a> {
         }
     }
 
-    /// Books the slip `plastic` (m) along `direction`: the path, the lift of rough surfaces, and whether nothing but residual strength
+    /// Books the slip `plastic` (m) along `direction`: accumulated slip, dilation of rough surfaces, and whether nothing but residual strength
     /// is left.
-    fn slid(&self, plastic: f64, memory: &mut Memory, lift: f64) {
+    fn slid(&self, plastic: f64, memory: &mut Memory, dilated: f64) {
         memory.sliding = true;
         memory.accumulated_slip += plastic;
         match &self.behaviour.weakening {
@@ -313,14 +313,14 @@ impl<'a> Law<'a> {
                 memory.broken = self.damage(memory, memory.accumulated_slip) >= 1.0;
             }
             Weakening::BartonBandis(rough) => {
-                memory.lift = lift;
+                memory.dilated = dilated;
                 memory.broken |= rough.is_past_peak(memory.accumulated_slip);
             }
         }
     }
 
-    /// Plastic slip (m) that brings the shear traction `tau` (Pa) back to the strength, and the lift (m) it ends with; `sigma` is the
-    /// normal traction at a lift and a damage.
+    /// Plastic slip (m) that brings the shear traction `tau` (Pa) back to the strength, and the dilation (m) it ends with; `sigma` is the
+    /// normal traction at a dilation and a damage.
     fn flow(
         &self,
         tau: f64,
@@ -328,31 +328,31 @@ impl<'a> Law<'a> {
         memory: &Memory,
         sigma: impl Fn(f64, f64) -> f64,
     ) -> [f64; 2] {
-        let path = memory.accumulated_slip;
+        let accumulated = memory.accumulated_slip;
         let from = norm(slip[0], slip[1]);
         let angle = match (&self.behaviour.weakening, self.strength) {
             (Weakening::BartonBandis(rough), Some(s)) => {
-                let now = sigma(memory.lift, self.damage(memory, path));
-                rough.dilation(s.residual_friction, -now, path)
+                let now = sigma(memory.dilated, self.damage(memory, accumulated));
+                rough.dilation(s.residual_friction, -now, accumulated)
             }
             (Weakening::Brittle | Weakening::Softening(_), _) | (_, None) => 0.0,
         };
-        let lift = |x: f64| {
+        let dilated = |x: f64| {
             let to = [0, 1].map(|k| slip[k] + x * direction[k]);
             let rise = angle * (norm(to[0], to[1]) - from);
             let risen = Memory {
-                lift: (memory.lift + rise).max(0.0),
+                dilated: (memory.dilated + rise).max(0.0),
                 ..*memory
             };
-            self.lift(to, &risen)
+            self.dilated(to, &risen)
         };
         let beyond = |x: f64| {
-            let damage = self.damage(memory, path + x);
-            let limit = self.limit(sigma(lift(x), damage), damage, path + x);
+            let damage = self.damage(memory, accumulated + x);
+            let limit = self.limit(sigma(dilated(x), damage), damage, accumulated + x);
             tau - self.springs[1] * x - limit
         };
         let x = root(beyond, tau / self.springs[1], RETURN * tau);
-        [x, lift(x)]
+        [x, dilated(x)]
     }
 }
 

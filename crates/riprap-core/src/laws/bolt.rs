@@ -132,12 +132,12 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// The force for an elongation (m) beyond the plastic one, of a bar that has yielded by `path` (m) in all.
+    /// The force for an elongation (m) beyond the plastic one, of a bar that has yielded by `yielded` (m) in all.
     #[inline(always)]
     #[must_use]
-    pub fn map(&self, elastic: f64, path: f64) -> Mapped {
+    pub fn map(&self, elastic: f64, yielded: f64) -> Mapped {
         let trial = self.stiffness * elastic;
-        let limit = self.yields + self.hardening * path;
+        let limit = self.yields + self.hardening * yielded;
         let over = trial.abs() - limit;
         if over > 0.0 && self.stiffness > 0.0 {
             let plastic = over / (self.stiffness + self.hardening);

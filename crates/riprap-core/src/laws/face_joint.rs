@@ -34,7 +34,7 @@ pub struct Memory {
     /// Largest opening beyond the elastic one while it softened, m.
     pub parted: f64,
     /// How far the roughness of its sides has parted them, m.
-    pub lift: f64,
+    pub dilated: f64,
     /// Whether it has failed.
     pub broken: bool,
     /// Whether it is open: it carries nothing.

@@ -96,7 +96,7 @@ impl World {
                 &chain.motion,
                 &chain.slip,
                 &chain.plastic,
-                &chain.path,
+                &chain.yielded,
                 &chain.force,
             ] {
                 hash.numbers(list);

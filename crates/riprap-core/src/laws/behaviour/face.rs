@@ -16,14 +16,14 @@ impl Law<'_> {
         at: &[[f64; 3]; 4],
         memory: &[Memory; 4],
     ) -> [(f64, Traction); 4] {
-        let lift = self.lift(Self::mean_slip(memory), &memory[0]);
+        let dilated = self.dilated(Self::mean_slip(memory), &memory[0]);
         std::array::from_fn(|p| {
             // An open point of a face that slides carries its share of the shear.
             let m = Memory {
                 open: false,
                 ..memory[p]
             };
-            let (w, mut t) = self.look(&start[p], &at[p], &m, lift);
+            let (w, mut t) = self.look(&start[p], &at[p], &m, dilated);
             if memory[p].open {
                 t[0] = 0.0;
             }
@@ -108,9 +108,9 @@ impl Law<'_> {
             }
         }
         let slip = Self::mean_slip(memory);
-        let lift = self.lift(slip, &memory[0]);
+        let dilated = self.dilated(slip, &memory[0]);
         let base: [f64; 4] = std::array::from_fn(|p| self.base(&start[p], &at[p], &memory[p]));
-        let mean = 0.25 * base.iter().sum::<f64>() - lift;
+        let mean = 0.25 * base.iter().sum::<f64>() - dilated;
         // All points have one damage.
         let mut one = memory[0];
         self.part(mean, &mut one);
@@ -118,8 +118,8 @@ impl Law<'_> {
             std::array::from_fn(|p| self.shear(&start[p], &at[p], &memory[p]));
         let sums = Sums::of(&trial.map(|[b, c]| [0.0, b, c]), half_spacing);
         let measure = sums.shear_measure(half_spacing);
-        let across = |p: usize, lift: f64, damage: f64, parted: f64| {
-            let w = base[p] - lift;
+        let across = |p: usize, dilated: f64, damage: f64, parted: f64| {
+            let w = base[p] - dilated;
             // Failed: no tension at any point.
             if damage >= 1.0 && w >= 0.0 {
                 0.0
@@ -127,18 +127,20 @@ impl Law<'_> {
                 self.normal(w, damage, parted)
             }
         };
-        let mean_of = |lift: f64, damage: f64, parted: f64| {
-            0.25 * (0..4).map(|p| across(p, lift, damage, parted)).sum::<f64>()
+        let mean_of = |dilated: f64, damage: f64, parted: f64| {
+            0.25 * (0..4)
+                .map(|p| across(p, dilated, damage, parted))
+                .sum::<f64>()
         };
-        let path = one.accumulated_slip;
-        let mut damage = self.damage(&one, path);
+        let accumulated = one.accumulated_slip;
+        let mut damage = self.damage(&one, accumulated);
         let stays = |damage: f64, parted: f64| {
-            let sigma = mean_of(lift, damage, parted);
+            let sigma = mean_of(dilated, damage, parted);
             let open = damage >= 1.0 && sigma == 0.0;
             let limit = if open {
                 0.0
             } else {
-                self.limit(sigma, damage, path)
+                self.limit(sigma, damage, accumulated)
             };
             measure <= BEYOND * limit
         };
@@ -148,13 +150,13 @@ impl Law<'_> {
             damage = 1.0;
             fails = !stays(damage, one.parted);
         }
-        let above = self.above_residual(mean_of(lift, damage, one.parted), damage, path);
-        let (mut plastic, mut lifted, mut keep) = (0.0, lift, 1.0);
-        let closed = damage < 1.0 || mean_of(lift, damage, one.parted) < 0.0;
+        let above = self.above_residual(mean_of(dilated, damage, one.parted), damage, accumulated);
+        let (mut plastic, mut lifted, mut keep) = (0.0, dilated, 1.0);
+        let closed = damage < 1.0 || mean_of(dilated, damage, one.parted) < 0.0;
         if fails && closed {
             let direction = sums.shear.map(|x| x / measure);
-            [plastic, lifted] = self.flow(measure, (slip, direction), &one, |lift, damage| {
-                mean_of(lift, damage, one.parted)
+            [plastic, lifted] = self.flow(measure, (slip, direction), &one, |dilated, damage| {
+                mean_of(dilated, damage, one.parted)
             });
             keep = (1.0 - self.springs[1] * plastic / measure).max(0.0);
             self.slid(plastic, &mut one, lifted);

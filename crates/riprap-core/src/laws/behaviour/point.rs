@@ -6,21 +6,21 @@ impl Law<'_> {
     /// Traction at the relative displacement `at` (n, b, c, m) with the memory that a point has; `start` (Pa) is that at zero displacement.
     #[must_use]
     pub fn carried(&self, start: &Traction, at: &[f64; 3], memory: &Memory) -> Traction {
-        self.look(start, at, memory, self.lift(memory.slip, memory))
+        self.look(start, at, memory, self.dilated(memory.slip, memory))
             .1
     }
 
     /// Energy in the normal and in the shear spring, J/m².
     #[must_use]
     pub fn energy(&self, start: &Traction, at: &[f64; 3], memory: &Memory) -> [f64; 2] {
-        let (w, t) = self.look(start, at, memory, self.lift(memory.slip, memory));
+        let (w, t) = self.look(start, at, memory, self.dilated(memory.slip, memory));
         self.parts(w, &t)
     }
 
     /// Opening that a point has with its memory, m; negative where it is closed.
     #[must_use]
     pub fn opening_of(&self, start: &Traction, at: &[f64; 3], memory: &Memory) -> f64 {
-        self.base(start, at, memory) - self.lift(memory.slip, memory)
+        self.base(start, at, memory) - self.dilated(memory.slip, memory)
     }
 
     /// Energy in the normal and in the shear spring at the opening `w`, J/m².
@@ -35,9 +35,9 @@ impl Law<'_> {
         start: &Traction,
         at: &[f64; 3],
         memory: &Memory,
-        lift: f64,
+        dilated: f64,
     ) -> (f64, Traction) {
-        let w = self.base(start, at, memory) - lift;
+        let w = self.base(start, at, memory) - dilated;
         if memory.open {
             return (w, [0.0; 3]);
         }
@@ -46,7 +46,7 @@ impl Law<'_> {
         (w, [self.normal(w, damage, memory.parted), b, c])
     }
 
-    /// Opening without the lift, m.
+    /// Opening without dilation, m.
     pub(super) fn base(&self, start: &Traction, at: &[f64; 3], memory: &Memory) -> f64 {
         at[0] - memory.normal_offset + self.opening(start[0])
     }
@@ -79,7 +79,7 @@ impl Law<'_> {
         memory: &mut Memory,
     ) -> (Traction, Loss) {
         let old = [0, 1, 2].map(|k| at[k] - moved[k]);
-        let (w, t) = self.look(start, &old, memory, self.lift(memory.slip, memory));
+        let (w, t) = self.look(start, &old, memory, self.dilated(memory.slip, memory));
         let before = (t, if memory.open { 0.0 } else { self.stored(w, &t) });
         let (whole, parted) = (!memory.broken, memory.parted);
         let account =
@@ -90,7 +90,7 @@ impl Law<'_> {
             self.start_anew(start, at, moved, memory);
         }
         let base = self.base(start, at, memory);
-        let w = base - self.lift(memory.slip, memory);
+        let w = base - self.dilated(memory.slip, memory);
         self.part(w, memory);
         let opens = |memory: &mut Memory, whole: bool| {
             memory.open = true;
@@ -100,12 +100,12 @@ impl Law<'_> {
         if memory.broken && w >= 0.0 {
             return opens(memory, whole);
         }
-        let path = memory.accumulated_slip;
-        let mut damage = self.damage(memory, path);
+        let accumulated = memory.accumulated_slip;
+        let mut damage = self.damage(memory, accumulated);
         let sigma = self.normal(w, damage, memory.parted);
         let trial = self.shear(start, at, memory);
         let tau = norm(trial[0], trial[1]);
-        let stays = |damage: f64| tau <= BEYOND * self.limit(sigma, damage, path);
+        let stays = |damage: f64| tau <= BEYOND * self.limit(sigma, damage, accumulated);
         let fails = !stays(damage);
         if fails && self.is_brittle() && whole {
             memory.broken = true;
@@ -124,19 +124,20 @@ impl Law<'_> {
             return (t, divided(all, all));
         }
         let direction = trial.map(|x| x / tau);
-        let [plastic, lift] = self.flow(tau, (memory.slip, direction), memory, |lift, damage| {
-            self.normal(base - lift, damage, memory.parted)
-        });
-        let above = self.above_residual(sigma, damage, path);
-        self.slid(plastic, memory, lift);
-        let path = memory.accumulated_slip;
-        let damage = self.damage(memory, path);
-        let w = base - lift;
+        let [plastic, dilated] =
+            self.flow(tau, (memory.slip, direction), memory, |dilated, damage| {
+                self.normal(base - dilated, damage, memory.parted)
+            });
+        let above = self.above_residual(sigma, damage, accumulated);
+        self.slid(plastic, memory, dilated);
+        let accumulated = memory.accumulated_slip;
+        let damage = self.damage(memory, accumulated);
+        let w = base - dilated;
         let sigma = self.normal(w, damage, memory.parted);
         let keep = (1.0 - self.springs[1] * plastic / tau).max(0.0);
         memory.slip = [0, 1].map(|k| memory.slip[k] + plastic * direction[k]);
         let t = [sigma, keep * trial[0], keep * trial[1]];
-        let separation = 0.5 * plastic * (above + self.above_residual(sigma, damage, path));
+        let separation = 0.5 * plastic * (above + self.above_residual(sigma, damage, accumulated));
         (t, divided(account(w, &t), separation))
     }
 }

@@ -47,13 +47,13 @@ impl BartonBandis {
             .min(STEEPEST - residual)
     }
 
-    /// Angle that roughness adds to the residual one after the plastic slip `path`, rad.
-    fn mobilised(&self, residual: f64, s: f64, path: f64) -> f64 {
+    /// Angle that roughness adds to the residual one after the plastic slip `accumulated`, rad.
+    fn mobilised(&self, residual: f64, s: f64, accumulated: f64) -> f64 {
         let full = self.roughness(residual, s);
         let Some(peak) = self.peak_slip else {
             return full;
         };
-        let x = path / peak;
+        let x = accumulated / peak;
         let [first, _] = MOBILISED[0];
         if x < first {
             return -residual * (1.0 - x / first);
@@ -70,33 +70,33 @@ impl BartonBandis {
         libm::atan(residual / self.share)
     }
 
-    /// Shear strength (Pa) under the pressure `s` (Pa) after the plastic slip `path` (m); `residual` is tan(phi_r), where strengths are
+    /// Shear strength (Pa) under the pressure `s` (Pa) after the plastic slip `accumulated` (m); `residual` is tan(phi_r), where strengths are
     /// reduced divided as they are.
     #[must_use]
-    pub fn strength(&self, residual: f64, s: f64, path: f64) -> f64 {
+    pub fn strength(&self, residual: f64, s: f64, accumulated: f64) -> f64 {
         if s <= 0.0 {
             return 0.0;
         }
         let angle = self.residual_angle(residual);
-        self.share * s * libm::tan(angle + self.mobilised(angle, s, path))
+        self.share * s * libm::tan(angle + self.mobilised(angle, s, accumulated))
     }
 
     /// Tangent of the angle of dilation: half of the angle that roughness adds, and no more than the friction that is left where strengths
     /// are reduced. Deviation: contraction before roughness is mobilised is left out.
     #[must_use]
-    pub fn dilation(&self, residual: f64, s: f64, path: f64) -> f64 {
+    pub fn dilation(&self, residual: f64, s: f64, accumulated: f64) -> f64 {
         if s <= 0.0 {
             return 0.0;
         }
         let angle = self.residual_angle(residual);
-        let added = self.mobilised(angle, s, path).max(0.0);
+        let added = self.mobilised(angle, s, accumulated).max(0.0);
         libm::tan(0.5 * added).min(self.share * libm::tan(angle + added))
     }
 
     /// Whether the peak strength has been passed.
     #[must_use]
-    pub fn is_past_peak(&self, path: f64) -> bool {
-        path > self.peak_slip.unwrap_or(0.0)
+    pub fn is_past_peak(&self, accumulated: f64) -> bool {
+        accumulated > self.peak_slip.unwrap_or(0.0)
     }
 }
 

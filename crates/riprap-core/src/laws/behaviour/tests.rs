@@ -211,7 +211,7 @@ fn a_rough_joint_follows_its_curve_and_dilates() {
     let expected = b.strength(strength.residual_friction, -t[0], path);
     assert!((t[1] / expected - 1.0).abs() < 1e-9);
     // Dilation presses it together: 20 MPa at the start, more in the end.
-    assert!(sheared.memory.lift > 1e-4 && t[0] < -20e6 - 1e-4 * SPRINGS[0]);
+    assert!(sheared.memory.dilated > 1e-4 && t[0] < -20e6 - 1e-4 * SPRINGS[0]);
     assert!(
         sheared.residual.iter().all(|r| r.abs() < 1e-6),
         "{:?}",

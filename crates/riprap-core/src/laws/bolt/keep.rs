@@ -33,7 +33,7 @@ impl Chain {
             let bars = ends[0]..ends[1];
             chain.bars.push(in_series(&self.bars[bars.clone()]));
             chain.plastic.push(self.plastic[bars.clone()].iter().sum());
-            chain.path.push(self.path[bars.clone()].iter().sum());
+            chain.yielded.push(self.yielded[bars.clone()].iter().sum());
             chain.force.push(self.force[bars.start]);
         }
         Kept { chain, nodes }

@@ -30,7 +30,7 @@ pub struct Chain {
     /// Plastic elongation of each bar, m.
     pub plastic: Vec<f64>,
     /// Length by which each bar has yielded, back and forth, m.
-    pub path: Vec<f64>,
+    pub yielded: Vec<f64>,
     /// Force in each bar, N; tension positive.
     pub force: Vec<f64>,
 }
@@ -107,7 +107,7 @@ impl Chain {
             motion: vec![0.0; nodes],
             slip: vec![0.0; nodes],
             plastic: vec![0.0; pieces],
-            path: vec![0.0; pieces],
+            yielded: vec![0.0; pieces],
             force: vec![0.0; pieces],
         }
     }
@@ -203,9 +203,9 @@ impl Chain {
         }
         for k in 0..self.bars.len() {
             let along = r[k + 1] - r[k] + apart[k];
-            let found = self.bars[k].map(along - self.plastic[k], self.path[k]);
+            let found = self.bars[k].map(along - self.plastic[k], self.yielded[k]);
             self.plastic[k] += found.plastic;
-            self.path[k] += found.plastic.abs();
+            self.yielded[k] += found.plastic.abs();
             self.force[k] = found.force;
             losses.yielded += found.force * found.plastic;
         }
@@ -238,7 +238,7 @@ impl Chain {
             if k < self.bars.len() {
                 let bar = &self.bars[k];
                 let along = r[k + 1] - r[k] + apart[k];
-                let mapped = bar.map(along - self.plastic[k], self.path[k]);
+                let mapped = bar.map(along - self.plastic[k], self.yielded[k]);
                 force = mapped.force;
                 found.tangent[1][k] = mapped.tangent;
                 found.force[k] = force;
