@@ -27,8 +27,27 @@ pub struct Contact {
     pub sliding: bool,
 }
 
+impl Contact {
+    /// The same, told from the other block.
+    fn turned(self) -> Self {
+        let Self {
+            ends: [i, j],
+            arms: [a, b],
+            ..
+        } = self;
+        Self {
+            ends: [j, i],
+            force: -self.force,
+            arms: [b, a],
+            normal: -self.normal,
+            ..self
+        }
+    }
+}
+
 impl View<'_> {
-    /// The found contacts that touch: of rigid blocks in their order, those of glued parts for each two pieces, then of deformable ones.
+    /// The found contacts that touch: of rigid blocks in their order, those of glued parts for each two pieces; of rigid blocks on terrain, one
+    /// a facet and piece; then of deformable ones.
     pub fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
         let desk = &self.scratch.deformable;
         let pairs = self.world.found.deformable.pairs.iter();
@@ -38,7 +57,25 @@ impl View<'_> {
             let centres = constants.members.map(|m| desk.stars[m as usize].origin);
             self.of_deformable(pair, slot, centres)
         });
-        self.of_rigid().chain(deformable)
+        self.of_rigid().chain(self.on_facets()).chain(deformable)
+    }
+
+    /// Of rigid blocks on facets of terrain.
+    fn on_facets(&self) -> impl Iterator<Item = Contact> + '_ {
+        let grounds = &self.scratch.desk.terrain.blocks;
+        let blocks = (0..).zip(&self.world.found.terrain);
+        blocks.flat_map(move |(b, on): (u32, _)| {
+            on.facets.iter().map(move |facet| {
+                let ground = grounds[facet.terrain()];
+                let (memory, size) = (&facet.memory, [facet.area, facet.depth]);
+                let on_block = self.contact([ground, b], memory, facet.force, size);
+                if ground < b {
+                    on_block
+                } else {
+                    on_block.turned()
+                }
+            })
+        })
     }
 
     fn of_rigid(&self) -> impl Iterator<Item = Contact> + '_ {

@@ -66,11 +66,6 @@ impl View<'_> {
             put(i, outer(contact.arms[0], -contact.force));
             put(j, outer(contact.arms[1], contact.force));
         }
-        for (b, on) in world.found.terrain.iter().enumerate() {
-            for facet in &on.facets {
-                put(b, outer(facet.memory.arms[1], facet.force));
-            }
-        }
         let context = boundary::Context::new(world);
         for face in world.faces.iter().filter(|f| wanted(f.block as usize)) {
             put(face.block as usize, context.dyad(face));

@@ -483,25 +483,12 @@ impl View<'_> {
     /// Force of all terrain on a block, N, and how deep it lies in it, m.
     #[must_use]
     pub fn on_terrain(&self, b: usize) -> (Vec3, f64) {
-        let facets = self.world.found.terrain.get(b).into_iter();
-        let facets = facets
-            .flat_map(|on| &on.facets)
-            .map(|facet| (facet.force, facet.depth));
-        let world = self.world;
-        let block = b as u32;
-        let deformed = world.found.deformable.pairs.iter();
-        let deformed = deformed.filter_map(move |pair| match pair.ends {
-            [ground, j] if j == block && world.is_terrain(ground as usize) => {
-                Some((pair.force, pair.depth))
-            }
-            [i, ground] if i == block && world.is_terrain(ground as usize) => {
-                Some((-pair.force, pair.depth))
-            }
-            _ => None,
+        let grounds = self.contacts_of(b).filter(|(contact, _)| {
+            let [i, j] = contact.ends.map(|b| b as usize);
+            self.world.is_terrain(if i == b { j } else { i })
         });
-        let both = facets.chain(deformed);
-        both.fold((Vec3::ZERO, 0.0), |(force, depth), (f, d): (Vec3, f64)| {
-            (force + f, depth.max(d))
+        grounds.fold((Vec3::ZERO, 0.0), |(sum, depth), (contact, force)| {
+            (sum + force, contact.depth.max(depth))
         })
     }
 
