@@ -2,7 +2,7 @@
 //!
 //! A check that passes whatever is done to its scene checks nothing, or an invariant (a ledger that closes, a momentum that is kept), which no
 //! wrong input can break. Each scene is run as it is and, one after the other, with its gravity, stiffnesses, friction, strength, density, loads,
-//! speeds, stress at the start, bolts, water or duration changed; what none of these makes fail is listed, to be looked at by a person. A check whose
+//! speeds, stress at the start, bolts, water, sizes, what drives it or duration changed; what none of these makes fail is listed, to be looked at by a person. A check whose
 //! expected value is a formula that follows the change, and that passes again, has noticed it.
 
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ use crate::verify;
 use riprap_fuzz::damage::numbers;
 
 /// What is changed: a name, the keys, and the factor on the numbers behind them.
-const CHANGES: [(&str, &[&str], f64); 13] = [
+const CHANGES: [(&str, &[&str], f64); 15] = [
     ("gravity", &["gravity", "acceleration"], 1.1),
     (
         "stiffness",
@@ -77,6 +77,13 @@ const CHANGES: [(&str, &[&str], f64); 13] = [
         0.5,
     ),
     ("water", &["level", "points", "head"], 0.8),
+    // What drives over time: motions and loads in tables of their own.
+    ("what drives", &["value", "constant", "to", "formula"], 1.2),
+    (
+        "sizes",
+        &["size", "cell", "radius", "thickness", "spacing"],
+        1.1,
+    ),
 ];
 
 /// Slowest scene that is broken, s, when nothing else is asked for.
