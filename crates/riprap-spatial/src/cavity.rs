@@ -231,7 +231,7 @@ impl Cavity {
             gas,
         };
         if matches!(venting, Some(Venting::Heave { .. })) {
-            cavity.find_surface(world);
+            cavity.above = cavity.surface(world);
             if cavity.above.is_empty() {
                 return Err(CavityError::NoSurface { name: name() });
             }
@@ -274,27 +274,8 @@ impl Cavity {
         self.removed / self.charge_volume()
     }
 
-    /// Forgets walls of dead blocks; the volume stays what it is.
-    pub fn drop_walls(&mut self, world: &World) {
-        let lost = walls::lost(world, self);
-        if self.ignited.is_some() {
-            self.base -= lost;
-        }
-        self.walls.retain(|w| world.alive[w.block as usize]);
-        if self.ignited.is_none() {
-            self.held = walls::held(world, self);
-        }
-    }
-
-    /// Finds the surface above anew if the gas vents by heave.
-    pub fn renew_surface(&mut self, world: &World) {
-        if !self.above.is_empty() {
-            self.find_surface(world);
-        }
-    }
-
-    /// Notes the living blocks with a free face over the removed blocks: seen along gravity, they overlap.
-    pub fn find_surface(&mut self, world: &World) {
+    /// Living blocks with a free face over the removed blocks, ascending: seen along gravity, they overlap.
+    fn surface(&self, world: &World) -> Vec<u32> {
         let [up, b, c] = frame(upward(world.gravity));
         let extent = |b: u32| Extent::of(&world.setup.blocks[b as usize].shape);
         let charge: Vec<Extent> = self.blocks.iter().map(|&b| extent(b)).collect();
@@ -316,7 +297,7 @@ impl Cavity {
         }
         found.sort_unstable();
         found.dedup();
-        self.above = found;
+        found
     }
 
     /// Share of the gas pressure that is left at `time` (s).
@@ -424,4 +405,30 @@ impl Gas {
 /// Direction against gravity; z without gravity.
 pub(crate) fn upward(gravity: Vec3) -> Vec3 {
     (-gravity).normalize_or(Vec3::Z)
+}
+
+/// Forgets walls of dead blocks in all cavities; their volumes stay what they are.
+pub(crate) fn drop_walls(world: &mut World) {
+    for k in 0..world.cavities.len() {
+        let lost = walls::lost(world, &world.cavities[k]);
+        let World {
+            cavities, alive, ..
+        } = world;
+        let cavity = &mut cavities[k];
+        cavity.walls.retain(|w| alive[w.block as usize]);
+        if cavity.ignited.is_some() {
+            cavity.base -= lost;
+        } else {
+            world.cavities[k].held = walls::held(world, &world.cavities[k]);
+        }
+    }
+}
+
+/// Finds the surface above the cavities whose gas vents by heave anew.
+pub(crate) fn renew_surfaces(world: &mut World) {
+    for k in 0..world.cavities.len() {
+        if !world.cavities[k].above.is_empty() {
+            world.cavities[k].above = world.cavities[k].surface(world);
+        }
+    }
 }

@@ -55,6 +55,7 @@ pub use super::state::event::{EditEvent, EditKind};
 use super::state::scratch::Scratch;
 use super::step::{self, Damping};
 use super::world::World;
+use crate::cavity;
 use crate::read::view::View;
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
@@ -226,10 +227,6 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
     faces.extend(bared);
     faces.sort_by_key(|f| f.block);
     world.patches.keep(&keep);
-    let mut cavities = std::mem::take(&mut world.cavities);
-    for cavity in &mut cavities {
-        cavity.drop_walls(world);
-        cavity.renew_surface(world);
-    }
-    world.cavities = cavities;
+    cavity::drop_walls(world);
+    cavity::renew_surfaces(world);
 }

@@ -530,15 +530,16 @@ pub fn finish(
     faces: Vec<Face>,
     walls: &[NodalWall],
 ) -> Result<Vec<Face>, BuildError> {
-    let Some(mut deform) = world.deform.take() else {
+    let made = super::beside(world, |world, deform| {
+        let work = Workspace::new(&world.setup, deform);
+        join(world, deform, &work.kinds, overlaps)?;
+        notch(world, deform)?;
+        conditions(world, deform, &work.kinds, &faces, walls)
+    });
+    made.transpose()?;
+    let Some(deform) = &world.deform else {
         return Ok(faces);
     };
-    let work = Workspace::new(&world.setup, &deform);
-    join(world, &mut deform, &work.kinds, overlaps)?;
-    notch(world, &mut deform)?;
-    conditions(world, &mut deform, &work.kinds, &faces, walls)?;
     let rigid = |f: &Face| deform.body(f.block as usize).is_none();
-    let faces = faces.into_iter().filter(rigid).collect();
-    world.deform = Some(deform);
-    Ok(faces)
+    Ok(faces.into_iter().filter(rigid).collect())
 }

@@ -26,11 +26,12 @@ use transfer::Handed;
 use riprap_geom::Vec3;
 
 use super::fracture::LOOK;
-use super::stable;
+use super::{Deform, Workspace, stable};
 use crate::bolts;
 use crate::cavity;
 use crate::edit::audit::unchanged;
 use crate::edit::error::EditError;
+use crate::exec::Exec;
 use crate::laws::fracture::FractureMode;
 use crate::read::view::View;
 use crate::refine::RefineError;
@@ -188,9 +189,25 @@ fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result
 /// Cuts, in the lists of the world; returns the number of facets made.
 fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, EditError> {
     let walls = cavity::walls::state(world);
-    let (Some(mut deform), Some(work)) = (world.deform.take(), scratch.deform.as_deref()) else {
+    let Some(work) = scratch.deform.as_deref() else {
         return Ok(0);
     };
+    let made = super::beside(world, |world, deform| {
+        edit_lists(world, deform, (work, &scratch.exec), cuts)
+    });
+    let made = made.transpose()?.unwrap_or(0);
+    cavity::walls::renew(world, &walls);
+    bolts::follow::follow(world);
+    Ok(made)
+}
+
+/// The same in the lists of blocks, bodies and facets alone.
+fn edit_lists(
+    world: &mut World,
+    deform: &mut Deform,
+    (work, exec): (&Workspace, &Exec),
+    cuts: &[Cut],
+) -> Result<usize, EditError> {
     let first = world.alive.len() as u32;
     let mut next = first;
     let families: Vec<Family> = cuts
@@ -205,19 +222,12 @@ fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, Edi
             family
         })
         .collect();
-    apply::append(world, &mut deform, &families);
+    apply::append(world, deform, &families);
     follow::follow(&mut world.setup, &families);
-    let result = audit(world, &families)
-        .and_then(|()| facets::rebuild(world, &mut deform, work, &families, &scratch.exec));
-    let (counts, made) = match result {
-        Ok(done) => done,
-        Err(error) => {
-            world.deform = Some(deform);
-            return Err(error);
-        }
-    };
+    audit(world, &families)?;
+    let (counts, made) = facets::rebuild(world, deform, work, &families, exec)?;
     for (family, counts) in families.iter().zip(counts) {
-        apply::retire(world, &mut deform, family);
+        apply::retire(world, deform, family);
         let event = EditEvent {
             children: family.children().collect(),
             patches: counts,
@@ -226,10 +236,7 @@ fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, Edi
         };
         world.events.push(event);
     }
-    super::build::hold_anew(world, &mut deform);
-    world.deform = Some(deform);
-    cavity::walls::renew(world, &walls);
-    bolts::follow::follow(world);
+    super::build::hold_anew(world, deform);
     Ok(made)
 }
 

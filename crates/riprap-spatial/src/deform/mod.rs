@@ -29,5 +29,19 @@ pub mod step;
 mod turn;
 mod workspace;
 
+use super::state::world::World;
+
+/// Lets `act` change the deformable blocks beside the rest of the world, in which they are missing meanwhile: for what lays out lists of both,
+/// never within a step. `None` where nothing deforms.
+pub(crate) fn beside<T>(
+    world: &mut World,
+    act: impl FnOnce(&mut World, &mut Deform) -> T,
+) -> Option<T> {
+    let mut deform = world.deform.take()?;
+    let done = act(world, &mut deform);
+    world.deform = Some(deform);
+    Some(done)
+}
+
 pub use super::state::workspace::Workspace;
 pub use super::state::{deform as store, deform::Deform, hold};

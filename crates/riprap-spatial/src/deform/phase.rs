@@ -44,32 +44,28 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64, origin: Vec3) -> boo
 /// afterwards.
 pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
     let walls = crate::cavity::walls::state(world);
-    let Some(mut deform) = world.deform.take() else {
+    let Some(deform) = world.deform.as_deref_mut() else {
         return;
     };
     for &block in removed {
         deform.retire(block);
     }
     if !removed.is_empty() {
-        world.deform = Some(deform);
         crate::cavity::walls::renew(world, &walls);
-        let Some(back) = world.deform.take() else {
-            return;
-        };
-        deform = back;
     }
-    if let Some(strain) = rules.and_then(|r| r.strain) {
-        for body in &mut deform.bodies {
-            body.strain = strain;
+    super::beside(world, |world, deform| {
+        if let Some(strain) = rules.and_then(|r| r.strain) {
+            for body in &mut deform.bodies {
+                body.strain = strain;
+            }
         }
-    }
-    super::build::hold_anew(world, &mut deform);
-    if let Some(rules) = rules
-        && begin(&mut deform, rules, world.time, world.setup.origin)
-    {
-        world.last_dt = 0.0;
-    }
-    world.deform = Some(deform);
+        super::build::hold_anew(world, deform);
+        if let Some(rules) = rules
+            && begin(deform, rules, world.time, world.setup.origin)
+        {
+            world.last_dt = 0.0;
+        }
+    });
 }
 
 /// Chooses how the present phase relaxes.

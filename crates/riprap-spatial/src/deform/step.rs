@@ -10,11 +10,13 @@ use super::elements;
 use super::kick::Kick;
 use super::links::Links;
 use super::store::{Body, Deform};
+use crate::dynamics::damping::Damping;
 use crate::exec::Divide;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::StartStress;
+use crate::state::push::Pushes;
 use crate::state::scratch::{NonFinite, Scratch};
-use crate::state::workspace::{BODIES, BlockClass, KickSums, Workspace, start_of};
+use crate::state::workspace::{BODIES, BlockClass, Dashpot, KickSums, Workspace, start_of};
 use crate::sums;
 use crate::world::World;
 
@@ -68,16 +70,17 @@ impl Divide for Piece<'_> {
 
 /// Finds the forces on nodes (those of bonds are in their slots) and the velocity changes for a step of `dt` (s).
 pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<(), NonFinite> {
-    let Some(work) = scratch.deform.as_deref_mut() else {
+    let Some((deform, work)) = world.deform.as_deref().zip(scratch.deform.as_deref_mut()) else {
         return Ok(());
     };
-    let mut net = std::mem::take(&mut work.net);
-    let mut change = std::mem::take(&mut work.change);
-    let mut partial = std::mem::take(&mut work.partial);
-    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
-        return Ok(());
+    let felt = Felt {
+        masses: &work.masses,
+        fictitious: &work.fictitious,
+        dashpots: &work.dashpots,
+        pushes: &scratch.pushes,
+        damping: scratch.damping,
+        width: scratch.width,
     };
-    let kick = kick(world, deform, work, scratch, dt);
     let context = Context {
         deform,
         kinds: &work.kinds,
@@ -85,21 +88,22 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         start_forces: &work.start_forces,
         links: &work.links,
         slots: &work.slots,
-        kick,
+        kick: felt.kick(world, deform, dt),
     };
+    let partial = &mut work.partial;
     let piece = Piece {
         bodies: &deform.bodies,
         first: 0,
-        net: &mut net,
-        change: &mut change,
-        partial: &mut partial,
+        net: &mut work.net,
+        change: &mut work.change,
+        partial: &mut *partial,
     };
     let count = deform.bodies.len().div_ceil(BODIES);
     scratch
         .exec
         .divided(piece, count, |_, piece| context.piece(piece));
     let bad = partial.iter().find_map(|p| p.bad);
-    sums::tree(&mut partial, |sum, other| {
+    sums::tree(partial, |sum, other| {
         sum.arrival.add(&other.arrival);
         sum.departure.add(&other.departure);
         for (sum, x) in sum.squares.iter_mut().zip(other.squares) {
@@ -107,15 +111,22 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         }
     });
     let all = partial.first().copied().unwrap_or_default();
-    if let Some(work) = scratch.deform.as_deref_mut() {
-        work.departure = all.departure;
-        work.norms = all.squares.map(f64::sqrt);
-        (work.net, work.change, work.partial) = (net, change, partial);
-    }
+    work.departure = all.departure;
+    work.norms = all.squares.map(f64::sqrt);
     world.works.add(&all.arrival);
     let holder = |node| deform.bodies.partition_point(|b| b.first <= node) - 1;
     let bad = bad.map(|node| deform.bodies[holder(node)].block);
     bad.map_or(Ok(()), |block| Err(NonFinite { block }))
+}
+
+/// What nodes feel in a kick besides their state.
+struct Felt<'a> {
+    masses: &'a [f64],
+    fictitious: &'a [f64],
+    dashpots: &'a [Dashpot],
+    pushes: &'a Pushes,
+    damping: Damping,
+    width: Width,
 }
 
 /// The kick of the nodes for a step of `dt` (s).
@@ -126,31 +137,45 @@ pub(crate) fn kick<'a>(
     scratch: &'a Scratch,
     dt: f64,
 ) -> Kick<'a> {
-    let mut damping = scratch.damping;
-    let mut drive = (world.time + 0.5 * dt, 1.0);
-    if let Some(relax) = &deform.relax {
-        damping.mass = relax.damping;
-        damping.local = 0.0;
-        drive = (world.time + 0.5 * relax.increment, relax.increment);
-    }
-    Kick {
-        gravity: world.gravity,
-        damping,
-        half: [0.5 * world.pending, 0.5 * dt],
-        span: 0.5 * (world.last_dt + dt),
-        drive,
-        velocity: &deform.nodes.velocity,
+    let felt = Felt {
         masses: &work.masses,
-        inertias: match work.fictitious.is_empty() {
-            true => &work.masses,
-            false => &work.fictitious,
-        },
-        loads: &scratch.pushes.loads.nodes,
-        pushes: &scratch.pushes.own.nodes,
-        holds: &deform.holds,
-        places: (&deform.nodes.place, world.setup.origin),
+        fictitious: &work.fictitious,
         dashpots: &work.dashpots,
+        pushes: &scratch.pushes,
+        damping: scratch.damping,
         width: scratch.width,
+    };
+    felt.kick(world, deform, dt)
+}
+
+impl<'a> Felt<'a> {
+    fn kick(self, world: &World, deform: &'a Deform, dt: f64) -> Kick<'a> {
+        let mut damping = self.damping;
+        let mut drive = (world.time + 0.5 * dt, 1.0);
+        if let Some(relax) = &deform.relax {
+            damping.mass = relax.damping;
+            damping.local = 0.0;
+            drive = (world.time + 0.5 * relax.increment, relax.increment);
+        }
+        Kick {
+            gravity: world.gravity,
+            damping,
+            half: [0.5 * world.pending, 0.5 * dt],
+            span: 0.5 * (world.last_dt + dt),
+            drive,
+            velocity: &deform.nodes.velocity,
+            masses: self.masses,
+            inertias: match self.fictitious.is_empty() {
+                true => self.masses,
+                false => self.fictitious,
+            },
+            loads: &self.pushes.loads.nodes,
+            pushes: &self.pushes.own.nodes,
+            holds: &deform.holds,
+            places: (&deform.nodes.place, world.setup.origin),
+            dashpots: self.dashpots,
+            width: self.width,
+        }
     }
 }
 

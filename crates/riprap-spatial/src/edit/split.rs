@@ -7,7 +7,7 @@ use riprap_geom::{Mat3, Vec3};
 use super::error::EditError;
 use super::patches::{self, Old};
 use crate::build::{self, ClassTable};
-use crate::cavity::walls;
+use crate::cavity::{self, walls};
 use crate::divisible::Divisible;
 use crate::laws::face_joint::SIGNS;
 use crate::overlap::{self, Overlap};
@@ -179,12 +179,10 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     }
     world.faces.sort_by_key(|f| f.block);
     world.patches.sort(&world.classes);
-    let mut cavities = std::mem::take(&mut world.cavities);
-    for cavity in &mut cavities {
+    for cavity in &mut world.cavities {
         cavity.walls.sort_by_key(|w| (w.block, w.behind));
-        cavity.renew_surface(world);
     }
-    world.cavities = cavities;
+    cavity::renew_surfaces(world);
     report(world, plan, &after);
     Ok(())
 }

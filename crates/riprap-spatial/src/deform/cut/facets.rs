@@ -114,11 +114,10 @@ pub(super) fn rebuild(
         lists.append(new);
     }
     let surfaces = maker.surfaces(&lists);
-    let gone = |s: &Surface| of[deform.bodies[s.body as usize].block as usize] != WHOLE;
-    let mut kept = std::mem::take(&mut deform.surfaces);
-    kept.retain(|s| !gone(s));
-    kept.extend(surfaces);
-    deform.surfaces = kept;
+    let bodies = &deform.bodies;
+    let stays = |s: &Surface| of[bodies[s.body as usize].block as usize] == WHOLE;
+    deform.surfaces.retain(stays);
+    deform.surfaces.extend(surfaces);
     drop_facets(deform, &open);
     let made = lists.facets.len();
     lists.hand_over(deform);

@@ -23,22 +23,22 @@ pub(super) fn follow(setup: &mut Setup, families: &[Family]) {
         blocks.dedup();
     };
     setup.block_lists().for_each(extend);
-    let mut made = Vec::new();
-    let mut loads = std::mem::take(&mut setup.loads);
-    for load in &mut loads {
+    let (mut loads, mut made) = (Vec::new(), Vec::new());
+    for load in &setup.loads {
+        let mut left = load.clone();
         if let LoadKind::BodyForce { .. } = load.kind {
-            extend(&mut load.blocks);
-            continue;
+            extend(&mut left.blocks);
+        } else {
+            left.blocks.retain(|b| !of.contains_key(b));
+            for family in load.blocks.iter().filter_map(|b| of.get(b)) {
+                shares(setup, load, family, &mut made);
+            }
         }
-        let (cut, whole): (Vec<u32>, Vec<u32>) =
-            load.blocks.iter().partition(|b| of.contains_key(b));
-        load.blocks = whole;
-        for b in cut {
-            shares(setup, load, of[&b], &mut made);
+        if !left.blocks.is_empty() {
+            loads.push(left);
         }
     }
     loads.extend(made);
-    loads.retain(|l| !l.blocks.is_empty());
     setup.loads = loads;
 }
 
