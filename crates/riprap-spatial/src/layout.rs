@@ -80,13 +80,13 @@ impl Scratch {
         self.desk.ready = false;
     }
 
-    /// As [`Scratch::invalidate`] where deformable blocks of the `new` kinds have been appended or some have gone, and no
+    /// As [`Scratch::invalidate`] where deformable blocks of the `new` classes have been appended or some have gone, and no
     /// shape or material has changed.
     pub(crate) fn extend(&mut self, world: &mut World, new: impl Iterator<Item = BlockClass>) {
         world.fresh = true;
         let mut old = *self.deform.take().unwrap_or_default();
-        old.kinds.extend(new);
-        self.rebuild(world, old.kinds);
+        old.classes.extend(new);
+        self.rebuild(world, old.classes);
         if let Some(work) = &mut self.deform {
             work.alone = old.alone;
         }
@@ -98,8 +98,8 @@ impl Scratch {
         self.rebuild(world, Vec::new());
     }
 
-    /// Lays everything out; `kinds` of deformable blocks, the first ones, are taken over.
-    fn rebuild(&mut self, world: &World, kinds: Vec<BlockClass>) {
+    /// Lays everything out; `classes` of deformable blocks, the first ones, are taken over.
+    fn rebuild(&mut self, world: &World, classes: Vec<BlockClass>) {
         let blocks = world.alive.len();
         self.tiles = Tiles::new(world, self.cut.unwrap_or_else(|| Cut::of(blocks)));
         let groups = self.tiles.groups();
@@ -109,8 +109,8 @@ impl Scratch {
         self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
         let interfaces = &world.setup.interfaces;
         let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;
-        let classes = world.classes.iter();
-        self.wide = classes.map(|c| Wide::new(c, joint(c))).collect();
+        let patches = world.classes.iter();
+        self.wide = patches.map(|c| Wide::new(c, joint(c))).collect();
         let strong = |joint: &JointLaw| joint.strength.is_some() || !joint.is_plain();
         self.strong = world.classes.iter().any(|c| strong(joint(c)));
         self.lost = vec![Lost::default(); groups];
@@ -119,7 +119,7 @@ impl Scratch {
         self.bolts = Vec::new();
         let deform = world.deform.as_deref();
         self.deform =
-            deform.map(|d| Box::new(Workspace::grown(&world.setup, d, kinds, &self.exec)));
+            deform.map(|d| Box::new(Workspace::grown(&world.setup, d, classes, &self.exec)));
         if let Some(work) = self.deform.as_mut().filter(|w| !w.fictitious.is_empty()) {
             relax::add(&mut work.fictitious, &bolts::stiffness::row_sums(world));
         }

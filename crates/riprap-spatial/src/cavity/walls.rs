@@ -205,7 +205,7 @@ impl NodalWalls {
             let spec = &world.setup.blocks[body.block as usize];
             let density = world.setup.materials[usize::from(spec.material)].density;
             // Those of a dynamic phase, whatever phase this is.
-            let volumes = work.kind(body).mesh.inertial();
+            let volumes = work.class(body).mesh.inertial();
             for &(node, share) in &wall.nodes {
                 area += share;
                 let mass = density * volumes[(node - body.first) as usize];

@@ -1,4 +1,4 @@
-//! From plain data to deformable blocks: nodes, kinds, facets between faces, held nodes, loaded faces.
+//! From plain data to deformable blocks: nodes, classes, facets between faces, held nodes, loaded faces.
 
 use std::collections::BTreeMap;
 
@@ -61,17 +61,17 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
             }
             Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => None,
         };
-        let kind = key.and_then(|k| known.get(&k).copied()).unwrap_or_else(|| {
-            deform.kinds.push(b as u32);
-            deform.kinds.len() as u32 - 1
+        let class = key.and_then(|k| known.get(&k).copied()).unwrap_or_else(|| {
+            deform.classes.push(b as u32);
+            deform.classes.len() as u32 - 1
         });
         if let Some(key) = key {
-            known.insert(key, kind);
+            known.insert(key, class);
         }
         deform.slot[b] = deform.bodies.len() as u32;
         deform.bodies.push(Body {
             block: b as u32,
-            kind,
+            class,
             first: deform.nodes.len() as u32,
             count: mesh.nodes.len() as u32,
             strain: set.strain,
@@ -123,7 +123,7 @@ fn field(formulas: &[Option<Formula>; 3], at: Vec3) -> Vec3 {
 pub fn join(
     world: &World,
     deform: &mut Deform,
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
     overlaps: &[Overlap],
 ) -> Result<(), BuildError> {
     for overlap in overlaps {
@@ -143,8 +143,8 @@ pub fn join(
         let depths = [overlap.arms[0].dot(n), -overlap.arms[1].dot(n)];
         let stiffness = stiffness(&world.setup, law, materials, rigid, depths)?;
         let first = deform.points.len() as u32;
-        let points = super::overlay::points(world, deform, kinds, overlap);
-        let starts = super::in_situ::tractions(world, deform, kinds, overlap, &points);
+        let points = super::overlay::points(world, deform, classes, overlap);
+        let starts = super::in_situ::tractions(world, deform, classes, overlap, &points);
         let memory = |start| Memory {
             start,
             ..Memory::default()
@@ -262,7 +262,7 @@ pub(super) fn stiffness(
 pub fn conditions(
     world: &World,
     deform: &mut Deform,
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
     faces: &[Face],
     walls: &[NodalWall],
 ) -> Result<(), BuildError> {
@@ -271,8 +271,8 @@ pub fn conditions(
         let Some(&body) = deform.body(wall.block as usize) else {
             continue;
         };
-        let face = face_of(&kinds[body.kind as usize], wall.normal, wall.arm);
-        let surface = free(deform, kinds, &covered, body, face, wall.normal);
+        let face = face_of(&classes[body.class as usize], wall.normal, wall.arm);
+        let surface = free(deform, classes, &covered, body, face, wall.normal);
         // Several removed blocks may share one face.
         let same = |s: &Surface| s.body == surface.body && s.normal.dot(wall.normal) > PARALLEL;
         if deform.surfaces.iter().any(same) {
@@ -287,8 +287,8 @@ pub fn conditions(
             continue;
         };
         let normal = face.frame[0];
-        let number = face_of(&kinds[body.kind as usize], normal, face.arm);
-        let surface = free(deform, kinds, &covered, body, number, normal);
+        let number = face_of(&classes[body.class as usize], normal, face.arm);
+        let surface = free(deform, classes, &covered, body, number, normal);
         let acts = Acts::Boundary(boundary);
         let surface = Surface { acts, ..surface };
         // Several free parts of one face make one surface.
@@ -315,17 +315,17 @@ pub fn conditions(
 /// The part of a face of a body that no facet covers.
 fn free(
     deform: &Deform,
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
     covered: &BTreeMap<(u32, [i64; 3]), f64>,
     body: Body,
     face: usize,
     normal: Vec3,
 ) -> Surface {
-    let kind = &kinds[body.kind as usize];
-    let shares = kind.mesh.tributary(face);
+    let class = &classes[body.class as usize];
+    let shares = class.mesh.tributary(face);
     let whole: f64 = shares.iter().map(|s| s.1).sum();
     let centre = deform.nodes.place[body.nodes().end - 1].z;
-    let levers = super::in_situ::levers(&kind.mesh, face);
+    let levers = super::in_situ::levers(&class.mesh, face);
     let (mut nodes, mut heights) = (Vec::new(), Vec::new());
     for (node, area) in shares {
         let height = centre + levers[&node].z;
@@ -532,9 +532,9 @@ pub fn finish(
 ) -> Result<Vec<Face>, BuildError> {
     let made = super::beside(world, |world, deform| {
         let work = Workspace::new(&world.setup, deform);
-        join(world, deform, &work.kinds, overlaps)?;
+        join(world, deform, &work.classes, overlaps)?;
         notch(world, deform)?;
-        conditions(world, deform, &work.kinds, &faces, walls)
+        conditions(world, deform, &work.classes, &faces, walls)
     });
     made.transpose()?;
     let Some(deform) = &world.deform else {

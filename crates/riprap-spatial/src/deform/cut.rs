@@ -157,9 +157,9 @@ pub fn one(
 
 /// Does it all but the evaluation.
 fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
-    let kinds = world.deform.as_ref().map_or(0, |d| d.kinds.len());
+    let classes = world.deform.as_ref().map_or(0, |d| d.classes.len());
     let made = edit(world, scratch, &cuts)?;
-    scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.kinds));
+    scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.classes));
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
     else {
         return Ok(());
@@ -179,7 +179,7 @@ fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result
         work.alone = known;
     }
     work.effort = Effort {
-        kinds: deform.kinds.len() - kinds,
+        classes: deform.classes.len() - classes,
         facets: made,
         frequencies,
     };

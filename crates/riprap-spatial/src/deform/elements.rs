@@ -9,22 +9,23 @@ use crate::state::workspace::{BlockClass, Workspace};
 /// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m). With small strain those of a start
 /// stress are constant and not among them.
 ///
-/// Small strain with a shared kind takes the dense matrix. To be called inside `Width::run`.
+/// Small strain with a shared class takes the dense matrix. To be called inside `Width::run`.
 #[inline(always)]
 pub fn add_forces(
-    kind: &BlockClass,
+    class: &BlockClass,
     strain: Strain,
     start: &StartStress,
     u: &[[f64; 3]],
     f: &mut [[f64; 3]],
 ) {
-    match (&kind.stiffness, strain) {
+    match (&class.stiffness, strain) {
         (Some(stiffness), Strain::Small) => stiffness.add_forces(u, f),
         (None, Strain::Small) => {
-            kind.groups
-                .add_forces(&kind.law, strain, &StartStress::none(), u, f);
+            class
+                .groups
+                .add_forces(&class.law, strain, &StartStress::none(), u, f);
         }
-        (_, Strain::Large) => kind.groups.add_forces(&kind.law, strain, start, u, f),
+        (_, Strain::Large) => class.groups.add_forces(&class.law, strain, start, u, f),
     }
 }
 
@@ -38,21 +39,21 @@ impl Deform {
     /// Mean Cauchy stress (Pa, tension-positive) and mean displacement gradient of a body.
     #[must_use]
     pub fn average(&self, work: &Workspace, body: &Body) -> (Mat3, Gradient) {
-        let kind = work.kind(body);
+        let class = work.class(body);
         let u = self.displacement(body);
         let start = work.start_of(self.slot[body.block as usize] as usize);
-        let (stress, gradient) = kind.groups.average(&kind.law, body.strain, start, u);
+        let (stress, gradient) = class.groups.average(&class.law, body.strain, start, u);
         (tensor(stress), gradient)
     }
 
     /// Strain energy of a body, J.
     #[must_use]
     pub fn strain_energy(&self, work: &Workspace, body: &Body) -> f64 {
-        let kind = work.kind(body);
+        let class = work.class(body);
         let slot = self.slot[body.block as usize] as usize;
         let u = self.displacement(body);
         let held = self.start.get(slot).map_or(0.0, |s| s.energy);
         let start = work.start_of(slot);
-        kind.groups.energy(&kind.law, body.strain, start, u) + held
+        class.groups.energy(&class.law, body.strain, start, u) + held
     }
 }

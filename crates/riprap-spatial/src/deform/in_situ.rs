@@ -56,7 +56,7 @@ pub fn levers(mesh: &Tetrahedra, face: usize) -> BTreeMap<u32, Vec3> {
 pub fn tractions(
     world: &World,
     deform: &Deform,
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
     overlap: &Overlap,
     points: &[Point],
 ) -> Vec<Traction> {
@@ -69,8 +69,8 @@ pub fn tractions(
         return vec![[0.0; 3]; points.len()];
     };
     let outward = if side == 0 { n } else { -n };
-    let mesh = &kinds[body.kind as usize].mesh;
-    let face = face_of(&kinds[body.kind as usize], outward, overlap.arms[side]);
+    let mesh = &classes[body.class as usize].mesh;
+    let face = face_of(&classes[body.class as usize], outward, overlap.arms[side]);
     let levers = levers(mesh, face);
     let centre = deform.nodes.place[body.nodes().end - 1].z;
     let height = |point: &Point| {

@@ -18,7 +18,7 @@ const SLIVER: f64 = 1e-9;
 pub fn points(
     world: &World,
     deform: &Deform,
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
     overlap: &Overlap,
 ) -> Vec<Point> {
     let n = overlap.frame[0];
@@ -28,7 +28,7 @@ pub fn points(
     let fan = |side: usize| {
         let outward = if side == 0 { n } else { -n };
         let block = overlap.blocks[side] as usize;
-        let fan = fan(world, deform, kinds, block, outward, overlap.arms[side]);
+        let fan = fan(world, deform, classes, block, outward, overlap.arms[side]);
         let mut fan = fan?;
         fan.at.iter_mut().for_each(|at| *at += shifts[side]);
         Some(fan)
@@ -68,17 +68,17 @@ pub fn points(
 fn fan(
     world: &World,
     deform: &Deform,
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
     block: usize,
     outward: Vec3,
     arm: Vec3,
 ) -> Option<Fan> {
     let (mut fan, centroid, first) = match deform.body(block) {
         Some(body) => {
-            let kind = &kinds[body.kind as usize];
-            let face = face_of(kind, outward, arm);
+            let class = &classes[body.class as usize];
+            let face = face_of(class, outward, arm);
             let centroid = deform.nodes.place[body.nodes().end - 1];
-            (kind.mesh.face_fan(face), centroid, body.first)
+            (class.mesh.face_fan(face), centroid, body.first)
         }
         None => {
             let (solid, centroid) = centred(&world.setup.blocks[block].shape);

@@ -112,10 +112,10 @@ fn elastic(nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) ->
 
 /// Fictitious masses of all nodes.
 #[must_use]
-pub fn masses(deform: &Deform, kinds: &[BlockClass]) -> Vec<f64> {
+pub fn masses(deform: &Deform, classes: &[BlockClass]) -> Vec<f64> {
     let always = (deform.relax.as_ref()).is_some_and(|r| r.relaxation.breaks == Breaks::Always);
     let share = if always { CONTACT } else { 1.0 };
-    let mut sums = row_sums(deform, kinds, share);
+    let mut sums = row_sums(deform, classes, share);
     for sum in &mut sums {
         *sum *= MARGIN / 4.0;
     }
@@ -131,10 +131,10 @@ pub fn add(masses: &mut [f64], row_sums: &[f64]) {
 
 /// Row sums `sum_j |K_ij|` of the stiffness of blocks and bonds, the largest component of each node, N/m; those of bonds times `share`.
 #[must_use]
-pub fn row_sums(deform: &Deform, kinds: &[BlockClass], share: f64) -> Vec<f64> {
+pub fn row_sums(deform: &Deform, classes: &[BlockClass], share: f64) -> Vec<f64> {
     let mut sums = vec![0.0; deform.nodes.len()];
     for body in &deform.bodies {
-        let own = &kinds[body.kind as usize].row_sums;
+        let own = &classes[body.class as usize].row_sums;
         sums[body.nodes()].copy_from_slice(own);
     }
     let mut bonds = vec![Vec3::ZERO; deform.nodes.len()];

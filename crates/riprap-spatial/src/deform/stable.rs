@@ -121,7 +121,7 @@ fn dot(x: &[[f64; 3]], y: &[[f64; 3]]) -> f64 {
 fn roots(deform: &Deform, work: &Workspace) -> Vec<f64> {
     let mut roots = vec![0.0; deform.nodes.len()];
     for body in deform.living() {
-        let masses = work.kind(body).masses();
+        let masses = work.class(body).masses();
         for (root, m) in roots[body.nodes()].iter_mut().zip(masses) {
             *root = 1.0 / m.sqrt();
         }
@@ -152,8 +152,8 @@ fn times(
             for body in deform.living() {
                 let here = body.nodes();
                 let f = &mut y[here.clone()];
-                let (kind, none) = (work.kind(body), StartStress::none());
-                elements::add_forces(kind, Strain::Small, &none, &nodes.displacement[here], f);
+                let (class, none) = (work.class(body), StartStress::none());
+                elements::add_forces(class, Strain::Small, &none, &nodes.displacement[here], f);
             }
         },
     );

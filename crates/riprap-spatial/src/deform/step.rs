@@ -23,7 +23,7 @@ use crate::world::World;
 /// What is the same for all bodies.
 struct Context<'a> {
     deform: &'a Deform,
-    kinds: &'a [BlockClass],
+    classes: &'a [BlockClass],
     starts: &'a [StartStress],
     start_forces: &'a [[f64; 3]],
     links: &'a Links,
@@ -83,7 +83,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
     };
     let context = Context {
         deform,
-        kinds: &work.kinds,
+        classes: &work.classes,
         starts: &work.starts,
         start_forces: &work.start_forces,
         links: &work.links,
@@ -228,7 +228,7 @@ impl Context<'_> {
             if body.alive {
                 let u = &self.deform.nodes.displacement[nodes];
                 let start = start_of(self.starts, first + k);
-                elements::add_forces(&self.kinds[body.kind as usize], body.strain, start, u, f);
+                elements::add_forces(&self.classes[body.class as usize], body.strain, start, u, f);
             }
         }
     }

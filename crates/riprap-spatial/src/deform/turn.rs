@@ -30,7 +30,7 @@ pub(super) fn look(deform: &Deform, work: &mut Workspace, exec: &Exec, width: Wi
     };
     let count = deform.bodies.len().div_ceil(BODIES);
     let slopes = Slopes {
-        kinds: &work.kinds,
+        classes: &work.classes,
         slopes: &work.slopes,
     };
     exec.divided(piece, count, |_, piece| {

@@ -12,7 +12,7 @@ use crate::state::deform::{Deform, Masses};
 use crate::state::workspace::{BODIES, BlockClass, BondWorks, FACETS, KickSums, Workspace};
 
 impl BlockClass {
-    /// The kind that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
+    /// The class that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
     pub(super) fn new(
         setup: &Setup,
         deform: &Deform,
@@ -25,7 +25,7 @@ impl BlockClass {
         let (Ok(mesh), Some(young), Some(poisson)) =
             (Tetrahedra::new(&solid), material.young, material.poisson)
         else {
-            unreachable!("a kind of deformable block that cannot be built")
+            unreachable!("a class of deformable block that cannot be built")
         };
         let law = Elastic::new(young, poisson);
         let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
@@ -56,28 +56,28 @@ impl Workspace {
         Self::grown(setup, deform, Vec::new(), &Exec::serial())
     }
 
-    /// As [`Workspace::new`] with the first kinds as they were: kinds are only ever added.
+    /// As [`Workspace::new`] with the first classes as they were: classes are only ever added.
     #[must_use]
     pub fn grown(setup: &Setup, deform: &Deform, old: Vec<BlockClass>, exec: &Exec) -> Self {
         let nodes = deform.nodes.len();
         let mut work = Self {
-            kinds: kinds(setup, deform, old, exec),
+            classes: classes(setup, deform, old, exec),
             slots: vec![[0.0; 3]; deform.points.len()],
             net: vec![[0.0; 3]; nodes],
             change: vec![[0.0; 3]; nodes],
             ..Self::default()
         };
-        work.slopes = work.kinds.iter().flat_map(|k| slopes(&k.mesh)).collect();
+        work.slopes = work.classes.iter().flat_map(|k| slopes(&k.mesh)).collect();
         work.links = Links::new(deform);
         for body in &deform.bodies {
-            let own = work.kinds[body.kind as usize].masses();
+            let own = work.classes[body.class as usize].masses();
             work.masses.extend_from_slice(own);
         }
         work.start(setup, deform);
         work.speeds = vec![0.0; deform.bodies.len()];
         work.dashpots = crate::push::surface::dashpots(setup, deform);
         if deform.relax.is_some() {
-            work.fictitious = super::relax::masses(deform, &work.kinds);
+            work.fictitious = super::relax::masses(deform, &work.classes);
         }
         let pieces = deform.bodies.len().div_ceil(BODIES);
         work.partial = vec![KickSums::default(); pieces];
@@ -100,7 +100,7 @@ impl Workspace {
             }
             self.starts[k] = StartStress::new(&start.stresses);
             if body.strain == Strain::Small {
-                let groups = &self.kinds[body.kind as usize].groups;
+                let groups = &self.classes[body.class as usize].groups;
                 let law = Elastic {
                     lambda: 0.0,
                     mu: 0.0,
@@ -117,8 +117,8 @@ impl Workspace {
             let spec = &setup.blocks[body.block as usize];
             let density = setup.materials[usize::from(spec.material)].density;
             let force = in_situ.upward() * Vec3::Z / density;
-            let kind = &self.kinds[body.kind as usize];
-            let masses = kind.masses().iter().zip(&kind.lumped);
+            let class = &self.classes[body.class as usize];
+            let masses = class.masses().iter().zip(&class.lumped);
             for (f, (now, lumped)) in self.start_forces[body.nodes()].iter_mut().zip(masses) {
                 *f = (Vec3::from_array(*f) + (now - lumped) * force).to_array();
             }
@@ -145,15 +145,15 @@ fn slopes(mesh: &Tetrahedra) -> Vec<Vec3> {
 /// Kinds of which one thread makes so many at a time.
 const KINDS: usize = 64;
 
-/// All kinds, the first of them as they were.
-fn kinds(setup: &Setup, deform: &Deform, old: Vec<BlockClass>, exec: &Exec) -> Vec<BlockClass> {
-    let mut shared = vec![0u32; deform.kinds.len()];
+/// All classes, the first of them as they were.
+fn classes(setup: &Setup, deform: &Deform, old: Vec<BlockClass>, exec: &Exec) -> Vec<BlockClass> {
+    let mut shared = vec![0u32; deform.classes.len()];
     for body in &deform.bodies {
-        shared[body.kind as usize] += 1;
+        shared[body.class as usize] += 1;
     }
-    let mut kinds = old;
-    let new: Vec<(u32, u32)> = deform.kinds.iter().copied().zip(shared).collect();
-    let new = &new[kinds.len()..];
+    let mut classes = old;
+    let new: Vec<(u32, u32)> = deform.classes.iter().copied().zip(shared).collect();
+    let new = &new[classes.len()..];
     let made = exec.map(new, KINDS, |some| {
         let some = some.iter();
         some.map(|&(block, shared)| {
@@ -162,12 +162,12 @@ fn kinds(setup: &Setup, deform: &Deform, old: Vec<BlockClass>, exec: &Exec) -> V
         })
         .collect::<Vec<_>>()
     });
-    kinds.extend(made.into_iter().flatten());
+    classes.extend(made.into_iter().flatten());
     let mut sum = 0;
-    for kind in &mut kinds {
-        kind.first_slope = sum;
-        sum += kind.mesh.nodes.len();
+    for class in &mut classes {
+        class.first_slope = sum;
+        sum += class.mesh.nodes.len();
     }
-    Groups::pack(kinds.iter_mut().map(|k| &mut k.groups));
-    kinds
+    Groups::pack(classes.iter_mut().map(|k| &mut k.groups));
+    classes
 }

@@ -49,7 +49,7 @@ pub(crate) fn each(world: &World, work: Option<&Workspace>, mut put: impl FnMut(
                     Pushed::Block(b, on_rigid(world, &load.kind, factor, b)),
                 ),
                 Some((deform, body, work)) => {
-                    let kind = work.kind(body);
+                    let kind = work.class(body);
                     on_nodes(deform, body, kind, &load.kind, factor, |node, force| {
                         put(load, Pushed::Node(node, force));
                     });

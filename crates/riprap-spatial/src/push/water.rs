@@ -50,7 +50,14 @@ pub(crate) fn apply(world: &World, scratch: &mut Scratch) {
         loads.need_nodes(deform.nodes.len());
         for body in deform.living() {
             let push = |node, force| loads.on_node(node, force);
-            on_nodes(table, -world.gravity.z, deform, body, work.kind(body), push);
+            on_nodes(
+                table,
+                -world.gravity.z,
+                deform,
+                body,
+                work.class(body),
+                push,
+            );
         }
     }
 }
@@ -72,7 +79,7 @@ pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec
                 -world.gravity.z,
                 deform,
                 body,
-                work.kind(body),
+                work.class(body),
                 |_, push| force += push,
             );
             force

@@ -236,7 +236,7 @@ impl<'a> View<'a> {
             deform,
             work,
             body,
-            kind: work.kind(body),
+            kind: work.class(body),
             past: self.past(),
         })
     }

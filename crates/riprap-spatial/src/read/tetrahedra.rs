@@ -17,7 +17,7 @@ pub fn tetrahedra(view: &View<'_>) -> Option<Surfaces> {
     let (mut blocks, mut normal, mut shear) = (Vec::new(), Vec::new(), Vec::new());
     let (mut stretch, mut slide, mut main) = (Vec::new(), Vec::new(), Vec::new());
     for body in deform.living() {
-        let kind = work.kind(body);
+        let kind = work.class(body);
         let start = work.start_of(deform.slot[body.block as usize] as usize);
         let u = deform.displacement(body);
         let stresses = kind.groups.stresses(&kind.law, body.strain, start, u);

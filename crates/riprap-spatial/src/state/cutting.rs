@@ -19,7 +19,7 @@ pub struct Cutting {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Kinds: shapes of parts with their elements.
-    pub kinds: usize,
+    pub classes: usize,
     /// Facets of cut blocks.
     pub facets: usize,
     /// Highest frequencies of parts and of blocks that share facets with them; none where everything relaxes.

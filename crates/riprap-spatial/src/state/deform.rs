@@ -22,8 +22,8 @@ pub struct Deform {
     pub slot: Vec<u32>,
     /// Deformable blocks in the order of their nodes.
     pub bodies: Vec<Body>,
-    /// Blocks of the world whose shape and material a kind of body has; congruent blocks of one material share a kind.
-    pub kinds: Vec<u32>,
+    /// Blocks of the world whose shape and material a class of bodies has; congruent blocks of one material share a class.
+    pub classes: Vec<u32>,
     /// Motion of the nodes.
     pub nodes: Nodes,
     /// Prescribed motion of nodes, by node.
@@ -71,8 +71,8 @@ pub struct Deform {
 pub struct Body {
     /// Index of the block in the world.
     pub block: u32,
-    /// Index into `kinds`.
-    pub kind: u32,
+    /// Index into `classes`.
+    pub class: u32,
     /// Its first node.
     pub first: u32,
     /// Number of its nodes.

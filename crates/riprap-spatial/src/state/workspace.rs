@@ -23,7 +23,7 @@ pub struct BlockClass {
     pub faces: Vec<Vec<u32>>,
     /// The tetrahedra, eight at a time.
     pub groups: Groups,
-    /// Dense small-strain stiffness where several bodies share the kind.
+    /// Dense small-strain stiffness where several bodies share the class.
     pub stiffness: Option<Stiffness>,
     /// Elasticity.
     pub law: Elastic,
@@ -48,9 +48,9 @@ impl BlockClass {
 /// Scratch data of the deformable blocks.
 #[derive(Debug, Default)]
 pub struct Workspace {
-    /// Shapes and elements, as `Deform::kinds`.
-    pub kinds: Vec<BlockClass>,
-    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m, one kind after another.
+    /// Shapes and elements, as `Deform::classes`.
+    pub classes: Vec<BlockClass>,
+    /// What displacements of the nodes are multiplied with in the mean displacement gradient, 1/m, one class after another.
     pub(crate) slopes: Vec<Vec3>,
     /// What a step reads of bonds.
     pub links: Links,
@@ -100,15 +100,15 @@ impl Workspace {
     #[must_use]
     pub fn slopes(&self) -> Slopes<'_> {
         Slopes {
-            kinds: &self.kinds,
+            classes: &self.classes,
             slopes: &self.slopes,
         }
     }
 
     /// BlockClass of a body.
     #[must_use]
-    pub fn kind(&self, body: &Body) -> &BlockClass {
-        &self.kinds[body.kind as usize]
+    pub fn class(&self, body: &Body) -> &BlockClass {
+        &self.classes[body.class as usize]
     }
 }
 
@@ -122,7 +122,7 @@ pub fn start_of(starts: &[StartStress], k: usize) -> &StartStress {
 /// What displacements of the nodes are multiplied with in the mean displacement gradient of a body, 1/m.
 #[derive(Clone, Copy)]
 pub struct Slopes<'a> {
-    pub(crate) kinds: &'a [BlockClass],
+    pub(crate) classes: &'a [BlockClass],
     pub(crate) slopes: &'a [Vec3],
 }
 
@@ -130,7 +130,7 @@ impl<'a> Slopes<'a> {
     /// Those of a body. *Shape* `[n_nodes_of_body]`.
     #[must_use]
     pub fn of(&self, body: &Body) -> &'a [Vec3] {
-        let first = self.kinds[body.kind as usize].first_slope;
+        let first = self.classes[body.class as usize].first_slope;
         &self.slopes[first..first + body.count as usize]
     }
 }

@@ -18,7 +18,7 @@ fn sums(run: &Run) -> (Vec3, Vec3, f64, f64) {
     let (deform, work) = run.view().deformables().unwrap();
     let (mut p, mut h, mut t, mut mass) = (Vec3::ZERO, Vec3::ZERO, 0.0, 0.0);
     for body in deform.living() {
-        let masses = work.kind(body).masses();
+        let masses = work.class(body).masses();
         for (n, m) in body.nodes().zip(masses) {
             let at = deform.nodes.place[n] + Vec3::from_array(deform.nodes.displacement[n]);
             let v = Vec3::from_array(deform.nodes.velocity[n]);
@@ -257,7 +257,7 @@ fn the_effort_of_a_cut_does_not_grow_with_the_model() {
         efforts
     };
     let small = effort([3, 3, 3]);
-    assert_eq!((small[0].kinds, small[1].kinds), (4, 4));
+    assert_eq!((small[0].classes, small[1].classes), (4, 4));
     // Four parts and six neighbours.
     assert_eq!(small[1].frequencies, 10);
     // At least one facet to each neighbour, and three between the parts.

@@ -127,7 +127,7 @@ fn put(
                 let n = (body.first + n) as usize;
                 deform.nodes.place[n] + Vec3::from_array(deform.nodes.displacement[n])
             };
-            let tets = &work.kind(body).mesh.tets;
+            let tets = &work.class(body).mesh.tets;
             star.put(tets, member.peak, place(body.count - 1), place);
         }
         None => {

@@ -42,7 +42,7 @@ impl Sides<'_> {
     /// Nodes of a tetrahedron of a deformable block.
     fn nodes(&self, body: u32, tet: u32) -> (u32, [u32; 4]) {
         let body = &self.deform.bodies[body as usize];
-        let tets = &self.work.kind(body).mesh.tets;
+        let tets = &self.work.class(body).mesh.tets;
         (body.first, tets[tet as usize])
     }
 
@@ -218,7 +218,7 @@ impl Contact {
                     shares[node as usize] += weight * spot.pressure / self.pressure;
                 }
             }
-            let masses = sides.work.kind(own).masses();
+            let masses = sides.work.class(own).masses();
             let parts = shares.iter().zip(masses).map(|(w, m)| w * w / m);
             sum += parts.sum::<f64>();
         }

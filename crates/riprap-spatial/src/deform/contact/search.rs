@@ -346,7 +346,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
     world.found.deformable.pairs = pairs;
     lay_out(world, work, desk, terrain);
     if deform.relax.is_some() {
-        let masses = relax::masses(deform, &work.kinds);
+        let masses = relax::masses(deform, &work.classes);
         let before = std::mem::replace(&mut work.fictitious, masses);
         weigh(deform, desk, &mut work.fictitious);
         if renewed && world.start_energy.is_some() && before.len() == work.fictitious.len() {
@@ -375,7 +375,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &Terra
     let mut blocks: Vec<u32> = ends.filter(|b| ground(*b).is_none()).collect();
     blocks.sort_unstable();
     blocks.dedup();
-    // Many blocks are of one kind: what follows from it is found once.
+    // Many blocks are of one class: what follows from it is found once.
     let mut bounds: BTreeMap<u32, f64> = BTreeMap::new();
     desk.members = blocks
         .iter()
@@ -476,31 +476,31 @@ fn member(
             own: 0.0,
         };
     };
-    let kind = work.kind(body);
-    let (areas, largest) = shown(kind);
-    let ratios = areas.iter().zip(kind.masses()).map(|(a, m)| a / m);
+    let class = work.class(body);
+    let (areas, largest) = shown(class);
+    let ratios = areas.iter().zip(class.masses()).map(|(a, m)| a / m);
     let ease = ratios.fold(0.0, f64::max);
     Member {
         block,
         body: Some(deform.slot[block as usize]),
         mesh: None,
-        peak: peak(&kind.mesh),
+        peak: peak(&class.mesh),
         largest,
         areas,
         ease,
         own: *bounds
-            .entry(body.kind)
-            .or_insert_with(|| own_frequency(kind)),
+            .entry(body.class)
+            .or_insert_with(|| own_frequency(class)),
     }
 }
 
 /// Area that each node stands for and that of the largest face, m².
-fn shown(kind: &BlockClass) -> (Vec<f64>, f64) {
-    let mut areas = vec![0.0; kind.mesh.nodes.len()];
+fn shown(class: &BlockClass) -> (Vec<f64>, f64) {
+    let mut areas = vec![0.0; class.mesh.nodes.len()];
     let mut largest = 0.0_f64;
-    for face in 0..kind.faces.len() {
+    for face in 0..class.faces.len() {
         let mut whole = 0.0;
-        for (node, area) in kind.mesh.tributary(face) {
+        for (node, area) in class.mesh.tributary(face) {
             areas[node as usize] += area;
             whole += area;
         }
@@ -510,9 +510,9 @@ fn shown(kind: &BlockClass) -> (Vec<f64>, f64) {
 }
 
 /// Bound of the square of the highest frequency of a block by itself (Gershgorin), 1/s².
-fn own_frequency(kind: &BlockClass) -> f64 {
-    let sums = crate::laws::tetrahedron::row_sums(&kind.mesh, &kind.law);
-    let ratios = sums.iter().zip(kind.masses()).map(|(sum, m)| sum / m);
+fn own_frequency(class: &BlockClass) -> f64 {
+    let sums = crate::laws::tetrahedron::row_sums(&class.mesh, &class.law);
+    let ratios = sums.iter().zip(class.masses()).map(|(sum, m)| sum / m);
     ratios.fold(0.0, f64::max)
 }
 

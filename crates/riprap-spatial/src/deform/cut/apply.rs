@@ -99,10 +99,10 @@ fn block(world: &mut World, cut: &Cut, number: usize) {
 fn body(world: &World, deform: &mut Deform, family: &Family, part: &Part) {
     let block = deform.slot.len() as u32;
     deform.slot.push(deform.bodies.len() as u32);
-    deform.kinds.push(block);
+    deform.classes.push(block);
     deform.bodies.push(Body {
         block,
-        kind: deform.kinds.len() as u32 - 1,
+        class: deform.classes.len() as u32 - 1,
         first: deform.nodes.len() as u32,
         count: part.mesh.nodes.len() as u32,
         alive: true,

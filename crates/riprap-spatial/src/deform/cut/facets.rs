@@ -352,7 +352,7 @@ impl Maker<'_> {
     /// Face of a body that has most of the nodes (numbers within the body, sorted).
     fn face(&self, body: &Body, nodes: &[u32]) -> usize {
         let has = |node: &u32| nodes.binary_search(node).is_ok();
-        let kind = self.work.kind(body);
+        let kind = self.work.class(body);
         let middle = (kind.mesh.nodes.len() - 1 - kind.faces.len()) as u32;
         let shared = |f: usize| {
             let own = kind.faces[f].iter().filter(|n| has(n)).count();
@@ -369,7 +369,7 @@ impl Maker<'_> {
     fn now(&self, body: &Body, face: usize) -> Vec<Piece> {
         let centre = self.deform.nodes.place[body.nodes().end - 1];
         let Some(k) = self.family(body.block) else {
-            let fan = self.work.kind(body).mesh.face_fan(face);
+            let fan = self.work.class(body).mesh.face_fan(face);
             let fan = moved(fan, centre, body.first);
             let block = body.block;
             return vec![Piece { block, face, fan }];

@@ -15,8 +15,8 @@ pub(super) struct Cut {
     pub(super) parts: Vec<Part>,
     /// Their shapes in the frame of the model.
     pub(super) shapes: Vec<Shape>,
-    /// Their kinds.
-    pub(super) kinds: Vec<BlockClass>,
+    /// Their classes.
+    pub(super) classes: Vec<BlockClass>,
     /// What they take over.
     pub(super) handed: Handed,
 }

@@ -19,7 +19,7 @@ pub(super) struct Pressed<'a> {
 
 impl<'a> Pressed<'a> {
     pub(super) fn new(deform: &Deform, work: &'a Workspace, body: &Body) -> Self {
-        let kind = work.kind(body);
+        let kind = work.class(body);
         let u = deform.displacement(body);
         let start = work.start_of(deform.slot[body.block as usize] as usize);
         let all = kind.groups.stresses(&kind.law, body.strain, start, u);

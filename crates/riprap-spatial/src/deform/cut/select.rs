@@ -100,7 +100,7 @@ impl Planner<'_> {
         // Velocities and time steps mean nothing while everything relaxes.
         let moving = deform.relax.is_none();
         let fast = |cut: &Cut| cut.handed.after.kinetic > KINETIC * cut.handed.before.kinetic;
-        if moving && (fast(&cut) || too_slow(world, work.kind(body), &cut, rules)) {
+        if moving && (fast(&cut) || too_slow(world, work.class(body), &cut, rules)) {
             return None;
         }
         Some(cut)
@@ -126,9 +126,9 @@ pub(super) fn cut(
     let shapes: Vec<Shape> = parts.iter().map(shape).collect();
     let material = world.setup.blocks[block as usize].material;
     // As they will be made from the shapes after a restart, to the last bit.
-    let kind = |shape| BlockClass::new(&world.setup, deform, (shape, material), false);
-    let kinds: Vec<BlockClass> = shapes.iter().map(kind).collect();
-    let handed = transfer::hand_on(deform, work, body, &parts, &kinds);
+    let class = |shape| BlockClass::new(&world.setup, deform, (shape, material), false);
+    let classes: Vec<BlockClass> = shapes.iter().map(class).collect();
+    let handed = transfer::hand_on(deform, work, body, &parts, &classes);
     for part in &mut parts {
         // Nobody asks for them any more, and there may be very many parts.
         part.mesh.gradients = Vec::new();
@@ -138,7 +138,7 @@ pub(super) fn cut(
         note,
         parts,
         shapes,
-        kinds,
+        classes,
         handed,
     }
 }
@@ -157,17 +157,17 @@ fn too_slow(world: &World, parent: &BlockClass, cut: &Cut, rules: &Rules) -> boo
         return false;
     };
     // Gershgorin's bound of the squared frequency, with a bond on every face.
-    let bound = |kind: &BlockClass| {
-        let mut rows = row_sums(&kind.mesh, &kind.law);
-        for face in 0..kind.faces.len() {
-            for (node, area) in kind.mesh.tributary(face) {
+    let bound = |class: &BlockClass| {
+        let mut rows = row_sums(&class.mesh, &class.law);
+        for face in 0..class.faces.len() {
+            for (node, area) in class.mesh.tributary(face) {
                 rows[node as usize] += 2.0 * area * across.max(along);
             }
         }
-        let terms = rows.iter().zip(kind.masses()).map(|(k, m)| k / m);
+        let terms = rows.iter().zip(class.masses()).map(|(k, m)| k / m);
         terms.fold(0.0, f64::max)
     };
-    let most = cut.kinds.iter().map(bound).fold(0.0, f64::max);
+    let most = cut.classes.iter().map(bound).fold(0.0, f64::max);
     rules.step_floor * rules.step_floor * most > bound(parent)
 }
 

@@ -23,15 +23,15 @@ pub(super) struct Handed {
     pub(super) after: Motion,
 }
 
-/// Finds what the parts (about the centroid of the block at the start), with their kinds, take over.
+/// Finds what the parts (about the centroid of the block at the start), with their classes, take over.
 pub(super) fn hand_on(
     deform: &Deform,
     work: &Workspace,
     body: &Body,
     parts: &[Part],
-    kinds: &[BlockClass],
+    classes: &[BlockClass],
 ) -> Handed {
-    let kind = work.kind(body);
+    let class = work.class(body);
     let (displacement, velocity) = (
         &deform.nodes.displacement[body.nodes()],
         &deform.nodes.velocity[body.nodes()],
@@ -40,13 +40,13 @@ pub(super) fn hand_on(
         let pairs = mesh.nodes.iter().zip(displacement);
         pairs.map(|(x, u)| *x + Vec3::from_array(*u)).collect()
     };
-    let before = transfer::motion(kind.masses(), &at(&kind.mesh, displacement), velocity);
+    let before = transfer::motion(class.masses(), &at(&class.mesh, displacement), velocity);
     let count = parts.iter().map(|p| p.mesh.nodes.len()).sum();
     let (mut u, mut v) = (Vec::with_capacity(count), Vec::with_capacity(count));
     let mut places = Vec::with_capacity(count);
     let mut masses = Vec::with_capacity(count);
-    let location = PointLocation::new(&kind.mesh);
-    for (part, own) in parts.iter().zip(kinds) {
+    let location = PointLocation::new(&class.mesh);
+    for (part, own) in parts.iter().zip(classes) {
         let first = u.len();
         for node in &part.mesh.nodes {
             let place = location.locate(*node);
@@ -62,7 +62,7 @@ pub(super) fn hand_on(
     let after = transfer::motion(&masses, &places, &v);
     let mut first = 0;
     let parent = Stressed::new(deform, work, body);
-    let starts = parts.iter().zip(kinds).map(|(part, own)| {
+    let starts = parts.iter().zip(classes).map(|(part, own)| {
         let nodes = first..first + part.mesh.nodes.len();
         first = nodes.end;
         parent.of(part, own, &u[nodes])
@@ -86,26 +86,26 @@ struct Stressed<'a> {
 
 impl<'a> Stressed<'a> {
     fn new(deform: &'a Deform, work: &'a Workspace, body: &'a Body) -> Self {
-        let kind = work.kind(body);
+        let class = work.class(body);
         let slot = deform.slot[body.block as usize] as usize;
         let u = deform.displacement(body);
         let start = work.start_of(slot);
-        let stresses = transfer::stresses(&kind.groups, &kind.law, body.strain, start, u);
+        let stresses = transfer::stresses(&class.groups, &class.law, body.strain, start, u);
         let own = deform.start.get(slot).map_or(0.0, |s| s.energy);
         let apart = match deform.start.get(slot).filter(|s| !s.stresses.is_empty()) {
-            Some(start) => held(&kind.groups, &kind.law, &start.stresses) - own,
+            Some(start) => held(&class.groups, &class.law, &start.stresses) - own,
             None => -own,
         };
         Self {
             body,
-            field: LinearStress::new(&kind.mesh, &stresses),
-            apart: apart / kind.mesh.volume(),
+            field: LinearStress::new(&class.mesh, &stresses),
+            apart: apart / class.mesh.volume(),
         }
     }
 
     /// Start stress with which a part with displacements `u` has this stress.
-    fn of(&self, part: &Part, kind: &BlockClass, u: &[[f64; 3]]) -> Start {
-        let (law, groups) = (&kind.law, &kind.groups);
+    fn of(&self, part: &Part, class: &BlockClass, u: &[[f64; 3]]) -> Start {
+        let (law, groups) = (&class.law, &class.groups);
         let wanted = self.field.means(&part.mesh);
         let start: StartStress =
             transfer::start_stresses(groups, law, self.body.strain, u, &wanted);

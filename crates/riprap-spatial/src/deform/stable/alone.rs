@@ -70,8 +70,8 @@ pub fn each(
 
 /// Square of the highest frequency of a body on its bonds, 1/s².
 fn highest(deform: &Deform, work: &Workspace, body: &Body, bonds: &[(u32, u8)]) -> f64 {
-    let kind = work.kind(body);
-    let mut matrix = Stiffness::new(&kind.mesh, &kind.law);
+    let class = work.class(body);
+    let mut matrix = Stiffness::new(&class.mesh, &class.law);
     for &(k, side) in bonds {
         let facet = &deform.facets[k as usize];
         let (here, there) = (usize::from(side), 1 - usize::from(side));
@@ -92,7 +92,7 @@ fn highest(deform: &Deform, work: &Workspace, body: &Body, bonds: &[(u32, u8)]) 
             matrix.add_spring(&nodes, &weights, facet.frame[0], springs);
         }
     }
-    let masses = kind.masses().iter();
+    let masses = class.masses().iter();
     let roots: Vec<f64> = masses.map(|m| 1.0 / m.sqrt()).collect();
     matrix.scale(&roots);
     let largest = Width::detect().run(
@@ -107,7 +107,7 @@ fn ease(deform: &Deform, work: &Workspace, block: u32, anchor: &Anchor) -> f64 {
     let Some(body) = deform.body(block as usize) else {
         return 0.0;
     };
-    let masses = work.kind(body).masses();
+    let masses = work.class(body).masses();
     let pairs = anchor.nodes();
     pairs
         .filter(|(_, w)| *w != 0.0)
