@@ -21,6 +21,31 @@ pub use riprap_core::{accounts, dynamics, exec, lanes, laws, ledger, profile, rh
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};
 pub use riprap_planar as planar;
+/// Figures of runs.
+///
+/// # Examples
+///
+/// ```
+/// use std::path::Path;
+///
+/// use riprap::plot;
+/// use riprap::record::folder::Existing;
+/// use riprap::run::drive::Control;
+/// use riprap::run::job;
+/// use riprap::run::scene::Scene;
+///
+/// let path = Path::new("scenes/verify/planar/rest.toml");
+/// # let path = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+/// # let results = tempfile::tempdir()?;
+/// # let results = results.path();
+/// let scene = Scene::load(path, &[])?;
+/// let job = scene.prepare(&scene.plain())?.job();
+/// let folder = results.join("rest.run");
+/// job::run(job, &folder, Existing::Refuse, 1, &mut |_| Control::Continue)?;
+/// let written = plot::energy(&folder, &results.join("energy.svg"))?;
+/// assert!(written.iter().all(|file| file.exists()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[cfg(feature = "plot")]
 pub use riprap_plot as plot;
 pub use riprap_record as record;

@@ -21,6 +21,20 @@ pub const SAFETY: f64 = 0.2;
 pub const SAFETY_IN_SPACE: f64 = 0.5;
 
 /// Everything the loop needs besides the model itself.
+///
+/// # Examples
+///
+/// ```
+/// use riprap::plan::{Every, Phase, Plan};
+///
+/// let plan = Plan {
+///     title: "settle, then shake".to_owned(),
+///     phases: vec![Phase::settle("settle", 1e-5), Phase::dynamic("shake", 2.0)],
+///     frames: Some(Every::Time(0.1)),
+///     ..Plan::default()
+/// };
+/// assert_eq!(plan.phases[0].until.unbalanced, Some(1e-5));
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Plan {
     /// Title of the scenario.

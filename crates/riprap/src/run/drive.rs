@@ -209,6 +209,44 @@ impl Drive {
     ///
     /// # Errors
     /// The disk.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap::run::drive::{Control, Drive, Pause};
+    /// use riprap::run::simulation::Simulation;
+    ///
+    /// let simulation = Simulation::from_toml(
+    ///     r#"
+    ///     riprap = 1
+    ///     title = "a stone falls"
+    ///     [space.planar]
+    ///     gravity = ["0 m/s2", "-10 m/s2"]
+    ///     [materials.rock]
+    ///     density = "2500 kg/m3"
+    ///     [interfaces.default]
+    ///     normal_stiffness = "1 GPa/m"
+    ///     friction_angle = "30 deg"
+    ///     [[blocks]]
+    ///     name = "stone"
+    ///     material = "rock"
+    ///     rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "5 m"] }
+    ///     [[phases]]
+    ///     name = "fall"
+    ///     until = { time = "1 s" }
+    ///     "#,
+    /// )?;
+    /// let mut drive = Drive::new(simulation, None, Vec::new())?;
+    /// let halfway = Pause { time: Some(0.5), ..Pause::NEVER };
+    /// assert!(drive.advance(halfway, &mut |_| Control::Continue)?.is_none());
+    /// assert!((drive.simulation().time() - 0.5).abs() < drive.simulation().dt());
+    /// let ending = drive.advance(Pause::NEVER, &mut |look| {
+    ///     println!("step {}", look.progress.step);
+    ///     Control::Continue
+    /// })?;
+    /// assert!(ending.is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn advance(
         &mut self,
         pause: Pause,

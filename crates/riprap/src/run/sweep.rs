@@ -52,6 +52,27 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 
 /// Runs all cases into sub-folders of `folder`, `jobs` at a time, and hands each row to `report` in
 /// the order of the cases.
+///
+/// # Examples
+///
+/// ```
+/// use std::path::Path;
+///
+/// use riprap::record::folder::Existing;
+/// use riprap::run::scene::Scene;
+/// use riprap::run::sweep::{sweep, tally};
+///
+/// let path = Path::new("scenes/verify/planar/a5_stop.toml");
+/// # let path = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+/// # let results = tempfile::tempdir()?;
+/// # let results = results.path();
+/// let scene = Scene::load(path, &[])?;
+/// let mut rows = Vec::new();
+/// sweep(&scene, results, Existing::Refuse, 2, &|| false, |row| rows.push(row));
+/// assert_eq!(rows.len(), scene.cases.len());
+/// assert_eq!(tally(&rows).failed, 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn sweep(
     scene: &Scene,
     folder: &Path,

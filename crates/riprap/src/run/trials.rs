@@ -105,6 +105,25 @@ impl Found {
 ///
 /// # Errors
 /// Scenes without `[bisect]`, ends that behave the same, a key whose values cannot be used.
+///
+/// # Examples
+///
+/// The friction at which a slope begins to slide: the factor of safety of its angle.
+///
+/// ```
+/// use std::path::Path;
+///
+/// use riprap::run::scene::Scene;
+/// use riprap::run::trials::search;
+///
+/// let path = Path::new("scenes/verify/planar/g1_plane_failure.toml");
+/// # let path = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+/// let scene = Scene::load(path, &[])?;
+/// let mut trials = 0;
+/// let found = search(&scene, &scene.plain(), 1, &|| false, &mut |_| {}, &mut |_| trials += 1)?;
+/// assert!(trials > 3 && (found.holds_at - found.fails_at).abs() < 0.01 * found.limit());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn search(
     scene: &Scene,
     case: &Case,

@@ -87,6 +87,20 @@ type Item = Result<(Scene, Case), String>;
 
 /// Runs every case of `scenes` on `jobs` threads and hands the results to `report`, scene by scene
 /// and case by case in the order of the files. `stop` is asked about ten times a second.
+///
+/// # Examples
+///
+/// ```
+/// use std::path::Path;
+///
+/// use riprap::run::verify::{scenes_under, verify};
+///
+/// let path = Path::new("scenes/verify/planar/rest.toml");
+/// # let path = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+/// let tally = verify(&scenes_under(path)?, false, 1, &|| false, |result| println!("{}", result.words));
+/// assert!(tally.passed > 0 && tally.failed == 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn verify(
     scenes: &[PathBuf],
     strict: bool,
