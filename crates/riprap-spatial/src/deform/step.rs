@@ -74,13 +74,11 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         return Ok(());
     };
     let felt = Felt {
-        masses: &work.masses,
-        fictitious: &work.fictitious,
+        masses: [&work.masses, &work.fictitious],
         dashpots: &work.dashpots,
         pushes: &scratch.pushes,
-        damping: scratch.damping,
-        width: scratch.width,
     };
+    let way = (scratch.damping, scratch.width);
     let context = Context {
         deform,
         classes: &work.classes,
@@ -88,7 +86,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         start_forces: &work.start_forces,
         links: &work.links,
         slots: &work.slots,
-        kick: felt.kick(world, deform, dt),
+        kick: felt.kick(world, deform, way, dt),
     };
     let partial = &mut work.partial;
     let piece = Piece {
@@ -121,12 +119,10 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
 
 /// What nodes feel in a kick besides their state.
 struct Felt<'a> {
-    masses: &'a [f64],
-    fictitious: &'a [f64],
+    /// Masses and fictitious ones, kg.
+    masses: [&'a [f64]; 2],
     dashpots: &'a [Dashpot],
     pushes: &'a Pushes,
-    damping: Damping,
-    width: Width,
 }
 
 /// The kick of the nodes for a step of `dt` (s).
@@ -137,20 +133,25 @@ pub(crate) fn kick<'a>(
     scratch: &'a Scratch,
     dt: f64,
 ) -> Kick<'a> {
+    let (masses, dashpots) = ([&work.masses[..], &work.fictitious], &work.dashpots[..]);
+    let pushes = &scratch.pushes;
     let felt = Felt {
-        masses: &work.masses,
-        fictitious: &work.fictitious,
-        dashpots: &work.dashpots,
-        pushes: &scratch.pushes,
-        damping: scratch.damping,
-        width: scratch.width,
+        masses,
+        dashpots,
+        pushes,
     };
-    felt.kick(world, deform, dt)
+    felt.kick(world, deform, (scratch.damping, scratch.width), dt)
 }
 
 impl<'a> Felt<'a> {
-    fn kick(self, world: &World, deform: &'a Deform, dt: f64) -> Kick<'a> {
-        let mut damping = self.damping;
+    fn kick(
+        self,
+        world: &World,
+        deform: &'a Deform,
+        (mut damping, width): (Damping, Width),
+        dt: f64,
+    ) -> Kick<'a> {
+        let [masses, fictitious] = self.masses;
         let mut drive = (world.time + 0.5 * dt, 1.0);
         if let Some(relax) = &deform.relax {
             damping.mass = relax.damping;
@@ -164,17 +165,17 @@ impl<'a> Felt<'a> {
             span: 0.5 * (world.last_dt + dt),
             drive,
             velocity: &deform.nodes.velocity,
-            masses: self.masses,
-            inertias: match self.fictitious.is_empty() {
-                true => self.masses,
-                false => self.fictitious,
+            masses,
+            inertias: match fictitious.is_empty() {
+                true => masses,
+                false => fictitious,
             },
             loads: &self.pushes.loads.nodes,
             pushes: &self.pushes.own.nodes,
             holds: &deform.holds,
             places: (&deform.nodes.place, world.setup.origin),
             dashpots: self.dashpots,
-            width: self.width,
+            width,
         }
     }
 }
