@@ -233,7 +233,11 @@ fn expected_text(f: &Forecast, before: f64) -> String {
     text.push_str(&format!(
         "  expected   {} at {} steps/s of CPU time (one thread, no records){}\n",
         steps_text(f),
-        grouped(f.steps_per_second as u64),
+        if f.steps_per_second < 10.0 {
+            ratio(f.steps_per_second)
+        } else {
+            grouped(f.steps_per_second as u64)
+        },
         if before >= NOTICED {
             format!(", {} before the first step", duration(before))
         } else {
