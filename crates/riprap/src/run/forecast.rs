@@ -18,8 +18,10 @@ use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use crate::setup::Setup;
 use crate::spatial::setup::{BoundaryKind, Shape};
 
-/// Most CPU time spent on the first trial steps, and on all where more than those are done; two steps are done in any case.
+/// Most CPU time spent on the first trial steps, and on all where more than those are done; four steps are done in any case.
 const TRIAL: [Duration; 2] = [Duration::from_millis(300), Duration::from_millis(100)];
+/// Steps that are not timed, where there are more.
+const WARM: u64 = 2;
 /// The first trial steps. Where the physics stops one of the first phase it is an error; what comes later is left to the run.
 const FIRST: u64 = 200;
 
@@ -419,21 +421,21 @@ struct Trial {
 }
 
 impl Trial {
-    /// Goes on as long as there is time, from a state that has been prepared; two steps at least. The first one is not timed where there
-    /// are more: it touches much memory for the first time, in a model of a million blocks eight times as long as the others.
+    /// Goes on as long as there is time, from a state that has been prepared; four steps at least. The first two are not timed where there
+    /// are more: they touch memory for the first time and are guarded more closely, in a model of a million blocks eight and two times as long as the others.
     fn of(simulation: &mut Simulation, stage: Stage) -> Result<Self, RunError> {
         let work = Work::begin();
         let (mut steps, mut end) = (0, None);
-        let mut first = Duration::ZERO;
+        let mut warm = Duration::ZERO;
         let mut stage = Ok(stage);
-        while steps < 2 || work.done() < TRIAL[usize::from(steps >= FIRST)] {
+        while steps < 2 * WARM || work.done() < TRIAL[usize::from(steps >= FIRST)] {
             stage = match stage {
                 Ok(Stage::Within) => {
                     simulation.step();
                     steps += 1;
                     let next = simulation.prepare();
-                    if steps == 1 {
-                        first = work.done();
+                    if steps == WARM {
+                        warm = work.done();
                     }
                     next
                 }
@@ -451,9 +453,10 @@ impl Trial {
                 Err(_) => break,
             };
         }
-        let (timed, time) = match steps {
-            0 | 1 => (1, work.done()),
-            _ => (steps - 1, work.done() - first),
+        let (timed, time) = if steps > WARM {
+            (steps - WARM, work.done() - warm)
+        } else {
+            (steps.max(1), work.done())
         };
         Ok(Self {
             rate: timed as f64 / time.as_secs_f64().max(1e-9),
