@@ -1,7 +1,5 @@
 //! Ready-made blocks: rectangle, regular polygon, wall, arch. All outlines anticlockwise.
 
-use riprap_keys::Words;
-
 use crate::error::demand;
 use crate::{GeomError, Vec2, tol};
 
@@ -31,16 +29,6 @@ pub fn unit(angle: f64) -> Vec2 {
     Vec2::new(libm::cos(angle), libm::sin(angle))
 }
 
-/// How rows of a wall stand on each other.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
-pub enum WallBond {
-    #[default]
-    /// Every second row is shifted by half a block.
-    Running,
-    /// Blocks stand exactly on each other.
-    Stack,
-}
-
 /// A wall of equal rectangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wall {
@@ -52,8 +40,8 @@ pub struct Wall {
     pub courses: usize,
     /// Whole blocks in the first course.
     pub per_course: usize,
-    /// How the courses lie.
-    pub bond: WallBond,
+    /// Whether every second course is shifted by half a block: a running bond. Else all vertical joints stand above each other.
+    pub running: bool,
     /// Running bond: even courses (second, fourth, ...) end in half blocks, so that the ends of the
     /// wall are straight; else they stick out by half a block to the right.
     pub half_blocks: bool,
@@ -111,7 +99,7 @@ pub fn wall(wall: &Wall) -> Result<Vec<Vec<Vec2>>, GeomError> {
             ]);
         };
         let end = 2 * wall.per_course;
-        let shifted = wall.bond == WallBond::Running && course % 2 == 1;
+        let shifted = wall.running && course % 2 == 1;
         if !shifted {
             (0..wall.per_course).for_each(|k| brick(2 * k, 2 * k + 2));
         } else if wall.half_blocks {
@@ -236,12 +224,12 @@ mod tests {
             block: Vec2::new(0.4, 0.2),
             courses: 5,
             per_course: 3,
-            bond: WallBond::Stack,
+            running: false,
             half_blocks: false,
         };
         assert_eq!(wall(&plain).unwrap().len(), 15);
         let ragged = Wall {
-            bond: WallBond::Running,
+            running: true,
             ..plain
         };
         assert_eq!(wall(&ragged).unwrap().len(), 15);

@@ -1,7 +1,6 @@
 //! Blocks and generators of blocks.
 
-use riprap_geom::shapes::WallBond;
-use riprap_keys::Keys;
+use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -267,6 +266,16 @@ pub struct Wall {
     /// Default false.
     #[serde(default)]
     pub half_blocks: bool,
+}
+
+/// How rows of a wall stand on each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
+pub enum WallBond {
+    #[default]
+    /// Every second row is shifted by half a block.
+    Running,
+    /// Blocks stand exactly on each other.
+    Stack,
 }
 
 /// A circular arch.

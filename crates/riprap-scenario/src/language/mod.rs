@@ -29,6 +29,7 @@ use serde::Deserialize;
 pub(crate) use blocks::MAX_BLOCKS;
 pub use blocks::{
     Arch, Block, Copies, Cut, Geometry, Polygon, Pour, Rectangle, Regular, Rotate, Voronoi, Wall,
+    WallBond,
 };
 pub use bolts::{Bolt, Dowel, Grout, Plate, Repeat, Steel};
 pub use checks::{Bisect, Check, Criterion, Reduce};

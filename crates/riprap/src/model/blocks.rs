@@ -11,7 +11,9 @@ use riprap_geom::{GeomError, Vec2};
 
 use super::builder::{Builder, global};
 use super::summary::Region;
-use crate::scenario::language::{Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi};
+use crate::scenario::language::{
+    Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
+};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Name, Span, csv_columns};
 
@@ -107,7 +109,7 @@ impl Builder<'_> {
                     block: Vec2::new(w.block[0].si(), w.block[1].si()),
                     courses: w.courses as usize,
                     per_course: w.per_course as usize,
-                    bond: w.bond.unwrap_or_default(),
+                    running: w.bond.unwrap_or_default() == WallBond::Running,
                     half_blocks: w.half_blocks,
                 };
                 self.made(block, shapes::wall(&wall))
