@@ -5,6 +5,8 @@ use crate::bench::{Bench, FALL, Said};
 const CORNER: &str =
     include_str!("../../../../scenes/verify/spatial-contact/b3_corner_impact.toml");
 
+const CROOKED: &str = include_str!("../../../../scenes/verify/spatial-deformable/crooked_cut.toml");
+
 const REST: &str = include_str!("../../../../scenes/verify/planar/rest.toml");
 
 const BUILT_IN: &str =
@@ -406,4 +408,16 @@ fn a_deformable_block_that_falls_is_told_beside_one_under_pressure() {
         "`roof` is 100 %",
     ]);
     assert!(!said.err.contains("in balance as a whole"), "{}", said.err);
+}
+
+#[test]
+fn parts_that_are_too_crooked_to_be_cut_again_are_told() {
+    let bench = Bench::new();
+    bench.file("a.toml", CROOKED.to_owned());
+    let said = bench.run(&["run", "a.toml", "--out", "a.run", "-q"]);
+    let said = said.expect(0);
+    said.warns(&[
+        "10 blocks meet the criterion of cutting and stay whole",
+        "`snap`",
+    ]);
 }

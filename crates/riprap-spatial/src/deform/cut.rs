@@ -116,6 +116,16 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     Ok(count)
 }
 
+/// Number of blocks that meet the criterion of cutting now and stay whole, because an earlier cut has left their faces crooked: their parts
+/// would have another mass.
+#[must_use]
+pub fn crooked(view: &View<'_>) -> usize {
+    let cutting = view
+        .deformables()
+        .and_then(|(deform, _)| deform.cutting.as_ref());
+    cutting.map_or(0, |cutting| select::crooked(view, &cutting.rules))
+}
+
 /// Cuts one block as told and evaluates anew, for tests and tools; returns its parts.
 ///
 /// # Errors
@@ -131,9 +141,6 @@ pub fn one(
         return Ok(Vec::new());
     };
     deform.given.get_or_insert(blocks);
-    let Some(parts) = select::divide(world, block, normal, planes, (0.03, 0.0), None) else {
-        return Ok(Vec::new());
-    };
     let note = Note {
         normal,
         mode: FractureMode::Tension,
@@ -144,6 +151,10 @@ pub fn one(
         return Ok(Vec::new());
     };
     let Some(body) = deform.body(block as usize) else {
+        return Ok(Vec::new());
+    };
+    let whole = (block, work.class(body).mesh.volume());
+    let Ok(parts) = select::divide(world, whole, normal, planes, (0.03, 0.0), None) else {
         return Ok(Vec::new());
     };
     let cut = select::cut(world, (deform, work), body, note, parts);
@@ -158,7 +169,16 @@ pub fn one(
 /// Does it all but the evaluation.
 fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
     let classes = world.deform.as_ref().map_or(0, |d| d.classes.len());
-    let made = edit(world, scratch, &cuts)?;
+    let whole = world.clone();
+    let made = match edit(world, scratch, &cuts) {
+        Ok(made) => made,
+        // A cut that fails half-way leaves the run as it was: it is told, saved and resumed from there.
+        Err(error) => {
+            *world = whole;
+            return Err(error);
+        }
+    };
+    drop(whole);
     scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.classes));
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
     else {

@@ -27,22 +27,11 @@ const ON_PLANE: f64 = 1e-2;
 
 /// Blocks whose criterion is met, in the order of their numbers, with their parts.
 pub(super) fn plan(view: &View<'_>, rules: &Rules) -> Vec<Cut> {
-    let Some((deform, work)) = view.deformables() else {
+    let Some(planner) = Planner::new(view, rules) else {
         return Vec::new();
     };
-    let world = view.world;
-    let tips = match rules.anchor {
-        Anchor::Spacing => None,
-        Anchor::Tip => Some(tip::Front::new(world, deform)),
-    };
-    let planner = Planner {
-        world,
-        deform,
-        work,
-        rules,
-        tips,
-    };
-    let found = view.scratch.exec.map(&deform.bodies, BODIES, |some| {
+    let bodies = &planner.deform.bodies;
+    let found = view.scratch.exec.map(bodies, BODIES, |some| {
         let living = some.iter().filter(|b| b.alive);
         living.filter_map(|b| planner.cut(b)).collect::<Vec<_>>()
     });
@@ -61,9 +50,36 @@ struct Planner<'a> {
     tips: Option<tip::Front>,
 }
 
-impl Planner<'_> {
-    /// The cut of a block whose criterion is met.
-    fn cut(&self, body: &Body) -> Option<Cut> {
+/// Blocks whose criterion is met and that stay whole because their faces are crooked ([`Uncut::Crooked`]).
+pub(super) fn crooked(view: &View<'_>, rules: &Rules) -> usize {
+    let Some(planner) = Planner::new(view, rules) else {
+        return 0;
+    };
+    let living = planner.deform.bodies.iter().filter(|b| b.alive);
+    let crooked = living.filter(|b| matches!(planner.divided(b), Some((_, Err(Uncut::Crooked)))));
+    crooked.count()
+}
+
+impl<'a> Planner<'a> {
+    /// `None` where nothing deforms.
+    fn new(view: &View<'a>, rules: &'a Rules) -> Option<Self> {
+        let (deform, work) = view.deformables()?;
+        let world = view.world;
+        let tips = match rules.anchor {
+            Anchor::Spacing => None,
+            Anchor::Tip => Some(tip::Front::new(world, deform)),
+        };
+        Some(Self {
+            world,
+            deform,
+            work,
+            rules,
+            tips,
+        })
+    }
+
+    /// What planes make of a block whose criterion is met, and why they are cut there.
+    fn divided(&self, body: &Body) -> Option<(Note, Result<Vec<Part>, Uncut>)> {
         let (world, deform, work, rules) = (self.world, self.deform, self.work, self.rules);
         let block = body.block;
         if generation(world, deform, block) >= rules.generations {
@@ -89,14 +105,26 @@ impl Planner<'_> {
         };
         let at = tip.map(|t| t.at);
         let limits = (rules.snap, rules.smallest);
-        let parts = divide(world, block, normal, planes, limits, at)
-            .filter(|made| tip.is_none_or(|tip| goes_on(world, block, normal, made, &tip)))?;
+        let volume = work.class(body).mesh.volume();
+        let parts = divide(world, (block, volume), normal, planes, limits, at);
+        if let (Ok(made), Some(tip)) = (&parts, &tip)
+            && !goes_on(world, block, normal, made, tip)
+        {
+            return None;
+        }
         let note = Note {
             normal,
             mode: verdict.mode,
             excess: verdict.excess,
         };
-        let cut = cut(world, (deform, work), body, note, parts);
+        Some((note, parts))
+    }
+
+    /// The cut of a block whose criterion is met.
+    fn cut(&self, body: &Body) -> Option<Cut> {
+        let (world, deform, work, rules) = (self.world, self.deform, self.work, self.rules);
+        let (note, parts) = self.divided(body)?;
+        let cut = cut(world, (deform, work), body, note, parts.ok()?);
         // Velocities and time steps mean nothing while everything relaxes.
         let moving = deform.relax.is_none();
         let fast = |cut: &Cut| cut.handed.after.kinetic > KINETIC * cut.handed.before.kinetic;
@@ -211,16 +239,23 @@ fn goes_on(world: &World, block: u32, normal: Vec3, parts: &[Part], tip: &Tip) -
     })
 }
 
-/// Parts of a block about its centroid; `at` (m, local) is the tip that a plane must go through. `None` where no plane
-/// can be cut, or a part would be too small.
+/// Why a block is not divided.
+pub(super) enum Uncut {
+    /// No plane can be cut, or a part would be too small.
+    Small,
+    /// An earlier cut has left its faces crooked: the parts together would not have its volume.
+    Crooked,
+}
+
+/// Parts of a block about its centroid; `volume` (m³) is that of its tetrahedra, `at` (m, local) the tip that a plane must go through.
 pub(super) fn divide(
     world: &World,
-    block: u32,
+    (block, volume): (u32, f64),
     normal: Vec3,
     planes: u32,
     (snap, smallest): (f64, f64),
     at: Option<Vec3>,
-) -> Option<Vec<Part>> {
+) -> Result<Vec<Part>, Uncut> {
     let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
     let at = at.map(|at| at - world.reference[block as usize]);
     let planes = match at {
@@ -231,19 +266,23 @@ pub(super) fn divide(
         snap,
         ..Limits::default()
     };
-    let made = cut::cut(&solid, normal, planes, &limits).ok()?;
-    if made.parts.len() < 2 {
-        return None;
-    }
-    if let Some(at) = at {
-        let height = normal.normalize().dot(at);
-        let near = |d: &f64| (d - height).abs() <= 1e-9 * solid.size();
-        made.offsets.iter().any(near).then_some(())?;
+    let made = cut::cut(&solid, normal, planes, &limits).map_err(|_| Uncut::Small)?;
+    let height = at.map(|at| normal.normalize().dot(at));
+    let near = |d: &f64| height.is_none_or(|h| (d - h).abs() <= 1e-9 * solid.size());
+    if made.parts.len() < 2 || !made.offsets.iter().any(near) {
+        return Err(Uncut::Small);
     }
     let volumes = made.parts.iter().map(|p| p.mesh.volume());
     let least = volumes.clone().fold(f64::INFINITY, f64::min);
-    let (total, whole) = (volumes.sum::<f64>(), solid.moments().volume);
-    let sound =
-        (total - whole).abs() <= SAME_VOLUME * whole && least >= smallest * smallest * smallest;
-    sound.then_some(made.parts)
+    if least < smallest * smallest * smallest {
+        return Err(Uncut::Small);
+    }
+    // Both: mass is that of the tetrahedra, and the shapes are what a restart begins with.
+    let total: f64 = volumes.sum();
+    let same = |whole: f64| (total - whole).abs() <= SAME_VOLUME * whole;
+    if same(solid.moments().volume) && same(volume) {
+        Ok(made.parts)
+    } else {
+        Err(Uncut::Crooked)
+    }
 }

@@ -85,6 +85,7 @@ impl Simulation {
             .chain(self.unbalanced_bolt())
             .chain(self.obtuse_joint())
             .chain(self.made_by_edits())
+            .chain(self.left_whole())
             .chain(self.shorter())
             .chain(self.open_surfaces())
             .chain(rough::crushed(&self.view()));
@@ -103,6 +104,17 @@ impl Simulation {
             View::Spatial(_) => made_by_edits(&self.view().balance()),
             View::Planar(_) => None,
         }
+    }
+
+    /// Deformable blocks that should be cut and cannot, in words.
+    fn left_whole(&self) -> Option<String> {
+        let left = crate::spatial::deform::cut::crooked(&self.view().spatial()?);
+        (left > 0).then(|| {
+            format!(
+                "{left} blocks meet the criterion of cutting and stay whole: an earlier cut has left their faces crooked, so that parts would have another \
+                 mass; a smaller `snap` makes fewer of them"
+            )
+        })
     }
 
     /// The joint in space that water seeps through least exactly, in words.
