@@ -413,7 +413,7 @@ fn a_deformable_block_that_falls_is_told_beside_one_under_pressure() {
 #[test]
 fn parts_that_are_too_crooked_to_be_cut_again_are_told() {
     let bench = Bench::new();
-    bench.file("a.toml", CROOKED.to_owned());
+    bench.file("a.toml", CROOKED);
     let said = bench.run(&["run", "a.toml", "--out", "a.run", "-q"]);
     let said = said.expect(0);
     said.warns(&[
