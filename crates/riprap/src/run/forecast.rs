@@ -368,6 +368,16 @@ fn total(plan: &Plan, step: impl Fn(&Phase) -> Option<f64>) -> Option<u64> {
     steps.map(|n| n as u64)
 }
 
+/// Corners of a shape; `None` for a brick, which needs none.
+fn corners(shape: &Shape) -> Option<usize> {
+    match shape {
+        Shape::Brick { .. } => None,
+        Shape::Polyhedron(solid) => Some(solid.vertices.len()),
+        Shape::Glued(parts) => Some(parts.iter().map(|part| part.vertices.len()).sum()),
+        Shape::Terrain(surface) => Some(surface.points.len()),
+    }
+}
+
 /// What of a model takes memory.
 fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook>) -> Parts {
     let setup = match setup {
@@ -386,23 +396,22 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
         deforms[*b as usize] = true;
     }
     let deformable = deforms.iter().filter(|deforms| **deforms).count();
-    let rigid = setup.blocks.iter().zip(&deforms).filter(|(_, d)| !**d);
-    let corners = rigid.filter_map(|(block, _)| match &block.shape {
-        Shape::Brick { .. } => None,
-        Shape::Polyhedron(solid) => Some(solid.vertices.len()),
-        Shape::Glued(parts) => Some(parts.iter().map(|part| part.vertices.len()).sum()),
-        Shape::Terrain(surface) => Some(surface.points.len()),
-    });
-    let corners: Vec<usize> = corners.collect();
+    let corners_of = |wanted: bool| {
+        let blocks = setup.blocks.iter().zip(&deforms);
+        let those = blocks.filter(move |(_, deforms)| **deforms == wanted);
+        those.filter_map(|(block, _)| corners(&block.shape))
+    };
+    let rigid: Vec<usize> = corners_of(false).collect();
     Parts {
         // With those that others were split into.
-        bricks: view.blocks().saturating_sub(deformable + corners.len()),
-        solids: corners.len(),
-        corners: corners.iter().sum(),
+        bricks: view.blocks().saturating_sub(deformable + rigid.len()),
+        solids: rigid.len(),
+        corners: rigid.iter().sum(),
         joints: contacts,
         meeting: found.map_or(0, |found| found.blocks),
         near: found.map_or(0, |found| found.pairs),
         deformable,
+        deformable_corners: corners_of(true).sum(),
         bonds: (view.spatial())
             .and_then(|v| v.world.deform.as_ref())
             .map_or(0, |deform| deform.facets.len()),
