@@ -1,52 +1,45 @@
 //! What a thread has computed: time that neither another load of the machine nor a clock that is set changes.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// CPU time of the present thread since [`Work::begin`]. Where the system has no clock for it (any but Unix), time that has passed.
+/// CPU time of the present thread since [`Work::begin`]; time that has passed where the system has no clock for it or refuses it.
 #[derive(Clone, Copy, Debug)]
 pub struct Work {
-    begun: Moment,
+    begun: Instant,
+    computed: Option<Duration>,
 }
 
 impl Work {
     /// Begins to count.
     #[must_use]
     pub fn begin() -> Self {
-        Self { begun: now() }
+        Self {
+            begun: Instant::now(),
+            computed: computed(),
+        }
     }
 
     /// What this thread has computed since. Of another thread than that which began it means nothing.
     #[must_use]
     pub fn done(&self) -> Duration {
-        since(self.begun)
+        match self.computed.zip(computed()) {
+            Some((before, now)) => now.saturating_sub(before),
+            None => self.begun.elapsed(),
+        }
     }
 }
 
+/// What this thread has computed so far.
 #[cfg(unix)]
-type Moment = Duration;
-#[cfg(not(unix))]
-type Moment = std::time::Instant;
-
-/// POSIX has had the clock since 2001; a system that refuses it has counted nothing, which the caller must bear with.
-#[cfg(unix)]
-fn now() -> Moment {
+fn computed() -> Option<Duration> {
     use nix::time::{ClockId, clock_gettime};
-    clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).map_or(Duration::ZERO, Duration::from)
-}
-
-#[cfg(unix)]
-fn since(begun: Moment) -> Duration {
-    now().saturating_sub(begun)
+    let now = clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID);
+    now.ok().map(Duration::from)
 }
 
 #[cfg(not(unix))]
-fn now() -> Moment {
-    std::time::Instant::now()
-}
-
-#[cfg(not(unix))]
-fn since(begun: Moment) -> Duration {
-    begun.elapsed()
+fn computed() -> Option<Duration> {
+    None
 }
 
 #[cfg(test)]
