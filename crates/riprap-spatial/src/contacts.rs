@@ -38,7 +38,8 @@ use crate::ledger::Works;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
-pub use outlook::{Meets, outlook, unjoined};
+pub(crate) use outlook::still;
+pub use outlook::{Meets, can_give_way, outlook, unjoined};
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.

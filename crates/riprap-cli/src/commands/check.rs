@@ -246,6 +246,10 @@ fn expected_text(f: &Forecast, before: f64) -> String {
     ));
     if f.apart {
         text.push_str("             as long as the blocks are apart; several times longer once they rest on each other\n");
+    } else if f.gives_way {
+        text.push_str(
+            "             as long as its joints hold; blocks that come loose take shorter steps, and more time for each\n",
+        );
     }
     text
 }
@@ -271,7 +275,9 @@ fn steps_text(f: &Forecast) -> String {
                 time(n)
             ),
             // Contacts that are not there yet are not in the stable step.
-            _ if f.apart => format!("at least {} steps, about {} and more", grouped(n), time(n)),
+            _ if f.apart || f.gives_way => {
+                format!("at least {} steps, about {} and more", grouped(n), time(n))
+            }
             Some(_) | None => format!("{} steps, about {}", grouped(n), time(n)),
         },
         (None, Some(n)) => format!(
@@ -285,15 +291,26 @@ fn steps_text(f: &Forecast) -> String {
 /// What blocks that can meet in space will be like.
 fn found_text(found: &Outlook) -> String {
     let [flat, corner] = found.pressed.map(|share| ratio(100.0 * share));
-    let (speed, block) = &found.stop_speed;
+    let (speed, height, block) = &found.stop_speed;
+    let steps = found.steps.map_or(String::new(), |[step, time]| {
+        format!(
+            "; steps of {} and more once they touch, {} a step in a heap",
+            si(step, "s"),
+            si(time, "s")
+        )
+    });
+    let blocks = match found.blocks {
+        1 => "1 block".to_owned(),
+        several => format!("{} blocks", grouped(several as u64)),
+    };
+    let fall = height.map_or(String::new(), |height| {
+        format!(", a fall of {},", si(height, "m"))
+    });
     format!(
-        "  meeting    {} blocks can meet others; {} pairs are near and {} touch at the start; steps of {} and more once they touch, {} a step in a heap\n             \
-         pressed in by {flat} % of their size under their own weight flat, {corner} % on a corner; a cube's corner that hits with {} without dashpots goes in too far (block {block})\n",
-        grouped(found.blocks as u64),
+        "  meeting    {blocks} can meet others; {} pairs are near and {} touch at the start{steps}\n             \
+         pressed in by {flat} % of their size under their own weight flat, {corner} % on a corner; a cube's corner that hits with {}{fall} without dashpots goes in too far (block {block})\n",
         grouped(found.pairs as u64),
         grouped(found.touching as u64),
-        si(found.step, "s"),
-        si(found.heap_step_time, "s"),
         si(*speed, "m/s"),
     )
 }

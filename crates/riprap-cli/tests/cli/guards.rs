@@ -275,6 +275,64 @@ fn no_block_passes_through_a_floor_in_silence() {
     }
 }
 
+/// A block that falls on terrain, and a deformable one that falls on a floor: each looked at only now and then, they could lie deep in
+/// it between two looks.
+#[test]
+fn no_block_sinks_into_the_ground_in_silence() {
+    let bench = Bench::new();
+    bench.file(
+        "ground.csv",
+        "x_m,y_m,z_m\n-4,-4,0\n4,-4,0\n-4,4,0\n4,4,0\n",
+    );
+    let head = "riprap = 1\ntitle = \"a fall\"\nspace.spatial.gravity = \"9.81 m/s2\"\n\
+        [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n";
+    let block = "[[blocks]]\nname = \"a\"\nmaterial = \"rock\"\nvelocity = [\"0 m/s\", \"0 m/s\", \"-20 m/s\"]\n\
+        brick = { size = [\"0.5 m\", \"0.5 m\", \"0.5 m\"], corner = [\"-0.2 m\", \"-0.2 m\", \"0.1 m\"] }\n";
+    let phase = "[[phases]]\nname = \"fall\"\nuntil.time = \"0.05 s\"\nmax_residual = 1.0\n\
+        [[outputs]]\nhistory = { name = \"d\", field = \"model.max_closing\", every = \"1 steps\" }\n";
+    let (mut fine, mut warned, mut stopped) = (0, 0, 0);
+    for stiffness in ["3 MPa/m", "10 MPa/m", "30 MPa/m", "100 MPa/m", "1 GPa/m"] {
+        let law = "damping_ratio = 0\nfriction_angle = \"30 deg\"";
+        let terrain = format!(
+            "{head}[interfaces.default]\n{law}\nnormal_stiffness = \"{stiffness}\"\n\
+             [[blocks]]\nname = \"ground\"\nmaterial = \"rock\"\nterrain.csv = \"ground.csv\"\n{block}{phase}"
+        );
+        let floor = format!(
+            "{head}[interfaces.default]\n{law}\nnormal_stiffness = \"{stiffness}\"\n\
+             [[blocks]]\nname = \"ground\"\nmaterial = \"rock\"\n\
+             brick = {{ size = [\"8 m\", \"8 m\", \"1 m\"], corner = [\"-4 m\", \"-4 m\", \"-1 m\"] }}\n\
+             {block}mechanics.deformable = {{ strain = \"total_lagrangian\" }}\n\
+             [[supports]]\non.block = \"ground\"\nfixed = {{}}\n{phase}"
+        );
+        for scene in [terrain, floor] {
+            bench.file("a.toml", scene);
+            let said = bench.run(&["run", "a.toml", "--out", "a.run", "-q", "--force"]);
+            let depth = bench.read("a.run/histories.csv");
+            let values = depth.lines().skip(1).filter_map(|line| {
+                let value = line.rsplit(',').next()?;
+                value.parse::<f64>().ok()
+            });
+            let deepest = values.fold(0.0, f64::max);
+            match said.code {
+                Some(0) if deepest > 0.4 => {
+                    assert!(said.err.contains("were pressed"), "{deepest} {said:?}");
+                    warned += 1;
+                }
+                Some(0) => fine += 1,
+                Some(1) => {
+                    assert!(said.err.contains("pass through"), "{said:?}");
+                    stopped += 1;
+                }
+                _ => panic!("{stiffness}: {said:?}"),
+            }
+        }
+    }
+    assert!(
+        fine > 1 && warned > 1 && stopped > 1,
+        "{fine} {warned} {stopped}"
+    );
+}
+
 /// A heavy block at rest, a light one that nothing holds, and a phase that ends when forces are balanced.
 fn pile(gravity: &str, velocity: &str, until: &str) -> (Bench, Said) {
     let heavy = "\n[materials.lead]\ndensity = \"2e7 kg/m3\"\n\n[[blocks]]\nname = \"pile\"\nmaterial = \"lead\"\n\

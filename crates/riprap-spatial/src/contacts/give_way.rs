@@ -5,7 +5,9 @@
 //! stays a patch, which is far cheaper. What hinges goes at once: the four points of a patch lie inside the face, and a block that rocks
 //! about two of them has its hinge there instead of at its edge (a cube would topple at 30 deg). A patch of which some points still hold
 //! is a hinge as long as its blocks stay nearly parallel; where they fold, the plane between them means nothing any more (at half a
-//! turn it is not even defined), so its last points fail and it goes.
+//! turn it is not even defined), so its last points fail and it goes. So does what a law lets slide by more than the faces are wide
+//! (`softening.slip` of a metre between bricks of half a metre): where the centre of one face has left the other, the points of the
+//! patch carry a block that hangs in the air.
 //!
 //! Shear and torsion go on as springs of the found contact. What the patch carries across its plane and the pressure of found
 //! contact are reconciled there ([`crate::found::offset`]). Differences in stored energy are booked with edits.
@@ -38,6 +40,10 @@ const HINGED: f64 = 2e-5;
 /// `Deviation:` of this program; no source says when a strength at points ends by rotation. At 0.3 rad a patch 0.1 m wide has opened by
 /// 30 mm at its far edge, far beyond what rock bears; what is left of its strength by then is an error of the points, not of the rock.
 const FOLDED: f64 = 0.3;
+/// Slip over the side of a patch along it at which its last points fail: the centre of one face has come to the edge of the other.
+///
+/// `Deviation:` of this program; softening laws are of joints that are long against their slip.
+const TORN: f64 = 0.5;
 
 /// Lets patches go that no longer describe where their blocks touch; every [`LOOK`] steps.
 pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
@@ -47,11 +53,11 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
     }
     let mut pairs = Vec::new();
     for p in 0..world.patches.len() {
-        let folds = is_folded(world, p);
-        if folds {
+        let ends = is_folded(world, p) || is_torn(world, p);
+        if ends {
             fail(world, scratch, p);
         }
-        if folds || (is_loose(world, p) && is_past(world, scratch, p)) {
+        if ends || (is_loose(world, p) && is_past(world, scratch, p)) {
             pairs.push(sorted(world.patches.ends[p]));
         }
     }
@@ -123,20 +129,49 @@ fn is_past(world: &World, scratch: &Scratch, p: usize) -> bool {
         turned: &world.turned,
     };
     let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
-    let [b, c] = gyration(world, p);
-    let side = 2.0 * 3.0f64.sqrt() * b.min(c);
+    let [b, c] = sides(world, p);
+    let side = b.min(c);
     let normal_offset = list.normal_offset.get(p).copied().unwrap_or_default();
     if (points.at.iter().zip(normal_offset))
         .all(|(at, normal_offset)| at[0] - normal_offset > OPEN * side)
     {
         return true;
     }
-    let slip = [1, 2].map(|k| 0.25 * points.at.iter().map(|at| at[k]).sum::<f64>());
+    let slip = mean_slip(&points);
     if slip[0] * slip[0] + slip[1] * slip[1] > (SLID * side) * (SLID * side) {
         return true;
     }
     let turned = turned(&poses, list.ends[p]);
     turned > TURNED || (turned > HINGED && hinges(world, scratch, p))
+}
+
+/// Sides of a patch along b and c, m.
+fn sides(world: &World, p: usize) -> [f64; 2] {
+    gyration(world, p).map(|radius| 2.0 * 3.0f64.sqrt() * radius)
+}
+
+/// Mean slip of the points of a patch along b and c, m.
+fn mean_slip(points: &patch::Points) -> [f64; 2] {
+    [1, 2].map(|k| 0.25 * points.at.iter().map(|at| at[k]).sum::<f64>())
+}
+
+/// Whether a patch that has not failed has slid so far that its faces hardly meet; only laws that change with slip let it.
+fn is_torn(world: &World, p: usize) -> bool {
+    let list = &world.patches;
+    let class = &world.classes[list.class[p] as usize];
+    let joint = patch::joint(&world.setup.interfaces, class);
+    if joint.is_plain() || joint.strength.is_none() || list.flags[p] & flag::BROKEN == flag::BROKEN
+    {
+        return false;
+    }
+    let poses = Poses {
+        bodies: &world.bodies,
+        turned: &world.turned,
+    };
+    let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
+    let slip = mean_slip(&points);
+    let sides = sides(world, p);
+    (0..2).any(|k| slip[k].abs() > TORN * sides[k])
 }
 
 /// Rotation of two blocks against each other, rad: exact where it is small, 0.3 rad less at half a turn.

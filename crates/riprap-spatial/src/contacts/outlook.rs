@@ -21,7 +21,7 @@ pub struct Meets {
     pub row: u16,
     /// Its normal stiffness, Pa/m.
     pub stiffness: f64,
-    /// Radius of the largest ball in the block, m.
+    /// Radius of the largest ball in the block, of a deformable one the distance of its centre from its surface, m.
     pub inradius: f64,
     /// Cube root of its volume, m.
     pub size: f64,
@@ -31,7 +31,7 @@ pub struct Meets {
     pub face: f64,
     /// Speed of its fastest point at present against blocks that are held, or where none is against the centre of mass of all, m/s.
     pub speed: f64,
-    /// Longest step once its largest face lies flat on something that cannot move, s.
+    /// Longest step once its largest face lies flat on something that cannot move, s; infinite where that is not known.
     pub step: f64,
 }
 
@@ -120,6 +120,25 @@ pub fn outlook(world: &World) -> Vec<Meets> {
         .collect()
 }
 
+/// Whether joints or bonds of the model can give way to contacts that are found anew, which take shorter steps, and more time each.
+#[must_use]
+pub fn can_give_way(world: &World) -> bool {
+    let setup = &world.setup;
+    let joints = setup.interfaces.iter().zip(joined(world));
+    let bonds = world.deform.iter().flat_map(|deform| &deform.facets);
+    setup.found_contacts
+        && (joints
+            .into_iter()
+            .any(|(row, joined)| joined && row.joint.strength.is_some())
+            || bonds
+                .map(|facet| &setup.interfaces[usize::from(facet.row)])
+                .any(|row| {
+                    row.bond
+                        .as_ref()
+                        .is_some_and(|bond| bond.strength.is_some())
+                }))
+}
+
 /// Interfaces that no joint of the model has, with what they say that joints alone read: `interfaces.NAME` and keys. None where
 /// splitting may yet make joints.
 #[must_use]
@@ -169,7 +188,7 @@ fn of_joints(law: &JointLaw) -> Vec<&'static str> {
 }
 
 /// Velocity that nobody is hit with: none where something is held, else that of the centre of mass, m/s.
-fn still(world: &World) -> Vec3 {
+pub(crate) fn still(world: &World) -> Vec3 {
     let (mut mass, mut momentum) = (0.0, Vec3::ZERO);
     for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
         if world.is_terrain(b) || world.motion[b].is_some() {

@@ -29,6 +29,8 @@ pub mod step;
 mod turn;
 mod workspace;
 
+pub use contact::outlook;
+
 use super::state::world::World;
 
 /// Lets `act` change the deformable blocks beside the rest of the world, in which they are missing meanwhile: for what lays out lists of both,

@@ -6,6 +6,7 @@ use riprap_geom::Vec3;
 
 use crate::boundary;
 use crate::contacts;
+use crate::found::desk::Deepest;
 use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
@@ -425,18 +426,17 @@ impl View<'_> {
         out
     }
 
-    /// Largest closing of a patch point over the distance of the centroids or of a found contact over the smaller inscribed
-    /// radius, with the blocks: how far rigid blocks have been pressed into each other.
+    /// Largest closing of a patch point over the distance of the centroids or of a found contact ([`Self::deepest_contact`]), with the
+    /// blocks: how far blocks have been pressed into each other.
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
-        let found = self.scratch.desk.deepest;
+        let found = self.deepest_contact();
         let found = found.map(|d| (d.ratio, d.ends[0], d.ends[1]));
         let both = self.worst_closing().into_iter().chain(found);
         both.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Largest closing of a patch point over the distance of the centroids or of a found contact of deformable blocks over theirs
-    /// from the surface, with the blocks.
+    /// Largest closing of a patch point over the distance of the centroids, with the blocks.
     #[must_use]
     pub fn worst_closing(&self) -> Option<(f64, u32, u32)> {
         let list = &self.world.patches;
@@ -447,20 +447,43 @@ impl View<'_> {
             Some((deepest / class.distance, list.ends[p]))
         };
         let patches = self.scratch.exec.largest(list.len(), one);
-        let patches = patches.map(|(ratio, [i, j])| (ratio, i, j));
-        let both = (patches.into_iter())
-            .chain(self.soft_overlaps())
-            .chain(self.terrain_overlaps());
-        both.max_by(|a, b| a.0.total_cmp(&b.0))
+        patches.map(|(ratio, [i, j])| (ratio, i, j))
     }
 
-    /// Depth of each found contact of deformable blocks over the smaller distance of the centres from the surface, with the blocks.
-    fn soft_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
+    /// The found contact that is deepest for its blocks: of rigid ones over the smaller inscribed radius, on terrain over that of
+    /// the block, of deformable ones over the smaller distance of their centres from the surface.
+    #[must_use]
+    pub fn deepest_contact(&self) -> Option<Deepest> {
+        let others = self.deformable_depths().chain(self.terrain_depths());
+        others.fold(self.scratch.desk.deepest, |deepest, other| {
+            Deepest::deeper(deepest, Some(other))
+        })
+    }
+
+    /// How deep each found contact of deformable blocks is.
+    fn deformable_depths(&self) -> impl Iterator<Item = Deepest> {
         let pairs = self.world.found.deformable.pairs.iter();
         pairs
             .zip(&self.scratch.deformable.constants)
             .filter(|(pair, _)| pair.depth > 0.0)
-            .map(|(pair, k)| (pair.depth / k.peak, pair.ends[0], pair.ends[1]))
+            .map(|(pair, k)| Deepest {
+                ends: pair.ends,
+                depth: pair.depth,
+                ratio: pair.depth / k.peak,
+            })
+    }
+
+    /// How deep each rigid block on terrain lies in it, facet by facet.
+    fn terrain_depths(&self) -> impl Iterator<Item = Deepest> {
+        let desk = &self.scratch.desk;
+        let blocks = self.world.found.terrain.iter().enumerate();
+        blocks.flat_map(move |(b, on)| {
+            on.facets.iter().map(move |facet| Deepest {
+                ends: [desk.terrain.blocks[facet.terrain()], b as u32],
+                depth: facet.depth,
+                ratio: facet.depth / desk.inradius(self.world.solid[b]),
+            })
+        })
     }
 
     /// Blocks that have gone over the rim of the terrain.
@@ -503,18 +526,5 @@ impl View<'_> {
         } else {
             f64::NAN
         }
-    }
-
-    /// Depth of each block in terrain over its inscribed radius, with both.
-    fn terrain_overlaps(&self) -> impl Iterator<Item = (f64, u32, u32)> {
-        let desk = &self.scratch.desk;
-        let blocks = self.world.found.terrain.iter().enumerate();
-        blocks.flat_map(move |(b, on)| {
-            let inradius = desk.inradius(self.world.solid[b]);
-            on.facets.iter().map(move |facet| {
-                let terrain = desk.terrain.blocks[facet.terrain()];
-                (facet.depth / inradius, terrain, b as u32)
-            })
-        })
     }
 }

@@ -193,23 +193,37 @@ impl Builder<'_> {
     /// Rows of the table that no pair of rigid blocks uses, or no pair with a deformable one.
     fn unused_of_interfaces(&mut self, deforms: &[bool]) {
         let n = self.spatial.materials.len();
-        let (mut rigid, mut deformable) = (vec![false; n], vec![false; n]);
-        for (block, deforms) in self.spatial.blocks.iter().zip(deforms) {
-            let of = if *deforms {
-                &mut deformable
+        let mut deformable = vec![false; n];
+        // How many rigid blocks there are, and whether any of them can be moved: two that are held mean nothing to each other.
+        let mut rigid = vec![(0, false); n];
+        let driven = self.wholly_driven();
+        for ((block, deforms), driven) in self.spatial.blocks.iter().zip(deforms).zip(driven) {
+            let material = usize::from(block.material);
+            if *deforms {
+                deformable[material] = true;
             } else {
-                &mut rigid
-            };
-            of[usize::from(block.material)] = true;
+                let (count, any_free) = &mut rigid[material];
+                *count += 1;
+                *any_free |= !driven;
+            }
         }
+        let of_two_rigid = |a: usize, b: usize| {
+            let (first, second) = (rigid[a], rigid[b]);
+            let enough = if a == b {
+                first.0 > 1
+            } else {
+                first.0 > 0 && second.0 > 0
+            };
+            enough && (first.1 || second.1)
+        };
         let rows = self.parsed.scenario.interfaces.iter().enumerate();
         for (row, (name, said)) in rows {
             let pairs = (0..n * n).filter(|&k| usize::from(self.spatial.pair_table[k]) == row);
             let pairs = pairs.map(|k| (k / n, k % n));
-            let of_rigid = pairs.clone().any(|(a, b)| rigid[a] && rigid[b]);
+            let of_rigid = pairs.clone().any(|(a, b)| of_two_rigid(a, b));
             let of_bonds = pairs
                 .clone()
-                .any(|(a, b)| deformable[a] && (deformable[b] || rigid[b]));
+                .any(|(a, b)| deformable[a] && (deformable[b] || rigid[b].0 > 0));
             let of = format!("interfaces.{name}");
             if of_bonds {
                 self.refuse_behaviour(&of, said);
@@ -224,7 +238,8 @@ impl Builder<'_> {
                 _ => true,
             };
             if of_bonds && !of_rigid && !(found && said.brittle_bond.is_none()) {
-                let help = "this interface has only bonds of deformable blocks, which `brittle_bond` describes";
+                let help = "this interface has no two rigid blocks of which one is free: bonds of deformable blocks, and their contacts where they \
+                            meet anew, are described by `brittle_bond`";
                 let keys: Vec<Given> = joint_keys(said).into_iter().filter(unread).collect();
                 self.no_effect(&of, &keys, &name.span, help);
                 for phase in &self.parsed.scenario.phases {
@@ -274,6 +289,20 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
+    /// Whether each block in space is terrain, or has all its freedoms prescribed by one support.
+    fn wholly_driven(&self) -> Vec<bool> {
+        let blocks = self.spatial.blocks.iter();
+        let mut driven: Vec<bool> = blocks.map(|block| block.shape.is_terrain()).collect();
+        for support in &self.spatial.supports {
+            if support.motion.prescribes() == [[true; 3]; 2] {
+                for &b in &support.blocks {
+                    driven[b as usize] = true;
+                }
+            }
+        }
+        driven
+    }
+
     /// Bonds of deformable blocks neither dilate nor know the laws of joints that change with slip and closure.
     fn refuse_behaviour(&mut self, of: &str, said: &Interface) {
         let dilates = said.dilation_angle.as_ref().filter(|a| a.si() > 0.0);

@@ -16,6 +16,7 @@ use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
 use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use crate::setup::Setup;
+use crate::spatial::contacts::can_give_way;
 use crate::spatial::setup::{BoundaryKind, Shape};
 
 /// Most CPU time spent on the first trial steps, and on all where more than those are done; four steps are done in any case.
@@ -74,6 +75,8 @@ pub struct Forecast {
     pub steps_per_second: f64,
     /// There are fewer contacts than half the blocks: once these meet, a step costs more than those timed.
     pub apart: bool,
+    /// Joints can give way: once blocks come loose, steps are shorter and cost more than those timed.
+    pub gives_way: bool,
     /// CPU time on one thread without records, s; absent if the number of steps is.
     pub cpu_time: Option<f64>,
     /// CPU time for joints, lists and the state before the first step, s; the blocks are there before.
@@ -148,9 +151,11 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let view = simulation.view();
     let fastest = view.fastest().filter(|(_, speed)| *speed > 0.0);
     let (blocks, contacts) = (view.blocks(), view.contacts());
+    let gives_way = view.spatial().is_some_and(|of| can_give_way(of.world));
     let found = meeting::outlook(&view);
     // Blocks that are apart have no stable step: what steps become once they touch is a better guess than none.
-    let touching = found.as_ref().map_or(f64::INFINITY, |found| found.step);
+    let touching = found.as_ref().and_then(|found| found.steps);
+    let touching = touching.map_or(f64::INFINITY, |[step, _]| step);
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let timed = stable.dt.is_finite() && !simulation.relaxes();
@@ -195,6 +200,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         iterations,
         steps_per_second: trial.rate,
         apart: 2 * contacts < blocks && trial.end.is_none(),
+        gives_way: gives_way && trial.end.is_none(),
         cpu_time: steps.map(|n| n as f64 / trial.rate),
         build_time,
         memory,
@@ -408,8 +414,8 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
         solids: rigid.len(),
         corners: rigid.iter().sum(),
         joints: contacts,
-        meeting: found.map_or(0, |found| found.blocks),
-        near: found.map_or(0, |found| found.pairs),
+        meeting: found.map_or(0, |found| found.rigid),
+        near: (view.spatial()).map_or(0, |v| v.world.found.pairs.len()),
         deformable,
         deformable_corners: corners_of(true).sum(),
         bonds: (view.spatial())

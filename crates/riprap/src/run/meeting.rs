@@ -7,7 +7,9 @@ use crate::plan::Plan;
 use crate::planar;
 use crate::scenario::diagnostic::list;
 use crate::spatial::contacts::{self, Meets};
+use crate::spatial::deform;
 use crate::spatial::found::limits;
+use crate::spatial::view::View as SpatialView;
 
 /// Depth under a block's own weight, over its size, from which contacts are too soft for it.
 const PRESSED: f64 = 0.01;
@@ -22,18 +24,20 @@ const PAIRS: f64 = 2.5;
 /// What `check` says of blocks that can meet in space.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Outlook {
-    /// Rigid blocks that can come together with others.
+    /// Blocks that can come together with others.
     pub blocks: usize,
+    /// Those of them that are rigid.
+    pub rigid: usize,
     /// Pairs of them near each other at the start.
     pub pairs: usize,
     /// Those that touch.
     pub touching: usize,
-    /// Shortest step once blocks touch, s.
-    pub step: f64,
-    /// Time a step takes on one thread once all blocks lie in a heap, s.
-    pub heap_step_time: f64,
-    /// Least speed at which a corner is pressed in as far as the run allows, m/s, and the block.
-    pub stop_speed: (f64, String),
+    /// Shortest step once rigid blocks touch, and the time that a step takes on one thread once all of them lie in a heap, s; none
+    /// where all that can meet deform.
+    pub steps: Option<[f64; 2]>,
+    /// Least speed at which a corner is pressed in as far as the run allows, m/s, the height that it is reached from in a fall, m (none
+    /// without gravity), and the block.
+    pub stop_speed: (f64, Option<f64>, String),
     /// Largest depth under a block's own weight over its size: flat and on a corner.
     pub pressed: [f64; 2],
 }
@@ -54,10 +58,11 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
 /// What a user must know of blocks that do not act on each other, or act otherwise than one would think.
 pub(super) fn words(view: &View<'_>) -> Vec<String> {
     let mut found: Vec<String> = off(view).into_iter().collect();
-    let world = match view {
+    let of = match view {
         View::Planar(of) => return unbonded(of.world),
-        View::Spatial(of) => of.world,
+        View::Spatial(of) => of,
     };
+    let world = of.world;
     for (name, keys) in contacts::unjoined(world) {
         let verb = if keys.len() == 1 { "has" } else { "have" };
         found.push(format!(
@@ -87,7 +92,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
             meeting.unread.join(", ")
         ));
     }
-    let blocks = contacts::outlook(world);
+    let blocks = meets(of);
     found.extend(soft(&view_name(view), world, &blocks));
     found
 }
@@ -139,8 +144,14 @@ fn soft(
     let mut found = Vec::new();
     let gravity = world.gravity.length();
     let key = |block: &Meets| {
-        let row = &world.setup.interfaces[usize::from(block.row)].name;
-        format!("interfaces.{row}.normal_stiffness")
+        let row = &world.setup.interfaces[usize::from(block.row)];
+        let of = &row.name;
+        match &row.bond {
+            Some(_) if world.deforms(block.block as usize) => {
+                format!("interfaces.{of}.brittle_bond.normal_stiffness")
+            }
+            _ => format!("interfaces.{of}.normal_stiffness"),
+        }
     };
     let most = |get: &dyn Fn(&Meets) -> f64| {
         let worst = blocks.iter().max_by(|a, b| get(a).total_cmp(&get(b)));
@@ -169,13 +180,21 @@ fn soft(
     found
 }
 
+/// All blocks that can meet others, rigid ones first.
+fn meets(of: &SpatialView<'_>) -> Vec<Meets> {
+    let mut blocks = contacts::outlook(of.world);
+    blocks.extend(deform::outlook(of));
+    blocks
+}
+
 /// What `check` says of blocks that can meet; `None` where none can.
 pub(super) fn outlook(view: &View<'_>) -> Option<Outlook> {
     let of = view.spatial()?;
-    let blocks = contacts::outlook(of.world);
+    let blocks = meets(&of);
     let least =
         |get: &dyn Fn(&Meets) -> f64| blocks.iter().min_by(|a, b| get(a).total_cmp(&get(b)));
     let stop = least(&Meets::stop_speed)?;
+    let speed = stop.stop_speed();
     let gravity = of.world.gravity.length();
     let most = |k: usize| {
         blocks
@@ -183,14 +202,23 @@ pub(super) fn outlook(view: &View<'_>) -> Option<Outlook> {
             .map(|b| b.pressed(gravity)[k])
             .fold(0.0, f64::max)
     };
-    let pairs = &of.world.found.pairs;
+    let rigid = blocks.iter().filter(|b| b.step.is_finite()).count();
+    let (pairs, deformable) = (&of.world.found.pairs, &of.world.found.deformable.pairs);
+    let touching = pairs.iter().filter(|pair| pair.depth > 0.0).count()
+        + deformable.iter().filter(|pair| pair.depth > 0.0).count();
     Some(Outlook {
         blocks: blocks.len(),
-        pairs: pairs.len(),
-        touching: pairs.iter().filter(|pair| pair.depth > 0.0).count(),
-        step: least(&|b| b.step)?.step,
-        heap_step_time: PAIRS * PAIR * blocks.len() as f64,
-        stop_speed: (stop.stop_speed(), view.name(stop.block)),
+        rigid,
+        pairs: pairs.len() + deformable.len(),
+        touching,
+        steps: least(&|b| b.step)
+            .filter(|_| rigid > 0)
+            .map(|block| [block.step, PAIRS * PAIR * rigid as f64]),
+        stop_speed: (
+            speed,
+            (gravity > 0.0).then(|| speed * speed / (2.0 * gravity)),
+            view.name(stop.block),
+        ),
         pressed: [most(0), most(1)],
     })
 }
@@ -255,7 +283,9 @@ mod tests {
         // The energy of a corner, (3 - sqrt 3)/8 kn d^4, at the radius of the largest ball.
         let stop = 0.25 * (2.0 * (3.0 - 3f64.sqrt()) / 8.0 * 1e8 / 2500.0).sqrt();
         assert!((found.stop_speed.0 - stop).abs() < 1e-9 * stop);
-        assert_eq!(found.stop_speed.1, "cube");
+        assert_eq!(found.stop_speed.2, "cube");
+        let height = stop * stop / 20.0;
+        assert!((found.stop_speed.1.unwrap() - height).abs() < 1e-9 * height);
         let corner = (25_000.0 / ((3.0 - 3f64.sqrt()) / 2.0 * 1e8)).cbrt();
         assert!((found.pressed[0] - 2.5e-4).abs() < 1e-15);
         assert!((found.pressed[1] - corner).abs() < 1e-12);

@@ -13,10 +13,12 @@
 mod act;
 mod law;
 mod limit;
+mod outlook;
 mod part;
 mod search;
 
 pub(crate) use act::{act, depart};
+pub use outlook::outlook;
 pub(crate) use part::part;
 pub(crate) use search::refresh;
 
@@ -54,7 +56,7 @@ fn between(
         Some(bond) => (
             super::build::stiffness(setup, bond, materials, rigid, depths)?,
             bond.strength.map_or(elastic, |s| s.residual_friction),
-            0.0,
+            bond.strength.map_or(0.0, |s| s.residual_cohesion),
         ),
         None => (
             stiffness(setup, row, materials, depths)?.0,

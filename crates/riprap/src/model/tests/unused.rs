@@ -146,6 +146,49 @@ fn keys_of_deformable_blocks_without_any() {
     );
 }
 
+/// A deformable block meets a rigid floor by what `brittle_bond` says: what the interface itself says of stiffness and strength is for
+/// two rigid blocks of which one is free.
+#[test]
+fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
+    let given = HEAD.replace(
+        "[interfaces.default.brittle_bond]",
+        "[interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\ncohesion = \"1 MPa\"\nresidual_cohesion = \"1 MPa\"\nrestitution = 0.5\n\
+         [interfaces.default.brittle_bond]",
+    );
+    let floor = |name: &str| {
+        format!(
+            "[[blocks]]\nname = \"{name}\"\nmaterial = \"rock\"\n\
+             brick = {{ size = [\"9 m\", \"9 m\", \"1 m\"], corner = [\"0 m\", \"0 m\", \"-2 m\"] }}\n"
+        )
+    };
+    let held = |fixed: &str| format!("[[supports]]\non.block = \"floor\"\nfixed = {{ {fixed} }}\n");
+    let scene = |floor: &str, held: &str, change: &str| {
+        format!("{given}{DEFORMABLE}{floor}{held}{}", phase(change))
+    };
+    let told = [
+        "`normal_stiffness`, `cohesion`, `residual_cohesion` of interfaces.default have no effect",
+        "`cohesion` of phases.p.interfaces.default has no effect",
+    ];
+    let change = "interfaces.default.cohesion = \"1 kPa\"";
+    let alone = scene(&floor("floor"), &held(""), change);
+    let of_interfaces = |scene: &str| -> Vec<String> {
+        let all = unused(scene).into_iter();
+        all.filter(|m| m.contains("interfaces.default")).collect()
+    };
+    assert_eq!(of_interfaces(&alone), told);
+    // A block that is held in part can be pushed by others.
+    let in_part = scene(
+        &format!(
+            "{}{}",
+            floor("floor"),
+            floor("other").replace("-2 m", "-5 m")
+        ),
+        &held("x = false"),
+        change,
+    );
+    assert_eq!(of_interfaces(&in_part), [""; 0]);
+}
+
 #[test]
 fn gravity_that_does_not_change_has_no_ramp() {
     let later = phase("gravity_ramp = \"1 ms\"").replace("\"p\"", "\"later\"");

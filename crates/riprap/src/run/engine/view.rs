@@ -347,12 +347,12 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The found contact in space that is deepest for its blocks.
+    /// The found contact in space that is deepest for its blocks, rigid, on terrain or deformable.
     #[must_use]
     pub fn deepest_contact(&self) -> Option<Deepest> {
         match self {
             Self::Planar(_) => None,
-            Self::Spatial(v) => v.scratch.desk.deepest,
+            Self::Spatial(v) => v.deepest_contact(),
         }
     }
 

@@ -43,7 +43,7 @@ pub struct Cursor {
 /// Two blocks that lay deep in each other.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Deep {
-    /// Depth over the smaller inscribed radius.
+    /// Depth over the smaller inscribed radius; of deformable blocks over the distance of the centre from the surface.
     pub ratio: f64,
     /// Depth, m.
     pub depth: f64,
@@ -61,7 +61,8 @@ impl std::fmt::Display for Deep {
         write!(
             f,
             "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the radius of the largest ball in the thinner one \
-             (step {}, t = {:.4e} s): the contact is soft for what presses; a larger `normal_stiffness` keeps them apart",
+             (step {}, t = {:.4e} s): the contact is soft for what presses; a larger `normal_stiffness` keeps them apart (where the \
+             materials have a `brittle_bond` and one block deforms: of that, or a smaller `thickness`)",
             self.depth,
             100.0 * self.ratio,
             self.step,

@@ -111,11 +111,12 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
-    /// Two blocks in space are about to come out on each other's far side.
+    /// Two blocks in space are about to come out on each other's far side, or one is about to be swallowed by terrain.
     #[error(
         "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), as far as the largest ball \
-         in the thinner one reaches: they would pass through each other. What can help: a larger `normal_stiffness` between their \
-         materials, or a look at why they meet so fast; {ruled_out}"
+         in the thinner one reaches: beyond that nothing holds them apart, and one would pass through the other. What can help: a larger \
+         `normal_stiffness` between their materials (where these have a `brittle_bond` and one block deforms: of that, or a smaller \
+         `thickness`), or a look at why they meet so fast; {ruled_out}"
     )]
     PassesThrough {
         /// One block.

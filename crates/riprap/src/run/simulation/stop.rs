@@ -42,6 +42,11 @@ fn due(step: u64, rhythm: u64, growth: u32) -> bool {
     step.is_multiple_of(rhythm) || (step < rhythm && early().any(|s| s == step))
 }
 
+/// What is no number of a block and `other`.
+fn how_deep(other: &str) -> String {
+    format!("how deep it and block `{other}` lie in each other")
+}
+
 impl Simulation {
     /// Why the present phase is over, if it is.
     pub(super) fn phase_over(&self, phase: &Rules) -> Option<Reason> {
@@ -131,6 +136,10 @@ impl Simulation {
         let Some(found) = self.view().deepest_contact() else {
             return Ok(());
         };
+        if !found.depth.is_finite() {
+            let [block, other] = found.ends;
+            return Err(self.not_finite(block, &how_deep(&self.view().name(other))));
+        }
         if limits::judge(found.ratio, 1.0) == Depth::TooDeep {
             return Err(self.too_deep(&found));
         }
@@ -180,8 +189,7 @@ impl Simulation {
             return Ok(());
         };
         if !ratio.is_finite() {
-            let deep = format!("how deep it and block `{}` lie in each other", view.name(j));
-            return Err(self.not_finite(i, &deep));
+            return Err(self.not_finite(i, &how_deep(&view.name(j))));
         }
         let given = step < LOOK && self.cursor.overlap_at_start > WORST_OVERLAP;
         if step > 0 && ratio > WORST_OVERLAP && !given {
