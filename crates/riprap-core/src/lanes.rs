@@ -131,6 +131,39 @@ impl Neg for Lanes {
     }
 }
 
+/// What arithmetic is written for once: a number, or one in each lane.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// A constant.
+    fn constant(x: f64) -> Self;
+    /// Square root.
+    #[must_use]
+    fn root(self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+impl Number for Lanes {
+    #[inline(always)]
+    fn constant(x: f64) -> Self {
+        Self::all(x)
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
 /// One vector per lane.
 pub type Vectors = [Lanes; 3];
 
@@ -162,24 +195,24 @@ pub fn write(v: &Vectors, list: &mut [[f64; 3]; LANES]) {
     }
 }
 
-/// Scalar product, lane by lane.
+/// Scalar product.
 #[inline(always)]
 #[must_use]
-pub fn dot(a: &Vectors, b: &Vectors) -> Lanes {
+pub fn dot<T: Number>(a: &[T; 3], b: &[T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// A vector of every lane, times a factor.
+/// A vector times a factor.
 #[inline(always)]
 #[must_use]
-pub fn scaled(factor: Lanes, v: &Vectors) -> Vectors {
+pub fn scaled<T: Number>(factor: T, v: &[T; 3]) -> [T; 3] {
     [factor * v[0], factor * v[1], factor * v[2]]
 }
 
-/// Cross product, lane by lane.
+/// Cross product.
 #[inline(always)]
 #[must_use]
-pub fn cross(a: &Vectors, b: &Vectors) -> Vectors {
+pub fn cross<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -187,17 +220,17 @@ pub fn cross(a: &Vectors, b: &Vectors) -> Vectors {
     ]
 }
 
-/// Sum, lane by lane.
+/// Sum.
 #[inline(always)]
 #[must_use]
-pub fn plus(a: &Vectors, b: &Vectors) -> Vectors {
+pub fn plus<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// Difference, lane by lane.
+/// Difference.
 #[inline(always)]
 #[must_use]
-pub fn minus(a: &Vectors, b: &Vectors) -> Vectors {
+pub fn minus<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 

@@ -14,7 +14,7 @@ use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::offset::{self, Offset};
-use super::surface::Sums;
+use super::sums::Sums;
 use crate::laws::mohr_coulomb::shear_limit;
 
 mod shared;

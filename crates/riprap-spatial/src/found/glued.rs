@@ -9,7 +9,8 @@ use riprap_geom::polyhedron::{GluedError, Polyhedron, glued};
 use riprap_geom::{Mat3, Vec3};
 
 use super::shape::{Body, Pose, Shape, ShapeError, turn};
-use super::surface::{Found, Pair, Sums, Walker};
+use super::sums::Sums;
+use super::surface::{Found, Pair, Walker};
 
 /// A sum of pressures of both signs that is below this share of them is what round-off leaves of nothing.
 pub(super) const CANCELLED: f64 = 1e-9;

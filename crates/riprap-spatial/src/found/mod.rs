@@ -6,7 +6,7 @@
 //! Only planes are needed: no overlap polyhedron is ever made.
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
-//! `piece` one piece (`octagon` the same in vector registers), `remnant` whether a face can have one, `surface` all of them and the sums over it, `friction` the forces that follow;
+//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `remnant` whether a face can have one, `sums` what pieces carry, `surface` all of them, `friction` the forces that follow;
 //! `glued` is a block of convex parts, `terrain` one on a height field; `search` and `grid` know which pairs can touch before the next look, and with which faces; `limits` how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
@@ -14,6 +14,7 @@
 
 pub mod cells;
 pub mod desk;
+pub mod frame;
 pub mod friction;
 pub mod glued;
 pub mod grid;
@@ -28,6 +29,7 @@ mod remnant;
 pub mod ridges;
 pub mod search;
 pub mod shape;
+pub mod sums;
 pub mod surface;
 pub mod terrain;
 pub mod tetra;
@@ -41,7 +43,8 @@ pub use peak::{Peak, peak};
 pub use planes::Planes;
 pub use search::{Blocks, Candidate, Candidates, Search};
 pub use shape::{Body, Pose, Shape, ShapeError, turn};
-pub use surface::{Found, Pair, Sums, Walker};
+pub use sums::Sums;
+pub use surface::{Found, Pair, Walker};
 pub use terrain::{Reached, Terrain, Under};
 
 #[cfg(test)]

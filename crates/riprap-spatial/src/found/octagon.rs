@@ -18,8 +18,12 @@ use std::arch::x86_64::{
     _mm512_sub_pd,
 };
 
-use super::piece::{BOUNDARY, Frame, OPEN, Polygon};
+use riprap_geom::Vec3;
+
+use super::frame::Frame;
+use super::piece::{BOUNDARY, OPEN, Polygon};
 use super::planes::Planes;
+use crate::lanes::Lanes;
 
 /// Lanes of a register.
 pub const LANES: usize = 8;
@@ -224,33 +228,69 @@ impl Default for Lines {
 
 impl Lines {
     /// Finds the lines of all planes less that of their block's own face; returns that of `f` itself. There are at most [`PLANES`].
+    ///
+    /// Eight planes at a time; what stands in the lists behind the last one is found with them, and cuts nothing.
     #[target_feature(enable = "avx512f,avx512dq")]
     #[inline]
     fn find(&mut self, planes: &Planes, frame: &Frame, [f, g]: [usize; 2]) -> [f64; 3] {
-        let n = planes.len();
-        let ([e, h], o) = (frame.axes, frame.foot);
-        let (x, y, z, d) = (
-            &planes.x[..n],
-            &planes.y[..n],
-            &planes.z[..n],
-            &planes.d[..n],
-        );
-        let (a, b, c) = (&mut self.a[..n], &mut self.b[..n], &mut self.c[..n]);
-        let line = |k: usize| {
-            [
-                (x[k] * e.x + y[k] * e.y) + z[k] * e.z,
-                (x[k] * h.x + y[k] * h.y) + z[k] * h.z,
-                d[k] - ((x[k] * o.x + y[k] * o.y) + z[k] * o.z),
-            ]
-        };
-        for (side, own) in [(0..planes.split, line(f)), (planes.split..n, line(g))] {
-            for k in side {
-                let [u, v, w] = line(k);
-                a[k] = u - own[0];
-                b[k] = v - own[1];
-                c[k] = w - own[2];
-            }
+        let own = [line(planes, frame, f), line(planes, frame, g)];
+        let [e, h, o] = [all(frame.axes[0]), all(frame.axes[1]), all(frame.foot)];
+        for from in (0..planes.len()).step_by(LANES) {
+            let normal = [
+                load(&planes.x, from),
+                load(&planes.y, from),
+                load(&planes.z, from),
+            ];
+            let of_first = planes.split.saturating_sub(from).min(LANES);
+            let of_second = !(((1_u32 << of_first) - 1) as u8);
+            let w = _mm512_sub_pd(load(&planes.d, from), dot(&normal, &o));
+            store(&mut self.a, from, less(dot(&normal, &e), own, 0, of_second));
+            store(&mut self.b, from, less(dot(&normal, &h), own, 1, of_second));
+            store(&mut self.c, from, less(w, own, 2, of_second));
         }
-        line(f)
+        own[0]
     }
+}
+
+/// The same vector in all lanes.
+#[target_feature(enable = "avx512f,avx512dq")]
+#[inline]
+fn all(v: Vec3) -> [__m512d; 3] {
+    [
+        _mm512_set1_pd(v.x),
+        _mm512_set1_pd(v.y),
+        _mm512_set1_pd(v.z),
+    ]
+}
+
+#[target_feature(enable = "avx512f,avx512dq")]
+#[inline]
+fn dot([x, y, z]: &[__m512d; 3], [a, b, c]: &[__m512d; 3]) -> __m512d {
+    let two = _mm512_add_pd(_mm512_mul_pd(*x, *a), _mm512_mul_pd(*y, *b));
+    _mm512_add_pd(two, _mm512_mul_pd(*z, *c))
+}
+
+/// Less entry `k` of the line of the face of the own block: of the second in lanes with a bit.
+#[target_feature(enable = "avx512f,avx512dq")]
+#[inline]
+fn less(x: __m512d, own: [[f64; 3]; 2], k: usize, of_second: u8) -> __m512d {
+    let [first, second] = [_mm512_set1_pd(own[0][k]), _mm512_set1_pd(own[1][k])];
+    _mm512_sub_pd(x, _mm512_mask_blend_pd(of_second, first, second))
+}
+
+#[inline(always)]
+fn store(list: &mut [f64; PLANES], from: usize, lanes: __m512d) {
+    list[from..from + LANES].copy_from_slice(&unpack(lanes));
+}
+
+#[inline(always)]
+fn load(list: &[f64], from: usize) -> __m512d {
+    pack(&Lanes::at(list, from).0)
+}
+
+/// Plane `k` in the coordinates of the frame: `u s + v t <= w`.
+#[inline(always)]
+fn line(planes: &Planes, frame: &Frame, k: usize) -> [f64; 3] {
+    let (n, [e, h]) = (planes.normal(k), frame.axes);
+    [n.dot(e), n.dot(h), planes.d[k] - n.dot(frame.foot)]
 }

@@ -1,4 +1,4 @@
-//! One plane piece of the surface of equal pressure: its polygon and the integrals over it.
+//! One plane piece of the surface of equal pressure: its polygon.
 //!
 //! Piece (f, g) lies where the depths below face f of A and below face g of B are equal, `(n_f - n_g) . x = d_f - d_g`. It is
 //! cut by `phi_f >= 0` and by `phi_f <= phi_k` for every other listed k of A, `phi_g <= phi_k` for every other listed k of B.
@@ -6,6 +6,7 @@
 
 use riprap_geom::Vec3;
 
+use super::frame::Frame;
 #[cfg(target_arch = "x86_64")]
 use super::octagon::{self, Lines};
 use super::planes::Planes;
@@ -15,63 +16,10 @@ use crate::lanes::Width;
 pub const OPEN: u16 = u16::MAX;
 /// Label of an edge on the boundary of the overlap, where the depth is 0: nothing lies beyond it.
 pub const BOUNDARY: u16 = u16::MAX - 1;
-/// Normals that differ by less are parallel: their faces share no piece.
-pub const PARALLEL: f64 = 2e-7;
 /// Half the side of the starting square over the radius of the smaller block; every piece lies within one radius of its centre.
 const SQUARE: f64 = 2.2;
 /// An edge whose line passes nearer by a point than this, times its length, makes no triangle with it.
 const THROUGH: f64 = 1e-14;
-/// A plane farther from the origin than this, times the radius of the smaller block, has no point in it.
-const OUT_OF_REACH: f64 = 1.0 + 1e-9;
-
-/// Plane of a piece with two axes in it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Frame {
-    /// Unit normal, from A to B.
-    pub normal: Vec3,
-    /// Foot of the origin on the plane, m.
-    pub foot: Vec3,
-    /// Axes in the plane.
-    pub axes: [Vec3; 2],
-}
-
-impl Frame {
-    /// The plane where the depths below planes `f` and `g` are equal; `None` for parallel ones and where it is out of `reach`.
-    #[must_use]
-    pub fn between(planes: &Planes, f: usize, g: usize, reach: f64) -> Option<Self> {
-        let difference = planes.normal(f) - planes.normal(g);
-        let squared = difference.length_squared();
-        if squared < PARALLEL * PARALLEL {
-            return None;
-        }
-        let length = squared.sqrt();
-        let normal = difference / length;
-        let height = (planes.d[f] - planes.d[g]) / length;
-        if height.abs() > OUT_OF_REACH * reach {
-            return None;
-        }
-        let size = normal.abs();
-        let axis = if size.x <= size.y && size.x <= size.z {
-            Vec3::X
-        } else if size.y <= size.z {
-            Vec3::Y
-        } else {
-            Vec3::Z
-        };
-        let first = axis.cross(normal).normalize();
-        Some(Self {
-            normal,
-            foot: height * normal,
-            axes: [first, normal.cross(first)],
-        })
-    }
-
-    /// Point with plane coordinates s, t, m.
-    #[must_use]
-    pub fn point(&self, s: f64, t: f64) -> Vec3 {
-        self.foot + s * self.axes[0] + t * self.axes[1]
-    }
-}
 
 /// A convex polygon in the plane of a piece. Edge `i` runs from corner `i` to the next one.
 ///
@@ -98,6 +46,18 @@ impl Polygon {
         self.label[..4].fill(OPEN);
     }
 
+    /// One with these corners (m), for tests.
+    #[cfg(test)]
+    pub fn of(corners: [[f64; 2]; 4], slope: [f64; 3]) -> Self {
+        let mut polygon = Self::default();
+        polygon.square(1.0);
+        for (k, [s, t]) in corners.into_iter().enumerate() {
+            (polygon.s[k], polygon.t[k]) = (s, t);
+        }
+        polygon.find_depths(slope);
+        polygon
+    }
+
     fn make_room(&mut self, corners: usize) {
         if self.s.len() < corners {
             self.s.resize(corners, 0.0);
@@ -105,6 +65,11 @@ impl Polygon {
             self.depth.resize(corners, 0.0);
             self.label.resize(corners, OPEN);
         }
+    }
+
+    /// Leaves nothing of it.
+    pub fn clear(&mut self) {
+        self.len = 0;
     }
 
     /// Number of corners.
@@ -192,8 +157,8 @@ impl Polygon {
 pub struct Cutter {
     /// The piece made last.
     pub polygon: Polygon,
-    /// Whether this machine has the instructions of `octagon` and they are to be used; no bit of a result depends on it.
-    wide: bool,
+    /// Instructions that may be used; no bit of a result depends on them.
+    width: Width,
     #[cfg(target_arch = "x86_64")]
     lines: Lines,
     spare: Polygon,
@@ -206,7 +171,13 @@ pub struct Cutter {
 impl Cutter {
     /// Uses no wider instructions than `width` from now on.
     pub fn limit_width(&mut self, width: Width) {
-        self.wide = width.is_eight();
+        self.width = width;
+    }
+
+    /// Instructions that may be used.
+    #[must_use]
+    pub fn width(&self) -> Width {
+        self.width
     }
 
     /// Makes piece (f, g) in the plane of `frame`; whether anything is left. `tied(k)` says that plane k does not cut.
@@ -219,7 +190,7 @@ impl Cutter {
         tied: impl Fn(usize) -> bool,
     ) -> bool {
         #[cfg(target_arch = "x86_64")]
-        if self.wide
+        if self.width.is_eight()
             && planes.len() <= octagon::PLANES
             && let Some(left) = self.make_wide(planes, frame, [f, g], radius, &tied)
         {
@@ -255,7 +226,7 @@ impl Cutter {
         tied: &impl Fn(usize) -> bool,
     ) -> Option<bool> {
         let spared = (0..planes.len()).fold(0, |bits, k| bits | u32::from(tied(k)) << k);
-        // Safety: `limit_width` has seen that the machine has these instructions.
+        // Safety: the caller has asked for a `Width` of eight, and there is none but where the machine has these instructions.
         unsafe {
             octagon::make(
                 &mut self.lines,
@@ -351,56 +322,6 @@ impl Cutter {
     }
 }
 
-/// Integrals over a piece, about the foot of its frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Integrals {
-    /// Of the depth, m³.
-    pub depth: f64,
-    /// Of depth times s and t, m⁴.
-    pub depth_first: [f64; 2],
-    /// Of depth times s² + t², m⁵.
-    pub depth_second: f64,
-    /// Area, m².
-    pub area: f64,
-    /// Of s and t, m³.
-    pub area_first: [f64; 2],
-    /// Of s², st and t², m⁴.
-    pub area_second: [f64; 3],
-}
-
-/// Integrals over a polygon with a depth that is linear in it: exact sums over a fan of triangles from corner 0.
-#[must_use]
-pub fn integrate(polygon: &Polygon) -> Integrals {
-    let mut sum = Integrals::default();
-    let n = polygon.len;
-    let (s, t, depth) = (&polygon.s[..n], &polygon.t[..n], &polygon.depth[..n]);
-    let corner = |i: usize| (s[i], t[i], depth[i]);
-    let (s0, t0, p0) = corner(0);
-    for i in 1..n - 1 {
-        let ((s1, t1, p1), (s2, t2, p2)) = (corner(i), corner(i + 1));
-        let twice = (s1 - s0) * (t2 - t0) - (s2 - s0) * (t1 - t0);
-        let (sp, ss, st) = (p0 + p1 + p2, s0 + s1 + s2, t0 + t1 + t2);
-        let sps = p0 * s0 + p1 * s1 + p2 * s2;
-        let spt = p0 * t0 + p1 * t1 + p2 * t2;
-        let (q0, q1, q2) = (s0 * s0 + t0 * t0, s1 * s1 + t1 * t1, s2 * s2 + t2 * t2);
-        let sq = q0 + q1 + q2;
-        let spq = p0 * q0 + p1 * q1 + p2 * q2;
-        let squares = ss * ss + st * st;
-        sum.depth += twice * sp / 6.0;
-        sum.depth_first[0] += twice * (sp * ss + sps) / 24.0;
-        sum.depth_first[1] += twice * (sp * st + spt) / 24.0;
-        sum.depth_second +=
-            twice * (sp * squares + 2.0 * (ss * sps + st * spt) + sp * sq + 2.0 * spq) / 120.0;
-        sum.area += 0.5 * twice;
-        sum.area_first[0] += twice * ss / 6.0;
-        sum.area_first[1] += twice * st / 6.0;
-        sum.area_second[0] += twice * (ss * ss + (s0 * s0 + s1 * s1 + s2 * s2)) / 24.0;
-        sum.area_second[1] += twice * (ss * st + (s0 * t0 + s1 * t1 + s2 * t2)) / 24.0;
-        sum.area_second[2] += twice * (st * st + (t0 * t0 + t1 * t1 + t2 * t2)) / 24.0;
-    }
-    sum
-}
-
 /// Mean distance of the pressure from the point `at` (plane coordinates), m: `int p |x - at| dS / int p dS`, exact.
 #[must_use]
 pub fn mean_radius(polygon: &Polygon, at: [f64; 2]) -> f64 {
@@ -454,31 +375,6 @@ pub fn lever(polygon: &Polygon, at: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Against Gauss points on a fine grid of the unit square: depth 1 + 2 s + 3 t.
-    #[test]
-    fn integrals_of_a_square() {
-        let polygon = Polygon {
-            len: 4,
-            s: vec![0.0, 1.0, 1.0, 0.0],
-            t: vec![0.0, 0.0, 1.0, 1.0],
-            depth: vec![1.0, 3.0, 6.0, 4.0],
-            label: vec![0; 4],
-            slope: [1.0, -2.0, -3.0],
-        };
-        let i = integrate(&polygon);
-        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} {b}");
-        near(i.area, 1.0);
-        near(i.area_first[0], 0.5);
-        near(i.area_second[0], 1.0 / 3.0);
-        near(i.area_second[1], 0.25);
-        near(i.area_second[2], 1.0 / 3.0);
-        near(i.depth, 3.5);
-        near(i.depth_first[0], 0.5 + 2.0 / 3.0 + 0.75);
-        near(i.depth_first[1], 0.5 + 0.5 + 1.0);
-        // int (1 + 2s + 3t)(s^2 + t^2): 2/3 + 2 (1/4 + 1/6) + 3 (1/6 + 1/4).
-        near(i.depth_second, 2.0 / 3.0 + 5.0 * 5.0 / 12.0);
-    }
 
     /// Under uniform pressure, rectangles 1:1, 2:1 and 10:1 over their radius of gyration.
     #[test]

@@ -3,12 +3,15 @@
 use riprap_geom::Vec3;
 
 use super::shape::Body;
+use crate::lanes::LANES;
 
 /// Planes `n . x <= d` of two blocks about one origin, as lists of components; those of the first block come first.
 ///
-/// The lists keep their room, so that filling them again takes no memory.
+/// The lists keep their room, so that filling them again takes no memory, and are longer than there are planes: those of a pair can be read
+/// in whole registers.
 #[derive(Clone, Debug, Default)]
 pub struct Planes {
+    len: usize,
     /// Unit outward normals, x.
     pub x: Vec<f64>,
     /// y.
@@ -24,21 +27,39 @@ pub struct Planes {
 impl Planes {
     /// Empties the lists.
     pub fn begin(&mut self) {
-        self.x.clear();
-        self.y.clear();
-        self.z.clear();
-        self.d.clear();
+        self.len = 0;
         self.split = 0;
     }
 
     /// Appends one face of a body.
+    #[inline]
     pub fn push(&mut self, body: &Body, face: u16, origin: Vec3) {
         let n = body.normals[face as usize];
-        self.x.push(n.x);
-        self.y.push(n.y);
-        self.z.push(n.z);
-        self.d
-            .push(body.shape.offsets[face as usize] + n.dot(body.position - origin));
+        let d = body.shape.offsets[face as usize] + n.dot(body.position - origin);
+        self.push_plane(n, d);
+    }
+
+    /// Appends the plane `n . x <= d`.
+    #[inline]
+    pub fn push_plane(&mut self, n: Vec3, d: f64) {
+        if self.d.len() < self.len + LANES {
+            self.make_room();
+        }
+        self.len += 1;
+        self.set(self.len - 1, n, d);
+    }
+
+    #[cold]
+    fn make_room(&mut self) {
+        for list in [&mut self.x, &mut self.y, &mut self.z, &mut self.d] {
+            list.resize(self.len + 3 * LANES, 0.0);
+        }
+    }
+
+    /// Changes plane `k`.
+    #[inline]
+    pub fn set(&mut self, k: usize, n: Vec3, d: f64) {
+        (self.x[k], self.y[k], self.z[k], self.d[k]) = (n.x, n.y, n.z, d);
     }
 
     /// The listed faces of both bodies.
@@ -66,13 +87,13 @@ impl Planes {
     /// Number of planes.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.d.len()
+        self.len
     }
 
     /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.d.is_empty()
+        self.len == 0
     }
 
     /// Normal of plane `k`.

@@ -18,9 +18,11 @@ impl Remnant {
         self.beyond.resize(planes * corners, 0.0);
     }
 
-    /// Says how far a corner lies beyond a plane, m.
-    pub fn set(&mut self, corner: usize, plane: usize, beyond: f64) {
-        self.beyond[corner * self.planes + plane] = beyond;
+    /// Says how far a corner lies beyond planes from `plane` on, m.
+    #[inline]
+    pub fn set(&mut self, corner: usize, plane: usize, beyond: &[f64]) {
+        let first = corner * self.planes + plane;
+        self.beyond[first..first + beyond.len()].copy_from_slice(beyond);
     }
 
     /// Whether anything lies inside all planes, each moved outward by `slack` (m).
@@ -65,7 +67,7 @@ mod tests {
             .enumerate()
         {
             for (plane, [a, b, c]) in planes.iter().enumerate() {
-                remnant.set(corner, plane, a * x + b * y - c);
+                remnant.set(corner, plane, &[a * x + b * y - c]);
             }
         }
         remnant.is_left(slack)

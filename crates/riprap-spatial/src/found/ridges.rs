@@ -16,7 +16,7 @@
 use riprap_geom::Vec3;
 
 use super::friction::{ContactLaw, Pressing, Question, Shared, Wrench, pressing, share};
-use super::surface::Sums;
+use super::sums::Sums;
 use super::terrain::OnFacet;
 
 /// Facets under one block that share dashpots; kept, so that a block takes no memory.

@@ -11,11 +11,14 @@
 
 use riprap_geom::Vec3;
 
+use super::frame::{Frame, Frames, PARALLEL};
 use super::peak::{Peak, peak};
-use super::piece::{self, BOUNDARY, Cutter, Frame, OPEN, PARALLEL, Polygon};
+use super::piece::{self, BOUNDARY, Cutter, OPEN, Polygon};
 use super::planes::{Planes, origin};
 use super::remnant::Remnant;
 use super::shape::Body;
+use super::sums::{Batch, Sums};
+use crate::lanes::{LANES, Lanes, dot, plus, same, scaled};
 
 /// Half the width of the band in which coplanar faces are tied, over the radius of the smaller block.
 const TIE_BAND: f64 = 1e-6;
@@ -26,91 +29,6 @@ const UNSURE: f64 = 1e-10;
 
 /// Overlaps thicker than this, times the radius of the largest ball inside the smaller block: all pairs of faces are looked at.
 const DEEP: f64 = 1.0;
-
-/// Sums over the surface of equal pressure, about the origin of the planes. Depths stand for pressures (p = 2 kn depth).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sums {
-    /// Integral of depth times normal (from A to B), m³.
-    pub force: Vec3,
-    /// Integral of x times (depth times normal), m⁴.
-    pub moment: Vec3,
-    /// Integral of the depth, m³.
-    pub weight: f64,
-    /// Integral of depth times x, m⁴.
-    pub weight_first: Vec3,
-    /// Integral of depth times |x|², m⁵.
-    pub weight_second: f64,
-    /// Area, m².
-    pub area: f64,
-    /// Integral of x, m³.
-    pub area_first: Vec3,
-    /// Integral of x xᵀ by columns, m⁴.
-    pub area_second: [Vec3; 3],
-    /// Integral of the normal, m².
-    pub vector_area: Vec3,
-    /// Twice the largest depth: how far the blocks lie in each other, m.
-    pub depth: f64,
-    /// Pieces that are not empty.
-    pub pieces: u32,
-    /// Pieces looked at.
-    pub tried: u32,
-    /// The piece with the largest weight: places of its faces in the lists.
-    pub hint: Option<[u16; 2]>,
-    /// Edges that no plane has made: the lists are wrong.
-    pub unlabelled: u32,
-}
-
-impl Sums {
-    /// Adds a share of a piece; its weight, m³.
-    pub(super) fn add(&mut self, polygon: &Polygon, frame: &Frame, share: f64) -> f64 {
-        let i = piece::integrate(polygon);
-        let (c, m, [e, h]) = (frame.foot, frame.normal, frame.axes);
-        let weight = share * i.depth;
-        let first = share * (c * i.depth + e * i.depth_first[0] + h * i.depth_first[1]);
-        self.pieces += 1;
-        self.force += weight * m;
-        self.moment += first.cross(m);
-        self.weight += weight;
-        self.weight_first += first;
-        self.weight_second += share * (c.length_squared() * i.depth + i.depth_second);
-        self.area += share * i.area;
-        self.area_first += share * (c * i.area + e * i.area_first[0] + h * i.area_first[1]);
-        let [ss, st, tt] = i.area_second;
-        let [a, b] = i.area_first;
-        // (c + e s + h t)(c + e s + h t)ᵀ, column by column of e and h.
-        let (along_e, along_h) = (c * a + e * ss + h * st, c * b + e * st + h * tt);
-        let along_c = c * i.area + e * a + h * b;
-        for (k, column) in self.area_second.iter_mut().enumerate() {
-            *column += share * (c[k] * along_c + e[k] * along_e + h[k] * along_h);
-        }
-        self.vector_area += share * i.area * m;
-        let deepest = polygon.depth().iter().copied();
-        self.depth = self.depth.max(2.0 * deepest.fold(0.0, f64::max));
-        weight
-    }
-
-    /// Adds other sums `sign` times, whose origin lies at `shift` (m) from this one. Depth and hint stay.
-    pub(super) fn plus(&mut self, other: &Self, sign: f64, shift: Vec3) {
-        let (w, first) = (sign * other.weight, sign * other.weight_first);
-        self.pieces += other.pieces;
-        self.tried += other.tried;
-        self.unlabelled += other.unlabelled;
-        self.force += sign * other.force;
-        self.moment += sign * (other.moment + shift.cross(other.force));
-        self.weight += w;
-        self.weight_first += first + w * shift;
-        self.weight_second +=
-            sign * other.weight_second + 2.0 * shift.dot(first) + w * shift.length_squared();
-        let (a, at) = (sign * other.area, sign * other.area_first);
-        self.area += a;
-        self.area_first += at + a * shift;
-        for (k, column) in self.area_second.iter_mut().enumerate() {
-            *column +=
-                sign * other.area_second[k] + at[k] * shift + shift[k] * at + a * shift[k] * shift;
-        }
-        self.vector_area += sign * other.vector_area;
-    }
-}
 
 /// What was found of a pair.
 #[expect(
@@ -162,6 +80,8 @@ pub struct Walker {
     /// Makes the pieces.
     pub cutter: Cutter,
     queue: Vec<[u16; 2]>,
+    /// `None` until it is needed: many walkers never walk.
+    batch: Option<Box<Batch>>,
     /// Stamp of the pair that last looked at piece (f, g), at `f * faces of B + g`.
     seen: Vec<u32>,
     stamp: u32,
@@ -272,9 +192,13 @@ impl Walker {
         self.enqueue(start);
         let mut next = 0;
         while next < self.queue.len() {
-            let piece = self.queue[next];
-            next += 1;
-            self.visit(piece);
+            let some = (self.queue.len() - next).min(LANES);
+            if some == 1 {
+                self.visit(self.queue[next]);
+            } else {
+                self.visit_side_by_side(next, some);
+            }
+            next += some;
         }
     }
 
@@ -296,13 +220,81 @@ impl Walker {
         }
     }
 
-    fn visit(&mut self, [f, g]: [u16; 2]) {
+    fn visit(&mut self, piece: [u16; 2]) {
         self.sums.tried += 1;
+        let [f, g] = self.numbers(piece);
+        if let Some(frame) = Frame::between(&self.planes, f, g, self.radius)
+            && let Some(share) = self.make(&frame, piece)
+        {
+            let weight = self.sums.add(&self.cutter.polygon, &frame, share);
+            if self.is_largest(weight, piece) {
+                self.largest.copy(&self.cutter.polygon);
+                self.largest_frame = frame;
+            }
+            self.queue_neighbours(piece);
+        }
+    }
+
+    /// Tries `some` pieces of the queue from `first` on. What they add is found for all of them at once, and added one after the other.
+    fn visit_side_by_side(&mut self, first: usize, some: usize) {
+        self.sums.tried += some as u32;
+        let mut numbers = [[0; 2]; LANES];
+        for (number, piece) in numbers.iter_mut().zip(&self.queue[first..first + some]) {
+            *number = self.numbers(*piece);
+        }
+        let width = self.cutter.width();
+        let (planes, reach) = (&self.planes, self.radius);
+        let mut batch = self.batch.take().unwrap_or_default();
+        batch.frames = width.run(
+            #[inline(always)]
+            || Frames::between(planes, &numbers[..some], reach),
+        );
+        batch.share = [0.0; LANES];
+        for polygon in &mut batch.polygons {
+            polygon.clear();
+        }
+        for lane in 0..some {
+            let piece = self.queue[first + lane];
+            if let Some(frame) = batch.frames.get(lane)
+                && let Some(share) = self.make(&frame, piece)
+            {
+                self.queue_neighbours(piece);
+                batch.share[lane] = share;
+                std::mem::swap(&mut batch.polygons[lane], &mut self.cutter.polygon);
+            }
+        }
+        width.run(
+            #[inline(always)]
+            || batch.integrate(),
+        );
+        for lane in 0..some {
+            let polygon = &batch.polygons[lane];
+            let Some(frame) = batch.frames.get(lane).filter(|_| !polygon.is_empty()) else {
+                continue;
+            };
+            let weight = if batch.fits(lane) {
+                batch.give(lane, &mut self.sums)
+            } else {
+                self.sums.add(polygon, &frame, batch.share[lane])
+            };
+            if self.is_largest(weight, self.queue[first + lane]) {
+                self.largest.copy(polygon);
+                self.largest_frame = frame;
+            }
+        }
+        self.batch = Some(batch);
+    }
+
+    /// Numbers of the planes of a piece, counted in the two lists.
+    fn numbers(&self, [f, g]: [u16; 2]) -> [usize; 2] {
+        [f as usize, g as usize + self.planes.split]
+    }
+
+    /// Makes the polygon of a piece; how much of it counts, `None` where nothing is left.
+    fn make(&mut self, frame: &Frame, piece: [u16; 2]) -> Option<f64> {
+        let [f, g] = piece;
         let split = self.planes.split;
-        let numbers = [f as usize, g as usize + split];
-        let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius) else {
-            return;
-        };
+        let numbers = self.numbers(piece);
         // The strip of f beside its twin g', and that of g beside its twin f'.
         let beside = |side: usize, face: u16| self.ties.iter().find(move |t| t.faces[side] == face);
         let (of_a, of_b) = (beside(0, f), beside(1, g));
@@ -313,27 +305,25 @@ impl Walker {
         let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
             * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
         let tied = |k: usize| twins.contains(&k);
-        if !self
+        let left = self
             .cutter
-            .make(&self.planes, &frame, numbers, self.radius, tied)
-        {
-            return;
+            .make(&self.planes, frame, numbers, self.radius, tied);
+        if left {
+            for number in numbers {
+                self.met[number] = true;
+            }
         }
-        self.met[numbers[0]] = true;
-        self.met[numbers[1]] = true;
-        self.add(&frame, [f, g], share);
-        self.queue_neighbours([f, g]);
+        left.then_some(share)
     }
 
-    fn add(&mut self, frame: &Frame, piece: [u16; 2], share: f64) {
-        let weight = self.sums.add(&self.cutter.polygon, frame, share);
-        let sums = &mut self.sums;
-        if sums.hint.is_none() || weight > self.largest_weight {
+    /// Notes the piece where it carries more than all before; whether it does.
+    fn is_largest(&mut self, weight: f64, piece: [u16; 2]) -> bool {
+        let more = self.sums.hint.is_none() || weight > self.largest_weight;
+        if more {
             self.largest_weight = weight;
-            sums.hint = Some(piece);
-            self.largest.copy(&self.cutter.polygon);
-            self.largest_frame = *frame;
+            self.sums.hint = Some(piece);
         }
+        more
     }
 
     /// Mean distance of the pressure on the largest piece of the pair evaluated last from a point (m from the origin of the
@@ -392,24 +382,14 @@ impl Walker {
         let place = k - side * self.planes.split;
         let body = pair.bodies[side];
         let shift = body.position - origin(pair.bodies[0], pair.bodies[1]);
-        let corners = body.shape.outline(pair.faces[side][place] as usize);
-        self.remnant.begin(others.len(), corners.len());
-        for (column, other) in others.enumerate() {
-            let normal = self.planes.normal(other);
-            // Turned back into the body once, instead of every corner into space.
-            let (own, room) = (
-                body.turn.transpose() * normal,
-                self.planes.d[other] - normal.dot(shift),
-            );
-            let mut beyond = true;
-            for (row, v) in corners.iter().enumerate() {
-                let height = own.dot(body.shape.vertices[*v as usize]) - room;
-                self.remnant.set(row, column, height);
-                beyond &= height >= 0.0;
-            }
-            if beyond {
-                return false;
-            }
+        let face = body.shape.outline(pair.faces[side][place] as usize);
+        let (planes, remnant, width) = (&self.planes, &mut self.remnant, self.cutter.width());
+        let crosses = width.run(
+            #[inline(always)]
+            || cut_face(planes, others, body, shift, face, remnant),
+        );
+        if !crosses {
+            return false;
         }
         // A face that is tied to one of the other block counts on either side of it.
         let slack = if pair.ties {
@@ -419,4 +399,45 @@ impl Walker {
         };
         self.remnant.is_left(slack)
     }
+}
+
+/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; whether no
+/// plane has all of them beyond it.
+#[inline(always)]
+fn cut_face(
+    planes: &Planes,
+    others: std::ops::Range<usize>,
+    body: &Body,
+    shift: Vec3,
+    face: &[u16],
+    remnant: &mut Remnant,
+) -> bool {
+    // Planes are turned back into the body once, instead of every corner into space: eight at a time.
+    let back = body.turn.transpose();
+    let axes = [back.x_axis, back.y_axis, back.z_axis].map(|axis| same(&axis.to_array()));
+    let shift = same(&shift.to_array());
+    remnant.begin(others.len(), face.len());
+    for column in (0..others.len()).step_by(LANES) {
+        let from = others.start + column;
+        let normal = [&planes.x, &planes.y, &planes.z].map(|list| Lanes::at(list, from));
+        let own = plus(
+            &plus(&scaled(normal[0], &axes[0]), &scaled(normal[1], &axes[1])),
+            &scaled(normal[2], &axes[2]),
+        );
+        let room = Lanes::at(&planes.d, from) - dot(&normal, &shift);
+        let there = (others.len() - column).min(LANES);
+        let mut beyond = [true; LANES];
+        for (row, v) in face.iter().enumerate() {
+            let corner = same(&body.shape.vertices[*v as usize].to_array());
+            let height = (dot(&own, &corner) - room).0;
+            remnant.set(row, column, &height[..there]);
+            for (beyond, height) in beyond.iter_mut().zip(height) {
+                *beyond &= height >= 0.0;
+            }
+        }
+        if beyond[..there].contains(&true) {
+            return false;
+        }
+    }
+    true
 }

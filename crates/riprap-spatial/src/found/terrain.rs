@@ -20,10 +20,11 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::height_field::{Bins, HeightField};
 
-use super::piece::{self, Cutter, Frame, Polygon};
+use super::frame::Frame;
+use super::piece::{self, Cutter, Polygon};
 use super::planes::Planes;
 use super::shape::Body;
-use super::surface::Sums;
+use super::sums::Sums;
 
 mod prisms;
 mod under;
@@ -226,10 +227,7 @@ impl Treader {
             &mut self.near,
         );
         self.planes.begin();
-        self.planes.x.push(0.0);
-        self.planes.y.push(0.0);
-        self.planes.z.push(0.0);
-        self.planes.d.push(0.0);
+        self.planes.push_plane(Vec3::ZERO, 0.0);
         self.planes.split = 1;
         for face in 0..body.shape.faces() {
             self.planes.push(body, face as u16, body.position);
@@ -308,9 +306,7 @@ impl Treader {
 
     /// The pieces of a triangle with all faces of the block that can be nearest there; `deepest` is the largest depth of a corner.
     fn tread(&mut self, cell: &Cell, corners: &[Vec3; 3], offset: f64, deepest: f64, body: &Body) {
-        let n = cell.slope;
-        (self.planes.x[0], self.planes.y[0], self.planes.z[0]) = (n.x, n.y, n.z);
-        self.planes.d[0] = offset;
+        self.planes.set(0, cell.slope, offset);
         // Where face g is nearest at the depth p <= deepest, its point below that place is no farther than p: it is no more than
         // that above the plane.
         let highest = deepest * cell.steepness * SLACK;

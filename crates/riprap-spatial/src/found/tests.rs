@@ -3,9 +3,11 @@
 use riprap_geom::polyhedron::hull;
 use riprap_geom::{Quat, Vec3};
 
+use super::frame::Frame;
 use super::kit::{Chance, KINDS, Kind, Placed, all_faces, overlapping};
-use super::piece::{Cutter, Frame, integrate};
+use super::piece::Cutter;
 use super::planes::{Planes, origin};
+use super::sums::integrate;
 use super::{Found, Pair, Pose, Shape, Sums, Walker};
 use crate::lanes::Width;
 

@@ -8,7 +8,7 @@ use riprap_geom::Vec3;
 use super::{OnFacet, Reached, Terrain, Treader};
 use crate::found::glued::{CANCELLED, Glued, Term};
 use crate::found::shape::{Body, Pose, turn};
-use crate::found::surface::Sums;
+use crate::found::sums::Sums;
 use crate::lanes::Width;
 
 /// Workspace for evaluating blocks one after the other; kept, so that a block takes no memory.
