@@ -1,11 +1,6 @@
 //! The `riprap` command: what the user typed goes to the library, what the library says goes to
 //! the screen. No mechanics and no decisions about scenes live here.
 
-#![allow(
-    dead_code,
-    reason = "the verbs that use the rest arrive with the engine"
-)]
-
 mod args;
 mod commands;
 mod concepts;

@@ -22,6 +22,7 @@ pub mod laws;
 pub mod ledger;
 pub mod profile;
 pub mod rhythm;
+pub mod sets;
 pub mod state_hash;
 pub mod sums;
 

@@ -78,19 +78,6 @@ pub fn shape(vertices: &[Vec2]) -> Shape {
     }
 }
 
-/// Smallest distance between two parallel lines that hold a convex outline between them, m.
-pub fn min_width(vertices: &[Vec2]) -> f64 {
-    let across = |(a, b): (Vec2, Vec2)| {
-        let normal = (b - a).perp().normalize_or_zero();
-        let heights = vertices.iter().map(|&v| (v - a).dot(normal).abs());
-        heights.fold(0.0, f64::max)
-    };
-    edges(vertices)
-        .filter(|(a, b)| a != b)
-        .map(across)
-        .fold(f64::INFINITY, f64::min)
-}
-
 /// Pole of inaccessibility of a simple outline: the centre of the largest circle inside, and its
 /// radius, to 1 % of the radius or 1e-6 of the size.
 ///
@@ -203,7 +190,6 @@ mod tests {
         let s = shape(&r);
         assert_eq!((s.shortest_edge, s.longest_edge), (1.0, 4.0));
         assert!((s.smallest_angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
-        assert!((min_width(&r) - 1.0).abs() < 1e-15);
         assert!((in_circle(&r).1 - 0.5).abs() < 0.006);
     }
 

@@ -188,10 +188,6 @@ pub fn force(
         let u = arm_j - arm_i - relative.shift;
         let (opening, shear) = (u.dot(normal), u.dot(tangent));
         let failed = point.failed || torn;
-        let rate = |x: Vec2| {
-            relative.velocity + relative.spin_i * x.perp()
-                - relative.spin_j * (x + relative.shift).perp()
-        };
         let x = arm_i + 0.5 * u;
         let (r, stored, parted) = match &general {
             None => {
@@ -199,7 +195,7 @@ pub fn force(
                 (r, None, 0.0)
             }
             Some(general) => {
-                let moved = elapsed * rate(x);
+                let moved = elapsed * relative.at(x);
                 let moved = [moved.dot(normal), moved.dot(tangent), 0.0];
                 let (r, loss) = general_point(general, [opening, shear], &moved, point, failed);
                 (r, Some(loss[0]), loss[1])
@@ -223,7 +219,7 @@ pub fn force(
                             + r.tau * r.tau / law.shear_stiffness)
                 }
             };
-            let rate = rate(x);
+            let rate = relative.at(x);
             let dash = |stiffness: f64| {
                 let k = stiffness * point.weight;
                 damping::dashpot(law.damping_ratio, k, bond.mass * point.weight / bond.length)

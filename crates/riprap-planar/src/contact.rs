@@ -81,7 +81,7 @@ impl Relative {
     }
 
     /// Velocity of i relative to j at a point `x` from i's centroid, m/s.
-    fn at(&self, x: Vec2) -> Vec2 {
+    pub fn at(&self, x: Vec2) -> Vec2 {
         self.velocity + self.spin_i * x.perp() - self.spin_j * (x + self.shift).perp()
     }
 

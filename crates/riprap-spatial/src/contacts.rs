@@ -5,6 +5,7 @@
 //! blocks with a joint that has failed at any of its points. Pairs that a patch joins are its business, and two blocks whose
 //! motion is prescribed never act on each other.
 
+use riprap_core::sets::Sets;
 use riprap_core::sums::GROUP;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
@@ -229,34 +230,16 @@ fn roles(world: &World) -> Vec<Role> {
 /// Blocks of the largest set that patches join, if it has at least two.
 fn largest_lattice(world: &World) -> Vec<usize> {
     let n = world.alive.len();
-    let mut root: Vec<u32> = (0..n as u32).collect();
-    fn find(root: &mut [u32], mut b: u32) -> u32 {
-        while root[b as usize] != b {
-            root[b as usize] = root[root[b as usize] as usize];
-            b = root[b as usize];
-        }
-        b
-    }
+    let mut sets = Sets::new(n);
     for ends in &world.patches.ends {
-        let [a, b] = ends.map(|b| find(&mut root, b));
-        root[a.max(b) as usize] = a.min(b);
+        sets.join(*ends);
     }
-    let mut count = vec![0u32; n];
-    for b in (0..n).filter(|b| world.alive[*b]) {
-        count[find(&mut root, b as u32) as usize] += 1;
+    match sets.largest(|b| world.alive[b]) {
+        Some((largest, members)) if members > 1 => (0..n)
+            .filter(|b| sets.leader(*b as u32) == largest)
+            .collect(),
+        _ => Vec::new(),
     }
-    let mut largest = 0;
-    for b in 0..n {
-        if count[b] > count[largest] {
-            largest = b;
-        }
-    }
-    if n == 0 || count[largest] < 2 {
-        return Vec::new();
-    }
-    (0..n)
-        .filter(|b| find(&mut root, *b as u32) as usize == largest)
-        .collect()
 }
 
 /// Looks at all that found contacts will ask of blocks and materials, so that nothing is missing in the middle of a run.

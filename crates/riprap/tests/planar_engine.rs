@@ -10,7 +10,7 @@ use riprap::exec::Exec;
 use riprap::planar::setup::{
     BlockSpec, ContactLaw, FrictionLaw, Interface, Motion, NormalLaw, Reflex, Setup, Support,
 };
-use riprap::planar::step::{Damping, Scratch, advance, evaluate};
+use riprap::planar::step::{Damping, evaluate};
 use riprap::planar::view::View;
 use riprap::planar::world::World;
 
@@ -60,78 +60,6 @@ fn setup(blocks: Vec<BlockSpec>, law: ContactLaw, fixed: &[u32]) -> Setup {
         }],
         ..Setup::default()
     }
-}
-
-/// Block 1.0 x 0.5 m on a 35 degree slope, long side down.
-fn incline(law: ContactLaw) -> Setup {
-    let (s, c) = 35f64.to_radians().sin_cos();
-    // x down the slope, y normal to it.
-    let at = |x: f64, y: f64| Vec2::new(c * x + s * y, -s * x + c * y);
-    let slope = [at(-2.0, -1.0), at(10.0, -1.0), at(10.0, 0.0), at(-2.0, 0.0)];
-    let rock = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 0.5), at(0.0, 0.5)];
-    setup(
-        vec![block("slope", &slope), block("rock", &rock)],
-        law,
-        &[0],
-    )
-}
-
-fn run(setup: Setup, dt: f64, time: f64) -> (World, Scratch) {
-    let (mut world, mut scratch) = World::new(setup, Exec::serial());
-    let steps = (time / dt).round() as u64;
-    let damping = Damping::default();
-    for _ in 0..steps {
-        evaluate(&mut world, &mut scratch, &damping, dt).unwrap();
-        if world.start_energy.is_none() {
-            let view = View {
-                world: &world,
-                scratch: &scratch,
-            };
-            world.start_energy = Some(view.balance().total());
-        }
-        advance(&mut world, &mut scratch, dt);
-    }
-    evaluate(&mut world, &mut scratch, &damping, dt).unwrap();
-    (world, scratch)
-}
-
-#[test]
-fn slides_down_the_incline() {
-    for (normal, phi, exact) in [
-        (NormalLaw::DistancePotential, 0.0, 6.452_735),
-        (NormalLaw::DistancePotential, 20.0, 3.098_582),
-        (NormalLaw::PenetrationPotential, 15.0, 3.983_460),
-    ] {
-        let (world, scratch) = run(incline(law(normal, phi)), 1e-5, 1.5);
-        let view = View {
-            world: &world,
-            scratch: &scratch,
-        };
-        let moved = view.displacement(1).length();
-        let balance = view.balance();
-        eprintln!(
-            "{normal:?} phi {phi}: {moved} ({:+.1e}), residual {:.2e} of {:?}",
-            moved / exact - 1.0,
-            balance.residual_relative(),
-            balance
-        );
-        assert!(
-            (moved / exact - 1.0).abs() < 1e-4,
-            "{moved} against {exact}"
-        );
-        assert!(balance.residual_relative().abs() < 1e-6);
-    }
-}
-
-#[test]
-fn one_degree_flatter_stands_still() {
-    let (world, scratch) = run(incline(law(NormalLaw::DistancePotential, 36.0)), 1e-5, 1.5);
-    let view = View {
-        world: &world,
-        scratch: &scratch,
-    };
-    eprintln!("creep {:e}", view.displacement(1).length());
-    assert!(view.displacement(1).length() < 1e-6);
 }
 
 /// Round-off decides whether the short sides of the overlap are found; the energy must not care.

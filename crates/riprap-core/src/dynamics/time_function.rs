@@ -177,12 +177,6 @@ impl TimeFunction {
             v: vec![1.0, 0.0],
         }
     }
-
-    /// Whether it is zero at all times as far as its form tells.
-    #[must_use]
-    pub fn is_zero(&self) -> bool {
-        matches!(self, Self::Constant(value) if *value == 0.0)
-    }
 }
 
 fn table_at(times: &[f64], values: &[f64], t: f64) -> f64 {

@@ -1,5 +1,7 @@
 //! Fragments: blocks that unbroken joints hold together.
 
+use crate::sets::Sets;
+
 /// Blocks joined to one another, directly or through others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fragment {
@@ -29,11 +31,9 @@ impl Fragments {
         joined: impl Iterator<Item = [u32; 2]>,
         planar: bool,
     ) -> Self {
-        let mut parent: Vec<u32> = (0..blocks.len() as u32).collect();
-        for [a, b] in joined {
-            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-            // The smaller number leads, so that the result does not depend on the order of the pairs.
-            parent[a.max(b) as usize] = a.min(b);
+        let mut sets = Sets::new(blocks.len());
+        for two in joined {
+            sets.join(two);
         }
         let mut place = vec![u32::MAX; blocks.len()];
         let mut list: Vec<Fragment> = Vec::new();
@@ -41,7 +41,7 @@ impl Fragments {
             let Some((size, centre)) = block else {
                 continue;
             };
-            let lead = root(&mut parent, b as u32) as usize;
+            let lead = sets.leader(b as u32) as usize;
             if place[lead] == u32::MAX {
                 place[lead] = list.len() as u32;
                 list.push(Fragment {
@@ -84,16 +84,6 @@ impl Fragments {
         }
         text
     }
-}
-
-/// Leader of a block's fragment; paths are halved on the way.
-fn root(parent: &mut [u32], mut block: u32) -> u32 {
-    while parent[block as usize] != block {
-        let above = parent[parent[block as usize] as usize];
-        parent[block as usize] = above;
-        block = above;
-    }
-    block
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 
+use riprap_core::sets::Sets;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::MAX_VERTICES;
 
@@ -168,20 +169,17 @@ fn parts(triangles: &Triangles) -> Result<Vec<Part>, FileError> {
         return Err(triangles.wrong(0, "there are no triangles".to_owned()));
     }
     let (points, rings) = joined(&triangles.corners);
-    let mut roots: Vec<u32> = (0..points.len() as u32).collect();
+    let mut sets = Sets::new(points.len());
     for ring in &rings {
         for k in 1..3 {
-            let (a, b) = (root(&mut roots, ring[0]), root(&mut roots, ring[k]));
-            roots[a.max(b) as usize] = a.min(b);
+            sets.join([ring[0], ring[k]]);
         }
     }
     // Triangles of each part; parts in the order of their first triangle.
     let mut order: BTreeMap<u32, usize> = BTreeMap::new();
     let mut lists: Vec<Vec<usize>> = Vec::new();
     for (triangle, ring) in rings.iter().enumerate() {
-        let part = *order
-            .entry(root(&mut roots, ring[0]))
-            .or_insert(lists.len());
+        let part = *order.entry(sets.leader(ring[0])).or_insert(lists.len());
         if part == lists.len() {
             lists.push(Vec::new());
         }
@@ -191,16 +189,6 @@ fn parts(triangles: &Triangles) -> Result<Vec<Part>, FileError> {
     lists
         .map(|(number, list)| part(triangles, &points, &rings, number, list))
         .collect()
-}
-
-/// Root of a point's tree; paths are halved on the way.
-fn root(roots: &mut [u32], mut at: u32) -> u32 {
-    while roots[at as usize] != at {
-        let up = roots[roots[at as usize] as usize];
-        roots[at as usize] = up;
-        at = up;
-    }
-    at
 }
 
 /// Different corners, and those of each triangle.

@@ -454,6 +454,26 @@ fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {
     }
 }
 
+/// Force of shear springs whose normal has turned from the first to the second, and the contact about it by `turning` (rad), with the mean
+/// spin of both blocks: as large as before.
+pub(crate) fn turned(shear: Vec3, [before, normal]: [Vec3; 2], turning: f64) -> Vec3 {
+    let length = shear.length();
+    let mut shear = shear + before.cross(normal).cross(shear);
+    shear += turning * normal.cross(shear);
+    shear -= shear.dot(normal) * normal;
+    let now = shear.length();
+    if now > 0.0 {
+        shear *= length / now;
+    }
+    shear
+}
+
+/// What is left of springs on an area: those of a part that has opened are gone; a part that has closed adds unloaded ones. (Scaling up as
+/// well would make energy.)
+pub(crate) fn shrunk(old: f64, new: f64) -> f64 {
+    if new < old { new / old } else { 1.0 }
+}
+
 /// Turns, shrinks and loads the shear springs and lets them slide.
 fn advance(
     law: &ContactLaw,
@@ -464,18 +484,8 @@ fn advance(
     q: &Question,
     limit: &mut Limit,
 ) {
-    // The normal has turned, and the contact about it with the mean spin of both blocks.
-    let length = memory.shear.length();
-    let mut shear = memory.shear + memory.normal.cross(c.normal).cross(memory.shear);
-    shear += turning * c.normal.cross(shear);
-    shear -= shear.dot(c.normal) * c.normal;
-    let now = shear.length();
-    if now > 0.0 {
-        shear *= length / now;
-    }
+    let shear = turned(memory.shear, [memory.normal, c.normal], turning);
     let torsion = memory.torsion;
-    // Springs of a part that has opened are gone; a part that has closed adds unloaded ones. (Scaling up as well would make energy.)
-    let shrunk = |old: f64, new: f64| if new < old { new / old } else { 1.0 };
     memory.shear =
         shear * shrunk(memory.area, c.area) - law.shear_stiffness * c.area * q.dt * v.along;
     memory.torsion =

@@ -20,8 +20,6 @@ const SHEAR: f64 = 0.5;
 const CORNER_DEPTH: f64 = 0.05;
 /// Energy of a cube's corner pressed in along its diagonal, over kn d⁴: (3 - sqrt 3)/8.
 const CORNER_ENERGY: f64 = 0.158_493_649_053_890_3;
-/// Share of the smaller inradius by which two blocks may approach in one step.
-const APPROACH: f64 = 0.1;
 /// Share of the smaller inradius from which a depth is worth a warning.
 const DEEP: f64 = 0.4;
 
@@ -85,13 +83,6 @@ pub fn judge(depth: f64, inradius: f64) -> Depth {
     } else {
         Depth::TooDeep
     }
-}
-
-/// Whether a block whose points go `way` (m) in a step could pass through one that it can touch: half the approach that is
-/// allowed, since the other may come towards it. `reach` is the smallest inradius of both ([`Candidates::reach`]), m.
-#[must_use]
-pub fn passes_through(way: f64, reach: f64) -> bool {
-    way > 0.5 * APPROACH * reach || way.is_nan()
 }
 
 /// How easily a block is moved.
@@ -310,13 +301,10 @@ mod tests {
     }
 
     #[test]
-    fn depths_and_ways_are_judged_by_the_inradius() {
+    fn depths_are_judged_by_the_inradius() {
         assert_eq!(judge(0.03, 0.1), Depth::Fine);
         assert_eq!(judge(0.05, 0.1), Depth::Deep);
         assert_eq!(judge(0.1, 0.1), Depth::TooDeep);
         assert_eq!(judge(f64::NAN, 0.1), Depth::TooDeep);
-        assert!(!passes_through(0.004, 0.1));
-        assert!(passes_through(0.006, 0.1));
-        assert!(passes_through(f64::NAN, 0.1));
     }
 }

@@ -332,7 +332,7 @@ fields! {
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).length());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
-    "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids, or of a found contact over the smaller inscribed radius: how far rigid blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids, or of a found contact over the smaller inscribed radius (of deformable blocks over the distance of the centre from the surface): how far blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
     "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
     "cavity.pressure" "Pa" Cavity Scalar false "Pressure in the cavity." |v, of| of_cavity(v, of, |c| c.pressure);
@@ -390,8 +390,8 @@ fields! {
     "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
-    "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches." |v, _| one(v.balance().contact_normal);
-    "energy.contact_shear" "J" Energy Scalar true "Elastic energy of the shear springs of patches." |v, _| one(v.balance().contact_shear);
+    "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches and of the pressure of found contacts." |v, _| one(v.balance().contact_normal);
+    "energy.contact_shear" "J" Energy Scalar true "Elastic energy of the shear springs of patches and of found contacts." |v, _| one(v.balance().contact_shear);
     "energy.joints" "J" Energy Scalar true "Elastic energy of the springs behind boundary faces." |v, _| one(v.balance().bond);
     "energy.loads" "J" Energy Scalar true "Work of external loads and tractions." |v, _| one(v.world.works.loads);
     "energy.supports" "J" Energy Scalar true "Work of supports with prescribed motion." |v, _| one(v.world.works.supports);

@@ -22,6 +22,5 @@ mod sector;
 mod sliding;
 mod solids;
 mod stability;
-mod statics;
 mod turning;
 mod waves;

@@ -13,6 +13,7 @@ use riprap_geom::Vec3;
 
 use crate::found::ContactLaw;
 use crate::found::cells::{Member, Spot};
+use crate::found::friction::{shrunk, turned};
 use crate::found::tetra::Piece;
 use crate::laws::mohr_coulomb::shear_limit;
 use crate::state::bodies::Bodies;
@@ -317,16 +318,7 @@ pub(super) fn respond(
 
 /// Turns the springs with the contact, lets go what has opened, and stretches them.
 fn take_on(law: &ContactLaw, c: &Contact, along: Vec3, dt: f64, memory: &mut DeformableMemory) {
-    let length = memory.shear.length();
-    let mut shear = memory.shear + memory.normal.cross(c.normal).cross(memory.shear);
-    shear += dt * c.twist[1] * c.normal.cross(shear);
-    shear -= shear.dot(c.normal) * c.normal;
-    let now = shear.length();
-    if now > 0.0 {
-        shear *= length / now;
-    }
-    // Springs of a part that has opened are gone; a part that has closed adds unloaded ones.
-    let shrunk = |old: f64, new: f64| if new < old { new / old } else { 1.0 };
+    let shear = turned(memory.shear, [memory.normal, c.normal], dt * c.twist[1]);
     memory.shear = shear * shrunk(memory.area, c.area) - law.shear_stiffness * c.area * dt * along;
     memory.torsion = memory.torsion * shrunk(memory.polar, c.polar)
         - law.shear_stiffness * c.polar * dt * c.twist[0];

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use riprap_core::sets::Sets;
 use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::{Mat3, Vec3};
 
@@ -82,11 +83,11 @@ fn roles(world: &World) -> Vec<Role> {
     let Some(deform) = world.deform.as_deref() else {
         return vec![Role::Absent; n];
     };
-    let mut root: Vec<u32> = (0..n as u32).collect();
+    let mut sets = Sets::new(n);
     let mut torn: Vec<[u32; 2]> = Vec::new();
     let patches = &world.patches;
     for (&ends, flags) in patches.ends.iter().zip(&patches.flags) {
-        join(&mut root, ends);
+        sets.join(ends);
         if flags & flag::BROKEN != 0 {
             torn.push(ends);
         }
@@ -96,7 +97,7 @@ fn roles(world: &World) -> Vec<Role> {
             torn.push(facet.blocks);
             continue;
         }
-        join(&mut root, facet.blocks);
+        sets.join(facet.blocks);
         let memory = &deform.memory[facet.points()];
         if *worn && memory.iter().any(|m| m.state.is_broken()) {
             torn.push(facet.blocks);
@@ -106,40 +107,20 @@ fn roles(world: &World) -> Vec<Role> {
     for b in torn.into_iter().flatten() {
         whole[b as usize] = false;
     }
-    let mut count = vec![0u32; n];
-    for b in (0..n).filter(|b| world.alive[*b]) {
-        count[find(&mut root, b as u32) as usize] += 1;
-    }
-    let mut largest = 0;
-    for b in 0..n {
-        if count[b] > count[largest] {
-            largest = b;
-        }
-    }
-    let lattice = n > 0 && count[largest] > 1;
+    let lattice = sets.largest(|b| world.alive[b]);
+    let lattice = lattice
+        .filter(|(_, members)| *members > 1)
+        .map(|(leader, _)| leader);
     let role = |b: usize| {
         if !world.alive[b] || world.is_terrain(b) {
             Role::Absent
-        } else if lattice && whole[b] && find(&mut root, b as u32) as usize == largest {
+        } else if whole[b] && lattice == Some(sets.leader(b as u32)) {
             Role::Target
         } else {
             Role::Seeker
         }
     };
     (0..n).map(role).collect()
-}
-
-fn find(root: &mut [u32], mut b: u32) -> u32 {
-    while root[b as usize] != b {
-        root[b as usize] = root[root[b as usize] as usize];
-        b = root[b as usize];
-    }
-    b
-}
-
-fn join(root: &mut [u32], ends: [u32; 2]) {
-    let [a, b] = ends.map(|b| find(root, b));
-    root[a.max(b) as usize] = a.min(b);
 }
 
 /// Whether a point of a block will have left the margin of its block by the end of the coming step.
