@@ -68,11 +68,12 @@ fn measure(root: &Path) -> Result<(), String> {
 
 /// Scenes on which `riprap run` is timed: name of the file, steps of its last phase in each of the [`SIZES`]: long enough
 /// for looks, records and checkpoints to come in their rhythm.
-const RUNS: [(&str, [u64; 3]); 4] = [
+const RUNS: [(&str, [u64; 3]); 5] = [
     ("wall", [20_000, 4_000, 600]),
     ("lattice", [20_000, 3_000, 300]),
     ("rubble", [2_000, 300, 100]),
     ("masonry", [2_000, 300, 100]),
+    ("blast_throw", [2_000, 300, 100]),
 ];
 
 /// Times the command itself: what it loses to everything outside the stages of a step.

@@ -281,6 +281,10 @@ fields! {
     "block.contacts" "-" Block Scalar true "Number of found contacts of the block that touch." |v, of| one(v.contacts_of(first(of)).count() as f64);
     "pair.force" "N" Pair Vector3 true "Sum of the forces of patches, bonds and the found contact of the second block on the first, without dashpots." |v, of| { let (a, b) = pair(of); between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum::<Vec3>() + v.facet_force((a, b)) + v.contact_between(a, b).map_or(Vec3::ZERO, |(_, force)| force) };
     "pair.overlap" "m" Pair Scalar true "How far two blocks lie in each other by their found contact; 0 when apart or joined." |v, of| { let (a, b) = pair(of); one(v.contact_between(a, b).map_or(0.0, |(c, _)| c.depth)) };
+    "pair.normal_force" "N" Pair Scalar true "Normal force of the found contacts, without dashpots, compression positive." |v, of| { let (a, b) = pair(of); one(v.pressed(a, b).0) };
+    "pair.shear_force" "N" Pair Scalar true "Magnitude of the shear force of the found contacts, without dashpots." |v, of| { let (a, b) = pair(of); one(v.pressed(a, b).1) };
+    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of the shear force over the normal force of the found contacts; 0 without contact." |v, of| { let (a, b) = pair(of); let (n, s, _) = v.pressed(a, b); one(if n > 0.0 { s / n } else { 0.0 }) };
+    "pair.sliding" "-" Pair Scalar true "1 where all found contacts between the two slide, else 0." |v, of| { let (a, b) = pair(of); one(f64::from(u8::from(v.pressed(a, b).2))) };
     "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of patches, facets and contacts between the two." |v, of| { let (a, b) = pair(of); one(v.pore_pressure_between(a, b)) };
     "pair.seepage_rate" "m3/s" Pair Scalar true "Largest rate of flow through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
