@@ -4,15 +4,23 @@
 #[derive(Clone, Debug, Default)]
 pub struct Sets {
     above: Vec<u32>,
+    /// Workspace: numbers of members, by leader.
+    members: Vec<u32>,
 }
 
 impl Sets {
     /// `count` things, each a set of its own.
     #[must_use]
     pub fn new(count: usize) -> Self {
-        Self {
-            above: (0..count as u32).collect(),
-        }
+        let mut sets = Self::default();
+        sets.renew(count);
+        sets
+    }
+
+    /// As [`Sets::new`], in the memory that is there.
+    pub fn renew(&mut self, count: usize) {
+        self.above.clear();
+        self.above.extend(0..count as u32);
     }
 
     /// The leader of the set of `k`; paths are halved on the way.
@@ -34,12 +42,16 @@ impl Sets {
     /// The leader of the set that has most of the things that count, and how many those are; of equal sets the lowest leader. `None`
     /// where none counts.
     pub fn largest(&mut self, counts: impl Fn(usize) -> bool) -> Option<(u32, u32)> {
-        let mut members = vec![0_u32; self.above.len()];
-        for k in (0..members.len()).filter(|k| counts(*k)) {
-            members[self.leader(k as u32) as usize] += 1;
+        let count = self.above.len();
+        self.members.clear();
+        self.members.resize(count, 0);
+        for k in (0..count).filter(|k| counts(*k)) {
+            let leader = self.leader(k as u32);
+            self.members[leader as usize] += 1;
         }
-        let most = members.iter().copied().max().filter(|most| *most > 0)?;
-        let leader = members.iter().position(|count| *count == most)?;
+        let members = || self.members.iter().copied();
+        let most = members().max().filter(|most| *most > 0)?;
+        let leader = members().position(|count| count == most)?;
         Some((leader as u32, most))
     }
 }

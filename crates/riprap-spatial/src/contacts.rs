@@ -5,7 +5,6 @@
 //! blocks with a joint that has failed at any of its points. Pairs that a patch joins are its business, and two blocks whose
 //! motion is prescribed never act on each other.
 
-use riprap_core::sets::Sets;
 use riprap_core::sums::GROUP;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
@@ -24,7 +23,7 @@ pub(crate) mod terrain;
 use std::collections::BTreeMap;
 
 use super::build::{BuildError, stiffness};
-use super::found::desk::{Acting, Desk, PairGroup, Slot, Workspace};
+use super::found::desk::{Acting, Desk, PairGroup, Slot, WhoDesk, Workspace};
 use super::found::glued::Glued;
 use super::found::offset::{Carried, Offset};
 use super::found::{Blocks, Pose, Role, Shape};
@@ -117,12 +116,15 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     let n = world.alive.len();
     let known = world.found.roles.len() == n;
     let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
+    let looked = !known || world.fresh || look;
     let mut renew = false;
+    // Lent by the desk, so that a look takes no memory.
     let mut were = Vec::new();
-    if !known || world.fresh || look {
-        let roles = roles(world);
-        renew = roles != world.found.roles;
-        were = std::mem::replace(&mut world.found.roles, roles);
+    if looked {
+        find_roles(world, &mut scratch.desk.who);
+        were = std::mem::take(&mut scratch.desk.who.roles);
+        std::mem::swap(&mut were, &mut world.found.roles);
+        renew = were != world.found.roles;
     }
     if world.fresh {
         scratch.desk.ready = false;
@@ -131,6 +133,9 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if !world.found.roles.contains(&Role::Seeker) {
         if !world.found.pairs.is_empty() {
             leave(world, scratch);
+        }
+        if looked {
+            scratch.desk.who.roles = were;
         }
         world.found.longest_step = Some(f64::INFINITY);
         return false;
@@ -159,6 +164,9 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     }
     if !desk.ready {
         rebuild(world, scratch, &were);
+    }
+    if looked {
+        scratch.desk.who.roles = were;
     }
     world.found.longest_step = Some(limit::reach(world));
     !world.found.pairs.is_empty()
@@ -200,45 +208,47 @@ fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f6
 
 /// Who can meet whom.
 fn roles(world: &World) -> Vec<Role> {
+    let mut desk = WhoDesk::default();
+    find_roles(world, &mut desk);
+    desk.roles
+}
+
+/// As [`roles`], into a desk.
+fn find_roles(world: &World, desk: &mut WhoDesk) {
+    let WhoDesk {
+        roles,
+        whole,
+        joined,
+    } = desk;
     let n = world.alive.len();
-    let mut roles: Vec<Role> = (0..n)
-        .map(|b| {
-            if !world.alive[b] || world.deforms(b) || world.is_terrain(b) {
-                Role::Absent
-            } else {
-                Role::Seeker
-            }
-        })
-        .collect();
-    let mut whole = vec![true; n];
+    roles.clear();
+    roles.extend((0..n).map(|b| {
+        if !world.alive[b] || world.deforms(b) || world.is_terrain(b) {
+            Role::Absent
+        } else {
+            Role::Seeker
+        }
+    }));
+    whole.clear();
+    whole.resize(n, true);
+    joined.renew(n);
     let patches = &world.patches;
     for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        joined.join(*ends);
         if flags & flag::BROKEN != 0 {
             for b in ends {
                 whole[*b as usize] = false;
             }
         }
     }
-    for b in largest_lattice(world) {
-        if whole[b] && roles[b] == Role::Seeker {
+    // The largest set that patches join, if it has at least two blocks.
+    let Some((lattice, 2..)) = joined.largest(|b| world.alive[b]) else {
+        return;
+    };
+    for b in 0..n {
+        if whole[b] && roles[b] == Role::Seeker && joined.leader(b as u32) == lattice {
             roles[b] = Role::Target;
         }
-    }
-    roles
-}
-
-/// Blocks of the largest set that patches join, if it has at least two.
-fn largest_lattice(world: &World) -> Vec<usize> {
-    let n = world.alive.len();
-    let mut sets = Sets::new(n);
-    for ends in &world.patches.ends {
-        sets.join(*ends);
-    }
-    match sets.largest(|b| world.alive[b]) {
-        Some((largest, members)) if members > 1 => (0..n)
-            .filter(|b| sets.leader(*b as u32) == largest)
-            .collect(),
-        _ => Vec::new(),
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::cmp::Ordering;
 
+use riprap_core::sets::Sets;
 use riprap_core::sums::GROUP;
 use riprap_geom::{Mat3, Vec3};
 
 use super::friction::{ContactLaw, Wrench};
 use super::glued::{Glued, Gluer};
+use super::grid::Role;
 use super::ridges::Ridges;
 use super::search::Candidates;
 use super::shape::{Pose, Shape};
@@ -71,6 +73,19 @@ pub struct Desk {
     pub deepest: Option<Deepest>,
     /// Of blocks on terrain.
     pub terrain: TerrainDesk,
+    /// Workspace of the looks at who can meet whom.
+    pub who: WhoDesk,
+}
+
+/// Workspace for a look at who can meet whom; kept, so that a look takes no memory.
+#[derive(Debug, Default)]
+pub struct WhoDesk {
+    /// What was found, per block.
+    pub roles: Vec<Role>,
+    /// Whether all joints of a block are whole.
+    pub whole: Vec<bool>,
+    /// Blocks that patches join.
+    pub joined: Sets,
 }
 
 /// How deep two blocks lie in each other.

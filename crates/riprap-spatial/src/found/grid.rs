@@ -167,6 +167,17 @@ impl Grid {
         found: &mut Vec<[u32; 2]>,
     ) {
         let own = &boxes[b as usize];
+        self.near(b, boxes, roles, |other, smaller| {
+            let pair = [b.min(other), b.max(other)];
+            if !smaller && own.meets(&boxes[other as usize]) && !excluded(pair[0], pair[1]) {
+                found.push(pair);
+            }
+        });
+    }
+
+    /// Calls `met` for each box in the cells that box `b` looks into, and whether it is for that one to look.
+    fn near(&self, b: u32, boxes: &[Box3], roles: &[Role], mut met: impl FnMut(u32, bool)) {
+        let own = &boxes[b as usize];
         if roles[b as usize] == Role::Absent || !own.is_finite() {
             return;
         }
@@ -183,15 +194,20 @@ impl Grid {
                     continue;
                 }
                 self.row_by_row((role, grid), &self.entries[start..end], own, |other| {
-                    let smaller = grid == level && both && other <= b;
-                    let pair = [b.min(other), b.max(other)];
-                    if !smaller && own.meets(&boxes[other as usize]) && !excluded(pair[0], pair[1])
-                    {
-                        found.push(pair);
-                    }
+                    met(other, grid == level && both && other <= b);
                 });
             }
         }
+    }
+
+    /// How many boxes all of them together look at, those that they leave to the others included: the cost of the last search.
+    #[cfg(test)]
+    pub fn looks(&self, boxes: &[Box3], roles: &[Role]) -> usize {
+        let mut count = 0;
+        for b in 0..boxes.len() {
+            self.near(b as u32, boxes, roles, |_, _| count += 1);
+        }
+        count
     }
 
     /// Calls `met` for each box in those cells of a grid whose boxes can reach `own`.
