@@ -227,7 +227,7 @@ impl Walker {
             && let Some(share) = self.make(&frame, piece)
         {
             let weight = self.sums.add(&self.cutter.polygon, &frame, share);
-            if self.is_largest(weight, piece) {
+            if self.takes_the_lead(weight, piece) {
                 self.largest.copy(&self.cutter.polygon);
                 self.largest_frame = frame;
             }
@@ -277,7 +277,7 @@ impl Walker {
             } else {
                 self.sums.add(polygon, &frame, batch.share[lane])
             };
-            if self.is_largest(weight, self.queue[first + lane]) {
+            if self.takes_the_lead(weight, self.queue[first + lane]) {
                 self.largest.copy(polygon);
                 self.largest_frame = frame;
             }
@@ -316,8 +316,8 @@ impl Walker {
         left.then_some(share)
     }
 
-    /// Notes the piece where it carries more than all before; whether it does.
-    fn is_largest(&mut self, weight: f64, piece: [u16; 2]) -> bool {
+    /// Whether a piece carries more than all before, which is noted.
+    fn takes_the_lead(&mut self, weight: f64, piece: [u16; 2]) -> bool {
         let more = self.sums.hint.is_none() || weight > self.largest_weight;
         if more {
             self.largest_weight = weight;
