@@ -124,19 +124,13 @@ pub fn outlook(world: &World) -> Vec<Meets> {
 #[must_use]
 pub fn can_give_way(world: &World) -> bool {
     let setup = &world.setup;
-    let joints = setup.interfaces.iter().zip(joined(world));
-    let bonds = world.deform.iter().flat_map(|deform| &deform.facets);
+    let mut joints = setup.interfaces.iter().zip(joined(world));
+    let mut bonds = (world.deform.iter())
+        .flat_map(|deform| &deform.facets)
+        .filter_map(|facet| setup.interfaces[usize::from(facet.row)].bond.as_ref());
     setup.found_contacts
-        && (joints
-            .into_iter()
-            .any(|(row, joined)| joined && row.joint.strength.is_some())
-            || bonds
-                .map(|facet| &setup.interfaces[usize::from(facet.row)])
-                .any(|row| {
-                    row.bond
-                        .as_ref()
-                        .is_some_and(|bond| bond.strength.is_some())
-                }))
+        && (joints.any(|(row, joined)| joined && row.joint.strength.is_some())
+            || bonds.any(|bond| bond.strength.is_some()))
 }
 
 /// Interfaces that no joint of the model has, with what they say that joints alone read: `interfaces.NAME` and keys. None where

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 
 use super::planes::Planes;
-use crate::lanes::{LANES, Number, Vectors, cross, dot, minus, scaled};
+use crate::lanes::{LANES, Lanes, Number, Vectors, cross, dot, minus, scaled};
 
 /// Normals that differ by less are parallel: their faces share no piece.
 pub const PARALLEL: f64 = 2e-7;
@@ -121,7 +121,7 @@ impl Frames {
             }
             rise[lane] = planes.d[f] - planes.d[g];
         }
-        let middle = Middle::new(&a, &b, crate::lanes::Lanes(rise));
+        let middle = Middle::new(&a, &b, Lanes(rise));
         let mut axis = Vectors::default();
         let mut there = [false; LANES];
         let size = middle.normal.map(|x| x.abs().0);

@@ -289,7 +289,7 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
-    /// Whether each block in space is terrain, or has all its freedoms prescribed by one support.
+    /// Whether each block in space is terrain, or has all its freedoms prescribed by one support for the whole run.
     fn wholly_driven(&self) -> Vec<bool> {
         let blocks = self.spatial.blocks.iter();
         let mut driven: Vec<bool> = blocks.map(|block| block.shape.is_terrain()).collect();
@@ -299,6 +299,9 @@ impl Builder<'_> {
                     driven[b as usize] = true;
                 }
             }
+        }
+        for &b in self.plan.phases.iter().flat_map(|phase| &phase.release) {
+            driven[b as usize] = false;
         }
         driven
     }

@@ -176,16 +176,17 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
         all.filter(|m| m.contains("interfaces.default")).collect()
     };
     assert_eq!(of_interfaces(&alone), told);
-    // A block that is held in part can be pushed by others.
-    let in_part = scene(
-        &format!(
-            "{}{}",
-            floor("floor"),
-            floor("other").replace("-2 m", "-5 m")
-        ),
-        &held("x = false"),
-        change,
+    // A block that is let go later can be pushed by others, and so can one that is held in part.
+    let two = format!(
+        "{}{}",
+        floor("floor"),
+        floor("other").replace("-2 m", "-5 m")
     );
+    let all = format!("{}{}", held(""), held("").replace("\"floor\"", "\"other\""));
+    assert_eq!(of_interfaces(&scene(&two, &all, change)), told);
+    let released = format!("release = [\"other\"]\n{change}");
+    assert_eq!(of_interfaces(&scene(&two, &all, &released)), [""; 0]);
+    let in_part = scene(&two, &held("x = false"), change);
     assert_eq!(of_interfaces(&in_part), [""; 0]);
 }
 
