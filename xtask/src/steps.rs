@@ -90,17 +90,24 @@ pub const STEPS: &[Step] = &[
         clippy_step,
     ),
     step("docs", "cargo doc, warnings denied; the book", docs_step),
+    // The browser begins first and the tests last of the long ones: it keeps one core busy, they use both.
     built(
-        "tests",
-        "unit, property, CLI and doc tests",
-        None,
-        tests_step,
+        "browser",
+        "the viewer in Chromium, over real runs",
+        VENV,
+        browser::step,
     ),
     built(
         "scenes",
         "riprap verify on the fast scenes; the first steps of the long ones",
         None,
         verify::fast,
+    ),
+    built(
+        "tests",
+        "unit, property, CLI and doc tests",
+        None,
+        tests_step,
     ),
     built(
         "attack",
@@ -115,12 +122,6 @@ pub const STEPS: &[Step] = &[
         python::step,
     ),
     built("vtk", "VTK opens the frames of a run", VENV, vtk::step),
-    built(
-        "browser",
-        "the viewer in Chromium, over real runs",
-        VENV,
-        browser::step,
-    ),
 ];
 
 /// Runs the steps named in `only` (all when empty), two at a time where cores allow. All run even if one fails, but for
