@@ -122,8 +122,8 @@ impl Exec {
         }
     }
 
-    /// Calls `f(first_index, group_of_a, group_of_b, partial, room)` for each [`GROUP`] of two slices of equal length, with one
-    /// `partial` per group; those of a [`piece`] share a `room`.
+    /// Calls `f(first_index, group_of_a, group_of_b, partial, workspace)` for each [`GROUP`] of two slices of equal length, with one
+    /// `partial` per group; those of a [`piece`] share a `workspace`.
     ///
     /// # Panics
     /// When the slices differ in length.
@@ -137,10 +137,10 @@ impl Exec {
     ) {
         assert_eq!(a.len(), b.len(), "grouped slices differ in length");
         let piece = piece(a.len());
-        let one = |k: usize, a: &mut [A], b: &mut [B], p: &mut [P], room: &mut R| {
+        let one = |k: usize, a: &mut [A], b: &mut [B], p: &mut [P], workspace: &mut R| {
             let groups = a.chunks_mut(GROUP).zip(b.chunks_mut(GROUP)).zip(p);
             for (g, ((a, b), p)) in groups.enumerate() {
-                f(k * piece + g * GROUP, a, b, p, room);
+                f(k * piece + g * GROUP, a, b, p, workspace);
             }
         };
         match &self.pool {
@@ -150,7 +150,7 @@ impl Exec {
                     .zip(partials.par_chunks_mut(piece / GROUP))
                     .zip(workspaces.par_iter_mut())
                     .enumerate()
-                    .for_each(|(k, (((a, b), p), room))| one(k, a, b, p, room));
+                    .for_each(|(k, (((a, b), p), workspace))| one(k, a, b, p, workspace));
             }),
             _ => a
                 .chunks_mut(piece)
@@ -158,7 +158,7 @@ impl Exec {
                 .zip(partials.chunks_mut(piece / GROUP))
                 .zip(workspaces.iter_mut())
                 .enumerate()
-                .for_each(|(k, (((a, b), p), room))| one(k, a, b, p, room)),
+                .for_each(|(k, (((a, b), p), workspace))| one(k, a, b, p, workspace)),
         }
     }
 

@@ -171,11 +171,11 @@ pub fn general_chunk(
     candidates: &[Candidate],
     states: &mut [GeneralState],
     slots: &mut [Wrench],
-    room: &mut Workspace,
+    workspace: &mut Workspace,
     works: &mut Works,
 ) {
     for ((candidate, state), slot) in candidates.iter().zip(states).zip(slots) {
-        *slot = general_pair(context, candidate, state, room, works);
+        *slot = general_pair(context, candidate, state, workspace, works);
     }
 }
 
@@ -183,27 +183,27 @@ fn general_pair(
     context: &Context<'_>,
     candidate: &Candidate,
     state: &mut GeneralState,
-    room: &mut Workspace,
+    workspace: &mut Workspace,
     works: &mut Works,
 ) -> Wrench {
     let relative = Relative::of(context.bodies, candidate.i, candidate.j);
     let law = &context.laws[candidate.row as usize];
-    room.old.clear();
-    room.old.append(&mut state.regions);
+    workspace.old.clear();
+    workspace.old.append(&mut state.regions);
     let mut total = Wrench::default();
     let by_path = matches!(law.normal, NormalLaw::PenetrationPotential);
-    let stored = if context.begins && by_path && room.old.is_empty() {
+    let stored = if context.begins && by_path && workspace.old.is_empty() {
         parting::energies(context, candidate, &relative)
     } else {
         Vec::new()
     };
-    let count = cut(context, candidate, &relative, room);
+    let count = cut(context, candidate, &relative, workspace);
     for region in 0..count {
-        let (pressed, edges) = press(context, candidate, &relative, region, room);
+        let (pressed, edges) = press(context, candidate, &relative, region, workspace);
         if pressed.normal.force == Vec2::ZERO {
             continue;
         }
-        let mut contact = take_matching(&mut room.old, edges);
+        let mut contact = take_matching(&mut workspace.old, edges);
         if let Some((_, energy)) = stored.iter().find(|(e, _)| *e == edges) {
             contact.path_energy += energy;
             works.contact_path += energy;
@@ -220,7 +220,7 @@ fn general_pair(
         total = total.plus(&wrench);
         state.regions.push(Region { edges, contact });
     }
-    for region in &mut room.old {
+    for region in &mut workspace.old {
         end(law, &relative, context.elapsed, &mut region.contact, works);
     }
     total
@@ -231,11 +231,17 @@ fn cut(
     context: &Context<'_>,
     candidate: &Candidate,
     relative: &Relative,
-    room: &mut Workspace,
+    workspace: &mut Workspace,
 ) -> u16 {
     let (i, j) = context.sides(candidate);
-    pieces::find(i, j, relative.shift, &mut room.pieces, &mut room.cuts);
-    pieces::regions(&mut room.pieces, i, j) as u16
+    pieces::find(
+        i,
+        j,
+        relative.shift,
+        &mut workspace.pieces,
+        &mut workspace.cuts,
+    );
+    pieces::regions(&mut workspace.pieces, i, j) as u16
 }
 
 /// Pressure resultants of all regions of a pair, with the bits of their edges.
@@ -243,10 +249,10 @@ pub fn press_general(
     context: &Context<'_>,
     candidate: &Candidate,
     relative: &Relative,
-    room: &mut Workspace,
+    workspace: &mut Workspace,
 ) -> Vec<(Pressed, u64)> {
-    (0..cut(context, candidate, relative, room))
-        .map(|region| press(context, candidate, relative, region, room))
+    (0..cut(context, candidate, relative, workspace))
+        .map(|region| press(context, candidate, relative, region, workspace))
         .collect()
 }
 
@@ -269,7 +275,7 @@ fn press(
     candidate: &Candidate,
     relative: &Relative,
     region: u16,
-    room: &mut Workspace,
+    workspace: &mut Workspace,
 ) -> (Pressed, u64) {
     let law = &context.laws[candidate.row as usize];
     let (i, j) = context.sides(candidate);
@@ -277,9 +283,11 @@ fn press(
     let (mut weight, mut weighted, mut chord, mut edges) = (0.0, Vec2::ZERO, Vec2::ZERO, 0u64);
     let mut friction = Wrench::default();
     if law.normal == NormalLaw::PenetrationPotential {
-        room.local.look(&room.pieces, region, i, j, relative.shift);
+        workspace
+            .local
+            .look(&workspace.pieces, region, i, j, relative.shift);
     }
-    for piece in room.pieces.iter().filter(|p| p.region == region) {
+    for piece in workspace.pieces.iter().filter(|p| p.region == region) {
         let bit = u32::from(piece.edge % 32) + if piece.second { 32 } else { 0 };
         edges |= 1 << bit;
         let sign = if piece.second { -1.0 } else { 1.0 };
@@ -305,7 +313,7 @@ fn press(
         match law.normal {
             NormalLaw::DistancePotential => {
                 let [p, q] = piece.ends;
-                let d = depths::along(other, p + shift, q + shift, &mut room.kinks);
+                let d = depths::along(other, p + shift, q + shift, &mut workspace.kinks);
                 if d.integral > 0.0 {
                     let xi = d.first_moment / d.integral;
                     let force = 0.5 * law.normal_stiffness * (q - p).length() * d.integral;
@@ -319,7 +327,7 @@ fn press(
                 } else {
                     relative.shift
                 };
-                let (parts, n) = room.local.parts(piece, own, other, law.reflex, apart);
+                let (parts, n) = workspace.local.parts(piece, own, other, law.reflex, apart);
                 for part in &parts[..n] {
                     let length = (part.q - part.p).length();
                     let (area, xi) = closed::linear_piece(length, part.at_p, part.at_q);

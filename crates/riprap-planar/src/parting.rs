@@ -25,8 +25,8 @@ pub(crate) fn energies(
     candidate: &Candidate,
     relative: &Relative,
 ) -> Vec<(u64, f64)> {
-    let mut room = Workspace::default();
-    contact::press_general(context, candidate, relative, &mut room)
+    let mut workspace = Workspace::default();
+    contact::press_general(context, candidate, relative, &mut workspace)
         .into_iter()
         .map(|(pressed, edges)| {
             let out = pressed.normal.force.normalize_or_zero();
@@ -41,7 +41,7 @@ pub(crate) fn energies(
                     shift: relative.shift + f64::from(k) * stride * out,
                     ..*relative
                 };
-                let force = contact::press_general(context, candidate, &apart, &mut room)
+                let force = contact::press_general(context, candidate, &apart, &mut workspace)
                     .iter()
                     .filter(|(_, e)| e & edges != 0)
                     .fold(Wrench::default(), |sum, (p, _)| sum.plus(&p.normal))

@@ -376,9 +376,9 @@ fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
             general_slots,
             &mut scratch.partial,
             &mut scratch.workspaces,
-            |at, g, s, partial, room| {
+            |at, g, s, partial, workspace| {
                 let list = &candidates.general[at..at + g.len()];
-                contact::general_chunk(&context, list, g, s, room, &mut partial.arrival);
+                contact::general_chunk(&context, list, g, s, workspace, &mut partial.arrival);
             },
         );
         works.add(&arrivals(&mut scratch.partial, count));

@@ -41,12 +41,12 @@ pub(super) fn act(
     asked: &Asked,
     pair: &mut FoundPair,
     slot: &mut Slot,
-    room: &mut GluedWorkspace,
+    workspace: &mut GluedWorkspace,
     group: &mut PairGroup,
 ) {
     let sums = &mut group.sums;
     let mut exerted = Exerted::default();
-    let GluedWorkspace { gluer, old } = room;
+    let GluedWorkspace { gluer, old } = workspace;
     let Asked {
         placed,
         law,

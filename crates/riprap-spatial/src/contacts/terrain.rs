@@ -63,8 +63,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     desk.exerted.resize(n, Acting::default());
     desk.workspaces
         .resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
-    for room in &mut desk.workspaces {
-        room.left.clear();
+    for workspace in &mut desk.workspaces {
+        workspace.left.clear();
     }
     desk.sums.clear();
     desk.sums.resize(n.div_ceil(GROUP), 0.0);
@@ -87,18 +87,18 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
         &mut desk.exerted,
         &mut desk.sums,
         &mut desk.workspaces,
-        |first, states, exerted, friction, room| {
-            room.friction = 0.0;
-            room.under.limit_width(width);
+        |first, states, exerted, friction, workspace| {
+            workspace.friction = 0.0;
+            workspace.under.limit_width(width);
             for (k, (state, exerted)) in states.iter_mut().zip(exerted).enumerate() {
-                evaluation.block(first + k, state, exerted, room);
+                evaluation.block(first + k, state, exerted, workspace);
             }
-            *friction = room.friction;
+            *friction = workspace.friction;
         },
     );
     tree(&mut desk.sums, |sum, other| *sum += other);
     world.works.friction += desk.sums.first().copied().unwrap_or(0.0);
-    for &b in desk.workspaces.iter().flat_map(|room| &room.left) {
+    for &b in desk.workspaces.iter().flat_map(|workspace| &workspace.left) {
         let event = world.event(EditKind::LeftTerrain, b);
         world.events.push(event);
     }
@@ -193,12 +193,12 @@ impl Evaluation<'_> {
         b: usize,
         state: &mut OnTerrain,
         exerted: &mut Acting,
-        room: &mut TerrainWorkspace,
+        workspace: &mut TerrainWorkspace,
     ) {
         *exerted = Acting::default();
         if self.laws[b].is_empty() {
             for facet in std::mem::take(&mut state.facets) {
-                room.friction += facet.stored;
+                workspace.friction += facet.stored;
             }
             return;
         }
@@ -214,23 +214,23 @@ impl Evaluation<'_> {
             return;
         }
         let pose = pose(self.bodies, self.turned, self.reference, b);
-        room.normals.clear();
-        let turn = turn(shape, pose.rotation, &mut room.normals);
-        room.old.clear();
-        room.old.append(&mut state.facets);
+        workspace.normals.clear();
+        let turn = turn(shape, pose.rotation, &mut workspace.normals);
+        workspace.old.clear();
+        workspace.old.append(&mut state.facets);
         let glued = self.glued.get(self.solid[b] as usize);
         let glued = glued.filter(|glued| !glued.is_convex());
         let mut clear = f64::INFINITY;
         for (k, terrain) in self.grounds.iter().enumerate() {
             let body = Body {
                 shape,
-                normals: &room.normals,
+                normals: &workspace.normals,
                 turn,
                 position: pose.position,
             };
             let reached = match glued {
-                Some(glued) => room.under.find_glued(terrain, glued, &pose, REACH),
-                None => room.under.find(terrain, &body, REACH),
+                Some(glued) => workspace.under.find_glued(terrain, glued, &pose, REACH),
+                None => workspace.under.find(terrain, &body, REACH),
             };
             match reached {
                 Reached::Apart(gap) => clear = clear.min(gap),
@@ -251,7 +251,7 @@ impl Evaluation<'_> {
                         dt: self.dt,
                         last_dt: self.last_dt,
                     };
-                    here.facets(state, exerted, room);
+                    here.facets(state, exerted, workspace);
                 }
             }
         }
@@ -259,12 +259,12 @@ impl Evaluation<'_> {
         let beside = |terrain: &Terrain| terrain.depth(pose.position).is_none();
         if !state.left && self.grounds.iter().all(beside) {
             state.left = true;
-            room.left.push(b as u32);
+            workspace.left.push(b as u32);
         }
         // What is left has parted.
         let still = Motion::default();
-        for gone in room.old.drain(..) {
-            room.friction += gone.memory.work(&[still, motion], self.dt) + gone.stored;
+        for gone in workspace.old.drain(..) {
+            workspace.friction += gone.memory.work(&[still, motion], self.dt) + gone.stored;
         }
     }
 }
@@ -285,32 +285,39 @@ struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn facets(&self, state: &mut OnTerrain, exerted: &mut Acting, room: &mut TerrainWorkspace) {
-        let areas = room.under.facets.iter();
+    fn facets(
+        &self,
+        state: &mut OnTerrain,
+        exerted: &mut Acting,
+        workspace: &mut TerrainWorkspace,
+    ) {
+        let areas = workspace.under.facets.iter();
         let whole: f64 = areas.map(|on| on.sums.vector_area.length()).sum();
         let any = |_| f64::NAN;
-        if let Some(on) = room.under.facets.first() {
+        if let Some(on) = workspace.under.facets.first() {
             let asked = self.question(&on.sums, &any);
-            room.ridges.find(self.law, &asked, &room.under.facets);
+            workspace
+                .ridges
+                .find(self.law, &asked, &workspace.under.facets);
         }
-        for (k, on) in room.under.facets.iter().enumerate() {
+        for (k, on) in workspace.under.facets.iter().enumerate() {
             let key = FacetContact::key(self.terrain, on.piece, on.facet);
-            let old = room.old.iter().position(|f| f.key == key);
+            let old = workspace.old.iter().position(|f| f.key == key);
             let mut contact = old.map_or_else(
                 || FacetContact {
                     key,
                     ..FacetContact::default()
                 },
-                |k| room.old.remove(k),
+                |k| workspace.old.remove(k),
             );
             let law = self.law.part(on.sums.vector_area.length() / whole);
-            let mean_radius = |point| room.under.mean_radius(on, point);
+            let mean_radius = |point| workspace.under.mean_radius(on, point);
             let question = Question {
-                shared: room.ridges.shared(k),
+                shared: workspace.ridges.shared(k),
                 ..self.question(&on.sums, &mean_radius)
             };
             let reply = respond(&law, &question, &mut contact.memory, &mut None);
-            room.friction += reply.friction;
+            workspace.friction += reply.friction;
             contact.stored = contact.memory.stored(&law);
             contact.force = reply.wrench.force;
             contact.depth = on.sums.depth;
@@ -318,7 +325,7 @@ impl Here<'_> {
             add(exerted, &reply.elastic, &reply.spring, &reply.drag);
             state.facets.push(contact);
         }
-        for rocking in room.ridges.rocking() {
+        for rocking in workspace.ridges.rocking() {
             exerted.drag.add(rocking, true);
         }
     }

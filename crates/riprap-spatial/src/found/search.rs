@@ -158,7 +158,7 @@ pub struct Candidates {
     pub asleep_until: Vec<f64>,
     grid: Grid,
     boxes: Vec<Box3>,
-    room: Vec<Workspace>,
+    workspaces: Vec<Workspace>,
     outside: Vec<bool>,
 }
 
@@ -177,35 +177,41 @@ impl Candidates {
         let boxes = &self.boxes;
         let close = self.grid.close_pairs(boxes, blocks.roles, excluded, exec);
         let runs = close.len().div_ceil(CHUNK);
-        if self.room.len() < runs {
-            self.room.resize_with(runs, Workspace::default);
+        if self.workspaces.len() < runs {
+            self.workspaces.resize_with(runs, Workspace::default);
         }
-        exec.ranges(close.len(), &mut self.room, |range, room| {
-            room.pairs.clear();
-            room.lists.clear();
-            room.held.clear();
+        exec.ranges(close.len(), &mut self.workspaces, |range, workspace| {
+            workspace.pairs.clear();
+            workspace.lists.clear();
+            workspace.held.clear();
             for &pair in &close[range] {
                 if held(pair[0], pair[1]) {
-                    room.held.push(pair);
+                    workspace.held.push(pair);
                     continue;
                 }
-                room.add(blocks, search, pair.map(|b| &boxes[b as usize]), pair);
+                workspace.add(blocks, search, pair.map(|b| &boxes[b as usize]), pair);
             }
         });
-        let found = || self.room[..runs].iter();
-        renew(&mut self.pairs, found().map(|room| room.pairs.len()).sum());
-        renew(&mut self.lists, found().map(|room| room.lists.len()).sum());
+        let found = || self.workspaces[..runs].iter();
+        renew(
+            &mut self.pairs,
+            found().map(|workspace| workspace.pairs.len()).sum(),
+        );
+        renew(
+            &mut self.lists,
+            found().map(|workspace| workspace.lists.len()).sum(),
+        );
         self.held.clear();
-        for room in &mut self.room[..runs] {
-            self.held.append(&mut room.held);
+        for workspace in &mut self.workspaces[..runs] {
+            self.held.append(&mut workspace.held);
             let start = self.lists.len();
             // What has been taken over is not kept twice until the next time.
-            let pairs = std::mem::take(&mut room.pairs);
+            let pairs = std::mem::take(&mut workspace.pairs);
             self.pairs.extend(pairs.into_iter().map(|pair| Candidate {
                 start: start + pair.start,
                 ..pair
             }));
-            self.lists.append(&mut std::mem::take(&mut room.lists));
+            self.lists.append(&mut std::mem::take(&mut workspace.lists));
         }
         self.reach.clear();
         self.reach

@@ -67,12 +67,12 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         &mut desk.slots,
         &mut desk.sums,
         &mut desk.workspaces,
-        |first, pairs, slots, sums, room| {
-            [room.friction, room.damping, room.brought] = [0.0; 3];
+        |first, pairs, slots, sums, workspace| {
+            [workspace.friction, workspace.damping, workspace.brought] = [0.0; 3];
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
-                evaluation.pair(first + k, pair, slot, room);
+                evaluation.pair(first + k, pair, slot, workspace);
             }
-            *sums = [room.friction, room.damping, room.brought];
+            *sums = [workspace.friction, workspace.damping, workspace.brought];
         },
     );
     let own = &mut pushes.own;
@@ -171,7 +171,7 @@ impl Evaluation<'_> {
         k: usize,
         pair: &mut DeformablePair,
         slot: &mut PairSlot,
-        room: &mut PairWorkspace,
+        workspace: &mut PairWorkspace,
     ) {
         let constants = &self.constants[k];
         let stars = constants.members.map(|m| &self.stars[m as usize]);
@@ -190,22 +190,22 @@ impl Evaluation<'_> {
                 constants.law.normal_stiffness,
                 pair,
                 slot,
-                room,
+                workspace,
             );
         } else {
             slot.touching = false;
         }
         if !stars.iter().all(|star| star.sound)
-            || slot.touching && room.surface.weight == 0.0 && self.is_below(constants)
+            || slot.touching && workspace.surface.weight == 0.0 && self.is_below(constants)
         {
             pair.depth = f64::INFINITY;
         }
         if !known {
             // Pairs that meet on their way are listed before they touch.
-            room.brought += pair.energy - before;
+            workspace.brought += pair.energy - before;
         }
         if !slot.touching {
-            room.friction += pair.stored;
+            workspace.friction += pair.stored;
             let depth = if pair.depth == f64::INFINITY {
                 pair.depth
             } else {
@@ -229,19 +229,19 @@ impl Evaluation<'_> {
         let reply = respond(
             &law,
             &Asked {
-                surface: &room.surface,
+                surface: &workspace.surface,
                 elastic,
                 sides,
                 dt: self.dt,
             },
             &mut slot.spots,
-            &mut room.shares,
+            &mut workspace.shares,
             &mut pair.memory,
         );
         slot.area = reply.area;
         pair.stored = reply.stored;
-        room.friction += reply.friction - (reply.stored - stored);
-        room.damping += reply.damping;
+        workspace.friction += reply.friction - (reply.stored - stored);
+        workspace.damping += reply.damping;
         for spot in &slot.spots {
             let force = spot.spring + spot.drag;
             pair.force += spot.spring;
@@ -261,13 +261,13 @@ fn press(
     stiffness: f64,
     pair: &mut DeformablePair,
     slot: &mut PairSlot,
-    room: &mut PairWorkspace,
+    workspace: &mut PairWorkspace,
 ) {
     let common = Box3 {
         low: stars[0].bounds.low.max(stars[1].bounds.low),
         high: stars[0].bounds.high.min(stars[1].bounds.high),
     };
-    for (list, star) in room.lists.iter_mut().zip(stars) {
+    for (list, star) in workspace.lists.iter_mut().zip(stars) {
         list.clear();
         let boxes = star.boxes.iter().enumerate();
         list.extend(
@@ -277,27 +277,27 @@ fn press(
         );
     }
     let shift = stars[1].origin - stars[0].origin;
-    room.shifted.clear();
-    let second = room.lists[1]
+    workspace.shifted.clear();
+    let second = workspace.lists[1]
         .iter()
         .map(|k| stars[1].cells[*k as usize].shifted(shift));
-    room.shifted.extend(second);
+    workspace.shifted.extend(second);
     slot.forces
         .iter_mut()
         .for_each(|list| list.fill(Vec3::ZERO));
     slot.spots.clear();
-    room.surface = Piece::default();
+    workspace.surface = Piece::default();
     slot.touching = false;
     pair.force = Vec3::ZERO;
     pair.depth = 0.0;
     let scale = 2.0 * stiffness;
-    for &i in &room.lists[0] {
+    for &i in &workspace.lists[0] {
         let (first, around) = (&stars[0].cells[i as usize], &stars[0].boxes[i as usize]);
-        for (&j, second) in room.lists[1].iter().zip(&room.shifted) {
+        for (&j, second) in workspace.lists[1].iter().zip(&workspace.shifted) {
             if !around.meets(&stars[1].boxes[j as usize]) {
                 continue;
             }
-            let Some(overlap) = room.overlapping.overlap([first, second]) else {
+            let Some(overlap) = workspace.overlapping.overlap([first, second]) else {
                 continue;
             };
             slot.touching = true;
@@ -317,7 +317,7 @@ fn press(
             }
             let surface = &overlap.surface;
             if surface.weight > 0.0 {
-                room.surface.add(surface);
+                workspace.surface.add(surface);
                 let at = surface.weight_first / surface.weight;
                 slot.spots.push(Spot {
                     tets: [i, j],

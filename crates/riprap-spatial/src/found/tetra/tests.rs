@@ -56,7 +56,7 @@ struct Contact {
 }
 
 fn contact(stars: [&Star; 2]) -> Contact {
-    let mut room = Workspace::default();
+    let mut workspace = Workspace::default();
     let mut out = Contact {
         energy: 0.0,
         forces: stars.map(|s| vec![Vec3::ZERO; s.nodes.len()]),
@@ -66,7 +66,7 @@ fn contact(stars: [&Star; 2]) -> Contact {
     for (i, ta) in stars[0].tets().iter().enumerate() {
         for (j, tb) in stars[1].tets().iter().enumerate() {
             let cells = [stars[0].cell(i), stars[1].cell(j)];
-            let Some(overlap) = room.overlap([&cells[0], &cells[1]]) else {
+            let Some(overlap) = workspace.overlap([&cells[0], &cells[1]]) else {
                 continue;
             };
             out.touching += 1;
@@ -269,7 +269,7 @@ fn a_smaller_face_off_the_middle_keeps_its_resultant() {
 
 #[test]
 fn touching_and_separate_cells_have_no_overlap() {
-    let mut room = Workspace::default();
+    let mut workspace = Workspace::default();
     for gap in [0.0, 1e-3] {
         let upper = Star::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 + gap));
         let found = contact([&Star::cube(), &upper]);
@@ -278,9 +278,9 @@ fn touching_and_separate_cells_have_no_overlap() {
     }
     let cell = Star::cube().cell(0);
     let far = cell.shifted(Vec3::new(3.0, 0.0, 0.0));
-    assert_eq!(room.overlap([&cell, &far]), None::<Overlap>);
+    assert_eq!(workspace.overlap([&cell, &far]), None::<Overlap>);
     // A cell and itself share everything, half of it to each.
-    let all = room.overlap([&cell, &cell]).unwrap();
+    let all = workspace.overlap([&cell, &cell]).unwrap();
     let volume = all.halves[0].volume + all.halves[1].volume;
     assert!((volume * 24.0 - 1.0).abs() < 1e-14, "{volume}");
     let centre = cell.corners.iter().copied().sum::<Vec3>() / 4.0;
@@ -330,11 +330,11 @@ fn time_of_a_pair_of_tetrahedra() {
             .iter()
             .flat_map(|a| cells[1].iter().map(move |b| [a, b]))
             .collect();
-        let mut room = Workspace::default();
+        let mut workspace = Workspace::default();
         let touching: Vec<[&Cell; 2]> = pairs
             .iter()
             .copied()
-            .filter(|pair| room.overlap(*pair).is_some())
+            .filter(|pair| workspace.overlap(*pair).is_some())
             .collect();
         for (what, list) in [("touching", &touching), ("all", &pairs)] {
             let rounds = 2_000_000 / list.len();
@@ -342,7 +342,7 @@ fn time_of_a_pair_of_tetrahedra() {
             let mut sum = 0.0;
             for _ in 0..rounds {
                 for pair in list {
-                    sum += room.overlap(*pair).map_or(0.0, |o| o.halves[0].volume);
+                    sum += workspace.overlap(*pair).map_or(0.0, |o| o.halves[0].volume);
                 }
             }
             let time = start.elapsed().as_secs_f64() / (rounds * list.len()) as f64;
