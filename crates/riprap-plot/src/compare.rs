@@ -33,6 +33,33 @@ pub struct Labels {
 ///
 /// # Errors
 /// Empty lines, files that cannot be written.
+///
+/// # Examples
+///
+/// ```
+/// use riprap_plot::{Labels, Line, compare};
+///
+/// let line = |name: &str, x: &[f64], y: &[f64]| Line {
+///     name: name.into(),
+///     x: x.to_vec(),
+///     y: y.to_vec(),
+/// };
+/// let labels = Labels {
+///     title: "Fall of a stone".into(),
+///     x: ("time".into(), "s".into()),
+///     y: ("height".into(), "m".into()),
+/// };
+/// let out = tempfile::tempdir()?;
+/// let written = compare(
+///     &line("computed", &[0.0, 0.5, 1.0], &[10.0, 8.77, 5.1]),
+///     &line("exact", &[0.0, 0.5, 1.0], &[10.0, 8.774, 5.095]),
+///     &labels,
+///     &out.path().join("fall.svg"),
+/// )?;
+/// // The figure and the numbers behind it.
+/// assert_eq!(written.len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn compare(
     computed: &Line,
     reference: &Line,
