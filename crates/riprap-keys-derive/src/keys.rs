@@ -3,9 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
+use syn::punctuated::Punctuated;
 use syn::{
     Attribute, Data, DeriveInput, Error, Expr, ExprLit, Fields, GenericArgument, GenericParam,
-    Ident, Lit, LitStr, PathArguments, Result, Type, parse_quote,
+    Ident, Lit, LitStr, PathArguments, Result, Token, Type, parenthesized, parse_quote,
 };
 
 use crate::docs::paragraphs;
@@ -37,6 +38,8 @@ struct Key<'a> {
     changes: bool,
     /// Whether it is written down as it stands, components and all.
     told: bool,
+    /// What reads it.
+    readers: Vec<String>,
     /// Lowest and highest whole number.
     range: [Option<Expr>; 2],
     /// The type whose schema is taken instead of its own.
@@ -104,6 +107,7 @@ impl<'a> Key<'a> {
             instead: None,
             changes: false,
             told: false,
+            readers: Vec::new(),
             range: [None, None],
             schema_of: None,
             optional: inner(&field.ty, "Option").is_some(),
@@ -172,13 +176,18 @@ impl<'a> Key<'a> {
                 self.changes = true;
             } else if path.is_ident("told") {
                 self.told = true;
+            } else if path.is_ident("read_by") {
+                let names;
+                parenthesized!(names in meta.input);
+                let names = Punctuated::<LitStr, Token![,]>::parse_terminated(&names)?;
+                self.readers = names.iter().map(LitStr::value).collect();
             } else if path.is_ident("min") {
                 self.range[0] = Some(meta.value()?.parse::<Expr>()?);
             } else if path.is_ident("max") {
                 self.range[1] = Some(meta.value()?.parse::<Expr>()?);
             } else {
                 return Err(meta.error(
-                    "`default`, `planar`, `spatial`, `space`, `instead`, `min`, `max`, `told` or `changes` is expected",
+                    "`default`, `planar`, `spatial`, `space`, `instead`, `min`, `max`, `told`, `read_by` or `changes` is expected",
                 ));
             }
             Ok(())
@@ -293,6 +302,7 @@ fn read(input: &DeriveInput, keys: &[Key<'_>]) -> Result<TokenStream> {
     let name = &input.ident;
     let (plain, types, conditions) = input.generics.split_for_impl();
     let values = keys.iter().filter_map(or_default);
+    let read_by = read_by(keys)?;
     let mut generics = input.generics.clone();
     generics
         .params
@@ -304,6 +314,7 @@ fn read(input: &DeriveInput, keys: &[Key<'_>]) -> Result<TokenStream> {
         }
         impl #plain #name #types #conditions {
             #(#values)*
+            #read_by
         }
     })
 }
@@ -404,6 +415,34 @@ fn reader(key: &Key<'_>) -> Result<Option<TokenStream>> {
     }))
 }
 
+/// The keys that something of the model reads, for messages about keys without effect.
+fn read_by(keys: &[Key<'_>]) -> Result<Option<TokenStream>> {
+    let mut rows = Vec::new();
+    for key in keys.iter().filter(|key| !key.readers.is_empty()) {
+        let (ident, word, readers) = (key.ident, &key.word, &key.readers);
+        let given = match key.ty {
+            ty if inner(ty, "Option").is_some() => quote! { self.#ident.is_some() },
+            Type::Path(path) if path.path.is_ident("bool") => quote! { self.#ident },
+            other => {
+                let message = "only a key that can be left out has readers";
+                return Err(Error::new_spanned(other, message));
+            }
+        };
+        rows.push(quote! { (#word, #given, &[#(#readers),*]) });
+    }
+    if rows.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(quote! {
+        /// The keys that `reader` reads, in the order of the table, and whether each is given.
+        pub fn read_by(&self, reader: &str) -> Vec<(&'static str, bool)> {
+            let keys: &[(&'static str, bool, &[&str])] = &[#(#rows),*];
+            let keys = keys.iter().filter(|(_, _, readers)| readers.contains(&reader));
+            keys.map(|&(word, given, _)| (word, given)).collect()
+        }
+    }))
+}
+
 /// The value of a number, for those who do not build the model: nothing is written down.
 fn or_default(key: &Key<'_>) -> Option<TokenStream> {
     let Default::Plain(value) = &key.default else {
@@ -443,10 +482,15 @@ fn changed_form(name: &Ident, of: &str, keys: &[Key<'_>]) -> TokenStream {
             .space
             .as_ref()
             .map(|space| quote! { #[key(space = #space)] });
+        let readers = (!key.readers.is_empty()).then(|| {
+            let readers = &key.readers;
+            quote! { #[key(read_by(#(#readers),*))] }
+        });
         quote! {
             #[doc = #meaning]
             #(#serde)*
             #space
+            #readers
             pub #ident: Option<#ty>,
         }
     });

@@ -37,60 +37,64 @@ pub struct Interface {
         space = "spatial",
         instead = "give `normal_stiffness`, or the elastic constants of the materials"
     )]
-    #[key(default)]
+    #[key(default, read_by("joints"))]
     pub stiffness: Option<StiffnessRule>,
     /// Normal stiffness per area of contact, Pa/m. Default in `[space.planar]`
     /// 10 (K + 4G/3)/L from `young` and `poisson` of the materials, L the median block size; in
     /// `[space.spatial]` by `stiffness`.
-    #[key(changes)]
+    #[key(changes, read_by("joints"))]
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area of contact, Pa/m. Default half the normal one.
-    #[key(changes)]
+    #[key(changes, read_by("joints"))]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether joints neither open nor slide; found contacts do, by the friction given. Default false: Mohr-Coulomb, tension
     /// cut-off.
     #[key(space = "spatial", instead = "use `bond` with a high strength")]
     #[serde(default)]
+    #[key(read_by("joints"))]
     pub elastic: bool,
     /// Angle of friction. Give this or `friction_coefficient`.
-    #[key(changes)]
+    #[key(changes, read_by("joints", "sliding"))]
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Tangent of the friction angle. Give this or `friction_angle`.
-    #[key(changes)]
+    #[key(changes, read_by("joints", "sliding"))]
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
     /// Cohesion, Pa.
-    #[key(default = "0 Pa", changes)]
+    #[key(default = "0 Pa", changes, read_by("joints", "sliding"))]
     pub cohesion: Option<Quantity<Strength>>,
     /// Tensile strength of joints, Pa.
     #[key(space = "spatial", instead = "it belongs into `bond`")]
-    #[key(default = "0 Pa", changes)]
+    #[key(default = "0 Pa", changes, read_by("joints", "sliding"))]
     pub tension: Option<Quantity<Strength>>,
     /// Angle of friction of joints that have failed. Default `friction_angle`.
     #[key(space = "spatial", instead = "it belongs into `bond`")]
-    #[key(changes)]
+    #[key(changes, read_by("joints", "sliding"))]
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
     /// Cohesion of joints that have failed, Pa.
     #[key(space = "spatial", instead = "it belongs into `bond`")]
-    #[key(default = "0 Pa", changes)]
+    #[key(default = "0 Pa", changes, read_by("joints", "sliding"))]
     pub residual_cohesion: Option<Quantity<Strength>>,
     /// Angle of dilation of joints that slide; in the plane of `bond`.
-    #[key(default = "0 deg")]
+    #[key(default = "0 deg", read_by("joints", "sliding"))]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
     /// Slip at which dilation ends, m; joints that slide back close again. Needed with `dilation_angle`.
+    #[key(read_by("joints"))]
     pub dilation_end: Option<Quantity<PositiveLength>>,
     /// Lets joints (in the plane `bond`) weaken gradually.
+    #[key(read_by("sliding"))]
     pub softening: Option<JointSoftening>,
     /// Friction of rough joints (in the plane `bond`): tan(phi_r + JRC log10(JCS/s)), phi_r the residual friction angle.
+    #[key(read_by("sliding"))]
     pub barton_bandis: Option<BartonBandis>,
     /// Lets joints (in the plane `bond`) stiffen under pressure; `normal_stiffness` is the initial one.
     pub closure: Option<Closure>,
     /// What fails as one.
     #[key(space = "spatial")]
-    #[key(default)]
+    #[key(default, read_by("joints", "sliding"))]
     pub failure: Option<Failure>,
     /// Where the four points of a joint lie.
     #[key(space = "spatial")]
-    #[key(default)]
+    #[key(default, read_by("joints"))]
     pub points: Option<Points>,
     /// Law of friction.
     #[key(space = "planar")]
@@ -102,14 +106,14 @@ pub struct Interface {
     pub clip_speed: Option<Quantity<Speed>>,
     /// Share of critical damping of found contacts; of closed joints in `[space.spatial]` dashpots with the time
     /// constant `damping_ratio` times distance of the centroids over c_P (needs `young`, `poisson`).
-    #[key(planar = "0.2", spatial = "0.1", changes)]
+    #[key(planar = "0.2", spatial = "0.1", changes, read_by("joints"))]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`.
     #[key(changes)]
     pub restitution: Option<Quantity<Restitution>>,
     /// Points of a joint on which its dashpots and those of `damping.stiffness` act along it; across it on all closed ones.
     #[key(space = "spatial")]
-    #[key(default)]
+    #[key(default, read_by("joints", "sliding"))]
     pub dashpots: Option<Dashpots>,
     /// Joins blocks that share an edge at the start with patches that can break.
     #[key(
@@ -166,14 +170,19 @@ pub struct Closure {
 pub struct BrittleBond {
     /// Thickness L of the interface, m: springs E/L and G/L per area. One for all facets; 0.01 of the smallest block
     /// adds 1 % of compliance. Needed without `normal_stiffness`.
+    #[key(read_by("bonds"))]
     pub thickness: Option<Quantity<PositiveLength>>,
     /// Young's modulus of the interface, Pa. Default those of the two materials in series.
+    #[key(read_by("bonds"))]
     pub young: Option<Quantity<Modulus>>,
     /// Poisson's ratio of the interface. Needed with `young`.
+    #[key(read_by("bonds"))]
     pub poisson: Option<Quantity<Poisson>>,
     /// Normal stiffness per area, Pa/m, in place of `thickness`.
+    #[key(read_by("bonds"))]
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area, Pa/m. Default half `normal_stiffness`.
+    #[key(read_by("bonds"))]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether bonds never break. Default false.
     #[serde(default)]
@@ -187,12 +196,13 @@ pub struct BrittleBond {
     /// Angle of friction of broken bonds. Default `friction_angle`.
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
     /// Cohesion of broken bonds under pressure, Pa; not with `cohesive`.
-    #[key(default = "0 Pa")]
+    #[key(default = "0 Pa", read_by("bonds"))]
     pub residual_cohesion: Option<Quantity<Strength>>,
     /// Lets bonds soften: the work of separation is then that of the material and not of the mesh.
+    #[key(read_by("bonds"))]
     pub cohesive: Option<Cohesive>,
     /// What fails as one; `cohesive` goes with `spring` only.
-    #[key(default)]
+    #[key(default, read_by("bonds"))]
     pub failure: Option<BondFailure>,
 }
 

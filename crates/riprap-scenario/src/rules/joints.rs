@@ -71,29 +71,12 @@ impl Rules {
 
     /// An elastic joint has no strength; a scene may have one all the same, for its variants.
     fn no_strength(&mut self, span: &Span, of: &str, interface: &Interface) {
-        let given: Vec<&str> = [
-            ("friction_angle", interface.friction_angle.is_some()),
-            (
-                "friction_coefficient",
-                interface.friction_coefficient.is_some(),
-            ),
-            ("cohesion", interface.cohesion.is_some()),
-            ("tension", interface.tension.is_some()),
-            (
-                "residual_friction_angle",
-                interface.residual_friction_angle.is_some(),
-            ),
-            ("residual_cohesion", interface.residual_cohesion.is_some()),
-            ("dilation_angle", interface.dilation_angle.is_some()),
-            ("softening", interface.softening.is_some()),
-            ("barton_bandis", interface.barton_bandis.is_some()),
-            ("failure", interface.failure.is_some()),
-            ("dashpots", interface.dashpots.is_some()),
-        ]
-        .into_iter()
-        .filter(|(_, there)| *there)
-        .map(|(key, _)| key)
-        .collect();
+        let given: Vec<&str> = interface
+            .read_by("sliding")
+            .into_iter()
+            .filter(|(_, there)| *there)
+            .map(|(key, _)| key)
+            .collect();
         if !given.is_empty() {
             let message = format!("{of} is elastic and has {}", list(&given));
             let help = "an elastic joint neither opens nor slides: these keys have no effect";

@@ -21,7 +21,7 @@ mod start;
 use crate::model::builder::Builder;
 use crate::plan::PhaseKind;
 use crate::scenario::diagnostic::list;
-use crate::scenario::language::{Fixed, Interface, InterfaceChange, Output, Phase, Target};
+use crate::scenario::language::{Fixed, Interface, Output, Phase, Target};
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Span, target_span};
 
@@ -240,13 +240,16 @@ impl Builder<'_> {
             if of_bonds && !of_rigid && !(found && said.brittle_bond.is_none()) {
                 let help = "this interface has no two rigid blocks of which one is free: bonds of deformable blocks, and their contacts where they \
                             meet anew, are described by `brittle_bond`";
-                let keys: Vec<Given> = joint_keys(said).into_iter().filter(unread).collect();
+                let keys: Vec<Given> = said.read_by("joints").into_iter().filter(unread).collect();
                 self.no_effect(&of, &keys, &name.span, help);
                 for phase in &self.parsed.scenario.phases {
                     if let Some(change) = phase.interfaces.get(name.as_str()) {
                         let of = format!("phases.{}.{of}", phase.name);
-                        let keys: Vec<Given> =
-                            changed_keys(change).into_iter().filter(unread).collect();
+                        let keys: Vec<Given> = change
+                            .read_by("joints")
+                            .into_iter()
+                            .filter(unread)
+                            .collect();
                         self.no_effect(&of, &keys, &phase.name.span, help);
                     }
                 }
@@ -265,16 +268,6 @@ impl Builder<'_> {
                 }
             }
             if let Some(bond) = said.brittle_bond.as_ref().filter(|_| of_rigid && !of_bonds) {
-                let keys = [
-                    ("thickness", bond.thickness.is_some()),
-                    ("normal_stiffness", bond.normal_stiffness.is_some()),
-                    ("shear_stiffness", bond.shear_stiffness.is_some()),
-                    ("residual_cohesion", bond.residual_cohesion.is_some()),
-                    ("young", bond.young.is_some()),
-                    ("poisson", bond.poisson.is_some()),
-                    ("cohesive", bond.cohesive.is_some()),
-                    ("failure", bond.failure.is_some()),
-                ];
                 let help = "this interface has only joints of rigid blocks, which take from `brittle_bond` no more \
                             than the strengths that the interface itself does not give";
                 let of = format!("{of}.brittle_bond");
@@ -282,7 +275,7 @@ impl Builder<'_> {
                     .thickness
                     .as_ref()
                     .map_or(&name.span, |thickness| &thickness.span);
-                self.no_effect(&of, &keys, span, help);
+                self.no_effect(&of, &bond.read_by("bonds"), span, help);
             }
         }
     }
@@ -327,47 +320,4 @@ impl Builder<'_> {
             self.found.push(error.at(span.clone()).help(help));
         }
     }
-}
-
-/// Keys that joints of rigid blocks read.
-fn joint_keys(said: &Interface) -> [Given; 16] {
-    [
-        ("stiffness", said.stiffness.is_some()),
-        ("normal_stiffness", said.normal_stiffness.is_some()),
-        ("shear_stiffness", said.shear_stiffness.is_some()),
-        ("elastic", said.elastic),
-        ("friction_angle", said.friction_angle.is_some()),
-        ("friction_coefficient", said.friction_coefficient.is_some()),
-        ("cohesion", said.cohesion.is_some()),
-        ("tension", said.tension.is_some()),
-        (
-            "residual_friction_angle",
-            said.residual_friction_angle.is_some(),
-        ),
-        ("residual_cohesion", said.residual_cohesion.is_some()),
-        ("dilation_angle", said.dilation_angle.is_some()),
-        ("dilation_end", said.dilation_end.is_some()),
-        ("failure", said.failure.is_some()),
-        ("points", said.points.is_some()),
-        ("damping_ratio", said.damping_ratio.is_some()),
-        ("dashpots", said.dashpots.is_some()),
-    ]
-}
-
-/// The same in a phase.
-fn changed_keys(said: &InterfaceChange) -> [Given; 9] {
-    [
-        ("normal_stiffness", said.normal_stiffness.is_some()),
-        ("shear_stiffness", said.shear_stiffness.is_some()),
-        ("friction_angle", said.friction_angle.is_some()),
-        ("friction_coefficient", said.friction_coefficient.is_some()),
-        ("cohesion", said.cohesion.is_some()),
-        ("tension", said.tension.is_some()),
-        (
-            "residual_friction_angle",
-            said.residual_friction_angle.is_some(),
-        ),
-        ("residual_cohesion", said.residual_cohesion.is_some()),
-        ("damping_ratio", said.damping_ratio.is_some()),
-    ]
 }
