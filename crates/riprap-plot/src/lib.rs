@@ -60,6 +60,17 @@ use riprap_record::vtu::ReadError;
 use riprap_record::{OutputError, write_whole};
 use std::path::{Path, PathBuf};
 
+/// What a [`PlotError`] is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The disk.
+    Output,
+    /// The run folder and its files.
+    Folder,
+    /// What was asked for.
+    Request,
+}
+
 /// Why a plot was not made.
 #[derive(Debug, thiserror::Error)]
 pub enum PlotError {
@@ -141,6 +152,26 @@ pub enum PlotError {
         /// What the renderer said.
         reason: String,
     },
+}
+
+impl PlotError {
+    /// What it is about.
+    #[must_use]
+    pub fn fault(&self) -> Fault {
+        match self {
+            Self::Output(_) => Fault::Output,
+            Self::Table(_) | Self::Frame(_) | Self::Names(_) | Self::Manifest(_) => Fault::Folder,
+            Self::Field(_)
+            | Self::NoFrames { .. }
+            | Self::NoSuchFrame { .. }
+            | Self::OutsideTheRun { .. }
+            | Self::NothingToDraw { .. }
+            | Self::Unsuitable { .. }
+            | Self::Fit { .. }
+            | Self::Ending { .. }
+            | Self::Render { .. } => Fault::Request,
+        }
+    }
 }
 
 /// The sources of a run, or why the picture cannot be drawn without.

@@ -3,7 +3,7 @@
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use riprap::plot::PlotError;
+use riprap::plot::{Fault, PlotError};
 use riprap::run::job::JobError;
 use riprap::scenario::{Diagnostic, Diagnostics, Parsed, Severity, Source};
 
@@ -92,21 +92,10 @@ pub fn job_of(py: Python<'_>, error: &JobError, scene: &Parsed) -> PyErr {
 
 /// A picture that could not be drawn.
 pub fn plot(py: Python<'_>, error: &PlotError) -> PyErr {
-    let name = match error {
-        PlotError::Output(_) => "OutputError",
-        PlotError::Table(_)
-        | PlotError::Frame(_)
-        | PlotError::Names(_)
-        | PlotError::Manifest(_) => "FolderError",
-        PlotError::Field(_)
-        | PlotError::NoFrames { .. }
-        | PlotError::NoSuchFrame { .. }
-        | PlotError::OutsideTheRun { .. }
-        | PlotError::NothingToDraw { .. }
-        | PlotError::Unsuitable { .. }
-        | PlotError::Fit { .. }
-        | PlotError::Ending { .. }
-        | PlotError::Render { .. } => "PlotError",
+    let name = match error.fault() {
+        Fault::Output => "OutputError",
+        Fault::Folder => "FolderError",
+        Fault::Request => "PlotError",
     };
     raise(py, name, &error.to_string(), None)
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use riprap::plot::{
-    self, Along, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
+    self, Along, BlockOptions, CraterOptions, Fault, Normal, PlotError, Projection, Vectors, Which,
 };
 use riprap::scenario::units::{self, Dim};
 
@@ -332,21 +332,9 @@ fn file_name(history: &str) -> String {
 
 impl From<PlotError> for Failure {
     fn from(error: PlotError) -> Self {
-        match error {
-            PlotError::Output(_) => Failure::Output(error.to_string()),
-            PlotError::Table(_)
-            | PlotError::Frame(_)
-            | PlotError::Names(_)
-            | PlotError::Manifest(_)
-            | PlotError::Field(_)
-            | PlotError::NoFrames { .. }
-            | PlotError::NoSuchFrame { .. }
-            | PlotError::OutsideTheRun { .. }
-            | PlotError::NothingToDraw { .. }
-            | PlotError::Unsuitable { .. }
-            | PlotError::Fit { .. }
-            | PlotError::Ending { .. }
-            | PlotError::Render { .. } => Failure::Input(error.to_string()),
+        match error.fault() {
+            Fault::Output => Failure::Output(error.to_string()),
+            Fault::Folder | Fault::Request => Failure::Input(error.to_string()),
         }
     }
 }

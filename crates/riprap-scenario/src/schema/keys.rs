@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{Node, description, takes};
+use super::{FoundKey, Node, description, takes};
 use crate::diagnostic::closest;
 
 /// A text on one line.
@@ -37,27 +37,7 @@ fn collect(node: Node, path: &str, out: &mut Vec<KeyDoc>) {
     if path.matches('.').count() > 12 {
         return;
     }
-    let join = |key: &str| {
-        if path.is_empty() {
-            key.to_owned()
-        } else {
-            format!("{path}.{key}")
-        }
-    };
-    let required: Vec<&str> = node.required().collect();
-    for (key, value) in node.properties() {
-        add(value, value, &join(key), required.contains(&key), out);
-    }
-    for (key, value, alternative) in node.variants() {
-        add(value, alternative, &join(key), false, out);
-    }
-    if let Some(value) = node.free_values() {
-        let inner = Node::resolve(value);
-        add(value, inner.value, &join("*"), false, out);
-    }
-    for alternative in node.alternatives() {
-        collect(alternative, path, out);
-    }
+    node.each_key(path, &|_| true, &mut |key, path| add(key, path, out));
 }
 
 /// What a key means: its own text, and what that of its type adds.
@@ -77,15 +57,9 @@ pub(super) fn meaning(documented: &'static Value, node: Node) -> String {
     }
 }
 
-fn add(
-    value: &'static Value,
-    documented: &'static Value,
-    path: &str,
-    required: bool,
-    out: &mut Vec<KeyDoc>,
-) {
-    let node = Node::resolve(value);
-    let text = meaning(documented, node);
+fn add(key: FoundKey, path: &str, out: &mut Vec<KeyDoc>) {
+    let node = Node::resolve(key.value);
+    let text = meaning(key.documented, node);
     let words = node.words();
     // A free name without text of its own is documented by the key above it.
     if !text.is_empty() || !path.ends_with('*') {
@@ -93,7 +67,7 @@ fn add(
             path: path.to_owned(),
             takes: takes(node),
             text,
-            required,
+            required: key.required,
             words: words
                 .into_iter()
                 .map(|(word, text)| (word.to_owned(), flat(text)))

@@ -74,6 +74,17 @@ pub(super) struct Node {
     pub type_name: Option<&'static str>,
 }
 
+/// A key as [`Node::each_key`] finds it.
+#[derive(Clone, Copy)]
+pub struct FoundKey {
+    /// Schema of its value.
+    pub value: &'static Value,
+    /// Schema that has its text.
+    pub documented: &'static Value,
+    /// Whether it must be there.
+    pub required: bool,
+}
+
 impl Node {
     /// Schema of the whole file.
     pub fn root() -> Self {
@@ -132,6 +143,49 @@ impl Node {
         match self.value.get("additionalProperties") {
             None | Some(Value::Bool(false)) => None,
             Some(schema) => Some(schema),
+        }
+    }
+
+    /// Calls `found` for each key that stands right below this node, with its path below `path`, and goes on into those of its
+    /// alternatives that `enters` names.
+    pub fn each_key(
+        self,
+        path: &str,
+        enters: &impl Fn(Node) -> bool,
+        found: &mut impl FnMut(FoundKey, &str),
+    ) {
+        let join = |key: &str| {
+            if path.is_empty() {
+                key.to_owned()
+            } else {
+                format!("{path}.{key}")
+            }
+        };
+        let required: Vec<&str> = self.required().collect();
+        for (key, value) in self.properties() {
+            let key_found = FoundKey {
+                value,
+                documented: value,
+                required: required.contains(&key),
+            };
+            found(key_found, &join(key));
+        }
+        let mut others: Vec<(&str, &'static Value, &'static Value)> = self.variants();
+        if let Some(value) = self.free_values() {
+            others.push(("*", value, Node::resolve(value).value));
+        }
+        for (key, value, documented) in others {
+            let key_found = FoundKey {
+                value,
+                documented,
+                required: false,
+            };
+            found(key_found, &join(key));
+        }
+        for alternative in self.alternatives() {
+            if enters(alternative) {
+                alternative.each_key(path, enters, found);
+            }
         }
     }
 

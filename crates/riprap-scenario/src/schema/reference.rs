@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use super::keys::{flat, meaning};
-use super::{Node, schema};
+use super::{FoundKey, Node, schema};
 use crate::diagnostic;
 use crate::quantity::{KINDS, KindInfo};
 use crate::units::Dim;
@@ -112,38 +112,16 @@ impl Page {
     }
 
     fn collect(&self, node: Node, path: &str, out: &mut Vec<Entry>) {
-        let join = |key: &str| {
-            if path.is_empty() {
-                key.to_owned()
-            } else {
-                format!("{path}.{key}")
-            }
-        };
-        let required: BTreeSet<&str> = node.required().collect();
-        for (key, value) in node.properties() {
-            self.add(value, value, &join(key), required.contains(key), out);
-        }
-        for (key, value, alternative) in node.variants() {
-            self.add(value, alternative, &join(key), false, out);
-        }
-        if let Some(value) = node.free_values() {
-            self.add(value, Node::resolve(value).value, &join("*"), false, out);
-        }
-        for alternative in node.alternatives() {
-            if self.shared_name(alternative).is_none() {
-                self.collect(alternative, path, out);
-            }
-        }
+        let enters = |alternative| self.shared_name(alternative).is_none();
+        node.each_key(path, &enters, &mut |key, path| self.add(key, path, out));
     }
 
-    fn add(
-        &self,
-        value: &'static Value,
-        documented: &'static Value,
-        path: &str,
-        required: bool,
-        out: &mut Vec<Entry>,
-    ) {
+    fn add(&self, key: FoundKey, path: &str, out: &mut Vec<Entry>) {
+        let FoundKey {
+            value,
+            documented,
+            required,
+        } = key;
         let node = Node::resolve(value);
         let own = super::description(documented);
         // What a shared table says about itself stands where the table does.

@@ -145,21 +145,7 @@ impl Builder<'_> {
             None => window,
         };
         // What comes out may have another unit than the field.
-        let unit = match window.within() {
-            Window::Over {
-                reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_),
-                ..
-            } => "s",
-            Window::Over {
-                reduce: Reduce::ShareAbove(_),
-                ..
-            } => "-",
-            Window::Start
-            | Window::At(_)
-            | Window::End
-            | Window::Over { .. }
-            | Window::Phase { .. } => unit,
-        };
+        let unit = window.unit(unit);
         let expected = self.expected(said, unit)?;
         let absolute = match &said.absolute {
             Some(absolute) => Some(self.in_unit(absolute, unit, "`absolute`")?),

@@ -16,26 +16,8 @@ impl Builder<'_> {
     /// Fills `interfaces` and `pair_table`; supports must be known.
     pub(super) fn interfaces(&mut self) {
         let table: &Table<language::Interface> = &self.parsed.scenario.interfaces;
-        let n = self.setup.materials.len();
-        let default = table
-            .names()
-            .position(|name| name == "default")
-            .unwrap_or(0);
-        self.setup.pair_table = vec![default as u16; n * n];
-        for (row, (name, interface)) in table.iter().enumerate() {
-            let Some(pair) = &interface.between else {
-                continue;
-            };
-            let number = |name: &str| self.setup.materials.iter().position(|m| m == name);
-            let (Some(a), Some(b)) = (number(pair[0].as_str()), number(pair[1].as_str())) else {
-                let message = format!("interfaces.{name} is between materials that do not exist");
-                let error = Diagnostic::error("name.unknown", message);
-                self.found.push(error.at(pair[0].span.clone()));
-                continue;
-            };
-            self.setup.pair_table[a * n + b] = row as u16;
-            self.setup.pair_table[b * n + a] = row as u16;
-        }
+        let materials = self.setup.materials.clone();
+        self.setup.pair_table = self.pair_table(&materials);
         let size = self.median_size();
         for (row, (name, interface)) in table.iter().enumerate() {
             if let Some(law) = self.contact_law(row, name.as_str(), interface, size) {
@@ -57,6 +39,30 @@ impl Builder<'_> {
                 });
             }
         }
+    }
+
+    /// Row of the table of interfaces for each two materials, the first of the pair outside.
+    pub(super) fn pair_table(&mut self, materials: &[String]) -> Vec<u16> {
+        let table = &self.parsed.scenario.interfaces;
+        let n = materials.len();
+        // Without a `default` the rules of the language have said so.
+        let default = table.names().position(|name| name == "default");
+        let mut rows = vec![default.unwrap_or(0) as u16; n * n];
+        for (row, (name, interface)) in table.iter().enumerate() {
+            let Some(pair) = &interface.between else {
+                continue;
+            };
+            let number = |name: &str| materials.iter().position(|m| m == name);
+            let (Some(a), Some(b)) = (number(pair[0].as_str()), number(pair[1].as_str())) else {
+                let message = format!("interfaces.{name} is between materials that do not exist");
+                let error = Diagnostic::error("name.unknown", message);
+                self.found.push(error.at(pair[0].span.clone()));
+                continue;
+            };
+            rows[a * n + b] = row as u16;
+            rows[b * n + a] = row as u16;
+        }
+        rows
     }
 
     /// Divides all strengths, those of later phases too, by `strength_factor`.

@@ -93,6 +93,26 @@ impl Window {
             Window::Start | Window::At(_) | Window::End | Window::Over { .. } => self,
         }
     }
+
+    /// Unit of what is read of a field with this unit: a time is in s, a share is a number.
+    #[must_use]
+    pub fn unit(self, of_field: &str) -> &str {
+        match self.within() {
+            Window::Over {
+                reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_),
+                ..
+            } => "s",
+            Window::Over {
+                reduce: Reduce::ShareAbove(_),
+                ..
+            } => "-",
+            Window::Start
+            | Window::At(_)
+            | Window::End
+            | Window::Over { .. }
+            | Window::Phase { .. } => of_field,
+        }
+    }
 }
 
 /// How values over an interval become one number.

@@ -6,31 +6,16 @@ use crate::model::builder::Builder;
 use crate::model::interfaces::{angle_shown, changed_damping, changed_friction, friction};
 use crate::scenario::language::{self, InterfaceChange};
 use crate::scenario::read::{Given, Provenance, Read};
-use crate::scenario::{Diagnostic, Quantity, quantity};
+use crate::scenario::{Quantity, quantity};
 use crate::spatial::setup::{InterfaceLaw, JointLaw, Stiffness, StiffnessRule, Strength};
 
 impl Builder<'_> {
     /// Fills `interfaces` and `pair_table`.
     pub(super) fn joints(&mut self) {
         let table = &self.parsed.scenario.interfaces;
-        let n = self.spatial.materials.len();
-        let default = table.names().position(|name| name == "default");
-        self.spatial.pair_table = vec![default.unwrap_or(0) as u16; n * n];
-        for (row, (name, interface)) in table.iter().enumerate() {
-            let Some(pair) = &interface.between else {
-                continue;
-            };
-            let materials = &self.spatial.materials;
-            let number = |name: &str| materials.iter().position(|m| m.name == name);
-            let (Some(a), Some(b)) = (number(pair[0].as_str()), number(pair[1].as_str())) else {
-                let message = format!("interfaces.{name} is between materials that do not exist");
-                let error = Diagnostic::error("name.unknown", message);
-                self.found.push(error.at(pair[0].span.clone()));
-                continue;
-            };
-            self.spatial.pair_table[a * n + b] = row as u16;
-            self.spatial.pair_table[b * n + a] = row as u16;
-        }
+        let materials: Vec<String> =
+            (self.spatial.materials.iter().map(|m| m.name.clone())).collect();
+        self.spatial.pair_table = self.pair_table(&materials);
         for (name, interface) in table.iter() {
             let joint = self.joint(name.as_str(), interface);
             let friction = joint.strength.is_none().then(|| {

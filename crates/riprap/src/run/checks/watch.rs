@@ -239,21 +239,7 @@ impl Watch {
     }
 
     fn result_unit(&self) -> &str {
-        match self.check.window.within() {
-            Window::Over {
-                reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_),
-                ..
-            } => "s",
-            Window::Over {
-                reduce: Reduce::ShareAbove(_),
-                ..
-            } => "-",
-            Window::Start
-            | Window::At(_)
-            | Window::End
-            | Window::Over { .. }
-            | Window::Phase { .. } => &self.check.unit,
-        }
+        self.check.window.unit(&self.check.unit)
     }
 
     fn expected_at(&self, time: f64) -> Option<f64> {

@@ -9,7 +9,7 @@
 //!                                                | default*      default*  |      * is reduced
 //! ```
 
-use super::{Rules, SafetyError};
+use super::rules::{Rules, SafetyError};
 use crate::plan::Plan;
 use crate::setup::Setup;
 
@@ -218,33 +218,30 @@ impl<'a> Laws<'a> {
 
 impl Single {
     fn apply(self, setup: &mut Setup) {
-        let copies = self.copies.iter().map(|row| usize::from(*row));
-        let twins = self.twins.iter().map(|twin| usize::from(*twin));
         match setup {
             Setup::Planar(setup) => {
                 for (block, material) in setup.blocks.iter_mut().zip(self.blocks) {
                     block.material = material;
                 }
-                for twin in twins {
-                    setup.materials.push(setup.materials[twin].clone());
-                }
-                for row in copies {
-                    setup.interfaces.push(setup.interfaces[row].clone());
-                }
+                copy_rows(&mut setup.materials, &self.twins);
+                copy_rows(&mut setup.interfaces, &self.copies);
                 setup.pair_table = self.pairs;
             }
             Setup::Spatial(setup) => {
                 for (block, material) in setup.blocks.iter_mut().zip(self.blocks) {
                     block.material = material;
                 }
-                for twin in twins {
-                    setup.materials.push(setup.materials[twin].clone());
-                }
-                for row in copies {
-                    setup.interfaces.push(setup.interfaces[row].clone());
-                }
+                copy_rows(&mut setup.materials, &self.twins);
+                copy_rows(&mut setup.interfaces, &self.copies);
                 setup.pair_table = self.pairs;
             }
         }
+    }
+}
+
+/// Appends copies of rows of a table.
+fn copy_rows<T: Clone>(table: &mut Vec<T>, rows: &[u16]) {
+    for row in rows {
+        table.push(table[usize::from(*row)].clone());
     }
 }
