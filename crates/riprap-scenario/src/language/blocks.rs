@@ -4,9 +4,9 @@ use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Point;
 use super::files::{Polygons, Traces};
 use super::joints::{JointPlanes, JointSet};
+use super::points::Point;
 use super::solids::{Brick, Grid, Mechanics, Mesh, Part, Polyhedron, Terrain};
 use crate::quantity::{
     Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity,

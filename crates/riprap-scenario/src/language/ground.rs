@@ -4,8 +4,8 @@ use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Point3;
 use super::loads::MotionComponents;
+use super::points::Point3;
 use super::solids::{BoxRegion, Empty};
 use crate::quantity::{
     Angle, Density, Length, Name, NotNegativePlain, Plain, Pressure, PressureGradient, Quantity,

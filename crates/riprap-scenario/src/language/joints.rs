@@ -3,7 +3,7 @@
 use riprap_keys::Keys;
 use serde::Deserialize;
 
-use super::Point3;
+use super::points::Point3;
 use crate::quantity::{
     Angle, Length, Name, NotNegativeAngle, NotNegativeLength, PositiveLength, Quantity, Share,
 };

@@ -4,7 +4,7 @@ use riprap_keys::Keys;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Point;
+use super::points::Point;
 use super::solids::BoxRegion;
 use crate::quantity::{
     Acceleration, Axial, ForcePerLength, Kind, Length, MomentPerLength, Name, Plain, Pressure,

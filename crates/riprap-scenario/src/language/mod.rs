@@ -18,6 +18,7 @@ mod joints;
 mod loads;
 mod outputs;
 mod phases;
+mod points;
 mod solids;
 mod sources;
 mod space;
@@ -47,6 +48,7 @@ pub use loads::{
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
+pub use points::{Point, Point3};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
     NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
@@ -58,13 +60,7 @@ pub use sources::{
 pub use space::{Group, Material, Planar, Space, Spatial};
 pub use water::{Drain, Seepage, Water};
 
-use super::quantity::{Length, PositivePlain, Quantity, Table};
-
-/// A point of the plane: [x, y], x to the right, y up, m.
-pub type Point = [Quantity<Length>; 2];
-
-/// A point of space: [x, y, z], x east, y north, z up, m.
-pub type Point3 = [Quantity<Length>; 3];
+use super::quantity::{PositivePlain, Quantity, Table};
 
 /// A scenario: everything that riprap needs to build, run and check one model.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]

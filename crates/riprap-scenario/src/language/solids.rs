@@ -4,7 +4,7 @@ use riprap_keys::{Keys, Words};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Point3;
+use super::points::Point3;
 use crate::quantity::{
     Angle, Edges, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity, Span, Vector,
 };

@@ -9,8 +9,8 @@ use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 
-use super::Point3;
 use super::outputs::Every;
+use super::points::Point3;
 use super::solids::{Ball, BoxRegion, Empty, Plane, Segment};
 use crate::quantity::{
     Density, Length, Mass, Name, NotNegativePlain, NotNegativeTime, PositiveLength, PositivePlain,

@@ -3,8 +3,8 @@
 use riprap_keys::Keys;
 use serde::Deserialize;
 
-use super::BoxRegion;
 use super::ground::Side;
+use super::solids::BoxRegion;
 use crate::quantity::{Angle, Density, Length, Name, PositiveLength, Quantity, Viscosity};
 use crate::vectors::Vector;
 
@@ -19,8 +19,12 @@ pub struct Water {
     /// Path of a CSV file: `x_m`, `y_m`, `z_m` of a rectangular grid; beyond it as at its rim.
     #[key(space = "spatial", instead = "give its corners (`points`)")]
     pub csv: Option<Name>,
-    /// Bearing, clockwise from north (y), in which distances from the origin grow. Default 90 deg: along x.
-    #[key(space = "spatial", instead = "distances run along x")]
+    /// Bearing, clockwise from north (y), in which distances from the origin grow: 90 deg is along x.
+    #[key(
+        default = "90 deg",
+        space = "spatial",
+        instead = "distances run along x"
+    )]
     pub azimuth: Option<Quantity<Angle>>,
     /// Density of the water, kg/m3.
     #[key(default = "1000 kg/m3")]

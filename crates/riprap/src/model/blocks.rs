@@ -10,42 +10,13 @@ use riprap_geom::voronoi::{self, Cells};
 use riprap_geom::{GeomError, Vec2};
 
 use super::builder::{Builder, global};
+use super::generated::Generated;
 use super::summary::Region;
 use crate::scenario::language::{
     Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
 };
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Name, Span, csv_columns};
-
-/// What one table makes.
-pub(super) struct Generated {
-    pub(super) outlines: Vec<Vec<Vec2>>,
-    /// Whether the blocks are called name.1, name.2, ...
-    pub(super) numbered: bool,
-    pub(super) region: Option<Region>,
-    /// Groups of the file it comes from, by places among `outlines`.
-    pub(super) groups: Vec<(String, Vec<u32>)>,
-}
-
-impl Generated {
-    fn single(outline: Vec<Vec2>) -> Self {
-        Generated {
-            outlines: vec![outline],
-            numbered: false,
-            region: None,
-            groups: Vec::new(),
-        }
-    }
-
-    pub(super) fn several(outlines: Vec<Vec<Vec2>>) -> Self {
-        Generated {
-            outlines,
-            numbered: true,
-            region: None,
-            groups: Vec::new(),
-        }
-    }
-}
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn places(block: &Block) -> Vec<Vec2> {

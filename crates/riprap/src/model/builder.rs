@@ -1,25 +1,23 @@
-//! The order in which a model is made.
+//! What the parts of the model builder share.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use riprap_geom::{Vec2, Vec3, polygon};
+use riprap_geom::{Vec2, Vec3};
 
-use super::assertions::LIMIT;
-use super::blocks::Generated;
-use super::drawn::Drawn;
-use super::names::{Directory, Entry};
-use super::{Model, Summary, inspect};
+use super::generated::Drawn;
+use super::names::Directory;
+use super::summary::Summary;
 use crate::plan::Plan;
-use crate::planar::setup::{BlockSpec, Group, Setup};
+use crate::planar::setup::Setup;
 use crate::record::field::FieldInfo;
-use crate::scenario::language::{Block, BoxRegion, Planar, Point, Space, Target};
-use crate::scenario::quantity::{Acceleration, Axial, Down};
+use crate::scenario::language::{BoxRegion, Point, Target};
+use crate::scenario::quantity::{Acceleration, Down};
 use crate::scenario::read::{Explained, Provenance, Read};
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, Diagnostics, Name, Parsed, Quantity, Severity};
+use crate::scenario::{Diagnostic, Name, Parsed, Severity};
 use crate::spatial::setup as spatial;
 
-/// What the parts of the model builder share.
+/// A model that is being made.
 pub(super) struct Builder<'a> {
     pub(super) parsed: &'a Parsed,
     pub(super) fields: &'a [FieldInfo],
@@ -42,89 +40,6 @@ pub(super) struct Builder<'a> {
     pub(super) found: Vec<Diagnostic>,
     pub(super) explained: Vec<Explained>,
     pub(super) summary: Summary,
-}
-
-/// Builds the model of one case.
-///
-/// `variant` is the name of the case's variant (`default` for the scene as it stands), `fields` the
-/// field table of the engine, against which histories and checks are held.
-///
-/// # Errors
-/// Everything that is wrong with it, with places in the scenario text.
-pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Model, Diagnostics> {
-    let mut b = Builder {
-        parsed,
-        fields,
-        variant,
-        space: match parsed.scenario.space {
-            Space::Planar(_) => InSpace::Planar,
-            Space::Spatial(_) => InSpace::Spatial,
-        },
-        origin: Vec2::ZERO,
-        setup: Setup::default(),
-        spatial: spatial::Setup::default(),
-        fitted_levels: BTreeMap::new(),
-        plan: Plan {
-            title: parsed.scenario.title.clone(),
-            ..Plan::default()
-        },
-        directory: Directory::default(),
-        drawn: BTreeMap::new(),
-        surfaces: BTreeMap::new(),
-        found: parsed.warnings.clone(),
-        explained: Vec::new(),
-        summary: Summary::default(),
-    };
-    let sound = match &parsed.scenario.space {
-        Space::Planar(space) => b.planar(space),
-        Space::Spatial(space) => b.solid(space),
-    };
-    if sound {
-        b.water();
-        b.phases();
-        b.reduce_strength();
-        b.outputs();
-    }
-    let (mut checks, mut bisect) = (Vec::new(), None);
-    if sound {
-        let (of_limit, of_run) = b.checks().into_iter().partition(|c| c.gauge.field == LIMIT);
-        checks = of_run;
-        bisect = b.bisect(of_limit);
-        if b.errors() == 0 {
-            b.unused();
-            b.loose();
-            b.dry_tables();
-            match b.space {
-                InSpace::Planar => {
-                    inspect::inspect(&mut b);
-                    b.stress_balance();
-                }
-                InSpace::Spatial => {
-                    b.unused_in_space();
-                    b.inspect_solid();
-                }
-            }
-        }
-    }
-    let diagnostics = Diagnostics::new(parsed.source.clone(), b.found);
-    if diagnostics.errors() > 0 {
-        return Err(diagnostics);
-    }
-    // What several tables name (an explosive of many charges) is read for each of them.
-    let mut told = BTreeSet::new();
-    b.explained.retain(|line| told.insert(line.key.clone()));
-    Ok(Model {
-        setup: match b.space {
-            InSpace::Planar => b.setup.into(),
-            InSpace::Spatial => b.spatial.into(),
-        },
-        plan: b.plan,
-        checks,
-        bisect,
-        explained: b.explained,
-        summary: b.summary,
-        warnings: diagnostics.list,
-    })
 }
 
 impl Builder<'_> {
@@ -173,32 +88,6 @@ impl Builder<'_> {
     /// A point in local coordinates.
     pub(super) fn point(&self, point: &Point) -> Vec2 {
         global(point) - self.origin
-    }
-
-    /// Everything of the plane up to the loads; whether names and sizes are known.
-    fn planar(&mut self, space: &Planar) -> bool {
-        self.planar_gravity(space);
-        self.setup.thickness = space.thickness.as_ref().map(Quantity::si);
-        self.draw();
-        self.find_origin();
-        self.blocks();
-        // Names and sizes of blocks that could not be made would only give follow-up errors.
-        if self.errors() > 0 {
-            return false;
-        }
-        self.groups();
-        self.setup.groups = self
-            .directory
-            .groups()
-            .into_iter()
-            .map(|(name, blocks)| Group { name, blocks })
-            .collect();
-        self.supports();
-        self.interfaces();
-        self.loads();
-        self.in_situ();
-        self.bolts();
-        true
     }
 
     /// Groups by place or by name.
@@ -264,126 +153,6 @@ impl Builder<'_> {
             Some(down) => [0.0, 0.0, -down],
             None => said.xyz(),
         }
-    }
-
-    fn planar_gravity(&mut self, planar: &Planar) {
-        let mut read = self.reading("space.planar", planar);
-        let [x, y] = read.gravity().each_ref().map(Quantity::si);
-        let tilt = read.tilt();
-        let (sin, cos) = (libm::sin(tilt), libm::cos(tilt));
-        self.setup.gravity = [x * cos + y * sin, y * cos - x * sin];
-    }
-
-    /// Far from the origin, coordinates lose digits: then the model gets an origin of its own.
-    fn find_origin(&mut self) {
-        let mut points: Vec<Vec2> = Vec::new();
-        for block in &self.parsed.scenario.blocks {
-            let shift = block.shift.as_ref().map_or(Vec2::ZERO, |s| s.xy().into());
-            let drawn = self.drawn.get(block.name.as_str());
-            let drawn = drawn
-                .iter()
-                .flat_map(|d| d.outlines.iter().flatten().copied());
-            points.extend(
-                super::blocks::places(block)
-                    .into_iter()
-                    .chain(drawn)
-                    .map(|p| p + shift),
-            );
-        }
-        let bounds = riprap_geom::polygon::Aabb::of(&points);
-        let far = bounds.min.abs().max(bounds.max.abs()).max_element();
-        let size = bounds.size();
-        if points.is_empty() || !size.is_finite() || far < 1e4 || far < 100.0 * size {
-            return;
-        }
-        // A whole number of powers of two near the size: subtracting it loses no digit.
-        let unit = libm::exp2(libm::floor(libm::log2(size.max(1.0))));
-        self.origin = (bounds.centre() / unit).round() * unit;
-        self.setup.origin = self.origin.into();
-        let [x, y] = self.setup.origin;
-        let message = format!(
-            "the model lies far from the origin: it is calculated relative to ({x} m, {y} m)"
-        );
-        let note = Diagnostic::warning("geometry.far", message);
-        self.found
-            .push(note.help("nothing to do: outputs are in the coordinates of the file"));
-        self.explain(
-            "origin",
-            format!("[{x} m, {y} m]"),
-            Provenance::Derived,
-            "far coordinates",
-        );
-    }
-
-    fn blocks(&mut self) {
-        let scenario = &self.parsed.scenario;
-        self.setup.materials = scenario.materials.names().map(str::to_owned).collect();
-        for (name, material) in scenario.materials.iter() {
-            self.reading(format!("materials.{name}"), material)
-                .density();
-        }
-        for block in &scenario.blocks {
-            let Some(generated) = self.generate(block) else {
-                continue;
-            };
-            self.enter(block, generated);
-        }
-        if self.setup.blocks.is_empty() && self.errors() == 0 {
-            let message = "the model is empty: no block was made";
-            self.found.push(Diagnostic::error("model.empty", message));
-        }
-    }
-
-    /// Adds the blocks of one table to the setup.
-    fn enter(&mut self, block: &Block, generated: Generated) {
-        let scenario = &self.parsed.scenario;
-        let material = scenario
-            .materials
-            .names()
-            .position(|name| name == block.material.as_str());
-        let density = scenario
-            .materials
-            .get(block.material.as_str())
-            .map(|m| m.density.si());
-        let (Some(material), Some(density)) = (material, density) else {
-            let message = format!("there is no material `{}`", block.material);
-            let mut error = Diagnostic::error("name.unknown", message);
-            let known: Vec<&str> = scenario.materials.names().collect();
-            error.help = crate::scenario::diagnostic::suggest(block.material.as_str(), known);
-            self.found.push(error.at(block.material.span.clone()));
-            return;
-        };
-        let entry = Entry {
-            name: block.name.text.clone(),
-            first: self.setup.blocks.len() as u32,
-            count: generated.outlines.len() as u32,
-            numbered: generated.numbered,
-        };
-        let first = entry.first;
-        self.directory.add(entry, &block.groups);
-        for (name, members) in generated.groups {
-            let members = members.into_iter().map(|k| first + k).collect();
-            self.directory.extend(&name, members);
-        }
-        let velocity = block
-            .velocity
-            .as_ref()
-            .map_or(Vec2::ZERO, |v| v.xy().into());
-        let spin = block.spin.as_ref().and_then(Axial::single).unwrap_or(0.0);
-        for vertices in generated.outlines {
-            let number = self.setup.blocks.len() as u32;
-            let centroid = polygon::mass_properties(&vertices).centroid;
-            self.directory.centroids.push([centroid.x, centroid.y, 0.0]);
-            self.setup.blocks.push(BlockSpec {
-                name: self.directory.name(number),
-                vertices,
-                material: material as u16,
-                density,
-                velocity,
-                spin,
-            });
-        }
-        self.summary.regions.extend(generated.region);
     }
 
     /// An error at a name.

@@ -1,12 +1,10 @@
 //! Outlines and traces from drawings and tessellations in the plane.
 
-use std::collections::BTreeMap;
-
 use riprap_geom::Vec2;
 use riprap_geom::polygon::{self, Collinear};
 
-use super::blocks::Generated;
 use super::builder::Builder;
+use super::generated::{Drawn, Generated};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::foreign::dxf::{Drawing, parse_dxf};
 use crate::scenario::foreign::tess::{Cells, parse_tess};
@@ -15,16 +13,6 @@ use crate::scenario::language::{Block, Cut, Geometry, Polygons, Traces};
 use crate::scenario::quantity::PositiveLength;
 use crate::scenario::read::Provenance;
 use crate::scenario::{Diagnostic, Name, Quantity};
-
-/// Polygons of a file in the coordinates of the scenario, m.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Drawn {
-    pub(super) outlines: Vec<Vec<Vec2>>,
-    /// Places in the file.
-    places: Vec<Place>,
-    /// Groups of outlines by name.
-    groups: BTreeMap<String, Vec<u32>>,
-}
 
 /// What is asked of a drawing.
 struct Wanted<'a> {

@@ -17,9 +17,11 @@ mod assertions;
 mod behaviour;
 mod blocks;
 mod bolts;
+mod build;
 mod builder;
 mod drawn;
 mod fields;
+mod generated;
 mod in_situ;
 mod inspect;
 mod interfaces;
@@ -35,7 +37,7 @@ mod water;
 
 pub use crate::scenario::read::{Explained, Provenance};
 pub use assertions::{Bisection, LIMIT};
-pub use builder::build;
+pub use build::build;
 pub use summary::{Charge, Region, Summary};
 
 use crate::plan::Check;

@@ -213,20 +213,15 @@ impl Builder<'_> {
         self.error_at("water.seepage", name, message, help);
     }
 
+    /// Direction in which distances grow, horizontal, length 1.
     fn along(&mut self, name: &str, said: &Water) -> [f64; 2] {
-        let direction = match (&said.azimuth, self.space) {
-            (Some(azimuth), _) => {
-                let (sin, cos) = libm::sincos(azimuth.si());
-                return [sin, cos].map(|c| if c.abs() < ROUND_OFF { 0.0 } else { c });
-            }
-            (None, InSpace::Planar) => return [1.0, 0.0],
-            (None, InSpace::Spatial) => [1.0, 0.0],
-        };
-        if said.points.is_some() {
-            let key = format!("water.{name}.azimuth");
-            self.explain(key, "90 deg", Provenance::Default, "");
+        // A level table and one of a grid have no distances.
+        if self.space == InSpace::Planar || said.points.is_none() {
+            return [1.0, 0.0];
         }
-        direction
+        let azimuth = self.reading(format!("water.{name}"), said).azimuth();
+        let (sin, cos) = libm::sincos(azimuth);
+        [sin, cos].map(|c| if c.abs() < ROUND_OFF { 0.0 } else { c })
     }
 
     /// Water stands level under gravity alone: its direction must be that of the heights.

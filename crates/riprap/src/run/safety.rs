@@ -20,17 +20,13 @@
 #[cfg(feature = "scenario")]
 mod quantity;
 mod record;
+mod rules;
 mod scope;
 mod trial;
 mod verdict;
 
-use serde::Serialize;
-use thiserror::Error;
-
 use super::bracket::{Found, Search, Task, drive};
-use super::engine::BuildError;
 use super::job::Job;
-use crate::exec::ExecError;
 use crate::plan::shown::Shown;
 use crate::plan::{Every, Plan, Until};
 use crate::setup::Setup;
@@ -39,7 +35,10 @@ pub use super::bracket::State;
 #[cfg(feature = "scenario")]
 pub(in crate::run) use quantity::with_value;
 #[cfg(feature = "scenario")]
-pub use quantity::{Quantity, RangeError, over_quantity};
+pub use quantity::{Quantity, over_quantity};
+#[cfg(feature = "scenario")]
+pub use rules::RangeError;
+pub use rules::{Answer, Rules, SafetyError, Trial};
 use scope::{Scope, scope};
 use trial::{Done, Made, Maker};
 pub use trial::{reduced_from_start, trial_phase};
@@ -47,139 +46,6 @@ pub use verdict::Mechanism;
 
 /// Largest factor that is tried; above it strength does not decide. Its inverse is the smallest.
 const MOST: f64 = 64.0;
-/// Steps between two looks at a trial.
-const LOOK: u64 = 50;
-/// Share of the size of the middle one of the blocks that counts as moved where nothing else is said.
-const MOVED: f64 = 1e-3;
-/// The same for blocks that are not where they were any more: what comes to rest then has not stood.
-const FAR: f64 = 0.1;
-
-/// How the search is made.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Rules {
-    /// Width of the answer, SI.
-    pub width: f64,
-    /// Interfaces whose strength is reduced, by name; empty: all.
-    pub interfaces: Vec<String>,
-    /// Materials: only strengths between a block of one of these and any other are reduced; empty: all.
-    pub materials: Vec<String>,
-    /// Groups of blocks: only strengths between a block of one of these and any other are reduced; empty: all.
-    pub groups: Vec<String>,
-    /// Displacement in a trial from which on it may count as failing, m; `None`: a thousandth of the size of the middle one of the blocks.
-    pub moved: Option<f64>,
-    /// Ratio of unbalanced forces at which a trial is stable.
-    pub balance: f64,
-    /// Steps of a trial after which it is undecided.
-    pub steps: u64,
-    /// Whether every trial runs the scene from its start with the reduced strengths, instead of going on from the last stable state.
-    pub from_start: bool,
-}
-
-impl Default for Rules {
-    fn default() -> Self {
-        Self {
-            width: 0.01,
-            interfaces: Vec::new(),
-            materials: Vec::new(),
-            groups: Vec::new(),
-            moved: None,
-            balance: 1e-5,
-            steps: 100_000,
-            from_start: false,
-        }
-    }
-}
-
-/// One trial.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Trial {
-    /// Factor that strengths are divided by, or value of the quantity, SI.
-    pub value: f64,
-    /// What came of it.
-    pub state: State,
-    /// Largest displacement of a block in the trial, m.
-    pub moved: f64,
-    /// The block that has it.
-    pub block: String,
-    /// Unbalanced forces over all forces at the end.
-    pub unbalanced: f64,
-    /// Steps.
-    pub steps: u64,
-    /// Wall time, s.
-    pub seconds: f64,
-    /// Why the physics stopped it, and what else is to be known.
-    pub note: String,
-    /// Number of the phase of the scene in which it failed already.
-    #[serde(skip)]
-    pub phase: Option<usize>,
-}
-
-/// What was found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Answer {
-    /// The key of the quantity that was searched for; `None`: a factor of safety.
-    pub quantity: Option<String>,
-    /// SI unit of the values; empty for plain numbers.
-    pub unit: String,
-    /// The unit in which they are shown.
-    #[serde(skip)]
-    pub shown: Shown,
-    /// Width that was asked for, SI.
-    #[serde(skip)]
-    pub width: f64,
-    /// The value nearest to the limit that is stable; `None`: no value that was tried.
-    pub stable_at: Option<f64>,
-    /// The value nearest to the limit that fails; `None`: no value that was tried.
-    pub fails_at: Option<f64>,
-    /// Whether there is an undecided trial between both, so that the range is wider than was asked for.
-    pub undecided: bool,
-    /// All trials, in order.
-    pub trials: Vec<Trial>,
-    /// Blocks that move at `fails_at`, the farthest first, with their displacement in m.
-    pub moving: Vec<(String, f64)>,
-    /// How they move.
-    pub mechanism: Option<Mechanism>,
-}
-
-/// Why there is no answer.
-#[derive(Debug, Error)]
-pub enum SafetyError {
-    /// The engine cannot build the model.
-    #[error(transparent)]
-    Build(#[from] BuildError),
-    /// No threads.
-    #[error(transparent)]
-    Exec(#[from] ExecError),
-    /// The name of nothing.
-    #[error("no {what} is called `{name}`; there are: {known}")]
-    Unknown {
-        /// An interface, a material or a group.
-        what: &'static str,
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        known: String,
-    },
-    /// Nothing can be reduced.
-    #[error(
-        "none of the chosen interfaces has a strength that could be reduced (friction angle, cohesion or tension): {0}"
-    )]
-    NoStrength(String),
-    /// A number that is none.
-    #[error("the width, the ratio of balance and the displacement must be numbers above zero")]
-    NotANumber,
-    /// A range that is none.
-    #[cfg(feature = "scenario")]
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// A value that the scene cannot have.
-    #[cfg(feature = "scenario")]
-    #[error("{0}")]
-    Scene(crate::scenario::Diagnostics),
-    /// The user stopped it.
-    #[error("stopped by the user")]
-    Stopped,
-}
 
 /// Searches for the factor of safety of a model; `report` is told every trial, `stop` asked every few steps.
 ///

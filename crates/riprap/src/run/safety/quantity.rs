@@ -1,8 +1,11 @@
 //! Any number of a scene in place of the factor of safety: a load, a water level, an angle, a thickness.
 
 use super::record::in_unit;
+use super::rules::{Answer, RangeError, Rules, SafetyError, Trial};
 use super::trial::{Made, Maker};
-use super::{Answer, Rules, SafetyError, Search, Shown, Task, Trial, answer, sound};
+use super::{answer, sound};
+use crate::plan::shown::Shown;
+use crate::run::bracket::{Search, Task};
 use crate::run::scene::{Prepared, Scene};
 use crate::scenario::units::{self, Dim};
 use crate::scenario::{Case, Diagnostics};
@@ -25,24 +28,6 @@ pub struct Quantity {
     pub unit: String,
     /// The unit in which the range was given.
     pub shown: Shown,
-}
-
-/// A range or a width that cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum RangeError {
-    /// Not two values.
-    #[error(
-        "{0:?} is no range: write two values with their unit, for example '20 deg..45 deg' or '0.5..3'"
-    )]
-    Range(String),
-    /// A width of another kind, or not above zero.
-    #[error("{given:?} is no width of this range: write for example {example:?}")]
-    Width {
-        /// What was given.
-        given: String,
-        /// What could be.
-        example: String,
-    },
 }
 
 impl Quantity {

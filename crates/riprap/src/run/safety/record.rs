@@ -1,7 +1,9 @@
 //! Answers as words and tables.
 
-use super::{Answer, Mechanism, State};
+use super::rules::Answer;
+use super::verdict::Mechanism;
 use crate::plan::shown::{Shown, digits_for};
+use crate::run::bracket::State;
 
 /// Blocks of the mechanism that are named in words.
 const NAMED: usize = 5;

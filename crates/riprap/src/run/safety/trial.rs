@@ -2,12 +2,18 @@
 
 use std::time::Instant;
 
-use super::verdict::{self, Look, Watch};
-use super::{FAR, LOOK, Mechanism, Rules, SafetyError, State, Trial};
+use super::rules::{Rules, SafetyError, Trial};
+use super::verdict::{self, Look, Mechanism, Watch};
 use crate::exec::Exec;
 use crate::plan::{Damping, Deforming, Phase, PhaseKind, Plan, Reduction, TimeStep};
+use crate::run::bracket::State;
 use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot, Stage};
 use crate::setup::Setup;
+
+/// Steps between two looks at a trial.
+const LOOK: u64 = 50;
+/// The same for blocks that are not where they were any more: what comes to rest then has not stood.
+const FAR: f64 = 0.1;
 
 /// Share of the stable step that trials take at least: what they pass through on the way to rest need not be exact.
 const SHARE: f64 = 0.5;
