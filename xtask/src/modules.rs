@@ -117,7 +117,7 @@ const FORBIDDEN: [(&[&str], &[&str], &str); 10] = [
 ];
 
 /// Largest circle of modules that a crate may have.
-const LARGEST_CIRCLE: usize = 9;
+const LARGEST_CIRCLE: usize = 5;
 /// Crates whose circle is larger still, with its present size: it may shrink, not grow.
 const NOT_YET: [(&str, usize); 0] = [];
 

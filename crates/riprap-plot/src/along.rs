@@ -1,9 +1,8 @@
 //! A field along a line through the rock: the blocks that the line meets where they were before they moved, so that several moments can be compared.
 
-use super::blocks::{choose, short};
 use super::chart::{self, Curve, Mark, Panel};
+use super::drawing::{choose, middle, short};
 use super::frames::{Which, load_frame, moment};
-use super::section::middle;
 use super::solid::{self, Body};
 use super::{PlotError, column, suffix, table_csv, write};
 use riprap_geom::Vec3;

@@ -1,6 +1,6 @@
 //! Arrows: displacement or velocity of blocks, flow through joints.
 
-use super::section::{Vectors, middle};
+use super::drawing::{Vectors, middle};
 use super::svg::Page;
 use riprap_record::frame::{Column, Frame, usual};
 use std::collections::BTreeSet;

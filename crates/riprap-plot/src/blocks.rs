@@ -4,43 +4,18 @@ use super::arrows;
 use super::bolts;
 use super::colour::{self, ColourMap};
 use super::crosses;
+use super::drawing::{BlockOptions, Chosen, Vectors};
 use super::isolines;
-use super::section::{Normal, Vectors};
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::ticks::{Scale, label};
 use super::{PlotError, digits};
-use riprap_record::field::{FieldError, Part, nearest};
+use riprap_record::field::Part;
 use riprap_record::frame::{Column, Frame};
 
 const SIZE: f64 = 12.0;
 const LEFT: f64 = 70.0;
 const TOP: f64 = 44.0;
 const BAR: f64 = 16.0;
-
-/// How blocks are drawn, and what besides them.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct BlockOptions {
-    /// Contact points, and contact forces if the frame has a vector column with `force` in its name. In the plane only.
-    pub contacts: bool,
-    /// Colours over powers of ten.
-    pub log: bool,
-    /// Arrows on the blocks.
-    pub vectors: Option<Vectors>,
-    /// What is shown: left, bottom, right and top in the axes of the picture, m; `None` is all of the model.
-    pub window: Option<[f64; 4]>,
-    /// In space: marks of the faces that have broken where the cut meets them.
-    pub cracks: bool,
-    /// Principal stresses as crosses, in space those in the plane of the cut.
-    pub stress: bool,
-    /// About so many lines of equal value over the blocks, at round values; 0 is none.
-    pub isolines: usize,
-    /// Factor on displacements and rotations; `None` is 1: blocks where they are.
-    pub exaggeration: Option<f64>,
-    /// In space: direction that the cut is normal to.
-    pub normal: Normal,
-    /// In space: where the cut lies along its normal, m; `None` is the first source, or the middle of the model.
-    pub at: Option<f64>,
-}
 
 /// What a picture is made of besides the frames.
 pub(super) struct Words<'a> {
@@ -56,62 +31,6 @@ pub(super) struct Words<'a> {
     pub(super) kinds: Option<&'a [String]>,
     /// Places of sources in the picture, m.
     pub(super) sources: Vec<[f64; 2]>,
-}
-
-/// A field of a frame as numbers on blocks.
-pub(super) struct Chosen {
-    pub(super) name: String,
-    pub(super) unit: String,
-    pub(super) values: Vec<f64>,
-}
-
-/// Finds `displacement`, `block.displacement`, `block.velocity.x`... A vector without a part is its magnitude.
-pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
-    let bare = |s: &str| s.strip_prefix("block.").unwrap_or(s).to_owned();
-    let find = |name: &str| {
-        frame
-            .block_columns
-            .iter()
-            .find(|c| bare(&c.name) == bare(name))
-    };
-    let (stem, part) = Part::split(field);
-    let (column, part) = match (find(field), find(stem)) {
-        (Some(c), _) => (c, Part::Whole),
-        (None, Some(c)) if c.components > 1 => (c, part),
-        (None, Some(_)) => {
-            return Err(FieldError::NoComponents {
-                name: field.to_owned(),
-                field: stem.to_owned(),
-            });
-        }
-        (None, None) => {
-            let known: Vec<String> = frame.block_columns.iter().map(|c| c.name.clone()).collect();
-            let suggestion =
-                nearest(&bare(stem), known.iter().map(String::as_str)).map(str::to_owned);
-            return Err(FieldError::Unknown {
-                name: field.to_owned(),
-                suggestion,
-                known,
-            });
-        }
-    };
-    let part = if column.components > 1 && part == Part::Whole {
-        Part::Magnitude
-    } else {
-        part
-    };
-    let suffix = match part {
-        Part::Whole => "",
-        Part::X => ", x",
-        Part::Y => ", y",
-        Part::Z => ", z",
-        Part::Magnitude => " magnitude",
-    };
-    Ok(Chosen {
-        name: format!("{}{suffix}", bare(&column.name).replace('_', " ")),
-        unit: column.unit.clone(),
-        values: column.numbers(part),
-    })
 }
 
 /// Map and range that suit the values: signed ones symmetric about zero, amounts from zero if they come near it.
@@ -338,20 +257,6 @@ pub(super) fn draw(
         None => bar(&mut page, (map, &scale), first, at, bar_height),
     }
     Ok(page)
-}
-
-/// A number for people: at most 6 digits.
-pub(super) fn short(v: f64) -> String {
-    if v != 0.0 && !(1e-4..1e6).contains(&v.abs()) {
-        let text = format!("{v:.3e}");
-        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!(
-            "{}e{power}",
-            digits.trim_end_matches('0').trim_end_matches('.')
-        );
-    }
-    let text = format!("{v:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// What stands below the picture.

@@ -1,7 +1,7 @@
 //! Principal stresses of blocks as crosses.
 
 use super::digits;
-use super::section::middle;
+use super::drawing::middle;
 use super::svg::Page;
 use riprap_record::frame::stress::{self, Principal};
 use riprap_record::frame::{Frame, usual};

@@ -1,7 +1,8 @@
 //! Pictures of frames: block outlines in the plane, cuts through solids in space.
 
-use super::blocks::{self, BlockOptions, Chosen, Words};
-use super::section::{self, Vectors, middle};
+use super::blocks::{self, Words};
+use super::drawing::{BlockOptions, Chosen, Vectors, choose, middle, short};
+use super::section::{self, need_space};
 use super::{PlotError, suffix, write};
 use riprap_record::field::number;
 use riprap_record::field::with_unit;
@@ -50,6 +51,24 @@ pub fn strip(
     drawn(folder, load_frames(folder, frames)?, field, options, out)
 }
 
+/// Draws cuts through frames of a run in space; as [`strip`], which takes runs in the plane too.
+///
+/// # Errors
+/// A run in the plane, and as [`strip`].
+pub fn section(
+    folder: &Path,
+    frames: &[Which],
+    field: &str,
+    options: BlockOptions,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
+    let loaded = load_frames(folder, frames)?;
+    for frame in &loaded {
+        need_space(frame, "a section")?;
+    }
+    drawn(folder, loaded, field, options, out)
+}
+
 /// Refuses a column of tensor components asked for as a whole: the root of their squares is no stress of the block and
 /// turns with the axes.
 fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
@@ -61,7 +80,7 @@ fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
         (stress::SHEAR, true) => &[("x", "yz"), ("y", "zx"), ("z", "xy")],
         _ => return Ok(()),
     };
-    if blocks::choose(frame, field).is_err() {
+    if choose(frame, field).is_err() {
         // That it is not there is said by what draws it.
         return Ok(());
     }
@@ -101,24 +120,24 @@ pub(super) fn drawn(
         .iter()
         .map(|f| {
             whole_tensor(f, field)?;
-            Ok(blocks::choose(f, field)?)
+            Ok(choose(f, field)?)
         })
         .collect::<Result<Vec<_>, PlotError>>()?;
     // Flows are no field of blocks.
     if let Some(vectors) = options.vectors.filter(|v| *v != Vectors::Flow) {
         for frame in &loaded {
-            blocks::choose(frame, vectors.column())?;
+            choose(frame, vectors.column())?;
         }
     }
     if options.stress {
         for frame in &loaded {
-            blocks::choose(frame, stress::SHEAR)?;
+            choose(frame, stress::SHEAR)?;
         }
     }
     let picture = section::flattened(loaded, fields, &manifest, options)?;
     let mut said = picture.suffix;
     if let Some(factor) = options.exaggeration.filter(|f| *f != 1.0) {
-        said.push(format!("displacements \u{d7} {}", blocks::short(factor)));
+        said.push(format!("displacements \u{d7} {}", short(factor)));
     }
     let moments = picture
         .frames
@@ -182,7 +201,7 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<PvdEntry>, PlotError> {
 /// step tell them apart.
 pub(super) fn moment(folder: &Path, frame: &Frame) -> Result<String, PlotError> {
     let list = vtu::read_pvd(&folder.join("run.pvd"))?;
-    let time = format!("t = {} s", blocks::short(frame.time));
+    let time = format!("t = {} s", short(frame.time));
     if list.iter().filter(|e| e.time == frame.time).count() < 2 {
         return Ok(time);
     }

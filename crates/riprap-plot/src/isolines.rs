@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::section::middle;
+use super::drawing::middle;
 use super::svg::{Anchor, Page, text_width};
 use super::ticks::Scale;
 use riprap_record::frame::Frame;

@@ -1,7 +1,7 @@
 //! Peak particle velocity against scaled distance.
 
-use super::blocks::{choose, short};
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
+use super::drawing::{choose, short};
 use super::frames::{Which, load_frame};
 use super::section::need_space;
 use super::{PlotError, column, digits, solid, sources, suffix, table_csv, write};

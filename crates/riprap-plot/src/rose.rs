@@ -1,6 +1,6 @@
 //! Rose diagrams: strikes of joints and cracks; in the plane the angles of their traces.
 
-use super::blocks::short;
+use super::drawing::short;
 use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes;
 use super::svg::{Anchor, Page, fitted, text_width};

@@ -4,93 +4,12 @@
 //! drawn where it is now. So neighbours stay neighbours, no gap opens where a plane runs along faces, and
 //! displacements can be multiplied.
 
-use super::blocks::{BlockOptions, Chosen};
-use super::frames::{Which, drawn, load_frames};
+use super::PlotError;
+use super::drawing::{BlockOptions, Chosen, Normal, choose, middle, short};
 use super::solid::{self, Body};
-use super::{PlotError, blocks::short};
 use riprap_geom::Vec3;
 use riprap_record::frame::{Column, Frame, SEEPAGE_FLOW, Surfaces, stress};
 use riprap_record::manifest::Manifest;
-use std::path::{Path, PathBuf};
-
-/// Direction that a cut is normal to.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Normal {
-    /// The picture shows y to the right and z up.
-    X,
-    /// x to the right, z up.
-    #[default]
-    Y,
-    /// x to the right, y up: a plan.
-    Z,
-}
-
-impl Normal {
-    fn index(self) -> usize {
-        match self {
-            Normal::X => 0,
-            Normal::Y => 1,
-            Normal::Z => 2,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        ["x", "y", "z"][self.index()]
-    }
-
-    /// The axes of the picture.
-    pub(super) fn across(self) -> [usize; 2] {
-        match self {
-            Normal::X => [1, 2],
-            Normal::Y => [0, 2],
-            Normal::Z => [0, 1],
-        }
-    }
-
-    pub(super) fn axes(self) -> [&'static str; 2] {
-        self.across().map(|k| ["x", "y", "z"][k])
-    }
-}
-
-/// What arrows show.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Vectors {
-    /// Displacement.
-    Displacement,
-    /// Velocity.
-    Velocity,
-    /// Flow of water through joints, at their middles.
-    Flow,
-}
-
-impl Vectors {
-    /// Column of the frame.
-    pub(super) fn column(self) -> &'static str {
-        match self {
-            Vectors::Displacement => "displacement",
-            Vectors::Velocity => "velocity",
-            Vectors::Flow => SEEPAGE_FLOW,
-        }
-    }
-}
-
-/// Draws cuts through frames of a run in space; as [`super::strip`], which takes runs in the plane too.
-///
-/// # Errors
-/// A run in the plane, and as [`super::strip`].
-pub fn section(
-    folder: &Path,
-    frames: &[Which],
-    field: &str,
-    options: BlockOptions,
-    out: &Path,
-) -> Result<Vec<PathBuf>, PlotError> {
-    let loaded = load_frames(folder, frames)?;
-    for frame in &loaded {
-        need_space(frame, "a section")?;
-    }
-    drawn(folder, loaded, field, options, out)
-}
 
 /// Refuses a frame in the plane.
 pub(super) fn need_space(frame: &Frame, picture: &'static str) -> Result<(), PlotError> {
@@ -120,7 +39,7 @@ pub(super) fn flattened(
 ) -> Result<Flat, PlotError> {
     let factor = options.exaggeration.unwrap_or(1.0);
     if let Some(frame) = frames.first().filter(|_| factor != 1.0) {
-        super::blocks::choose(frame, "displacement")?;
+        choose(frame, "displacement")?;
     }
     if frames.iter().all(|f| f.solids.is_none()) {
         let frames = frames
@@ -330,30 +249,6 @@ fn shifted(mut frame: Frame, factor: f64) -> Frame {
         }
     }
     frame
-}
-
-/// Centroid of an outline in the plane.
-pub(super) fn middle(outline: &[[f64; 3]]) -> [f64; 2] {
-    // Centroid by triangles from the first vertex, which keeps its digits far from the origin.
-    let [ox, oy, _] = outline.first().copied().unwrap_or_default();
-    let (mut area, mut x, mut y) = (0.0, 0.0, 0.0);
-    for pair in outline.windows(2) {
-        let (ax, ay, bx, by) = (
-            pair[0][0] - ox,
-            pair[0][1] - oy,
-            pair[1][0] - ox,
-            pair[1][1] - oy,
-        );
-        let cross = ax * by - bx * ay;
-        area += cross;
-        x += cross * (ax + bx) / 3.0;
-        y += cross * (ay + by) / 3.0;
-    }
-    if area == 0.0 {
-        [ox, oy]
-    } else {
-        [ox + x / area, oy + y / area]
-    }
 }
 
 #[cfg(test)]

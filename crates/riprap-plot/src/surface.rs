@@ -1,9 +1,9 @@
 //! What a blast does to the free surface: crater and heave.
 
-use super::blocks::{choose, short};
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
+use super::drawing::{Normal, choose, short};
 use super::frames::{Which, listed, load_frame};
-use super::section::{Normal, need_space};
+use super::section::need_space;
 use super::{PlotError, column, digits, solid, source, suffix, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_record::frame::Frame;
