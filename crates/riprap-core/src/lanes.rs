@@ -59,6 +59,7 @@ impl Lanes {
     #[inline(always)]
     #[must_use]
     pub fn max(self, other: Self) -> Self {
+        // One instruction; `f64::max` must mind NaN.
         self.with(other, |a, b| if b > a { b } else { a })
     }
 
@@ -307,6 +308,7 @@ impl Width {
 }
 
 #[cfg(target_arch = "x86_64")]
+// Without `fma`: with it the compiler could be told to fuse, and bits would depend on the machine.
 #[target_feature(enable = "avx2")]
 fn four<R>(f: impl FnOnce() -> R) -> R {
     f()

@@ -85,6 +85,7 @@ impl Works {
 
     /// Notes how large the sums are now.
     pub fn note_peak(&mut self) {
+        // What cannot be accounted for is not in it: a defect would make itself small.
         self.peak = [
             self.gravity,
             self.loads,
@@ -105,6 +106,7 @@ impl Works {
     #[must_use]
     pub fn put_in(&self, start: f64) -> f64 {
         start.abs()
+            // What has risen has taken energy out.
             + self.gravity.max(0.0)
             + self.loads.abs()
             + self.supports.abs()
@@ -135,6 +137,7 @@ impl Works {
 
     /// Adds another set of sums.
     pub fn add(&mut self, other: &Self) {
+        // Peak and floor belong to the sums since the start, not to what is added.
         self.gravity += other.gravity;
         self.loads += other.loads;
         self.supports += other.supports;
@@ -202,6 +205,7 @@ impl Balance {
     #[must_use]
     pub fn residual(&self) -> f64 {
         let w = &self.works;
+        // `contact_path` is not among these: it is told as stored, in `contact_normal`.
         let expected = self.start + w.loads + w.supports + w.gas + w.law_defect + w.edit_defect
             - w.friction
             - w.damping

@@ -138,6 +138,7 @@ fn attempt(region: &[Vec2], cuts: &[Cut], snap: f64) -> Result<Subdivision, Geom
             cap: tol::MAX_BLOCKS,
         });
     }
+    // Corners of the region keep their bits: the way to the middle and back would round them.
     let global = |(i, &p): (usize, &Vec2)| {
         if i < region.len() {
             region[i]
@@ -189,6 +190,7 @@ impl PointStore {
         PointStore {
             points: Vec::new(),
             distance,
+            // A few distances wide, so that most places have to ask one cell alone.
             cell: 4.0 * distance,
             grid: BTreeMap::new(),
         }

@@ -154,6 +154,7 @@ fn traces(
     let direction = unit(set.angle);
     let normal = direction.perp();
     let bounds = Aabb::of(region);
+    // More than half the diagonal: lines about the centre end outside.
     let (centre, half) = (bounds.centre(), 0.6 * bounds.size());
     // One line more on either side, since scatter may bring it in.
     let first = ((low - set.offset) / set.spacing).floor() - 1.0;
@@ -177,6 +178,7 @@ fn traces(
     // Traces of one set are parallel and apart unless their angles scatter.
     let family = (set.angle_scatter == 0.0).then_some(family);
     for k in 0..=(last - first) as usize {
+        // A spacing has the scatter of both its lines.
         let jitter = set.spacing_scatter * std::f64::consts::FRAC_1_SQRT_2 * chance.normal();
         let limit = 0.45 * set.spacing;
         let height = set.offset + (first + k as f64) * set.spacing + jitter.clamp(-limit, limit);

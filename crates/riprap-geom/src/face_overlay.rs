@@ -104,6 +104,7 @@ impl Fan {
                     high,
                 }
             })
+            // Weights divide by it.
             .filter(|triangle| triangle.twice() > 0.0)
             .collect()
     }
@@ -145,6 +146,7 @@ impl Flat {
         let sum = kept[0] + kept[1] + kept[2];
         for k in 0..3 {
             if k < count {
+                // What was dropped must not be missing: a shift of the whole face would stretch the spring.
                 kept[k] /= sum;
             } else {
                 nodes[k] = nodes[0];
@@ -170,6 +172,7 @@ pub fn overlay(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointPoint>
     let axes = frame(normal);
     let places = [a, b].map(|fan| flatten(&fan.at, origin, axes[1], axes[2]));
     let boxes = places.each_ref().map(|p| bounds(p));
+    // Equal bounds count: faces that meet along a line have no area in common.
     if boxes[0].0.cmpge(boxes[1].1).any() || boxes[1].0.cmpge(boxes[0].1).any() {
         return Vec::new();
     }
@@ -344,6 +347,7 @@ impl Points {
             (p.x - at.x).abs() <= self.same && (p.y - at.y).abs() <= self.same
         };
         match self.list.iter_mut().find(near) {
+            // Fields are continuous: the same place has the same weights, in whichever triangle it was found.
             Some((_, point)) => point.area += area,
             None => self.list.push((
                 at,

@@ -88,6 +88,7 @@ pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -
     let mut outline = vec![false; parts.points.len()];
     let mut short: Vec<(f64, u32, u32, bool)> = Vec::new();
     for &(a, b) in &directed {
+        // An inner side is run through once in either direction.
         let at_outline = !directed.contains(&(b, a));
         if at_outline {
             outline[a as usize] = true;

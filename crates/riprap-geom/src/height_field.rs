@@ -97,6 +97,7 @@ impl HeightField {
         let mut surface = Self { points, triangles };
         surface.turn_up()?;
         surface.drop_unused();
+        // After all are turned one way: then neighbours run along their edge in opposite directions.
         surface.edges()?;
         let bins = Bins::new(&surface);
         surface.folds(&bins)?;
@@ -189,6 +190,8 @@ impl HeightField {
             let normal = (b - a).cross(c - a);
             let inside = [(a, b), (b, c), (c, a)]
                 .iter()
+                // A place on an edge is in both triangles rather than in neither;
+                // the first one has the same height there.
                 .all(|(from, to)| cross(*from, *to, p) >= -FLAT * normal.z);
             inside.then(|| a.z - (normal.x * (x - a.x) + normal.y * (y - a.y)) / normal.z)
         })
@@ -206,6 +209,7 @@ impl HeightField {
         faces.extend(
             self.triangles
                 .iter()
+                // Anticlockwise from below.
                 .map(|[a, b, c]| vec![a + count, c + count, b + count]),
         );
         for (a, b) in self.rim() {

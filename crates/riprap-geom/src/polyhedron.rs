@@ -194,6 +194,7 @@ impl Polyhedron {
         let mut solid = Self { vertices, faces };
         solid.check_numbers()?;
         solid.check_closed()?;
+        // Only of a closed surface that is turned one way everywhere does the volume have a sign.
         if solid.moments().volume < 0.0 {
             for face in &mut solid.faces {
                 face.reverse();
@@ -265,6 +266,7 @@ impl Polyhedron {
         let Some(&first) = corners.first() else {
             return Vec3::ZERO;
         };
+        // Far from the origin of coordinates, products of places would lose the digits of the face.
         let origin = self.vertices[first as usize];
         let arm = |k: u32| self.vertices[k as usize] - origin;
         let mut sum = Vec3::ZERO;
@@ -279,6 +281,7 @@ impl Polyhedron {
     pub fn plane(&self, face: usize) -> (Vec3, f64) {
         let normal = self.area_vector(face).normalize_or_zero();
         let corners = &self.faces[face];
+        // The mean: of a slightly crooked face no single corner is on the plane.
         let sum = corners
             .iter()
             .map(|&v| self.vertices[v as usize])
@@ -295,6 +298,7 @@ impl Polyhedron {
             return Err(SolidError::TooManyVertices { count });
         }
         for (vertex, &at) in self.vertices.iter().enumerate() {
+            // The square, since distances are made of it.
             if !at.length_squared().is_finite() {
                 return Err(SolidError::NonFinite { vertex, at });
             }
@@ -419,6 +423,7 @@ pub fn frame(n: Vec3) -> [Vec3; 3] {
         2
     };
     let mut next = Vec3::ZERO;
+    // At least 45 deg away from n, so that what is left across n is not small.
     next[(main + 1) % 3] = 1.0;
     let b = (next - n.dot(next) * n).normalize();
     [n, b, n.cross(b)]

@@ -94,6 +94,7 @@ pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
         .collect();
     let grid = Grid::new(
         &inside,
+        // So that sides of cells cross the outline and do not end on it.
         local.grown(cells.cell_size.min(0.1 * local.size())),
         cells.cell_size,
     );
@@ -101,6 +102,7 @@ pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
     for i in 0..inside.len() {
         let cell = grid.cell(i);
         for (k, &(from, neighbour)) in cell.corners.iter().enumerate() {
+            // Each side once, from the cell with the lower number; those of the box are none.
             if neighbour > i && neighbour < usize::MAX {
                 let to = cell.corners[(k + 1) % cell.corners.len()].0;
                 cuts.push(Cut {
@@ -213,6 +215,7 @@ impl<'a> Grid<'a> {
                 .iter()
                 .map(|c| c.0.distance(site))
                 .fold(0.0, f64::max);
+            // The line between two sites is half way: one farther than twice the farthest corner cuts nothing.
             if (ring - 1) as f64 * self.side > 2.0 * reach {
                 break;
             }

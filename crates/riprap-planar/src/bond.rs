@@ -226,6 +226,7 @@ pub fn force(
                     + stiffness_damping * k
             };
             let cn = dash(law.normal_stiffness);
+            // Along the joint a failed point has its friction and nothing else.
             let cs = if r.failed {
                 0.0
             } else {
@@ -233,6 +234,7 @@ pub fn force(
             };
             // The normal points from i to j: a positive pull is tension.
             let pull = -cn * rate.dot(normal);
+            // With the pressure there it must not pull.
             let pull = if r.failed {
                 pull.min(-r.sigma * point.weight)
             } else {
@@ -243,8 +245,10 @@ pub fn force(
         }
     }
     let half = 0.5 * elapsed;
+    // Work done on the joint is minus that of its forces on the blocks; what it has not stored of it is lost.
     let lost = -half * relative.power_of(&bond.stress.plus(&stress)) + bond.energy - energy;
     if general.is_some() {
+        // What was above the residual strength, but no more than was lost at all.
         let fracture = separation.min(lost).max(0.0);
         works.dissipate(lost - fracture, fracture);
     } else if failing {

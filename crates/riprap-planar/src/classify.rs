@@ -147,6 +147,7 @@ fn parallel_gap(own: &Turned, other: &Turned, shift: Vec2) -> Option<f64> {
     let along = other.normal.perp();
     let start = own.start + shift - other.start;
     let end = start + own.length * own.normal.perp();
+    // Edges that face each other run in opposite ways: the end of the one comes first along the other.
     let (s0, s1) = (along.dot(end), along.dot(start));
     let (low, high) = (s0.max(0.0), s1.min(other.length));
     if high - low <= 1e-9 * own.length.min(other.length) {

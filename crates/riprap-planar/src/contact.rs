@@ -399,6 +399,7 @@ fn apply(
     let pressing = elastic + handed;
     let total_normal = not_negative(pressing - c * velocity.dot(normal));
     let mut damp = Wrench::at((total_normal - pressing) * normal, x, arm_j);
+    // A pressure that nowhere pulls acts within the contact: half its length off the middle at most.
     let most = 0.5 * total_normal * length;
     let twist = -c * length * length / 12.0 * (relative.spin_i - relative.spin_j);
     let twist = within(twist, most);

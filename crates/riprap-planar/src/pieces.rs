@@ -152,6 +152,7 @@ fn collect(
                 continue;
             }
             let (x0, x1) = (p + t0 * (q - p), p + t1 * (q - p));
+            // Between two cuts an edge is inside or outside as a whole, and its middle tells it most surely.
             let middle = nearest(other, 0.5 * (x0 + x1));
             if middle.depth <= 0.0 {
                 continue;

@@ -227,6 +227,7 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
     let levels = living.iter().map(|&b| level_of(b)).max().unwrap_or(0) + 1;
     // Entry: cell row, cell column, block; sorted, so that a row of cells is one range.
     let mut grids: Vec<Vec<(i64, i64, u32)>> = vec![Vec::new(); levels];
+    // Beyond 63 bits there is no shift.
     let cell = |level: usize| smallest * (1u64 << level.min(60)) as f64;
     for &b in &living {
         let level = level_of(b);
@@ -255,6 +256,7 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
                     .take_while(|&&(gy, gx, _)| gy == y && gx <= x1)
                 {
                     let o = other as usize;
+                    // Of two of one level the smaller number looks, of two levels the smaller block.
                     if (level == own && o <= b) || !boxes[b].meets(&boxes[o]) {
                         continue;
                     }
@@ -324,6 +326,7 @@ fn add_pair(
         }
     };
     let (row, inverse_mass) = (row_of(&world.setup, a, b), inverse(a) + inverse(b));
+    // Where nothing can move either, the dashpot still needs a mass to be tuned to.
     let mass = if inverse_mass > 0.0 {
         1.0 / inverse_mass
     } else {
@@ -401,6 +404,7 @@ fn nearest_edges(wall: &Placed, convex: bool, region: &Box2, gap: f64, list: &mu
     if convex {
         let depth = |m: usize, x: Vec2| wall.offset[m] - wall.normal[m].dot(x);
         for m in 0..n {
+            // Each depth may have changed by all that both blocks have moved, and in opposite ways.
             let never = (0..n).any(|k| {
                 k != m
                     && corners
@@ -474,6 +478,7 @@ fn carry_states(world: &mut World, candidates: &Candidates) {
             let regions = match (old, in_convex(c)) {
                 (Ok(k), _) => std::mem::take(&mut general[k].regions),
                 (_, Ok(k)) if convex[k].contact != Contact::default() => vec![Region {
+                    // It has noted no edges: whatever region there is goes on from it.
                     edges: u64::MAX,
                     contact: convex[k].contact,
                 }],

@@ -129,6 +129,7 @@ pub(super) fn update(world: &mut World, shapes: &Shapes) {
         return;
     }
     let mut found = match &world.seepage {
+        // A copy, since solving reads the world that it is part of.
         Some(found) => found.as_ref().clone(),
         None => network::build(&world.setup, shapes, &world.alive, table),
     };
@@ -153,6 +154,7 @@ fn solve(world: &World, rules: &Steady, found: &Seepage) -> Flow {
         let w = (rules.aperture + opening).clamp(low, high);
         Pipe {
             ends: c.nodes,
+            // The cubic law of laminar flow between two plates.
             conductance: w * w * w / along.length(),
         }
     };
@@ -184,6 +186,7 @@ fn pressed([a, b]: [Vec2; 2], [p, q]: [f64; 2]) -> Applied {
     if p <= 0.0 && q <= 0.0 {
         return Applied::default();
     }
+    // Asked for only where the pressure changes its sign.
     let zero = p / (p - q);
     let (from, to) = match (p < 0.0, q < 0.0) {
         (true, _) => (zero, 1.0),

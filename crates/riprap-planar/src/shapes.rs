@@ -51,6 +51,8 @@ impl Shapes {
             ..Self::default()
         };
         for block in &setup.blocks {
+            // About a corner of its own: far from the origin areas would
+            // be small differences of large products.
             let base = block.vertices.first().copied().unwrap_or(Vec2::ZERO);
             let local: Vec<Vec2> = block.vertices.iter().map(|v| *v - base).collect();
             let (area, centroid, second) = area_moments(&local);
@@ -73,6 +75,7 @@ impl Shapes {
                 });
             }
             shapes.first.push(shapes.edges.len() as u32);
+            // A corner on a straight side turns to either side by round-off.
             let convex = (0..n).all(|k| turn(k) >= -1e-12 * area);
             shapes.convex.push(convex);
             shapes
@@ -154,6 +157,7 @@ fn inradius(corners: &[Vec2], convex: bool) -> f64 {
         odd
     };
     if convex {
+        // The centroid of a convex block is inside, and a lower bound is all that is asked.
         return distance(Vec2::ZERO);
     }
     let mut best = if inside(Vec2::ZERO) {

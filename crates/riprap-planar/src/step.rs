@@ -195,6 +195,7 @@ impl Scratch {
         self.ties = world.bolt_ties();
         self.bolts.clear();
         self.slots = vec![Wrench::default(); c + g + b + self.ties.len()];
+        // The number of a slot says when it is added on its blocks, so that no thread has a say in it.
         let ends = self
             .candidates
             .convex
@@ -291,6 +292,7 @@ pub fn evaluate(
             entries::book(world, scratch, damping, dt);
         });
     }
+    // From here on the instant is done: another evaluation without a move books nothing twice.
     world.works.settle();
     world.pending = 0.0;
     scratch.coming_dt = dt;
@@ -302,6 +304,7 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     stage(scratch, "integrate", |scratch| {
         integrate(world, scratch, dt);
     });
+    // Not booked by `evaluate`: that may be called again before this step is taken.
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();

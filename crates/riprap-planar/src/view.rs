@@ -25,6 +25,7 @@ impl View<'_> {
     /// step before, the kick spans both halves.
     fn past(&self) -> f64 {
         let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
+        // Before the first step velocities are those of the present time already.
         if before > 0.0 {
             before / (before + after)
         } else {
@@ -88,6 +89,7 @@ impl View<'_> {
     pub fn kinetic(&self, b: usize) -> f64 {
         let (body, change) = (&self.world.bodies[b], self.ungiven_change(b));
         let (mass, inertia) = (self.scratch.shapes.mass[b], self.scratch.shapes.inertia[b]);
+        // By the last step, which has been made: the coming one may be another when this is read again.
         let whole = 2.0 * self.past();
         0.5 * mass * body.velocity.dot(body.velocity + whole * change.velocity)
             + 0.5 * inertia * body.spin * (body.spin + whole * change.spin)
@@ -164,6 +166,7 @@ impl View<'_> {
         };
         let of_slot = |k: usize| {
             let (i, j) = self.ends(k);
+            // It pushes both blocks, but what a driven one bears is no measure for the free ones.
             scratch.slots[k].force.length() * f64::from(u8::from(free(i)) + u8::from(free(j)))
         };
         let [net, own] = scratch.exec.sums(world.alive.len(), of_block);
@@ -246,6 +249,7 @@ impl View<'_> {
     #[must_use]
     pub fn pair_wrench(&self, a: u32, b: u32) -> Wrench {
         let mut sum = Wrench::default();
+        // Ties of bolts stand last and are no contacts.
         let contacts = self.scratch.slots.len() - self.scratch.ties.len();
         for (k, slot) in self.scratch.slots[..contacts].iter().enumerate() {
             let (i, j) = self.ends(k);
@@ -286,6 +290,7 @@ impl View<'_> {
         };
         out.contact_normal =
             normal(&scratch.candidates.convex) + normal(&scratch.candidates.general);
+        // Laws without potential: their pairs store nothing that the place alone could tell.
         out.contact_normal += self.world.works.contact_path;
         out.start = self.world.start_energy.unwrap_or_else(|| out.total());
         out

@@ -237,6 +237,7 @@ pub fn decode<T: DeserializeOwned>(
 ) -> Result<T, CheckpointError> {
     let path = || path.to_owned();
     let have = bytes.len() as u64;
+    // Cut off within its first bytes: ours all the same, and not of another program.
     if bytes.len() < MAGIC.len() && MAGIC.starts_with(bytes) {
         return Err(CheckpointError::Truncated {
             path: path(),
@@ -282,6 +283,7 @@ pub fn decode<T: DeserializeOwned>(
             extra: have - expected,
         });
     }
+    // Before anything is unpacked by what the head claims.
     if claimed > packed.saturating_mul(MAX_RATIO) {
         return Err(CheckpointError::Absurd {
             path: path(),
@@ -290,6 +292,7 @@ pub fn decode<T: DeserializeOwned>(
         });
     }
     let payload = &bytes[HEAD..];
+    // Before the head is believed any further: it is in the sum.
     if checksum(&bytes[..SUM_AT], payload) != bytes[SUM_AT..HEAD] {
         return Err(CheckpointError::Checksum { path: path() });
     }
@@ -309,6 +312,7 @@ pub fn decode<T: DeserializeOwned>(
     };
     let mut plain = Vec::new();
     ZlibDecoder::new(payload)
+        // One byte beyond what is claimed shows that there is more, and no more than that is held.
         .take(claimed.saturating_add(1))
         .read_to_end(&mut plain)
         .map_err(|e| wrong(e.to_string()))?;

@@ -121,6 +121,7 @@ fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, C
                 continue;
             }
             let usual = column.bare.filter(|_| unit.is_empty());
+            // In names of columns an underscore divides: `a_m_s2` is `a` in m/s2.
             match units::parse(&format!("1 {}", usual.unwrap_or(unit).replace('_', "/"))) {
                 Ok((factor, dim)) if dim == column.dim => {
                     return Ok(Some(Cell {
@@ -130,6 +131,7 @@ fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, C
                     }));
                 }
                 Ok((_, dim)) => {
+                    // Told only where no other way to read a cell, and no other cell, fits.
                     refused.get_or_insert_with(|| CsvError {
                         message: format!("the column `{cell}` is {}", dim.describe()),
                         help: Some(format!(
@@ -207,6 +209,7 @@ fn read_text(path: &Path) -> Result<String, CsvError> {
         let size = MAX_CSV_SIZE >> 20;
         return Err(fail(format!("`{shown}` is larger than {size} MiB"), None));
     }
+    // What is no plain file may say nothing of its length.
     file.take(MAX_CSV_SIZE + 1)
         .read_to_end(&mut bytes)
         .map_err(io)?;

@@ -132,6 +132,7 @@ pub fn swept_and_set(
             let error = Diagnostic::error("set.swept", message).help(
                 "leave `--set` out; or run the scene once with it: `riprap run`; other values of the sweep stand in `[sweep]`",
             );
+            // The change stands on the command line: no place in the file can be shown.
             let nowhere = Source::new(source.name.clone(), "");
             return Err(Diagnostics::new(nowhere, vec![error]));
         }
@@ -252,6 +253,7 @@ fn put(item: &mut Item, words: &[String], value: Value) -> Option<()> {
     }
     if table.get(first).is_none() {
         let mut new = toml_edit::Table::new();
+        // No head of its own in the text, where it only holds other tables.
         new.set_implicit(true);
         table.insert(first, Item::Table(new));
     }
@@ -317,6 +319,7 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
         .collect();
     for (index, (key, values)) in scenario.sweep.iter().enumerate() {
         let last = lasts[index];
+        // The last word of a key will do as long as no other swept key ends with it.
         let unique = lasts.iter().filter(|other| **other == last).count() == 1;
         let label = if unique { last } else { key.as_str() };
         cases = cases

@@ -105,6 +105,7 @@ impl<'a> References<'a> {
                 continue;
             };
             let mut pair = [a.as_str(), b.as_str()];
+            // Between a and b is between b and a.
             pair.sort_unstable();
             if let Some(first) = pairs.insert(pair, name) {
                 let message = format!(

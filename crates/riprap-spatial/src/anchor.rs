@@ -36,6 +36,7 @@ impl Anchor {
     #[must_use]
     pub fn node(node: u32) -> Self {
         Self::Nodes {
+            // Those of weight 0 are read too, and have to be there.
             nodes: [node; 3],
             weights: [1.0, 0.0, 0.0],
         }

@@ -37,6 +37,7 @@ pub(super) fn assign(world: &mut World, tolerance: f64) -> Result<(), BuildError
             if let Some(earlier) = face.boundary.replace(index as u16) {
                 *taken.entry([earlier, index as u16]).or_default() += 1;
             }
+            // What an earlier condition has put behind the face goes with it.
             face.half_block = None;
             if matches!(boundary.kind, BoundaryKind::Traction { .. }) {
                 continue;
@@ -288,9 +289,12 @@ impl<'a> Context<'a> {
             let spring = |stretch| half.spring(boundary, face.frame[0], stretch);
             let pull = spring(motion.u - after);
             if after != before {
+                // A quarter of the area, and the mean of the pulls before and after the far end has moved.
                 let old = spring(motion.u - self.pending * motion.v - before);
                 let work = 0.125 * face.area * (old + pull).dot(after - before);
                 match boundary.kind {
+                    // What the far end takes out of the spring as it gives way: absorbed
+                    // by its dashpot, or minus the work of what moves it.
                     BoundaryKind::Viscous { .. } => {
                         works.absorbed += work;
                         out.booked.absorbed += work;
@@ -428,10 +432,13 @@ impl<'a> Context<'a> {
                 }
                 let towards = |a: Vec3, u: Vec3, r: f64| ((1.0 - r) * a + 2.0 * r * u) / (1.0 + r);
                 let (an, at) = parts(before, face.frame[0]);
+                // In the middle of the step: so the rule is implicit in the far end
+                // alone, and the block needs not be known ahead.
                 let (un, ut) = parts(motion.u - 0.5 * self.pending * motion.v, face.frame[0]);
                 towards(an, un, creep[0]) + towards(at, ut, creep[1])
             }
             BoundaryKind::Moved { velocity } => {
+                // As for blocks: a given velocity holds in the middle of a step.
                 let middle = self.time - 0.5 * self.pending;
                 let start = self.reference[face.block as usize] + face.place(p);
                 let at = (self.origin + start).to_array();

@@ -170,6 +170,7 @@ impl World {
         let tolerance = GAP * finest;
         let living = (0..self.alive.len()).filter(|b| self.alive[*b] && !self.is_terrain(*b));
         let living: Vec<u32> = living.map(|b| b as u32).collect();
+        // With the blocks of charges: what they share with others becomes the walls of cavities.
         let (overlaps, faces) = overlap::touching(self, &living, tolerance);
         let mut owner: BTreeMap<u32, usize> = BTreeMap::new();
         for (k, blocks) in charges.iter().enumerate() {
@@ -250,6 +251,7 @@ impl World {
         if !self.patches.origin.is_empty() {
             self.patches.origin.push(Origin::Built);
         }
+        // Such lists are there for all patches or for none.
         if strength.is_some() || !self.patches.slip.is_empty() {
             self.patches.need_slip();
         }

@@ -88,6 +88,8 @@ impl Wall {
         let outward = if side == 0 { n } else { -n };
         let (mut hold, mut hold_moment) = (Vec3::ZERO, Vec3::ZERO);
         if let Some(in_situ) = &setup.in_situ {
+            // As in a patch: four points at the radii of gyration give the exact force
+            // and moment of a traction that is linear over the face.
             for (s, t) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
                 let at = arm + s * overlap.gyration[0] * b + t * overlap.gyration[1] * c;
                 let height = reference[block as usize].z + at.z;
@@ -194,6 +196,7 @@ impl Cavity {
         if walls.is_empty() && nodal.area == 0.0 {
             return Err(CavityError::NoWall { name: name() });
         }
+        // So that the walls of a block stand together, see `mobility`.
         walls.sort_by_key(|w| w.block);
         let removed = blocks
             .iter()
@@ -324,6 +327,7 @@ impl Cavity {
         let mut sum = 0.0;
         for walls in self.walls.chunk_by(|a, b| a.block == b.block) {
             let b = walls[0].block as usize;
+            // Who is held or driven does not give way to the gas.
             if world.motion[b].is_some() {
                 continue;
             }
@@ -345,6 +349,8 @@ impl Cavity {
         };
         let (volume, pressure) = match self.ignited {
             Some(_) => (self.volume, self.pressure),
+            // The first step of the gas begins at its full pressure: it has
+            // to be resolved before it is known what it does.
             None => (gas.start, gas.adiabat.pressure(gas.start)),
         };
         let squared = gas.adiabat.exponent(volume)
@@ -376,6 +382,7 @@ pub fn step_limit(world: &World) -> f64 {
         let own = if remaining <= EARLY * world.last_dt {
             gas
         } else if gas.is_finite() {
+            // No step is made shorter than the gas itself asks for, only to meet the ignition.
             remaining.max(gas)
         } else {
             remaining
@@ -410,15 +417,18 @@ pub(crate) fn upward(gravity: Vec3) -> Vec3 {
 /// Forgets walls of dead blocks in all cavities; their volumes stay what they are.
 pub(crate) fn drop_walls(world: &mut World) {
     for k in 0..world.cavities.len() {
+        // While they are still among the walls.
         let lost = walls::lost(world, &world.cavities[k]);
         let World {
             cavities, alive, ..
         } = world;
         let cavity = &mut cavities[k];
         cavity.walls.retain(|w| alive[w.block as usize]);
+        // V = start + f (swept - base): what the dead have swept leaves both, and V stays what it is.
         if cavity.ignited.is_some() {
             cavity.base -= lost;
         } else {
+            // Only its changes are booked as work, and that of walls that are gone was done.
             world.cavities[k].held = walls::held(world, &world.cavities[k]);
         }
     }

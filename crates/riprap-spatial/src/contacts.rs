@@ -115,6 +115,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     }
     let n = world.alive.len();
     let known = world.found.roles.len() == n;
+    // Not without a move: what is found must not hang on how often an instant is evaluated.
     let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
     let looked = !known || world.fresh || look;
     let mut renew = false;
@@ -157,6 +158,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         .outdated(&blocks, &world.found.search, pose, next, &scratch.exec);
     if renew {
         let lookahead = LOOKAHEAD * world.last_dt;
+        // A copy, since its renewal reads poses of the world that it belongs to.
         let mut search = world.found.search.clone();
         search.renew(&blocks, pose, speed, lookahead);
         world.found.search = search;
@@ -288,6 +290,7 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     for a in materials().filter(|a| used[*a][1]) {
         for b in materials() {
             let row = world.setup.pair_table[a * used.len() + b];
+            // Any depths will do: it is asked only whether the moduli are there.
             stiffness(&world.setup, row, [a, b], [1.0; 2])?;
         }
     }
@@ -310,6 +313,7 @@ pub(crate) fn shape_of(shape: &setup::Shape, centre: Vec3) -> Result<Shape, Stri
             let (vertices, faces) = (solid.vertices.clone(), solid.faces.clone());
             Shape::new(&Polyhedron { vertices, faces }, centre)
         }
+        // A stand-in that nobody asks for: terrain has no part in the search of blocks.
         setup::Shape::Terrain(_) => Shape::brick(Vec3::ONE),
     }
     .map_err(|error| error.to_string())
@@ -335,6 +339,7 @@ fn make_shapes(world: &World, desk: &mut Desk) {
         return;
     }
     let mut chosen: Vec<Option<usize>> = vec![None; world.solids.len()];
+    // From the last on, so that the first block of a class stands for it.
     for b in (0..world.alive.len()).rev() {
         if world.found.roles[b] != Role::Absent {
             chosen[world.solid[b] as usize] = Some(b);

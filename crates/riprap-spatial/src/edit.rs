@@ -63,6 +63,7 @@ use crate::read::view::View;
 pub fn renew_laws(world: &mut World) {
     for class in &mut world.classes {
         let n = class.frame[0];
+        // Both positive: the arm of j looks against the normal.
         let depths = [class.arms[0].dot(n), -class.arms[1].dot(n)];
         let materials = class.materials.map(usize::from);
         // Laws of materials without moduli are given as numbers, at the start and later.

@@ -78,6 +78,7 @@ pub struct Memory<'a> {
 }
 
 fn cut<T>(list: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
+    // Memories that no patch of the model has are empty lists.
     let at = at.min(list.len());
     list.split_at_mut(at)
 }
@@ -195,6 +196,7 @@ fn packets(shared: &Shared, mut work: First) {
                 continue;
             }
         }
+        // A packet never crosses from one group of blocks to the next, so its first patch says where losses go.
         let block = shared.ends[packet.first as usize][0] as usize;
         let lost = &mut work.lost[tile.group(block)];
         let memory = (&mut work.memory, at);
@@ -244,6 +246,7 @@ fn mixed(
         }
     }
     let mut chosen = 0;
+    // `points` always asks the law; where memory must stay as it is, `single` reads what it says.
     if packet.axis < 3 && shared.elapsed.is_some() {
         chosen = rest & plain(shared, packet, &memory.flags[at..]);
     }
@@ -299,6 +302,7 @@ fn book(lost: &mut Lost, packet: &Packet, [friction, fracture]: [Lanes; 2]) {
 fn plain(shared: &Shared, packet: &Packet, flags: &[u16]) -> u8 {
     let mut bits = 0;
     for (lane, flags) in flags[..usize::from(packet.count)].iter().enumerate() {
+        // `points` has the arithmetic of small rotations, without normal offsets.
         let usual = flags & (flag::FINITE | flag::OFFSET) == 0;
         bits |= u8::from(usual && shared.wide_of(packet, lane).plain) << lane;
     }

@@ -91,6 +91,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             time: world.time,
             damping: scratch.damping,
             half: [0.5 * world.pending, 0.5 * scratch.coming_dt],
+            // Velocities belong to the middles of steps: a kick leads from the one to the next.
             span: 0.5 * (world.last_dt + scratch.coming_dt),
         },
         tiles: &scratch.tiles,
@@ -166,6 +167,7 @@ impl Gathering<'_> {
         }
         for row in &self.tiles.rows[tile.rows.clone()] {
             let partial = &mut work.partial[tile.group(row.blocks.start)];
+            // With mass or local damping a change of velocity is no longer a factor times the force.
             if self.plain {
                 let width = self.width;
                 width.run(
@@ -259,6 +261,7 @@ impl Gathering<'_> {
         if damped {
             self.row_drag(row, base, net, drag, partial);
         }
+        // Only what is not a number differs from zero here: one test for a whole row.
         if sum.sum() != 0.0 && partial.bad.is_none() {
             let finite = |b: usize| {
                 let (force, moment) = net.get(b - base);
@@ -283,6 +286,7 @@ impl Gathering<'_> {
         let here = row.blocks.start - base..row.blocks.end - base;
         let [before, after] = self.kick.half;
         for k in 0..6 {
+            // In rows tensors of inertia are diagonal (`Tiles::make_rows`), so that each freedom has its own.
             let ease = match k {
                 0..3 => 1.0 / solid.mass,
                 _ => solid.inverse.col(k - 3)[k - 3],
@@ -351,6 +355,7 @@ impl Gathering<'_> {
     ) {
         let mut load = self.pushes.loads.blocks.get(b).copied().unwrap_or_default();
         let mut dashpots = None;
+        // Works of `load` are booked here as those of loads; writers of `own` have booked what theirs do.
         let mut other = self.pushes.own.blocks.get(b).copied().unwrap_or_default();
         for (k, face) in faces.iter_mut().enumerate() {
             let pushes = self.boundary.act(face, &mut partial.arrival, &mut dashpots);
@@ -374,6 +379,7 @@ impl Gathering<'_> {
             for share in [&found.elastic, &found.spring] {
                 net[0].add(b - base, share.force, share.moment);
             }
+            // Apart, since the kick books what drag does as damping.
             if !net[1].0[0].is_empty() {
                 net[1].add(b - base, found.drag.force, found.drag.moment);
             }
@@ -384,6 +390,7 @@ impl Gathering<'_> {
             turned: self.turned[b].as_deref(),
         };
         let (v, w) = (moving.velocity, moving.spin);
+        // Implicit in the mean of the velocities before and after: it needs all other forces first.
         let mean = dashpots.map(|d| {
             let (force, moment) = net[0].get(b - base);
             let acting = Wrench { force, moment };
@@ -391,6 +398,7 @@ impl Gathering<'_> {
         });
         let dashpot = dashpots.zip(mean).map(|(d, mean)| d.push(&mean));
         if let Some(dashpot) = &dashpot {
+            // Not into the drag: its work is booked as absorbed, below, and would be once more as damping.
             net[0].add(b - base, dashpot.force, dashpot.moment);
         }
         let acting = acting(net, b - base);
@@ -406,6 +414,7 @@ impl Gathering<'_> {
         if let Some(found) = found {
             let [before, after] = self.kick.half;
             let power = |v: Vec3, w: Vec3| found.elastic.force.dot(v) + found.elastic.moment.dot(w);
+            // What the pressure stores is what has been done against it, hence the sign.
             arrival.contact_path -= before * power(v, w);
             departure.contact_path -= after * power(v + change.velocity, w + change.spin);
         }

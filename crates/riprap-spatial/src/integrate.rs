@@ -75,6 +75,7 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
                 let bound = world.setup.rotation_bound();
                 bound * bound
             }
+            // Small: nobody ever changes over; finite: all have at the first evaluation.
             Kinematics::Small | Kinematics::Finite => f64::INFINITY,
         },
         plain,
@@ -93,6 +94,7 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
     scratch
         .exec
         .divided(work, count, |_, piece| moving.tile(piece));
+    // Stays set until an evaluation takes it.
     scratch.turning |= scratch.partial.iter().any(|p| p.turning);
 }
 
@@ -109,6 +111,7 @@ struct Integration<'a> {
 impl Integration<'_> {
     fn tile(&self, mut work: Piece) {
         let tile = work.tiles[0].clone();
+        // One entry stands for the piece: it is asked only whether anyone has turned that far.
         work.partial[0].turning = false;
         for row in &self.tiles.rows[tile.rows] {
             if self.plain {
@@ -136,6 +139,7 @@ impl Integration<'_> {
         let dt = self.dt;
         let damped = !work.net[1].0[0].is_empty();
         for k in 0..6 {
+            // Tensors of inertia are diagonal in rows, and momentum and spin differ by a factor.
             let ease = if k < 3 {
                 1.0 / solid.mass
             } else {
@@ -149,6 +153,7 @@ impl Integration<'_> {
                 let d = &work.net[1].0[k][here.clone()];
                 for (((v, u), f), d) in v.iter_mut().zip(u).zip(f).zip(d) {
                     *v += change * (f + d);
+                    // With the new velocity, that of the middle of this step: this is what makes it a leapfrog.
                     *u += dt * *v;
                 }
             } else {
@@ -165,6 +170,8 @@ impl Integration<'_> {
             .zip(&z[here.clone()]);
         for (peak, ((x, y), z)) in work.peak[here.clone()].iter_mut().zip(speeds) {
             let square = x * x + y * y + z * z;
+            // Written out, and not as `max`, so that it is one instruction of the vector
+            // unit: `max` must look for what is not a number.
             *peak = if square > *peak { square } else { *peak };
         }
         let [.., a, b, c] = &work.displacement.0;
@@ -202,6 +209,7 @@ impl Integration<'_> {
         if let Some(turned) = &mut work.turned[at] {
             turned.momentum += change.momentum;
             let inverse = &self.kick.solid_of(b).inverse;
+            // The spin that is kept is that on the way, of the middle of the step as all velocities are.
             (turned.attitude, w) = kick::turn(turned.attitude, turned.momentum, inverse, self.dt);
             th = patch::rotation_vector(turned.attitude);
         } else {

@@ -96,6 +96,7 @@ impl Kick<'_> {
         let attitude = moving.turned.map(|t| t.attitude);
         let inertia = attitude.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
         let inverse = attitude.map_or(solid.inverse, |q| turned_inertia(&solid.inverse, q));
+        // A turned block is carried on by its momentum; its spin is read off that at each attitude.
         let before = moving.turned.map_or(inertia * w, |t| t.momentum);
         let local = self.damping.local;
         let against = |f: Vec3, v: Vec3| -> Vec3 {
@@ -110,6 +111,7 @@ impl Kick<'_> {
         let push = acting.force + acting.drag + drag;
         let torque = acting.moment + acting.drag_moment + twist;
         let mut dv = kick::change(self.span / mass, push, fade, v);
+        // Of the momentum and not of the spin: torques change that alike with small and with finite rotations.
         let mut dl = kick::change(self.span, torque, fade_turn, before);
         // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
         let now = if attitude.is_some() {
@@ -123,6 +125,7 @@ impl Kick<'_> {
             let free = (dv, dl);
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
             dl = inertia * dw;
+            // Before the first step the span may be nil; nothing needs to be held for no time.
             if self.span > 0.0 {
                 let [along, about] = motion.given();
                 let force = kick::reaction(mass, fade, self.span, dv - free.0);
@@ -219,7 +222,10 @@ impl Scratch {
             gravity: world.gravity,
             time: world.time,
             damping: self.damping,
+            // `pending` and not the last step: seen again at the same instant, the half before it has been booked.
             half: [0.5 * world.pending, 0.5 * self.coming_dt],
+            // Half of each step. Before the first one (`last_dt` is 0) velocities are those
+            // of now, and half a kick makes them those of its middle.
             span: 0.5 * (world.last_dt + self.coming_dt),
         }
     }
@@ -292,6 +298,7 @@ impl World {
             let w = now(&about, self.bodies.spin(b));
             self.bodies.set_velocity(b, v, w);
             let solid = &self.solids[self.solid[b] as usize];
+            // It is the momentum that moves a turned block: without this it would go on with its old one.
             if let Some(turned) = &mut self.turned[b] {
                 turned.momentum = turned_inertia(&solid.inertia, turned.attitude) * w;
             }
@@ -313,15 +320,18 @@ pub fn turn(
 ) -> (riprap_geom::Quat, Vec3) {
     let body = attitude.conjugate() * momentum;
     let mut omega = *inverse * body;
+    // Each round gains a factor of about dt |omega|, the angle of the step.
     for _ in 0..50 {
         let after = cayley(-dt * omega) * body;
         let next = *inverse * (0.5 * (body + after));
+        // With `<=`, a block without momentum ends at once.
         let close = (next - omega).length() <= 1e-15 * next.length();
         omega = next;
         if close {
             break;
         }
     }
+    // Products of rotations lose their length by round-off, step after step.
     let after = (attitude * cayley(dt * omega)).normalize();
     // The mean of both attitudes turns the body-frame spin into space.
     (after, 0.5 * (attitude * omega + after * omega))

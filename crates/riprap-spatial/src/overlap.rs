@@ -39,6 +39,7 @@ impl Overlap {
         let ([arm_i, arm_j], [along_b, along_c]) = (self.arms, self.gyration);
         Self {
             blocks: [j, i],
+            // Right-handed again with b and c exchanged; no longer that of an axis, which has its normal up it.
             frame: [-n, c, b],
             axis: 3,
             arms: [arm_j, arm_i],
@@ -189,6 +190,7 @@ pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
     let joint = &world.setup.interfaces[class.row as usize].joint;
     let spread = match joint.points {
         Points::Gauss => 1.0,
+        // Gauss points lie at the radii of gyration L/sqrt 12, quarter points at L/4.
         Points::Quarter => 0.75f64.sqrt(),
     };
     let mut reach = class.half_spacing.map(|r| r / spread);

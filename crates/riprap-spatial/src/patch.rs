@@ -108,8 +108,10 @@ impl Poses<'_> {
         let blocks = ends.map(|b| b as usize);
         let q = blocks.map(|b| self.attitude(b));
         let [n, b, _] = class.frame;
+        // Sides turned half a turn against each other have no mean: that of the first block stands in.
         let normal = (q[0] * n + q[1] * n).normalize_or(q[0] * n);
         let along = q[0] * b + q[1] * b;
+        // The mean of two turned axes is not square to the mean normal by itself.
         let along = (along - normal * normal.dot(along)).normalize_or(q[0] * b);
         let frame = [normal, along, normal.cross(along)];
         let mut points = Points {
@@ -123,8 +125,12 @@ impl Poses<'_> {
             let offset = place(class, p);
             let start = class.arms.map(|a| a + offset);
             let now = [q[0] * start[0], q[1] * start[1]];
+            // Places at the start cancel in the gap. Taken as differences of
+            // places it would lose digits far from the origin.
             let moved = [0, 1].map(|k| self.bodies.displacement(blocks[k]) + (now[k] - start[k]));
             let gap = moved[1] - moved[0];
+            // Both sides act at one point in space, the middle: else opposite forces
+            // across a gap would be a couple from nothing.
             *arms = [now[0] + 0.5 * gap, now[1] - 0.5 * gap];
             let speed = [0, 1].map(|k| {
                 self.bodies.velocity(blocks[k]) + self.bodies.spin(blocks[k]).cross(arms[k])
@@ -149,6 +155,7 @@ pub fn place(class: &PatchClass, p: usize) -> Vec3 {
 pub fn rotation(vector: Vec3) -> Quat {
     let half = 0.5 * vector.length();
     let (s, c) = libm::sincos(half);
+    // From 1e-9 down the sine is its angle to the last bit.
     let scale = if half > 1e-9 { 0.5 * s / half } else { 0.5 };
     let v = scale * vector;
     Quat::from_xyzw(v.x, v.y, v.z, c)
@@ -157,6 +164,7 @@ pub fn rotation(vector: Vec3) -> Quat {
 /// Rotation vector of a rotation, length at most pi.
 #[must_use]
 pub fn rotation_vector(q: Quat) -> Vec3 {
+    // `q` and `-q` are one rotation; that with a positive `w` is the shorter way round.
     let q = if q.w < 0.0 { -q } else { q };
     let v = Vec3::new(q.x, q.y, q.z);
     let sine = v.length();
@@ -195,6 +203,7 @@ impl Points {
             }
             return sum;
         }
+        // All points share one frame and the arms of the centre: their sums need one product with each.
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
         for (p, t) in t.iter().enumerate() {
             let (b, c) = (
@@ -278,6 +287,7 @@ impl State<'_> {
 
     /// Stores the memories.
     pub fn write(&mut self, memories: &[Memory; 4]) {
+        // Bits of the patch as a whole (`FINITE`, `OFFSET`) are not the law's.
         let mut flags = *self.flags & !(flag::BROKEN | flag::OPEN | flag::SLIDING);
         for (p, m) in memories.iter().enumerate() {
             for (set, group) in [
@@ -329,6 +339,8 @@ pub fn respond(
         );
     };
     let slid = *state.flags;
+    // The displacement of the step before is not kept; it has changed
+    // by the velocity in between times the time since.
     let moved = points.velocity.map(|r| r.map(|v| v * elapsed));
     let mut each = |law: &dyn Fn(usize, &mut Memory) -> (Traction, Loss)| {
         let (mut t, mut loss) = ([[0.0; 3]; 4], Loss::default());
@@ -362,6 +374,7 @@ pub fn respond(
         ),
     };
     state.write(&memory);
+    // A law that sees no motion takes all points for sticking.
     if elapsed == 0.0 {
         *state.flags |= flag::slide_on(slid, *state.flags);
     }
@@ -379,6 +392,7 @@ pub fn carried(
 ) -> [Traction; 4] {
     let alone = joint.failure == Failure::Point;
     if let Some(law) = joint.law(class.stiffness) {
+        // In the law of a face the tractions of its points hang together.
         return if alone {
             std::array::from_fn(|p| law.carried(&start[p], &points.at[p], &memory[p]))
         } else {
@@ -479,6 +493,7 @@ pub fn starts_moving(
         return 0;
     };
     let dashpots = dashpots(joint, class, points, beta, 0);
+    // A point that is pressed at the start opens later, if at all, and shows it then.
     let parts = |p: &usize| start[*p][0] == 0.0 && points.velocity[*p][0] > 0.0;
     let opens = |p: &usize| {
         strength.tension == 0.0

@@ -144,6 +144,7 @@ impl Forest {
                 cells[origin.parent as usize].children = b as u32;
             }
         }
+        // Blocks as given alone: their parts lie in them, so that splitting leaves the bins as they are.
         let (mut boxes, mut numbers) = (Vec::new(), Vec::new());
         for (b, origin) in lineage.iter().enumerate() {
             if origin.parent == Origin::NONE {
@@ -244,6 +245,7 @@ impl Forest {
                 !matches!(other.kind, Kind::Whole(_)) && other.level < cell.level
             });
             match coarser {
+                // Its parts may still be coarser than this block: the neighbours are looked for again.
                 Some(n) => self.split(n)?,
                 None => break,
             }
@@ -341,6 +343,7 @@ struct Image {
 /// Shifts under which a block meets its images across the wrap, no shift first.
 fn images(periodic: [Option<f64>; 3]) -> Vec<Vec3> {
     let mut shifts = vec![Vec3::ZERO];
+    // One axis at a time: across two of them blocks share an edge and no face.
     for (a, period) in periodic.iter().enumerate() {
         if let Some(period) = period {
             let mut one = Vec3::ZERO;

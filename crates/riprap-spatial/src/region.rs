@@ -27,6 +27,7 @@ fn in_convex(solid: &Solid, point: Vec3) -> bool {
     solid.faces.iter().all(|face| {
         let corner = |k: usize| solid.vertices[face[k] as usize];
         let normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        // The normal is an area, and its root the length of which the slack is a share.
         normal.dot(point - corner(0)) <= 1e-9 * normal.length() * normal.length().sqrt()
     })
 }
@@ -78,6 +79,7 @@ impl Extent {
         if let (Self::Box(own), Self::Box(other)) = (self, other) {
             let apart = own.centre - other.centre;
             let overlaps =
+                // A little less than the whole: boxes side by side do not overlap.
                 |t: Vec3| t.dot(apart).abs() < (1.0 - TOUCH) * t.abs().dot(own.half + other.half);
             return overlaps(b) && overlaps(c);
         }
@@ -184,6 +186,7 @@ impl Bounds {
         let slack = TOUCH * self.half.min(other.half);
         let gaps = self.gaps(other);
         let touching = (0..3).filter(|&a| gaps[a].abs() <= slack[a]).count();
+        // Along two axes they share an edge, along three a corner.
         touching == 1 && (0..3).all(|a| gaps[a] <= slack[a])
     }
 
@@ -315,6 +318,7 @@ impl Bins {
     }
 
     fn each_bin(&self, b: &Bounds, mut visit: impl FnMut(usize)) {
+        // A little wider, so that boxes that only touch have a bin in common.
         let slack = TOUCH * b.half.min_element();
         let index = |x: f64, a: usize| {
             let k = ((x - self.min[a]) / self.size[a]).floor();

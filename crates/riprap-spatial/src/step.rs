@@ -39,8 +39,11 @@ pub fn evaluate(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), NonFinite> {
+    // Kept, so that `advance`, and whoever reads between the two halves,
+    // finds the very kick that the works were booked for.
     scratch.damping = *damping;
     scratch.coming_dt = dt;
+    // Before the loads: what seeping water pushes with follows from the heads that are found here.
     if !world.setup.water.is_empty() {
         stage(scratch, "seepage", |_| push::seepage::update(world));
     }
@@ -53,6 +56,8 @@ pub fn evaluate(
         push::water::apply(world, scratch);
     });
     stage(scratch, "kinematics", |scratch| change_over(world, scratch));
+    // Before the search: a pair that its joint lets go must meet in this evaluation,
+    // or its force would be missing for a step.
     contacts::give_way(world, scratch);
     deform::contact::part(world, scratch);
     let meet = contacts::refresh(world, scratch);
@@ -83,6 +88,7 @@ pub fn evaluate(
             contacts::terrain::act(world, scratch, meet);
         });
     }
+    // Only now is it known how deep blocks lie in each other, whose energy is part of that of the start.
     if world.start_energy.is_none() {
         contacts::begin(world, &scratch.desk, &scratch.exec);
     }
@@ -96,6 +102,8 @@ pub fn evaluate(
     if !world.accounts.is_empty() {
         stage(scratch, "accounts", |scratch| entries::book(world, scratch));
     }
+    // From here on the instant is done: another evaluation without a move finds
+    // no time to make up for, and books nothing twice.
     world.works.settle();
     world.pending = 0.0;
     world.fresh = false;
@@ -114,11 +122,13 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
         });
     }
     deform::contact::depart(world, scratch, dt);
+    // Not booked by `evaluate`: that may be called again with another step or damping before this one is taken.
     let departure = std::mem::take(&mut scratch.departure);
     world.works.add(&departure);
     world.works.note_peak();
     add(&mut world.accounts, &scratch.entries.departure);
     scratch.entries.departure.clear();
+    // A step of a relaxation has no length in model time: what passes is the increment of what is driven.
     world.time += passed;
     world.step += 1;
     world.last_dt = dt;
@@ -139,6 +149,8 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
     if world.step == 0 && world.fresh && !scratch.drag.is_empty() && scratch.strong {
         start_moving(world, scratch.damping.stiffness);
     }
+    // A look between two steps must not age the memory; after an edit
+    // the laws have to answer though nothing has moved.
     let live = world.pending > 0.0 || world.fresh;
     let (list, tiles) = (&mut world.patches, &scratch.tiles);
     let shared = Shared {
@@ -209,6 +221,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     let bound = match world.setup.kinematics {
         Kinematics::Small => return,
         Kinematics::Automatic => world.setup.rotation_bound(),
+        // Below any angle, so that blocks change over that have not turned at all.
         Kinematics::Finite => -1.0,
     };
     let mut changed = false;
@@ -223,6 +236,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     if !changed {
         return;
     }
+    // Rows know small rotations alone: who has changed over is done one by one from now on.
     scratch.tiles.make_rows(world);
     for p in 0..world.patches.len() {
         let ends = world.patches.ends[p];
@@ -240,6 +254,7 @@ impl World {
         let (solid, spin) = (*self.solid_of(b), self.bodies.spin(b));
         let momentum = solid.inertia * spin;
         let turned = patch::turned_inertia(&solid.inverse, attitude) * momentum;
+        // At the switch the energy L.w/2 of a momentum L that stays changes with the spin that belongs to it.
         self.works.edit_defect += 0.5 * momentum.dot(turned - spin);
         self.bodies.set_velocity(b, self.bodies.velocity(b), turned);
         self.turned[b] = Some(Box::new(Turned { attitude, momentum }));
@@ -259,6 +274,8 @@ impl World {
         let shifts: [[f64; 3]; 4] =
             std::array::from_fn(|q| [0, 1, 2].map(|k| after.at[q][k] - before.at[q][k]));
         self.patches.flags[p] |= flag::FINITE;
+        // Most patches change over before they have moved; lists of offsets
+        // are made for the first one that needs them.
         if shifts.as_flattened().iter().all(|s| *s == 0.0) {
             return;
         }
@@ -266,6 +283,8 @@ impl World {
         self.patches.need_normal_offset();
         self.patches.flags[p] |= flag::OFFSET;
         for (q, shift) in shifts.iter().enumerate() {
+            // The law takes offset and slip off the displacement, so what
+            // the other form adds to that is added to these.
             self.patches.normal_offset[p][q] += shift[0];
             self.patches.slip[p][0][q] += shift[1];
             self.patches.slip[p][1][q] += shift[2];

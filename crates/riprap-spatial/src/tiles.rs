@@ -226,18 +226,22 @@ impl Tiles {
         };
         let slotted = |p: usize| {
             let [i, j] = list.ends[p];
+            // Also where block i is in a later group of the same piece: its group is worked
+            // off first, but its turn in the sum of j comes last.
             i as usize / piece != j as usize / piece || group_of(i) > group_of(j)
         };
         for tile in &mut self.list {
             let (first_packet, first_slot) = (self.packets.len(), self.slots);
             let patches: Vec<u32> = tile.patches.clone().map(|p| p as u32).collect();
             let groups: Vec<&[u32]> = patches.chunk_by(by_groups).collect();
+            // The nearest of the earlier groups comes first in the sum of a block.
             for group in groups.into_iter().rev() {
                 let first = group[0] as usize;
                 let patches = first..first + group.len();
                 pack(world, patches, cut.packet, slotted, &mut self.packets);
             }
             tile.packets = first_packet..self.packets.len();
+            // Numbered in the order of the work, so that the slots of a piece lie in a row and can be lent to it.
             for packet in &mut self.packets[tile.packets.clone()] {
                 if packet.slot != Packet::DIRECT {
                     packet.slot = self.slots as u32;
@@ -263,6 +267,7 @@ impl Tiles {
                 .filter(move |(_, [i, j])| (group_of(*i) > group_of(*j)) == late)
                 .map(|(slot, [_, j])| (slot as u32, j))
         };
+        // Sorted by counting, which keeps the order within a piece.
         let mut counts = vec![0usize; tiles.len() + 1];
         for (_, j) in slots(false).chain(slots(true)) {
             counts[j as usize / piece + 1] += 1;
@@ -312,6 +317,7 @@ impl Tiles {
         for b in (world.found.pairs.iter().flat_map(|pair| pair.ends)).chain(deformable) {
             pushed[b as usize] = true;
         }
+        // Anyone may come down on it, and rows are not laid out again when one does.
         if world.has_terrain() {
             pushed.fill(true);
         }
@@ -334,6 +340,7 @@ impl Tiles {
                     && !pushed[b]
                     && world.motion[b].is_none()
                     && world.turned[b].is_none()
+                    // Rows take the moments about x, y and z each by itself.
                     && world.solid_of(b).diagonal;
                 if !plain {
                     self.special.push(b as u32);
@@ -344,6 +351,7 @@ impl Tiles {
                     Some(row)
                         if row.blocks.end == b
                             && row.solid == solid
+                            // A row ends with its group, over which works are summed.
                             && !b.is_multiple_of(GROUP) =>
                     {
                         row.blocks.end += 1;
@@ -395,6 +403,7 @@ fn pack(
             slot: if slotted(p) { 0 } else { Packet::DIRECT },
             count: (end - p) as u8,
             axis: axis(p),
+            // Eight lanes are read even where fewer count, and must not go beyond the lists.
             runs: i.max(j) as usize + LANES <= blocks && (p..end).all(side_by_side),
             one_class: (p..end).all(|q| list.class[q] == list.class[p]),
         });

@@ -73,6 +73,7 @@ impl Wide {
     pub fn new(class: &PatchClass, joint: &JointLaw) -> Self {
         let strength = joint.strength.as_ref();
         let axis = usize::from(class.axis % 3);
+        // Component k of space is component (k - axis) mod 3 of n, b, c, which are the axes in turn.
         let along = [0, 1, 2].map(|k| (k + 3 - axis) % 3);
         let [kn, ks] = class.stiffness;
         let [b2, c2] = class.half_spacing.map(|r| r * r);
@@ -426,6 +427,7 @@ pub fn points(
         ];
         let before = PlainState::read(memory, at, count, q);
         let (t, mut after, loss) = law.answer(&first, &place, &velocity, elapsed, &before);
+        // The law takes a point that sees no motion for one that sticks.
         if elapsed == 0.0 {
             after.slide_on(memory, at, count, q);
         }
@@ -514,6 +516,7 @@ impl PlainLanes {
         let mut t = [Lanes::default(); 3];
         let mut after = PlainState::default();
         let mut loss = [Lanes::default(); 2];
+        // Lane by lane in the text alone: the law has no branches, so that the compiler does eight at once.
         for l in 0..LANES {
             let law = PlainLaw {
                 springs: [self.springs[0].0[l], self.springs[1].0[l]],
@@ -670,6 +673,7 @@ impl Class {
         if shared.prestress.is_empty() {
             return (b, c);
         }
+        // All lanes, so that those beyond the count have the slopes of the first as they have its place.
         for lane in 0..LANES {
             let wide = shared.wide_of(packet, lane);
             for k in 0..3 {
@@ -690,11 +694,13 @@ impl Class {
         let shear_b = (start[b] + ks * d[b]).abs() + ks * (w[n].abs() * rc) + self.spread[1];
         let shear_c = (start[c] + ks * d[c]).abs() + ks * (w[n].abs() * rb) + self.spread[2];
         let [cohesion, cut, friction] = self.strength;
+        // Strength falls with tension: taken at the largest one of the four points it is the least of them.
         let limit = shear_limit(cohesion, friction, tension);
         let shear = shear_b * shear_b + shear_c * shear_c;
         let limit2 = limit * limit;
         let mut bits = 0;
         for k in 0..LANES {
+            // A negative limit has a square too. Written so that what is not a number is in doubt.
             let fine = tension.0[k] <= cut.0[k] && limit.0[k] >= 0.0 && shear.0[k] <= limit2.0[k];
             bits |= u8::from(!fine) << k;
         }

@@ -184,6 +184,7 @@ fn table_at(times: &[f64], values: &[f64], t: f64) -> f64 {
     if n == 0 {
         return 0.0;
     }
+    // Of two entries at one time the later one holds from there on: a jump.
     let k = times[..n].partition_point(|&x| x <= t);
     if k == 0 {
         values[0]

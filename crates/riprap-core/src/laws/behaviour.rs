@@ -104,6 +104,7 @@ impl Closure {
     /// Closure and pressure where the hyperbola ends, for the initial stiffness `k` (Pa/m).
     fn end(k: f64, limit: f64, stiffest: f64) -> [f64; 2] {
         let root = stiffest.sqrt();
+        // The slope of the curve is k / (1 - V/V_m)²: there it is `stiffest` times k.
         let v = limit * (1.0 - 1.0 / root);
         [v, k * v * root]
     }
@@ -148,6 +149,7 @@ impl Closure {
             Self::Hyperbolic { limit, stiffest } => {
                 let [end, most] = Self::end(k, limit, stiffest);
                 let on = v.min(end);
+                // The integral from 0; `log1p` keeps its digits where the closure is small against the largest.
                 let curve = -k * limit * (on + limit * libm::log1p(-on / limit));
                 let more = (v - end).max(0.0);
                 curve + more * (most + 0.5 * stiffest * k * more)
@@ -251,6 +253,7 @@ impl<'a> Law<'a> {
         }
         // Unloading goes back to the origin: a crack that closes is closed.
         let tension = self.strength.map_or(f64::INFINITY, |s| s.tension);
+        // The secant to the point of the softening line that the joint has come to.
         let hold = if parted > 0.0 {
             let left = (1.0 - damage) * tension;
             left / (left + k * parted)
@@ -351,6 +354,7 @@ impl<'a> Law<'a> {
             let limit = self.limit(sigma(dilated(x), damage), damage, accumulated + x);
             tau - self.springs[1] * x - limit
         };
+        // Not more than that: with it the traction is nothing, and no strength is below that.
         let x = root(beyond, tau / self.springs[1], RETURN * tau);
         [x, dilated(x)]
     }
@@ -378,12 +382,14 @@ fn root(f: impl Fn(f64) -> f64, high: f64, small: f64) -> f64 {
         }
         x = (a * fb - b * fa) / (fb - fa);
         let fx = f(x);
+        // A step that round-off puts on or past an end of the bracket is as near as numbers go.
         if fx.abs() <= small || x <= a || x >= b {
             return x;
         }
         if fx > 0.0 {
             (a, fa) = (x, fx);
             if side == 1 {
+                // An end that stays twice counts half: the plain rule would creep up to the zero from one side.
                 fb *= 0.5;
             }
             side = 1;
@@ -409,6 +415,7 @@ fn lost(before: (&Traction, f64), after: (&Traction, f64), moved: &[f64; 3]) -> 
 
 /// Divides a loss: what was lost above the residual strength is the work of separation.
 fn divided(all: f64, separation: f64) -> Loss {
+    // The two are found by rules of their own, each with its error: no part is more than the whole.
     let fracture = separation.min(all).max(0.0);
     Loss {
         friction: all - fracture,

@@ -140,6 +140,7 @@ impl Bar {
         let limit = self.yields + self.hardening * yielded;
         let over = trial.abs() - limit;
         if over > 0.0 && self.stiffness > 0.0 {
+            // So that what the spring loses and what the limit gains meet: trial - k p = limit + h p.
             let plastic = over / (self.stiffness + self.hardening);
             return Mapped {
                 force: (limit + self.hardening * plastic).copysign(trial),
@@ -209,6 +210,7 @@ impl<const N: usize> Sheared<N> {
         let across = std::array::from_fn(|k| jump[k] - along * axis[k]);
         let limit = if broken { 0.0 } else { limit };
         let (force, slip) = dowel(stiffness, limit, across, self.slip);
+        // What slips under its force; with the bar gone, all that it stored.
         let lost = if limit > 0.0 {
             (0..N).map(|k| force[k] * (slip[k] - self.slip[k])).sum()
         } else {

@@ -203,6 +203,7 @@ pub fn near_eight(strength: &Strength, n: &Vectors, t: &Vectors) -> bool {
     let mut fine = true;
     for k in 0..LANES {
         let limit = NEAR * limit.0[k];
+        // Beyond the tip of the strength the limit is negative, and its square would let shear pass.
         fine &= (sigma.0[k] <= tension) & (limit >= 0.0) & (square.0[k] <= limit * limit);
     }
     !fine

@@ -96,6 +96,7 @@ pub fn point(
             return ([0.0; 3], loss);
         }
         memory.open = false;
+        // So that its spring is stretched by the way of this step alone.
         memory.slip = [0, 1].map(|k| at[k + 1] - moved[k + 1] + start[k + 1] / springs[1]);
     }
     let trial = elastic(springs, start, at, memory);
@@ -116,6 +117,7 @@ pub fn point(
             return ([0.0; 3], loss);
         }
     }
+    // It has no tension to lose any more: what its shear spring held was friction.
     if sigma >= 0.0 {
         memory.open = true;
         loss.friction = released(springs, &before, moved, 1);
@@ -132,6 +134,7 @@ pub fn point(
     for k in 0..2 {
         let slip = (trial[k + 1] - t[k + 1]) / springs[1];
         memory.slip[k] += slip;
+        // The traction has gone from `before` to `t`, so their mean has worked on the slip.
         loss.friction += 0.5 * (before[k + 1] + t[k + 1]) * slip;
     }
     (t, loss)
@@ -190,6 +193,7 @@ pub fn plain_point(
     let peak = shear_strength(law.peak[0], law.peak[2], sigma);
     let holds = was_whole & (sigma <= law.peak[1]) & (tau <= peak);
     let opens = !holds & (sigma >= 0.0);
+    // Failed in shear without any pressure it opens too, but nothing has torn.
     let tears = opens & was_whole & (sigma > 0.0);
     let limit = shear_strength(law.residual[0], law.residual[1], sigma);
     let slides = !holds & !opens & (tau > limit);
@@ -208,6 +212,7 @@ pub fn plain_point(
         }
     });
     let rubbed = 0.5 * ((old[1] + t[1]) * gone[0] + (old[2] + t[2]) * gone[1]);
+    // What was stored, and the work of the last step, in which the traction falls to nothing.
     let lost = |k: usize, spring: f64| 0.5 * old[k] * (old[k] / spring + moved[k]);
     let shear_lost = lost(1, ks) + lost(2, ks);
     let loss = Loss {

@@ -130,6 +130,7 @@ pub fn principal(stress: &Mat3, out: Option<Vec3>) -> Principal {
     let Some(out) = out else {
         let (v, axes) = polyhedron::principal(&matrix);
         return Principal {
+            // Ascending there, descending here.
             values: [v.z, v.y, v.x],
             axes: [axes.z_axis, axes.y_axis, axes.x_axis].map(upward),
         };
@@ -269,6 +270,7 @@ pub fn settle(principal: &Principal, hint: Vec3) -> Principal {
     let ([s1, s2, s3], [e1, _, e3]) = (principal.values, principal.axes);
     let open = DEGENERATE * s1.abs().max(s3.abs());
     // Turn about the axis that stays.
+    // Of two pairs that are both near, the nearer one.
     let (kept, turn_third) = if s2 - s3 < open && s2 - s3 <= s1 - s2 {
         (e1, true)
     } else if s1 - s2 < open {
@@ -277,6 +279,7 @@ pub fn settle(principal: &Principal, hint: Vec3) -> Principal {
         return *principal;
     };
     let across = hint - hint.dot(kept) * kept;
+    // A hint along the axis that stays says nothing of how to turn about it.
     if across.length() <= 1e-6 * hint.length() {
         return *principal;
     }

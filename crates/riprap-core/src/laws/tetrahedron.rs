@@ -198,6 +198,8 @@ impl Groups {
     ) {
         let (u, f) = (&u[..self.nodes], &mut f[..self.nodes]);
         let centre = self.nodes - 1;
+        // Every tetrahedron has the centre: its force stays in lanes and
+        // is added up once, in one order at every width.
         let mut on_centre = [Lanes::default(); 3];
         for (k, group) in self.list().iter().enumerate() {
             let h = group.gradient(u);
@@ -218,6 +220,8 @@ impl Groups {
         let centre = u[self.nodes - 1];
         let mut h = [[0.0; 3]; 3];
         for (i, row) in h.iter_mut().enumerate() {
+            // Less the centre's: its shape function has minus the sum of the
+            // three gradients, which is in the differences.
             let d = |k: usize| u[usize::from(group.nodes[k][lane])][i] - centre[i];
             for (j, x) in row.iter_mut().enumerate() {
                 let g = |k: usize| group.gradients[k][j].0[lane];

@@ -146,6 +146,7 @@ pub fn motion(masses: &[f64], at: &[Vec3], velocities: &[[f64; 3]]) -> Motion {
         kinetic += 0.5 * m * v.length_squared();
     }
     let centre = first / mass;
+    // About the centre, then shifted: about a far origin the sums would lose their digits.
     let (mut about_centre, mut inertia) = (Vec3::ZERO, Mat3::ZERO);
     for ((&m, &x), v) in nodes() {
         let r = x - centre;

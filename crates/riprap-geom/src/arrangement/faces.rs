@@ -20,11 +20,13 @@ impl Graph {
         }
         for (v, around) in neighbours.iter_mut().enumerate() {
             let centre = points[v];
+            // By half planes and turns: no angle has to be found, and rounded.
             let upper = |p: Vec2| p.y > centre.y || (p.y == centre.y && p.x > centre.x);
             around.sort_by(|&a, &b| {
                 let (pa, pb) = (points[a as usize], points[b as usize]);
                 upper(pb)
                     .cmp(&upper(pa))
+                    // The sum makes -0 a 0, which the total order tells apart.
                     .then_with(|| 0.0f64.total_cmp(&(turn(centre, pa, pb) + 0.0)))
                     .then(a.cmp(&b))
             });

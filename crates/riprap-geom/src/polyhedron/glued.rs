@@ -337,6 +337,7 @@ impl Table {
                 if pieces.iter().any(|piece| self.within(&bridge, piece)) {
                     continue;
                 }
+                // What lies in a larger one is nowhere deeper than that.
                 pieces.retain(|piece| !self.within(piece, &bridge));
                 pieces.push(bridge);
                 grown = true;
@@ -369,6 +370,7 @@ impl Table {
             for (term, sign) in &all {
                 let sides = term.sides.union(&piece.sides).copied().collect();
                 if let Some(common) = self.common(&sides) {
+                    // What it has in common with the terms so far would count twice: max(a, b) = a + b - min(a, b).
                     add(&mut own, common, -sign);
                 }
             }

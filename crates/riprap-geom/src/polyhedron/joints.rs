@@ -145,6 +145,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
         )?;
         let (centre, half) = (0.5 * (min + max), 0.5 * (max - min));
         let reach = set.normal.abs().dot(half)
+            // Turns end at three deviations.
             + libm::tan(3.0 * set.angle_scatter.min(0.3)) * half.length();
         let middle = (centre - set.at).dot(set.normal);
         // One plane more on either side, since scatter may bring it in.
@@ -160,6 +161,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
         }
         let [_, b, c] = super::frame(set.normal);
         for k in 0..count as usize {
+            // A spacing has the scatter of both its planes.
             let jitter = set.spacing_scatter * std::f64::consts::FRAC_1_SQRT_2 * chance.normal();
             let limit = 0.45 * spacing;
             let height = (first + k as f64) * spacing + jitter.clamp(-limit, limit);
@@ -167,6 +169,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
             let turned = set.normal + libm::tan(turn()) * b + libm::tan(turn()) * c;
             joints.push(Joint {
                 normal: turned.normalize(),
+                // Beside the middle of the model: about a far point of the set a turn would move the plane away.
                 at: centre + (height - middle) * set.normal,
                 extent: match share < 1.0 {
                     true => Extent::Partly(share),
@@ -212,6 +215,7 @@ pub fn divide(
     for joint in joints {
         let offset = joint.normal.dot(joint.at);
         let across = joint.normal.abs();
+        // The halves above a joint are beyond the end of this range: it does not meet them again.
         for k in 0..divided.solids.len() {
             let (centre, half) = boxes[k];
             if (joint.normal.dot(centre) - offset).abs() > across.dot(half) {

@@ -227,6 +227,8 @@ fn correct(shares: &mut [f64], arms: &[Vec3], exact: &[f64; 6]) {
             }
         }
     }
+    // A tetrahedron has nine nodes, too few for ten functions; it is an image of the
+    // regular one, and one factor has given it the whole tensor.
     let Some(solution) = solve(matrix) else {
         return;
     };

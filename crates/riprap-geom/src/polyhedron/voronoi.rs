@@ -188,6 +188,7 @@ pub fn lattice_sites(min: Vec3, max: Vec3, cell: f64, origin: Vec3, angle: f64) 
     ];
     let [a, b] = steps.map(|s| (s / cell).round() * cell);
     let origin = origin + Vec3::new(cosine * a - sine * b, sine * a + cosine * b, 0.0);
+    // Half the diagonal: turned rows reach into the corners.
     let reach = (0.5 * extent.truncate().length() / cell).ceil() + 1.0;
     let layers = (extent.z / cell).round().max(1.0);
     let mut sites = Vec::new();
@@ -280,6 +281,7 @@ impl<'a> Bins<'a> {
         let (home, mut near) = (self.place(site), Vec::new());
         let last = self.count.into_iter().max().unwrap_or(1);
         for ring in 0..=last {
+            // The plane between two sites is half way: one farther than twice the farthest corner cuts nothing.
             let distances = cell.vertices.iter().map(|v| v.distance(site));
             let reach = distances.fold(0.0, f64::max);
             // Sites of this shell and beyond are at least this far away.
@@ -288,6 +290,7 @@ impl<'a> Bins<'a> {
             }
             near.clear();
             self.shell(home, ring, &mut near);
+            // The nearest first, which leave little to the others; equal ones by number, for the same bits.
             near.sort_by(|&a, &b| {
                 let far = |s: u32| sites[s as usize].distance_squared(site);
                 far(a).total_cmp(&far(b)).then(a.cmp(&b))

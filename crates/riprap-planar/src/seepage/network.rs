@@ -71,6 +71,7 @@ impl Nodes {
     /// The node at a place; a new one if there is none.
     fn at(&mut self, place: Vec2) -> u32 {
         let cell = [place.x, place.y].map(|x| (x / self.size).floor() as i64);
+        // Places that are one can lie on two sides of a border between cells.
         for dx in -1..=1 {
             for dy in -1..=1 {
                 let near = self.cells.get(&[cell[0] + dx, cell[1] + dy]);
@@ -122,6 +123,7 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
                     continue;
                 }
                 let begins = along.dot(start_b - start_a);
+                // The other edge runs the other way: from where it begins back by its length.
                 let (low, high) = ((begins - eb.length).max(0.0), begins.min(ea.length));
                 if high - low <= tolerance {
                     continue;
@@ -169,10 +171,12 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
                         .iter()
                         .any(|line| line.holds(p.into(), nodes.size))
                 };
+                // An edge with one end on a closed line leads away from it.
                 if is_closed(whole.from) && is_closed(whole.to) {
                     continue;
                 }
                 let run = whole.to.x - whole.from.x;
+                // Heads are linear between nodes: a corner of the table must be one.
                 let corners = table.points.iter().map(|c| (c[0] - whole.from.x) / run);
                 let corners = corners.filter(|s| s.is_finite()).collect();
                 for part in whole.parts(corners) {
@@ -235,6 +239,7 @@ fn hold(out: &mut Seepage, seeps: &[u32], table: &WaterTable, size: f64) {
         for n in face.nodes {
             let node = &mut out.nodes[n as usize];
             let (head, height) = (table.height(node.place.x), node.place.y);
+            // At the table itself water stands, whatever round-off says.
             node.edge = if head >= height - size {
                 Edge::Head(head.max(height))
             } else {

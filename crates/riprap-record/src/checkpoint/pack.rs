@@ -140,6 +140,7 @@ impl<W> Payload<W> {
 impl<W: Write> Write for Payload<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.file.write(bytes)?;
+        // A file may take less than it is given, and gets the rest again.
         self.sum.update(&bytes[..written]);
         self.bytes += written as u64;
         Ok(written)

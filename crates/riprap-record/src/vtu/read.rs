@@ -344,6 +344,7 @@ fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
         Ok(u64::from_le_bytes(*head))
     };
     let (blocks, size, partial) = (word()?, word()?, word()?);
+    // The head has eight bytes for the size of each block: more blocks than that cannot be there.
     if blocks > (data.len() / 8) as u64 {
         return Err(cut());
     }
@@ -368,6 +369,7 @@ fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
         }
         let before = out.len() as u64;
         ZlibDecoder::new(bytes)
+            // One byte more than it should have, so that a longer one is seen.
             .take(plain + 1)
             .read_to_end(&mut out)
             .map_err(|e| format!("a block does not unpack: {e}"))?;
@@ -463,6 +465,7 @@ pub(super) fn tags(text: &str) -> Option<Vec<Tag<'_>>> {
 }
 
 fn unescape(text: &str) -> String {
+    // `&amp;` last: what it leaves must not be taken for the beginning of another one.
     text.replace("&lt;", "<")
         .replace("&gt;", ">")
         .replace("&quot;", "\"")

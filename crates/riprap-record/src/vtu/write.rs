@@ -172,6 +172,7 @@ fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
     w.put(&format!(
         "<DataArray type=\"Int64\" Name=\"dimension\" NumberOfTuples=\"1\" format=\"ascii\">{dimension}</DataArray>\n"
     ));
+    // VTK writes text as the codes of its bytes, with a 0 at the end.
     let codes: String = frame.phase.bytes().fold(String::new(), |mut s, b| {
         // Writing into a String cannot fail.
         let _ = write!(s, "{b} ");
@@ -201,6 +202,7 @@ fn file(frame: &Frame, mesh: &Mesh) -> io::Result<Vec<u8>> {
         .collect();
     w.array("Float64", "Points", "NumberOfComponents=\"3\"", "m", &flat)?;
     w.put("</Points>\n<Cells>\n");
+    // No two cells share a point: each has its own run of them.
     let ids: Vec<u8> = (0i64..)
         .take(mesh.points.len())
         .flat_map(i64::to_le_bytes)
@@ -233,6 +235,7 @@ impl Writer {
 
     fn column(&mut self, c: &Column) -> io::Result<()> {
         let names = "NumberOfComponents=\"3\" ComponentName0=\"x\" ComponentName1=\"y\" ComponentName2=\"z\"";
+        // Vectors of VTK have three components.
         if c.components == 2 {
             let padded: Vec<u8> = c
                 .data

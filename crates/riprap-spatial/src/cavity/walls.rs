@@ -73,6 +73,8 @@ pub(crate) fn follow(world: &mut World, k: usize) {
         let normal = block.attitude * wall.normal;
         let share = (normal.dot(wall.normal) / TURNING).clamp(0.0, 1.0);
         let area = share * wall.area;
+        // A volume that follows from a turning normal depends on the way, so it is summed up;
+        // as long as nothing has turned it follows from where the wall is.
         let swept = match &wall.turned {
             Some(before) => {
                 let mean = 0.5 * (before.area * before.normal + area * normal);
@@ -92,6 +94,7 @@ pub(crate) fn follow(world: &mut World, k: usize) {
 /// Makes `wall` a part of that of the block it comes from: normal and share of the area go on, and the parts of a wall have swept together
 /// what the whole has.
 pub(crate) fn divide(world: &World, wall: &mut Wall, whole: &Wall) {
+    // Its own centre has moved by something else than that of the whole.
     let share = wall.area / whole.area;
     let displacement = world.all_freedoms().displacement(&centre(wall));
     wall.turned = whole.turned.map(|turned| TurnedWall {

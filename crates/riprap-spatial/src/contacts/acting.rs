@@ -89,6 +89,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let sums = sums.first().copied().unwrap_or_default();
     world.found.unlabelled += u64::from(sums.unlabelled);
     world.works.friction += sums.friction;
+    // What pairs store from here on without work is made by an edit, less
+    // what the joints stored that they take over from.
     world.works.contact_path += sums.booked;
     world.works.edit_defect += sums.booked - sums.left;
     desk.deepest = sums.deepest;
@@ -250,6 +252,8 @@ impl Evaluation<'_> {
         }
         let sums = &mut group.sums;
         let faces = candidate.faces(&self.candidates.lists);
+        // The walk begins where the step before has ended, also where this instant
+        // is evaluated again: its order makes the bits.
         if self.dt > 0.0 {
             pair.start = pair.next;
         }
@@ -339,6 +343,7 @@ impl Evaluation<'_> {
         let deep = Deepest {
             ends: pair.ends,
             depth: surface.depth,
+            // What is not a number must not pass for shallow.
             ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
         };
         sums.deepest = Deepest::deeper(sums.deepest, Some(deep));

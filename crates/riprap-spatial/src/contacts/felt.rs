@@ -141,6 +141,7 @@ impl Felt {
         if size == 0.0 || !size.is_finite() {
             return size + self.anywhere;
         }
+        // Fourth powers of squared frequencies could be beyond all numbers.
         let scaled = self.rows.map(|row| row.map(|x| x / size));
         let fourth = squared(&squared(&scaled));
         let sum: f64 = fourth.iter().flatten().map(|x| x * x).sum();

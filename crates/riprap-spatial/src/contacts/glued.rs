@@ -131,6 +131,8 @@ pub(super) fn act(
             pair.force += reply.wrench.force;
             pair.stored += contact.stored;
             pair.depth = pair.depth.max(contact.depth);
+            // What is asked of the pair as a whole, its normal and how fast
+            // it closes, the piece answers that presses most.
             let pressed = reply.elastic.force.length();
             if pressed > most {
                 most = pressed;
@@ -183,6 +185,7 @@ pub(super) fn facing(
         }
     }
     let mut found = with_square(best?);
+    // Stiffness goes with the area: as if all that can touch were where the largest part is.
     found.square *= all / found.area;
     found.area = all;
     Some(found)

@@ -381,6 +381,7 @@ fn longest_step(world: &World, desk: &Desk) -> f64 {
         } else {
             0.0
         };
+        // What cannot touch yet may go a share of the way there, however stiff the ground is.
         longest = longest.min(stable.max(meet));
     }
     longest

@@ -80,6 +80,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         points: &deform.points,
         links: &work.links.links,
         interfaces: &world.setup.interfaces,
+        // Nothing has moved since the last evaluation otherwise: what laws do then must not be done twice.
         live: (world.pending > 0.0 || world.fresh).then_some(world.pending),
         relaxing: relax.is_some(),
         waits: relax.is_some_and(|r| r.relaxation.breaks != Breaks::Always),

@@ -73,6 +73,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     let Some(deform) = world.deform.as_deref_mut() else {
         return Ok(0);
     };
+    // The state on the way to an equilibrium says nothing of what the rock bears.
     let ready = match &deform.relax {
         Some(relax) => relax.converged,
         None => now.is_multiple_of(LOOK) && now > 0,
@@ -85,6 +86,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     }
     cutting.looked = now;
     let rules = cutting.rules;
+    // What bonds have lost on the way here is booked while they are there: those of cut blocks are replaced.
     super::fracture::settle(world);
     let cuts = select::plan(&View { world, scratch }, &rules);
     if cuts.is_empty() {
@@ -94,6 +96,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if world.alive.len() + new > MAX_BLOCKS {
         return Err(RefineError::TooMany.into());
     }
+    // Nothing moves until `after`: what the residual changes by is what the cut has made.
     let before = View { world, scratch }.balance().residual();
     let count = cuts.len();
     carry_out(world, scratch, cuts)?;
@@ -186,6 +189,7 @@ fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result
     };
     let mut known = std::mem::take(&mut work.alone);
     let mut frequencies = 0;
+    // Frequencies are for the time step, and a relaxation has none.
     if deform.relax.is_none() {
         // The facets that were made stand last.
         for facet in &deform.facets[deform.facets.len() - made..] {

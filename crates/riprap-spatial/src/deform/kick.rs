@@ -139,6 +139,7 @@ impl Kick<'_> {
         );
         let force = plus(&plus(&plus(&vectors(net), &weight), &load), &push);
         let square = dot(&force, &force);
+        // Which node it is, `singly` finds out; nothing has been written yet.
         if !square.0.iter().all(|x| x.is_finite()) {
             return false;
         }
@@ -150,6 +151,7 @@ impl Kick<'_> {
             }
         }
         let fade = kick::fade(alpha, self.span);
+        // Factor by factor as `dynamics::kick::change` for a single node: the same bits.
         let impulse = scaled(
             Lanes::all(self.span) / Lanes::at(self.inertias, node),
             &plus(&force, &drag),
@@ -202,6 +204,7 @@ impl Kick<'_> {
                 .get(*dashpot)
                 .filter(|d| d.node as usize == node);
             *dashpot += usize::from(drag.is_some());
+            // The weight is that of the true mass, whatever mass moves the node.
             let weight = self.masses[node] * self.gravity;
             let of =
                 |list: &[[f64; 3]]| list.get(node).map_or(Vec3::ZERO, |l| Vec3::from_array(*l));
@@ -275,6 +278,8 @@ impl Kick<'_> {
         let change = match dashpot {
             None => kick::change(self.span / mass, push, fade, v),
             Some(d) => {
+                // Dashpots act on the mean of the velocities before and after, as
+                // mass damping does: no step is too long for them.
                 let inertia = mass * (1.0 + fade) * Mat3::IDENTITY + 0.5 * self.span * d.matrix;
                 let impulse = self.span * (push - d.matrix * v) - 2.0 * fade * mass * v;
                 inertia.inverse() * impulse
@@ -295,9 +300,11 @@ impl Kick<'_> {
             let fade = kick::fade(self.damping.mass, self.span);
             let gap = change - free;
             let mut reaction = kick::reaction(mass, fade, self.span, gap);
+            // The dashpot feels half of what the hold changes, and what it makes of that the hold must bear.
             if let Some(d) = dashpot {
                 reaction += 0.5 * (d.matrix * gap);
             }
+            // In the held directions alone: there the velocity jumps now, whatever the span.
             let blow = mass * (change - hold.free * change);
             support = Support::of(reaction, blow, self.span);
         }

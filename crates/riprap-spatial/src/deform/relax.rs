@@ -77,12 +77,14 @@ impl Relax {
             self.damping = damping;
             return;
         }
+        // Nothing to compare with after a disturbance: the damping stays that of before.
         if let Some(last) = &self.last {
             let (mut stiff, mut heavy) = (0.0, 0.0);
             for k in 0..nodes.displacement.len() {
                 let mass = work.fictitious[k];
                 for axis in 0..3 {
                     let du = nodes.displacement[k][axis] - last.displacement[k][axis];
+                    // A net force falls as its node moves on: du.K du is minus du.dr.
                     stiff -= du * (work.net[k][axis] - last.net[k][axis]);
                     heavy += mass * du * du;
                 }
@@ -152,6 +154,8 @@ pub fn row_sums(deform: &Deform, classes: &[BlockClass], share: f64) -> Vec<f64>
             for side in (0..2).filter(|s| !facet.rigid[*s]) {
                 let anchor = &point.anchors[side];
                 for (node, weight) in anchor.nodes() {
+                    // K_ij of a bond is the product of the weights at i and at j,
+                    // so a row has its own weight times all of them.
                     bonds[node as usize] += weight.abs() * all * point.area * rows;
                 }
             }

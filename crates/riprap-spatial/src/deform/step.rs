@@ -153,6 +153,7 @@ impl<'a> Felt<'a> {
     ) -> Kick<'a> {
         let [masses, fictitious] = self.masses;
         let mut drive = (world.time + 0.5 * dt, 1.0);
+        // A relaxation has a damping of its own, and driven nodes go by velocity times an increment of model time.
         if let Some(relax) = &deform.relax {
             damping.mass = relax.damping;
             damping.local = 0.0;
@@ -199,6 +200,7 @@ impl Context<'_> {
         for run in bodies.chunk_by(|a, b| a.alive == b.alive) {
             let nodes = run[0].first as usize..run[run.len() - 1].nodes().end;
             let here = nodes.start - base..nodes.end - base;
+            // The dead keep their nodes, so that numbers keep their meaning, and stand still.
             if run[0].alive {
                 for (k, body) in run.iter().enumerate() {
                     let own = body.first as usize - base;
@@ -238,7 +240,9 @@ impl Context<'_> {
     fn gather(&self, k: usize, body: &Body, f: &mut [[f64; 3]]) {
         for hook in self.links.hooks_of(k) {
             let force = self.slots[hook.point as usize];
+            // A slot holds the force on the first side.
             let sign = [1.0, -1.0][hook.side()];
+            // Most points hang on one node alone: no look at their anchor then.
             if let Some(to) = f.get_mut(hook.node() as usize) {
                 for axis in 0..3 {
                     to[axis] += sign * force[axis];
@@ -307,6 +311,7 @@ pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 
     else {
         return dt;
     };
+    // Before the move: the forces it judges belong to where the nodes are now.
     if let Some(relax) = &mut deform.relax {
         relax.look(&deform.nodes, work, &scratch.pushes.loads.nodes);
     }
@@ -326,6 +331,7 @@ pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 
     match &mut deform.relax {
         Some(relax) => std::mem::take(&mut relax.increment),
         None => {
+            // Only here: speeds of a relaxation mean nothing.
             let peaks = &mut world.peak_speed_squared;
             for (body, speed) in deform.bodies.iter().zip(&work.speeds) {
                 if body.alive {

@@ -101,11 +101,13 @@ fn polar_eight(list: &mut [Mat3]) {
     }
     let half = Lanes::all(0.5);
     let mut crushed = [false; LANES];
+    // A stretch s goes to (s + 1/s)/2: from a third or from 3 six rounds reach 1 to round-off.
     for _ in 0..ROUNDS {
         let [x, y, z] = &columns;
         let minors = [cross(y, z), cross(z, x), cross(x, y)];
         let det = dot(x, &minors[0]);
         for (crushed, det) in crushed.iter_mut().zip(det.0) {
+            // Written so that what is not a number counts as crushed.
             *crushed |= !(det > 0.0 && det.is_finite());
         }
         let over = Lanes::all(1.0) / det;
@@ -128,6 +130,7 @@ pub(super) fn turned(frame: [Vec3; 3], by: &[Mat3]) -> [Vec3; 3] {
     let mean = |e: Vec3| by.iter().map(|r| *r * e).sum::<Vec3>();
     let n = mean(frame[0]).normalize_or(frame[0]);
     let b = mean(frame[1]);
+    // The means of two turned axes are not square to each other by themselves.
     let b = (b - b.dot(n) * n).normalize_or(n.any_orthonormal_vector());
     [n, b, n.cross(b)]
 }
@@ -175,6 +178,7 @@ impl<'a> Turning<'a> {
             || {
                 for facets in facets.chunks_mut(LANES) {
                     let mut sides = [[Mat3::IDENTITY; 2]; LANES];
+                    // Eight at once where all eight turn; a facet that never turned keeps its frame, bit by bit.
                     let mut turning = facets.len() == LANES;
                     for (sides, facet) in sides.iter_mut().zip(&*facets) {
                         *sides = self.sides(facet);

@@ -98,6 +98,7 @@ impl<'a> Plan<'a> {
             old.ends == ends && sign * old.normal().dot(overlap.frame[0]) > ALIKE
         };
         let olds = self.old.get(&pair).into_iter().flatten();
+        // Parts can share their face in the other order than the patch of their parents has it.
         olds.flat_map(|old| [(old, false), (old, true)])
             .find(|(old, back)| same(old, *back))
     }
@@ -207,6 +208,7 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
     let mut part = whole;
     part.mass /= 8.0;
     part.volume /= 8.0;
+    // An eighth of the mass at half the distances.
     part.inertia = whole.inertia * (1.0 / 32.0);
     part.inverse = whole.inverse * 32.0;
     part.half = 0.5 * whole.half;
@@ -364,6 +366,7 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     };
     face.boundary = Some(index);
     let depth = |f: &Face| f.arm.dot(f.frame[0]);
+    // A part is less deep behind the face than the whole, and stiffer by as much.
     let ratio = depth(parent) / depth(face);
     let Some(behind) = &parent.half_block else {
         return;
@@ -383,6 +386,7 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
         let own = moved(world, face.block, at);
         let theirs = moved(world, root, parent.place(nearest));
         let stretch = theirs - behind.anchor[nearest];
+        // With the stretch divided by what the stiffness is multiplied with the stress goes on.
         half.anchor[p] = own - stretch / ratio;
     }
     face.half_block = Some(Box::new(half));

@@ -59,6 +59,7 @@ impl ContactLaw {
     #[must_use]
     pub fn part(self, share: f64) -> Self {
         Self {
+            // c = 2 xi sqrt(k A m): with a share s of the area and sqrt(s) of the ratio a part has the share s of c.
             damping_ratio: self.damping_ratio * share.sqrt(),
             ..self
         }
@@ -329,6 +330,7 @@ pub fn respond(
         exact: false,
     };
     let before = memory.stored(law);
+    // Found for the first time without a move (at the start, after an edit), it still has to learn where it is.
     if q.dt > 0.0 || memory.normal == Vec3::ZERO {
         let turning = 0.5 * (a.spin + b.spin).dot(c.normal) * q.dt;
         memory.arms = arms;
@@ -341,6 +343,7 @@ pub fn respond(
         shear -= along * v.along;
         torsion -= along * c.polar / c.area * v.twist;
         let excess = limit.excess(shear, torsion, &c, q.mean_radius);
+        // Only this answer is cut: the springs are within the limit, and keep what they have.
         if excess > 1.0 {
             shear /= excess;
             torsion /= excess;
@@ -461,6 +464,7 @@ pub(crate) fn turned(shear: Vec3, [before, normal]: [Vec3; 2], turning: f64) -> 
     let mut shear = shear + before.cross(normal).cross(shear);
     shear += turning * normal.cross(shear);
     shear -= shear.dot(normal) * normal;
+    // Turned to first order a force grows, step after step: energy from nothing.
     let now = shear.length();
     if now > 0.0 {
         shear *= length / now;
@@ -484,6 +488,8 @@ fn advance(
     q: &Question,
     limit: &mut Limit,
 ) {
+    // First with the contact, then less what has opened: only then the
+    // way of this step is one along the contact of now.
     let shear = turned(memory.shear, [memory.normal, c.normal], turning);
     let torsion = memory.torsion;
     memory.shear =
@@ -552,6 +558,7 @@ fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
     if length < CANCELLED * s.weight || s.depth < LOST * q.radius {
         return None;
     }
+    // The vector area: no approach is resisted by more than kn times it, also where the surface bends about an edge.
     let area = s.vector_area.length();
     let point = s.weight_first / s.weight;
     let spread = spread(s, point);

@@ -223,6 +223,7 @@ impl Gluer {
             let apart = (a.position - b.position).length();
             let gap = apart - (a.shape.radius + b.shape.radius);
             let sign = of_a.sign * of_b.sign;
+            // Balls about both tell it without a walk, less what rounding may have added to their distance.
             if gap > 1e-9 * apart {
                 return (Found::Apart(gap - 1e-9 * apart), origin, sign);
             }

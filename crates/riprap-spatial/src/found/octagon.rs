@@ -47,6 +47,7 @@ static ROWS: [Row; 504] = rows();
 static NEXT: [[u8; LANES]; LANES + 1] = next();
 
 const fn first_row(corners: usize) -> usize {
+    // From 3 corners on, with 2^3, 2^4, ... rows.
     (1 << corners) - 8
 }
 
@@ -140,6 +141,7 @@ impl Corners {
         let q = _mm512_sub_pd(sum, _mm512_set1_pd(c));
         let zero = _mm512_setzero_pd();
         let corners = (1_u32 << self.len) - 1;
+        // Asked both ways, as in the plain form: what is not a number is neither inside nor outside there too.
         let inside = u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(q, zero)) & corners;
         let outside = u32::from(_mm512_cmp_pd_mask::<_CMP_GT_OQ>(q, zero)) & corners;
         if outside == 0 || inside == 0 {
@@ -189,6 +191,7 @@ pub fn make(
     if !corners.cut([u, v, w], f64::from(BOUNDARY))? {
         return Some(false);
     }
+    // In 64 bits, since 32 planes would shift all of 32 bits out.
     let all = ((1_u64 << planes.len()) - 1) as u32;
     let mut left = all & !(spared | 1 << f | 1 << g);
     while left != 0 {

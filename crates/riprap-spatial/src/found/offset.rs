@@ -184,6 +184,7 @@ impl Offset {
             begun = self.stored;
         } else if let Some(joint) = self.joint.take() {
             let arm = joint.at - here.point;
+            // From the point of the joint to that of the pressure, where all of this acts from now on.
             let rocking = joint.rocking + arm.cross(joint.normal * n);
             self.normal = (joint.normal - here.elastic).max(0.0);
             if joint.normal < here.elastic {
@@ -195,6 +196,8 @@ impl Offset {
             }
             self.rocking = rocking - rocking.dot(n) * n;
             let couple = self.rocking.length();
+            // Fading evenly over this rotation it does half of couple times
+            // rotation as work: no more than the joint had.
             if couple * TURNED > 2.0 * joint.energy {
                 self.rocks = 2.0 * joint.energy / couple;
             }
@@ -208,6 +211,7 @@ impl Offset {
             let turned = self.rocking + here.before.cross(n).cross(self.rocking);
             let across = turned - turned.dot(n) * n;
             let now = across.length();
+            // As long as before: only slip and rotation fade it.
             self.rocking = if now > 0.0 {
                 (length / now) * across
             } else {

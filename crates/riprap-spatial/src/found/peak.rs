@@ -101,6 +101,7 @@ impl Basis {
             if entering[position] <= PIVOT {
                 continue;
             }
+            // A weight that is negative by round-off would send a plane away that holds the ball.
             let ratio = weights[position].max(0.0) / entering[position];
             // Among equals a far plane leaves first, then (Bland) the lowest number, else the surest pivot.
             let better = best.is_none_or(|(least, at)| {
@@ -183,6 +184,7 @@ fn verdict(planes: &Planes, basis: &Basis) -> Peak {
     let mut axis = Vec3::ZERO;
     let mut exact = true;
     for (position, &weight) in weights.iter().enumerate() {
+        // What a far plane still holds is proved of the tetrahedron at the start, not of the blocks.
         if basis.is_far(position) {
             exact &= weight <= WEIGHT;
         } else if basis.id[position] < planes.split {

@@ -263,6 +263,7 @@ impl Cutter {
         );
         let (u, v, w) = (&mut self.u[..n], &mut self.v[..n], &mut self.w[..n]);
         for k in 0..n {
+            // Added in the order of the vector form.
             u[k] = (x[k] * e.x + y[k] * e.y) + z[k] * e.z;
             v[k] = (x[k] * h.x + y[k] * h.y) + z[k] * h.z;
             w[k] = d[k] - ((x[k] * c.x + y[k] * c.y) + z[k] * c.z);
@@ -312,6 +313,7 @@ impl Cutter {
                 let share = q[i] / (q[i] - q[next]);
                 to_s[m] = s[i] + share * (s[next] - s[i]);
                 to_t[m] = t[i] + share * (t[next] - t[i]);
+                // On the way out the outline goes on along the line of the cut, on the way in along the old edge.
                 to_label[m] = if here { label } else { labels[i] };
                 m += 1;
             }
@@ -350,6 +352,8 @@ pub fn lever(polygon: &Polygon, at: [f64; 2]) -> [f64; 2] {
         if length <= 0.0 {
             continue;
         }
+        // With its sign: triangles of edges that turn their back on the point
+        // count as negative, so that it may lie outside.
         let h = (x * dy - y * dx) / length;
         if h.abs() < THROUGH * length {
             continue;

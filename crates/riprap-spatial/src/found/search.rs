@@ -89,6 +89,7 @@ impl Search {
         self.pose.extend((0..count).map(pose));
         self.margin.clear();
         self.margin.extend((0..count).map(|b| {
+            // One block much larger than all others must not get a margin that takes in many of them.
             let size = blocks.shape(b).radius.min(2.0 * median);
             (speed(b) * lookahead)
                 .min(FAST_MARGIN * size)
@@ -225,6 +226,7 @@ impl Candidates {
         }
         self.travelled.clear();
         self.travelled.resize(blocks.roles.len(), 0.0);
+        // Nobody sleeps: how far apart they are is not known of any.
         self.asleep_until.clear();
         self.asleep_until
             .resize(self.pairs.len(), f64::NEG_INFINITY);
@@ -284,6 +286,7 @@ impl Candidates {
         fresh: impl Fn(&Candidate) -> S,
         mut lost: impl FnMut([u32; 2], S),
     ) -> Vec<S> {
+        // Both lists are in the order of their pairs: one walk through the two does it.
         let mut old = old.into_iter().peekable();
         let mut states = Vec::with_capacity(self.pairs.len());
         for pair in &self.pairs {
@@ -396,6 +399,7 @@ impl Workspace {
         }
         let far = 4.0 * (shapes[0].radius + shapes[1].radius);
         let axis = match peak(&self.planes, far) {
+            // Both together can come nearer by no more than that before the list is made anew.
             Peak::Apart { gap: found, .. } if found > gap => return,
             Peak::Apart { axis, .. } => axis,
             Peak::Overlap { start, .. } => start.map_or(Vec3::ZERO, |[f, g]| {

@@ -96,6 +96,7 @@ impl Shape {
             let normal = sum.normalize_or_zero();
             let outline = outline(solid, &group);
             let height = |v: &u16| normal.dot(shape.vertices[*v as usize]);
+            // Faces are flat only within a tolerance: the mean leaves no corner farther out than needed.
             let offset = outline.iter().map(height).sum::<f64>() / outline.len() as f64;
             if offset <= 0.0 {
                 return Err(ShapeError::CentreOutside {
@@ -110,6 +111,7 @@ impl Shape {
             shape.first.push(shape.corners.len() as u32);
         }
         shape.inradius = shape.largest_ball()?;
+        // Kept for the whole run: what lists have grown beyond their length is given back.
         shape.normals.shrink_to_fit();
         shape.offsets.shrink_to_fit();
         shape.areas.shrink_to_fit();
@@ -161,6 +163,7 @@ impl Shape {
             planes.push(&body, face as u16, Vec3::ZERO);
         }
         planes.split = self.faces();
+        // Four times the sum of two radii, as for a pair.
         match peak(&planes, 8.0 * self.radius) {
             Peak::Overlap { depth, .. } => Ok(depth),
             Peak::Apart { .. } => Err(ShapeError::NoRoom),
@@ -203,6 +206,8 @@ fn groups(solid: &Polyhedron) -> Vec<Vec<usize>> {
     }
     let area: Vec<f64> = (0..count).map(|f| solid.area_vector(f).length()).collect();
     let mut seeds: Vec<usize> = (0..count).collect();
+    // The largest first, so that slivers join it and not the other way;
+    // equal ones by number, for one order on all machines.
     seeds.sort_by(|&a, &b| area[b].total_cmp(&area[a]).then(a.cmp(&b)));
     let mut taken = vec![false; count];
     let mut groups = Vec::new();

@@ -189,6 +189,7 @@ impl Sums {
         }
         self.vector_area += Vec3::from_array(piece.vector_area);
         let deepest = polygon.depth().iter().copied();
+        // Both depths are equal on the surface: the blocks lie in each other by their sum.
         self.depth = self.depth.max(2.0 * deepest.fold(0.0, f64::max));
         piece.weight
     }

@@ -134,6 +134,7 @@ impl Walker {
                 self.walk([f as u16, g as u16]);
             }
         }
+        // By round-off that piece can be empty, or one of faces that are not listed: then all of them are tried.
         if self.sums.pieces == 0 {
             self.walk_all();
         }
@@ -155,6 +156,7 @@ impl Walker {
         if self.seen.len() < first * second {
             self.seen.resize(first * second, 0);
         }
+        // A stamp for each pair, so that the table needs no clearing before every one of them.
         if self.stamp == u32::MAX {
             self.seen.fill(0);
             self.stamp = 0;
@@ -250,6 +252,7 @@ impl Walker {
             || Frames::between(planes, &numbers[..some], reach),
         );
         batch.share = [0.0; LANES];
+        // What lanes without a piece hold is of an earlier pair.
         for polygon in &mut batch.polygons {
             polygon.clear();
         }
@@ -267,6 +270,7 @@ impl Walker {
             #[inline(always)]
             || batch.integrate(),
         );
+        // In the order of the queue, so that the sums are those of one piece after the other.
         for lane in 0..some {
             let polygon = &batch.polygons[lane];
             let Some(frame) = batch.frames.get(lane).filter(|_| !polygon.is_empty()) else {
@@ -318,6 +322,7 @@ impl Walker {
 
     /// Whether a piece carries more than all before, which is noted.
     fn takes_the_lead(&mut self, weight: f64, piece: [u16; 2]) -> bool {
+        // The first one leads even without any weight: the next walk has to start somewhere.
         let more = self.sums.hint.is_none() || weight > self.largest_weight;
         if more {
             self.largest_weight = weight;
@@ -349,6 +354,7 @@ impl Walker {
             let side = usize::from(label >= split);
             let face = if side == 0 { label } else { label - split };
             self.enqueue(if side == 0 { [face, g] } else { [f, face] });
+            // A tied face does not cut: no edge has its label, and the strip beyond it has to be named.
             for at in 0..self.ties.len() {
                 let tie = self.ties[at].faces;
                 if tie[side] == face {

@@ -227,6 +227,7 @@ impl Treader {
             &mut self.near,
         );
         self.planes.begin();
+        // Room for the plane of a triangle, which is set for one after the other.
         self.planes.push_plane(Vec3::ZERO, 0.0);
         self.planes.split = 1;
         for face in 0..body.shape.faces() {
@@ -238,15 +239,18 @@ impl Treader {
             let corners = cell.corners.map(|c| c - body.position);
             let [a, b, c] = corners;
             let (min, max) = (a.min(b).min(c), a.max(b).max(c));
+            // Sideways alone: prisms go down without an end.
             let beside = (min - high).max(low - max).truncate().max_element();
             let offset = cell.slope.dot(a);
             let least = self.heights(cell.slope, offset);
+            // Heights are c times those straight up: over the length of the slope they are distances from the plane.
             gap = gap.min(beside.max(least / cell.steepness));
             if beside <= 0.0 && least < 0.0 {
                 self.tread(cell, &corners, offset, -least, body);
             }
         }
         if self.pieces > 0 {
+            // Which of them is met first hangs on where the block is; sums and state have one order.
             self.facets.sort_by_key(|on| on.facet);
             return Reached::Touching;
         }

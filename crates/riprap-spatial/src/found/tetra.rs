@@ -97,6 +97,7 @@ impl Cell {
 
     /// Whether a face of the cell has all corners of the other one beyond it.
     fn misses(&self, other: &Self) -> bool {
+        // Two that only edges keep apart pass; the cuts find nothing of them.
         (0..4).any(|k| {
             let (g, offset) = (self.gradients[k], self.offsets[k]);
             other.corners.iter().all(|c| g.dot(*c) + offset <= 0.0)
@@ -229,11 +230,13 @@ impl Workspace {
             }
         };
         let mut overlap = Overlap::default();
+        // What stays is where the second depth less the first is positive: there the first one is the smaller.
         match self.cut(b.slope - a.slope, b.level - a.level) {
             Left::All => overlap.halves[0] = half(volume, first),
             Left::None => overlap.halves[1] = half(volume, first),
             Left::Part => {
                 let (own, own_first) = self.solid.moments();
+                // The other half is the rest of the whole: no second cut, and both add up to it.
                 overlap.halves = [half(own, own_first), half(volume - own, first - own_first)];
                 overlap.surface = self.solid.last_face(a);
             }
@@ -275,6 +278,7 @@ impl Workspace {
         let inside = |k: u8| distances[k as usize] >= 0.0;
         let crossings = &mut self.crossings;
         let mut crossing = |points: &mut Vec<Vec3>, [within, beyond]: [u8; 2]| -> u8 {
+            // Two faces share the edge and must share its crossing, or the solid would have a gap there.
             let known = crossings.iter().find(|c| c[0] == within && c[1] == beyond);
             if let Some(&[_, _, number]) = known {
                 return number;
@@ -310,6 +314,7 @@ impl Workspace {
             }
             if let (Some(exit), Some(entry)) = (exit, entry) {
                 left.push([exit, entry]);
+                // Each edge of a closed solid is run through once in either direction.
                 lid.push([entry, exit]);
             }
             if left.count > 0 {
@@ -338,6 +343,7 @@ impl Solid {
 
     /// Volume (m³) and integral of x (m⁴).
     fn moments(&self) -> (f64, Vec3) {
+        // About one of its own corners: far from the origin volumes would be small differences of large numbers.
         let origin = self.points[0];
         let (mut six, mut first) = (0.0, Vec3::ZERO);
         for face in &self.faces {

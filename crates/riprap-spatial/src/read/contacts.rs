@@ -170,6 +170,7 @@ impl View<'_> {
         let (mut normal, mut shear, mut count, mut sliding) = (0.0, Vec3::ZERO, 0, 0);
         for (contact, force) in found {
             let across = contact.force.dot(contact.normal);
+            // `force` is that on the block asked for, the normal goes with the order of the contact.
             let sign = if contact.ends[1] == first { 1.0 } else { -1.0 };
             normal += across;
             shear += force - sign * across * contact.normal;

@@ -121,6 +121,7 @@ impl<'a> DeformableView<'a> {
     /// ([`crate::dynamics::kick::Support`]).
     #[must_use]
     pub fn kinetic(&self) -> f64 {
+        // The velocity now is `v + past dv`: of the two about it the later one is as far from it as v.
         let whole = 2.0 * self.past;
         self.weighted(|v, dv| v.dot(v + whole * dv))
     }
@@ -216,9 +217,11 @@ impl<'a> View<'a> {
                 displacement += share * Vec3::from_array(deform.nodes.displacement[node as usize]);
                 area += share;
                 if let Ok(hold) = deform.holds.binary_search_by_key(&node, |h| h.node)
+                    // A node at the rim of a face is in several surfaces, but is held once.
                     && seen.insert(node)
                 {
                     let net = Vec3::from_array(work.net[node as usize]);
+                    // What holds a node takes the net force along the directions that are not free.
                     force -= net - deform.holds[hold].free * net;
                 }
             }
@@ -338,6 +341,7 @@ impl<'a> View<'a> {
                     Some(_) | None => memory.law,
                 };
                 let all = bond::stored(facet.stiffness, &memory.start, &at, &state);
+                // Both springs are in one sum: without shear it is the normal part.
                 let across = [at[0], 0.0, 0.0];
                 let still = bond::State {
                     slip: [0.0; 2],

@@ -127,6 +127,7 @@ fn heaps(stones: Vec<Stone>) -> Vec<Vec<Stone>> {
     let mut leads: Vec<usize> = (0..stones.len()).collect();
     for (i, j) in pairs {
         let [i, j] = [i, j].map(|k| leader(&mut leads, k as usize));
+        // The smaller number leads, so that heaps come in one order.
         leads[i.max(j)] = i.min(j);
     }
     let mut found: Vec<Vec<Stone>> = vec![Vec::new(); stones.len()];
@@ -189,6 +190,7 @@ fn slope_angle(stones: &[Stone]) -> f64 {
         .map(|k| Vec2::new((k as f64 + 0.5) * width, profile[k]))
         .filter(|p| (0.2 * height..=0.8 * height).contains(&p.y))
         .collect();
+    // The profile falls outward.
     fitted_slope(&flank).map_or(0.0, |slope| libm::atan(-slope))
 }
 

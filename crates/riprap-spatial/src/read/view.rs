@@ -30,6 +30,7 @@ impl View<'_> {
     /// step before, the kick spans both halves.
     pub(crate) fn past(&self) -> f64 {
         let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
+        // Before the first step velocities are those of the present time already.
         if before > 0.0 {
             before / (before + after)
         } else {
@@ -121,6 +122,7 @@ impl View<'_> {
         let world = self.world;
         let solid = world.solid_of(b);
         let change = world.ungiven(b, self.scratch.change(world, b));
+        // By the last step, which has been made: the coming one may be another when this is read again.
         let whole = 2.0 * self.past();
         let v = world.bodies.velocity(b);
         let turning = match &world.turned[b] {
@@ -210,6 +212,7 @@ impl View<'_> {
         };
         let of_patch = |p: usize| {
             let blocks = world.patches.ends[p].map(|b| b as usize);
+            // It pushes both blocks, but what a held one bears is no measure for the free ones.
             let count = blocks.iter().filter(|b| free(**b)).count() as f64;
             self.patch_resultant(p).force.length() * count
         };
@@ -408,6 +411,7 @@ impl View<'_> {
         let Scratch { desk, exec, .. } = self.scratch;
         let pressed = contacts::stored(self.world, desk, exec);
         out.contact_normal += pressed;
+        // Work that has gone in and is not stored, or the other way round, steps have lost or made.
         out.works.law_defect += pressed - self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
         out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
@@ -422,6 +426,7 @@ impl View<'_> {
         out.contact_normal += normal;
         out.contact_shear += shear;
         out.bolts = self.world.bolt_energy();
+        // Before the first evaluation nothing has moved: the start is now.
         out.start = self.world.start_energy.unwrap_or_else(|| out.total());
         out
     }

@@ -63,6 +63,8 @@ impl Weights {
 
     pub(super) fn step(dt: f64, ck: f64) -> Self {
         Self {
+            // With dashpots at the velocity of half a step before, a mode
+            // is stable while `dt² k + 2 dt c` is below 4.
             spring: dt * dt,
             dashpot: 2.0 * dt,
             ck,
@@ -266,6 +268,7 @@ impl Step<'_> {
                 let ends = patches.ends[first as usize];
                 let (f, [on_i, on_j]) = one(class, stiffness, ends.map(|b| of(self.at, b)));
                 for (b, push) in ends.into_iter().zip([[-f, -on_i], [f, on_j]]) {
+                    // Groups before `base` wrap to numbers beyond the end: another piece has them.
                     let group = (b as usize / GROUP).wrapping_sub(base);
                     if group < sum.len() {
                         add(&mut sum[group..=group], b % GROUP as u32, push);

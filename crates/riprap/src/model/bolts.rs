@@ -152,6 +152,7 @@ impl Builder<'_> {
         }
         let (head, toe) = (said.head.as_ref()?, said.toe.as_ref()?);
         let count = said.repeat.iter().map(|row| row.count as usize);
+        // Before any is made: a slip of the pen in a count must not fill the memory.
         if count.fold(1, usize::saturating_mul) > MOST {
             let message = format!("the bolts `{}` would be more than {MOST}", said.name);
             self.error_at("bolt.many", &said.name, message, "make fewer of them");
@@ -164,6 +165,7 @@ impl Builder<'_> {
         }];
         for row in &said.repeat {
             let step = Vec3::from(row.step.xyz());
+            // Each row repeats all that is there so far: two of them make a pattern.
             let copies = (0..row.count).flat_map(|k| {
                 let shift = k as f64 * step;
                 lines.iter().map(move |line| Line {
@@ -234,6 +236,7 @@ impl Builder<'_> {
                 .phase
                 .as_ref()
                 .map_or(k == 0, |p| p.as_str() == phase.name.as_str());
+            // After the blocks of this phase: it takes them out before it installs.
             if here {
                 break;
             }

@@ -72,6 +72,7 @@ impl Builder<'_> {
         if factor == 1.0 {
             return;
         }
+        // The coefficient is the tangent of the angle: both parts of the strength fall by the same factor.
         let reduce = |law: &mut ContactLaw| {
             law.friction /= factor;
             law.cohesion /= factor;
@@ -159,6 +160,7 @@ impl Builder<'_> {
                 continue;
             }
             let (Some(young), Some(poisson)) = (&properties.young, &properties.poisson) else {
+                // It might be the softest: without its moduli nothing can be estimated.
                 lacking = Some(material.as_str());
                 continue;
             };

@@ -74,6 +74,7 @@ impl Builder<'_> {
     pub(super) fn loose(&mut self) {
         let candidates = self.candidates();
         let extents = self.extents();
+        // Through a period a block touches one on the far side, of which boxes know nothing.
         let periodic = self.spatial.periodic.iter().any(Option::is_some);
         if candidates.is_empty() || periodic || candidates.len() * extents.len() > MOST_LOOKS {
             return;
@@ -84,6 +85,7 @@ impl Builder<'_> {
             .map(|&block| self.around(block, &extents, down))
             .collect();
         let touched = around.iter().filter(|a| a.touched).count();
+        // Blocks of generators touch each other: they too say that this is a model of blocks that touch.
         let touched = touched + self.side_by_side();
         let apart: Vec<&Around> = around.iter().filter(|a| !a.touched).collect();
         let settles = self
@@ -112,6 +114,7 @@ impl Builder<'_> {
             near: Some((other, gap)),
             ..
         }) = near.first()
+            // Where most blocks are apart, that is what the scene means.
             && near.len() < touched
         {
             let (names, verb) = self.named(&near.iter().map(|a| a.block).collect::<Vec<_>>());
@@ -147,6 +150,7 @@ impl Builder<'_> {
         let in_space = self.spatial.supports.iter().map(|s| &s.blocks);
         let loads_in_space = self.spatial.loads.iter().map(|l| &l.blocks);
         let nodes = self.spatial.deform.holds.iter();
+        // A hold that names no blocks is on the nodes of all of them.
         if nodes.clone().any(|hold| hold.blocks.is_none()) {
             return Vec::new();
         }
@@ -195,6 +199,7 @@ impl Builder<'_> {
                 boxes
                     .map(|b| Extent {
                         min: b.min.extend(0.0),
+                        // So z is never the narrowest measure nor the largest gap.
                         max: b.max.extend(f64::MAX),
                     })
                     .collect()
@@ -302,6 +307,7 @@ impl Builder<'_> {
                         .map(|c| polygon::distance_to_boundary(outline, *c));
                     gaps.fold(f64::INFINITY, f64::min)
                 };
+                // Outlines that are apart are nearest at a corner of one of them, of whichever.
                 Some(to(p, q).min(to(q, p)))
             }
             InSpace::Spatial => {
@@ -314,6 +320,7 @@ impl Builder<'_> {
                     Extent { min, max }
                 });
                 let gaps = a.gaps(&b);
+                // Past an edge or a corner the largest gap is less than the distance.
                 let beside = (0..3).filter(|k| gaps[*k] < 0.0).count();
                 (beside == 2).then(|| gaps.max_element())
             }

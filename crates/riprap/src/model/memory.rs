@@ -64,6 +64,7 @@ pub(crate) struct Parts {
 pub(crate) fn expected(parts: &Parts) -> f64 {
     let n = |count: usize| count as f64;
     let rigid = parts.bricks + parts.solids + parts.flat;
+    // Those of bricks are in `BRICK`, and joints are not counted by what they join: the more frequent shape decides.
     let of_others = if parts.solids > parts.bricks {
         JOINT
     } else {
@@ -89,6 +90,7 @@ impl Builder<'_> {
     pub(super) fn has_memory(&mut self, block: &Block, count: f64, span: &Span) -> bool {
         let sets = self.spatial.deform.sets.iter();
         let deformable: usize = sets.map(|set| set.blocks.len()).sum();
+        // Deformable blocks are among those in space.
         let rigid = self.spatial.blocks.len() + self.setup.blocks.len() - deformable;
         let per = match &block.mechanics {
             Some(Mechanics::Deformable(_)) => DEFORMABLE,

@@ -162,6 +162,7 @@ impl Builder<'_> {
             }
         };
         let [times, values] = <[Vec<f64>; 2]>::try_from(columns).ok()?;
+        // Between two equal times nothing could be interpolated.
         if let Some(k) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
             let message = format!(
                 "`{}`: the time does not grow from {} s to {} s (lines of numbers {} and {})",
@@ -193,6 +194,7 @@ impl Builder<'_> {
                     Some(time) => time,
                     None => continue,
                 },
+                // The size of a load stands in its kind: the function of time is a factor.
                 None => TimeFunction::Constant(1.0),
             };
             let mut kinds = Vec::new();
@@ -223,6 +225,7 @@ impl Builder<'_> {
                 });
             }
             let name = condition_name(load.name.as_ref(), &load.on, number);
+            // One for all kinds: they come from one table of the scene, and it is named there.
             let account = self.account(name, Holder::Load);
             for kind in kinds {
                 self.setup.loads.push(Load {

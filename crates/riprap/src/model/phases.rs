@@ -238,6 +238,7 @@ impl Builder<'_> {
         let (rhythm, run) = match every {
             Every::Time(rhythm) => {
                 let run = phases.map(|p| p.until.time).sum::<Option<f64>>();
+                // A rhythm as long as the run writes at its end, and the sum of the phases is rounded.
                 let longer = run.filter(|run| rhythm > *run * (1.0 + 1e-9));
                 (
                     with_unit(rhythm, "s"),

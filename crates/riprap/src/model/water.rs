@@ -36,6 +36,7 @@ impl Builder<'_> {
         for (name, said) in scenario.water.iter() {
             let density = self.reading(format!("water.{name}"), said).density();
             let along = self.along(name.as_str(), said);
+            // Places of a table are distances along its direction, so the origin counts with its own.
             let shift = along[0] * origin[0] + along[1] * origin[1];
             let corner = |[d, z]: &[Quantity<_>; 2]| [d.si() - shift, z.si() - height];
             let (mut points, mut grid) = (Vec::new(), None);
@@ -135,6 +136,7 @@ impl Builder<'_> {
         let (least, most) = self.extent();
         let mut slack = Vec3::splat(SLACK * (most - least).length());
         if axes == 2 {
+            // Heights are z here and y is nothing: it must not bound.
             slack.y = f64::INFINITY;
         }
         Zone {
@@ -278,6 +280,7 @@ impl Builder<'_> {
 
     fn table_named(&mut self, name: &Name) -> Option<u16> {
         let tables = self.tables().iter();
+        // Several tables as one were made here and have no name that a phase could say.
         let single = tables.map(|t| t.parts.is_empty().then_some(t.name.as_str()));
         let number = single
             .into_iter()

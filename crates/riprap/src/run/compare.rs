@@ -116,6 +116,7 @@ fn series(
     let (mut largest, mut at) = (0.0, a.first()?.0);
     for (time, value) in a.iter().filter(|(time, _)| *time <= common_end) {
         let difference = (value - read_at(&b, *time)).abs();
+        // What is no number is the largest of all, and no comparison would say so.
         if difference > largest || difference.is_nan() {
             (largest, at) = (difference, *time);
         }

@@ -75,6 +75,7 @@ impl Watched {
             if simulation.cursor().phase != phase as usize {
                 return;
             }
+            // A phase has a start and an end of its own: its first state is the first that is looked at.
             (first, last) = (true, phase_ends);
         }
         let view = simulation.view();
@@ -85,6 +86,7 @@ impl Watched {
             Window::Start => first,
             Window::End | Window::Phase { .. } => last,
             Window::At(_) | Window::Over { .. } if relaxes => last || settled,
+            // One state on either side of the instant is enough to interpolate, and the step may change in between.
             Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::Over { .. } => last || time >= self.watch.next,
         };
@@ -112,6 +114,7 @@ impl Pause {
     };
 
     fn reached(&self, simulation: &Simulation) -> bool {
+        // Times are sums of steps: without it a pause at a whole number of steps could come one step late.
         let early = 1e-9 * simulation.dt();
         self.step.is_some_and(|n| simulation.steps() >= n)
             || self.time.is_some_and(|t| simulation.time() >= t - early)
@@ -261,6 +264,7 @@ impl Drive {
                 }
                 self.standing = false;
             } else {
+                // Before the forces: what they set up for the coming step would have to be kept else.
                 self.keeper.keep(&self.simulation);
                 let stage = match self.simulation.prepare() {
                     Ok(stage) => stage,
@@ -361,6 +365,7 @@ impl Drive {
         if last {
             self.clock.look(&self.simulation, look);
         }
+        // Before the checkpoint: a run that goes on begins with the next phase and does not end this one again.
         self.simulation.next_phase();
         self.checkpoint()?;
         Ok(last)
@@ -384,6 +389,7 @@ impl Drive {
         let control = self.clock.look(&self.simulation, look);
         let pause = AUTOSAVE.max(afford(self.saving));
         if control == Control::Stop {
+            // Somebody waits for the run to stop.
             self.save(Packing::Quick)?;
         } else if self.recorder.is_some() && self.saved.elapsed() >= pause {
             let begun = Instant::now();
@@ -410,6 +416,7 @@ fn watch_list(simulation: &Simulation, watches: Vec<Watch>) -> Result<Vec<Watche
             let reading = Reading::new(kind, &check.gauge)?;
             let rhythm = match check.window.within() {
                 Window::Over { from, to, .. } if reading.costly() => {
+                    // An interval may be open to the end: what counts is the part of it that the phases can reach.
                     (to.min(total.max(from)) - from).max(0.0) / 500.0
                 }
                 Window::Start

@@ -187,6 +187,7 @@ impl Engine {
     pub fn resume(state: State, exec: Exec) -> Self {
         match state {
             State::Planar(mut world) => {
+                // Lists and workspace are not part of the state: what they hold follows from it.
                 let scratch = planar::step::Scratch::new(&mut world, exec);
                 Self::Planar(Box::new(Planar {
                     world: *world,
@@ -243,6 +244,7 @@ impl Engine {
     #[must_use]
     pub fn revision(&self) -> u64 {
         match self {
+            // New neighbours or an edit can shorten it, and both build the lists anew.
             Self::Planar(e) => e.scratch.rebuilds,
             Self::Spatial(e) => e.scratch.rebuilds,
         }
@@ -430,6 +432,7 @@ impl Engine {
         match self {
             Self::Planar(e) => e.world.zero_displacements(),
             Self::Spatial(e) => {
+                // Taken out first: the view borrows the world that the next line changes.
                 let poses = e.view().present_poses();
                 e.world.zero_displacements(poses);
             }
@@ -470,6 +473,7 @@ impl Engine {
             Self::Planar(e) => {
                 edit::planar(&mut e.world, &e.scratch.shapes, phase)
                     .map_err(|error| error.to_string())?;
+                // Supports, laws and the number of blocks may have changed, and the lists were built for those before.
                 e.scratch.invalidate(&mut e.world);
             }
             Self::Spatial(e) => {
@@ -484,6 +488,8 @@ impl Engine {
     /// removed, charges fired. `again`: the step has been looked at before.
     pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
         match self {
+            // The plane keeps no list of events that a look would empty: it compares
+            // steps, and would find the same ones again.
             Self::Planar(_) if again => Vec::new(),
             Self::Planar(e) => notes::planar_events(&e.view()),
             Self::Spatial(e) => {

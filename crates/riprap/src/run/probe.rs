@@ -159,6 +159,7 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
         .zip(&shapes.radius)
         .map(|(corners, radius)| {
             let mut bounds = Aabb::of(corners);
+            // Half of it on either side: together no less than the threshold of the smaller block.
             let reach = Vec2::splat(0.5 * threshold.unwrap_or(THRESHOLD * radius));
             (bounds.min, bounds.max) = (bounds.min - reach, bounds.max + reach);
             bounds
@@ -190,6 +191,7 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
 /// Shortest distance between two outlines that do not cross, m, and the middle of it.
 fn gap(one: &[Vec2], other: &[Vec2]) -> (f64, Vec2) {
     let mut least = (f64::INFINITY, Vec2::ZERO);
+    // Outlines that are apart are nearest at a corner of one of them.
     for (corners, edges) in [(one, other), (other, one)] {
         for &x in corners {
             for (k, &p) in edges.iter().enumerate() {

@@ -152,6 +152,8 @@ impl Recorder {
         let first = step == 0;
         // In a relaxing phase time passes in load steps, and states on the way to an equilibrium are not recorded.
         let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
+        // Of the states on both sides of a mark the nearer one is written:
+        // the first that is within half a step of it.
         let half = if relaxes { 0.0 } else { 0.5 * simulation.dt() };
         if view.all_blocks() != self.named {
             self.folder.write_names(&view.names())?;
@@ -167,6 +169,7 @@ impl Recorder {
         let due = |every: &Every, count: &mut u64| {
             let hit = match every {
                 Every::Time(span) => {
+                    // Load steps sum up to a mark but for round-off, and half a step does not make up for it there.
                     settled && time + half.max(1e-9 * span) >= *count as f64 * span
                 }
                 Every::Steps(n) => step.is_multiple_of((*n).max(1)),
@@ -175,6 +178,7 @@ impl Recorder {
             };
             if hit {
                 *count = match every {
+                    // Marks that one long step has gone past are left out, not made up for.
                     Every::Time(span) => ((time + half) / span + 1e-9).floor() as u64 + 1,
                     Every::Steps(_) | Every::Phase | Every::Never => *count + 1,
                 };
@@ -183,6 +187,7 @@ impl Recorder {
         };
         let mut row = vec![None; self.readings.len()];
         for (k, (reading, every)) in self.readings.iter().enumerate() {
+            // Asked in any case, so that the rhythm goes on where the end of a phase writes the row.
             if due(every, &mut self.counts.histories[k]) || phase_end {
                 row[k] = Some(reading.value(&view));
             }

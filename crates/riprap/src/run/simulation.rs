@@ -62,6 +62,7 @@ impl Simulation {
             .first()
             .is_some_and(|p| p.gravity_ramp.is_some())
         {
+            // No phase before it has had a gravity that the ramp could begin from.
             engine.set_gravity([0.0; 3]);
         }
         Ok(Self {
@@ -87,6 +88,8 @@ impl Simulation {
         } = snapshot;
         let engine = Engine::resume(state, exec);
         Self {
+            // With the engine's present revision, so that it is not looked for anew: joints that have failed
+            // since then would make it longer than that of a run that was not stopped.
             stable: cursor.stable.map(|stable| (engine.revision(), stable)),
             plan,
             cursor,
@@ -171,6 +174,7 @@ impl Simulation {
     #[must_use]
     pub fn settled(&self) -> bool {
         let now = self.engine.relaxing();
+        // A load step that is about to begin has cleared `converged`, but the state it leaves is the equilibrium.
         now.is_none_or(|now| now.converged || now.leaving)
     }
 
@@ -225,6 +229,7 @@ impl Simulation {
             self.evaluate(&Damping::default(), 0.0)?;
             return Ok(Stage::Done);
         };
+        // Before the forces are found: weight is that of the instant at which they are.
         self.ramp_gravity(phase.gravity_ramp);
         let damping = phase.damping;
         self.dt = match self.checked_step(&phase) {
@@ -248,9 +253,12 @@ impl Simulation {
                 self.evaluate(&damping, dt)?;
             }
         }
+        // The next load step waits until nothing breaks: bonds that this one
+        // breaks must be gone before there is more load.
         if self.fracture()? == 0 && self.relax(&phase) {
             self.evaluate(&damping, self.dt)?;
         }
+        // Asked before the guard, which judges the last state of a phase whatever its step.
         let reason = self.phase_over(&phase);
         self.guard(reason.is_some())?;
         self.reason = reason;
@@ -264,6 +272,8 @@ impl Simulation {
     /// Moves on by one step; call [`Simulation::prepare`] before.
     pub fn step(&mut self) {
         self.standing = false;
+        // So it is at the start, and after an edit that has stopped all blocks:
+        // either way a motion begins with half a kick.
         if self.view().last_dt() == 0.0 {
             self.book_start();
         }
@@ -281,6 +291,7 @@ impl Simulation {
             let total = self.view().balance().total();
             *self.engine.start_energy() = Some(total - 0.5 * half_kick);
         } else {
+            // Within a run the start of the ledger stands: what the half kick takes is booked as part of the edit.
             self.engine.works().edit_defect -= 0.5 * half_kick;
         }
     }
@@ -354,7 +365,10 @@ impl Simulation {
         }
         let damping = damping_of(&phase);
         self.evaluate(&damping, 0.0)?;
+        // Nothing moves until `after`: the residual changes by what the edit adds
+        // to stored and kinetic energy, and by nothing else.
         let before = self.view().balance().residual();
+        // Before the edit, while the forces on the others are those that the blocks to be removed have given them.
         if let Some(span) = phase.removal_ramp {
             let blocks = std::mem::take(&mut phase.remove);
             let removed = self.engine.remove_gradually(&blocks, span, &damping);
@@ -396,6 +410,8 @@ impl Simulation {
         let Some(span) = phase.until.time else {
             return false;
         };
+        // The time that has passed is a sum of load steps and may miss the span by
+        // round-off: no sliver of a load step is made for that.
         if !now.converged || self.elapsed() >= span * (1.0 - 1e-9) {
             return false;
         }
@@ -444,6 +460,7 @@ impl Simulation {
     /// Length of the coming step: the rule of the phase, shortened for fast blocks and for the end.
     fn next_step(&mut self, phase: &Rules) -> f64 {
         if phase.relax.is_some() {
+            // Fictitious masses are chosen so that a step of one is stable.
             return 1.0;
         }
         let stable = match phase.time_step {

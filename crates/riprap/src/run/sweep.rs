@@ -152,6 +152,7 @@ fn one(
 /// The changes of a case with the values that ran: the user's changes win over those of a variant.
 fn as_run(of_case: &[(String, String)], set: &[(String, String)]) -> Vec<(String, String)> {
     let ran = |(key, value): &(String, String)| {
+        // The last change of a key is the one that holds.
         let won = set.iter().rev().find(|(set, _)| set == key);
         (key.clone(), won.map_or(value, |(_, won)| won).clone())
     };
@@ -169,6 +170,7 @@ fn last_values(folder: &Path) -> Vec<(String, f64)> {
         .filter(|c| c.name != "step" && c.name != "time");
     columns
         .filter_map(|c| {
+            // Histories with other rhythms leave cells of a row empty.
             let last = c.values.iter().rev().find(|v| !v.is_nan())?;
             Some((with_unit(&c.name, &c.unit), *last))
         })

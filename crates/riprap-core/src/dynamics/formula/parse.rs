@@ -77,6 +77,7 @@ fn larger(a: f64, b: f64) -> f64 {
 
 /// -1, 0 or 1; NaN of NaN.
 fn sign(x: f64) -> f64 {
+    // `signum` of 0 is 1.
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
@@ -95,6 +96,7 @@ const BRANCH: &str = "three arguments: condition, value, other value";
 /// What an operator does with the numbers on both sides.
 type Operation = fn(f64, f64) -> f64;
 
+// Longer words first: `<` would be taken for the whole of `<=`.
 const COMPARISONS: [(&str, Operation); 6] = [
     ("<=", |a, b| truth(a, b, a <= b)),
     (">=", |a, b| truth(a, b, a >= b)),
@@ -222,6 +224,7 @@ impl Parser<'_> {
                 break;
             };
             self.at += sign.len_utf8();
+            // Operators of one kind go from the left: what comes behind this one has to bind tighter.
             self.sum(tight + 1)?;
             self.emit(Op::Two(*apply));
         }
@@ -239,6 +242,7 @@ impl Parser<'_> {
         }
         self.primary()?;
         if self.take("^") {
+            // What stands above can have a sign and a power of its own: `2^-1`, and `2^3^2` from the right.
             self.deeper(Self::signed)?;
             self.emit(Op::Two(libm::pow));
         }
@@ -283,6 +287,7 @@ impl Parser<'_> {
         if let Some(power) = after.strip_prefix(['e', 'E']) {
             let sign = usize::from(power.starts_with(['+', '-']));
             let figures = count(power.get(sign..).unwrap_or_default(), digits);
+            // Without figures the `e` begins a name, and an operator is missing before it.
             if figures > 0 {
                 length += 1 + sign + figures;
             }
@@ -366,6 +371,7 @@ impl Parser<'_> {
     /// `if(condition, then, otherwise)` behind its condition: only the side that counts is found.
     fn branch(&mut self, begun: usize) -> Result<(), FormulaError> {
         let missing = |parser: &mut Self| parser.arguments("if", BRANCH, begun);
+        // Where it leads is known when both sides have been read.
         let branch = self.emit(Op::Branch {
             otherwise: 0,
             end: 0,

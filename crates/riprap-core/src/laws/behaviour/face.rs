@@ -91,6 +91,7 @@ impl Law<'_> {
                 .map(|p| {
                     let (w, t) = &now[p];
                     let w = if t[0] == 0.0 { 0.0 } else { *w };
+                    // A loss is per area: each point stands for a quarter of the face.
                     0.25 * lost(
                         (&before[p].0, before[p].1),
                         (t, self.stored(w, t)),
@@ -145,6 +146,7 @@ impl Law<'_> {
             measure <= BEYOND * limit
         };
         let mut fails = !stays(damage, one.parted);
+        // Beyond its peak the face breaks; whether it also slides is told by the strength that is left.
         if fails && self.is_brittle() && whole {
             one.broken = true;
             damage = 1.0;
@@ -154,10 +156,12 @@ impl Law<'_> {
         let (mut plastic, mut lifted, mut keep) = (0.0, dilated, 1.0);
         let closed = damage < 1.0 || mean_of(dilated, damage, one.parted) < 0.0;
         if fails && closed {
+            // Shorter than 1 where torsion has a part in the measure: only slip along the face dilates.
             let direction = sums.shear.map(|x| x / measure);
             [plastic, lifted] = self.flow(measure, (slip, direction), &one, |dilated, damage| {
                 mean_of(dilated, damage, one.parted)
             });
+            // The return is along the trial: shear and torsion shrink by one factor.
             keep = (1.0 - self.springs[1] * plastic / measure).max(0.0);
             self.slid(plastic, &mut one, lifted);
         } else if fails {

@@ -82,6 +82,7 @@ impl Equations {
             let (few, above) = (rows.len(), once.of.len());
             let join = once.then(&twice);
             self.levels.push(Level { join, rows });
+            // Each level is gone through up to twice as often as the one above, and has to be much smaller.
             if few <= FEW || 10 * few > 9 * above {
                 return;
             }
@@ -190,6 +191,7 @@ impl Equations {
             let alpha = dot(&q, &r) / qq;
             add(&mut x, alpha, &p);
             add(&mut r, -alpha, &q);
+            // Each is as long as the model, so that only the last ones are kept.
             if kept.len() == KEPT {
                 kept.remove(0);
             }

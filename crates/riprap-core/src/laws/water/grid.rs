@@ -188,6 +188,8 @@ impl Grid {
                 piece.height(centre.x, centre.y) - centre.z,
                 radius * (1.0 + p * p + q * q).sqrt(),
             );
+            // All of it lies below one plane: pressure is linear there, and
+            // its push that of the gradient on the volume.
             if depth >= reach {
                 return (weight * volume * Vec3::new(-p, -q, 1.0), Vec3::ZERO);
             }

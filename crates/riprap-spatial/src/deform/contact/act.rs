@@ -198,6 +198,7 @@ impl Evaluation<'_> {
         if !stars.iter().all(|star| star.sound)
             || slot.touching && workspace.surface.weight == 0.0 && self.is_below(constants)
         {
+            // How deep they lie cannot be found: a stop, with their names.
             pair.depth = f64::INFINITY;
         }
         if !known {
@@ -221,6 +222,7 @@ impl Evaluation<'_> {
             return;
         }
         let mut law = constants.law;
+        // A relaxation damps by itself, and its velocities are none in time.
         if self.relaxing {
             law.damping_ratio = 0.0;
         }
@@ -240,6 +242,7 @@ impl Evaluation<'_> {
         );
         slot.area = reply.area;
         pair.stored = reply.stored;
+        // What the springs store of the work on them is not lost yet.
         workspace.friction += reply.friction - (reply.stored - stored);
         workspace.damping += reply.damping;
         for spot in &slot.spots {
@@ -276,6 +279,7 @@ fn press(
                 .map(|(k, _)| k as u32),
         );
     }
+    // About the centre of the first block: far from the origin overlaps would lose their digits.
     let shift = stars[1].origin - stars[0].origin;
     workspace.shifted.clear();
     let second = workspace.lists[1]
@@ -327,6 +331,7 @@ fn press(
                     ..Spot::default()
                 });
                 let slopes = [first, second].map(|c| c.slope.length());
+                // A depth over its slope is a length, and the blocks lie in each other by both.
                 let deep = surface.depth * (1.0 / slopes[0] + 1.0 / slopes[1]);
                 pair.depth = pair.depth.max(deep);
             }

@@ -250,6 +250,7 @@ pub(super) fn respond(
         0.0
     };
     let dashpot = |k: f64| {
+        // Between blocks that nothing can move there is no mass to tune to.
         if damped && mass.is_finite() {
             2.0 * law.damping_ratio * (k * c.area * mass).sqrt()
         } else {
@@ -266,6 +267,7 @@ pub(super) fn respond(
         spot.drag = drag * c.normal;
     }
     let along = c.velocity - c.velocity.dot(c.normal) * c.normal;
+    // Infinite times no pressure would be no number.
     let largest = if law.friction.is_infinite() {
         f64::INFINITY
     } else {

@@ -301,6 +301,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         let over = bodies.filter(|b| roles[*b] != Role::Absent && surface.meets(&desk.boxes[*b]));
         close.extend(over.map(|b| [ground.min(b as u32), ground.max(b as u32)]));
     }
+    // Pairs of before are carried over by one walk through two lists in one order.
     if !terrain.blocks.is_empty() {
         close.sort_unstable();
     }

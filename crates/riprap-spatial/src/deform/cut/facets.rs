@@ -86,6 +86,7 @@ pub(super) fn rebuild(
     };
     let mut counts = vec![[0; 2]; families.len()];
     let mut lists = Lists::default();
+    // Runs come back in their order, so that the lists are the same on any number of threads.
     let between = exec.map(&open, RUN, |some| {
         made_of(some, |lists, k| maker.anew(lists, *k))
     });
@@ -221,6 +222,7 @@ impl Maker<'_> {
         let place = |point: &Point| place(self.world, self.deform, point, 0);
         let stretch = Stretch::new(self.world, self.deform, old, place);
         let mut sides = [0, 1].map(|side| self.pieces(old, side));
+        // An overlay needs both sides in one place.
         if shift != Vec3::ZERO {
             for piece in &mut sides[1] {
                 piece.fan.at.iter_mut().for_each(|at| *at += shift);
@@ -282,6 +284,7 @@ impl Maker<'_> {
         let anchor = |joint: &JointPoint, side: usize| {
             if facet.rigid[side] {
                 let back = if side == 0 { Vec3::ZERO } else { shift };
+                // The point lies on the side of A: on B it is where the block is itself, not its image.
                 let arm = joint.at - back - self.world.reference[facet.blocks[side] as usize];
                 let block = facet.blocks[side];
                 return Anchor::Block { block, arm };
@@ -356,6 +359,7 @@ impl Maker<'_> {
         let middle = (kind.mesh.nodes.len() - 1 - kind.faces.len()) as u32;
         let shared = |f: usize| {
             let own = kind.faces[f].iter().filter(|n| has(n)).count();
+            // Corners are of several faces, the centre is of this one alone.
             own + 2 * usize::from(has(&(middle + f as u32)))
         };
         // The first of the best.
@@ -428,6 +432,7 @@ impl Maker<'_> {
         let mut made = 0;
         for plane in 0..family.cut.parts.len() as u32 - 1 {
             let sides = self.made_by(family, FaceOrigin::Plane(plane));
+            // Planes are parallel: each has one part on either side.
             let [a, b] = &sides[..] else { continue };
             let n = a.fan.area_vector().normalize();
             let smallest = SLIVER * a.fan.area();
@@ -456,6 +461,8 @@ impl Maker<'_> {
                 let t = stress.at(joint.at - centre) * n;
                 let jump = freedoms.jump(&point.anchors);
                 let [kn, ks] = springs;
+                // The springs are stretched by the jump that is there already: less
+                // their pull, so that the whole is the stress.
                 let start = std::array::from_fn(|k| {
                     let stiff = if k == 0 { kn } else { ks };
                     facet.now[k].dot(t) - stiff * facet.now[k].dot(jump)

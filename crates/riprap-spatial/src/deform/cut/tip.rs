@@ -190,6 +190,7 @@ fn root(world: &World, deform: &Deform, block: u32) -> u32 {
 /// Length below which points are the same, m.
 fn near(world: &World, deform: &Deform) -> f64 {
     let given = deform.given.unwrap_or(u32::MAX);
+    // Of blocks as given: the length must not shrink as they are cut.
     let bodies = deform.bodies.iter().filter(|b| b.block < given);
     let volumes = bodies.map(|b| world.solid_of(b.block as usize).volume);
     let (count, sum) = volumes.fold((0.0, 0.0), |(n, s), v| (n + 1.0, s + v));
@@ -323,6 +324,7 @@ pub fn offset(view: &View<'_>, at: Vec3, along: Vec3) -> f64 {
         let slope = area.normal.dot(along);
         let first = *area.corners.first()?;
         let s = area.normal.dot(first - at) / slope;
+        // Along the facet the slope is zero, and nothing is met.
         (s.is_finite() && area.holds(at + s * along, near)).then_some(s)
     });
     hits.fold(

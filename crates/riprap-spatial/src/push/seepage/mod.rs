@@ -110,6 +110,7 @@ pub(crate) fn update(world: &mut World) {
         world.seepage = None;
         return;
     };
+    // Edits append blocks or take them out: each changes one of the two numbers, so that no network outlives them.
     let blocks = [
         world.alive.len(),
         world.alive.iter().filter(|a| **a).count(),
@@ -122,6 +123,7 @@ pub(crate) fn update(world: &mut World) {
         return;
     }
     let mut found = match known {
+        // A copy, since solving reads the world that it is part of.
         Some(found) => found.clone(),
         None => Box::new(network::build(world, table, rules)),
     };
@@ -137,6 +139,7 @@ fn solve(world: &World, rules: &Steady, found: &mut Seepage) {
         let w = (rules.aperture + opening(world, joint)).clamp(low, high);
         pipes.extend(joint.pipes.iter().map(|&(a, b, conductance)| Pipe {
             ends: [a, b].map(|k| joint.rim[usize::from(k)].0),
+            // The cubic law of laminar flow between two plates.
             conductance: w * w * w * conductance,
         }));
     }

@@ -81,6 +81,7 @@ pub(super) fn build(world: &World, table: &WaterTable, rules: &Steady) -> Seepag
         let solid = Extent::of(&world.setup.blocks[b as usize].shape).solid(Vec3::ZERO);
         for outline in (0..solid.faces.len()).map(|face| solid.outline(face)) {
             let on = |at: &Vec3, side: usize| rules.closed[side].holds(at.to_array(), size);
+            // No water stands at a closed side: as a bare part it loses the push of standing water again.
             if (0..rules.closed.len()).any(|side| outline.iter().all(|at| on(at, side))) {
                 bare.push(Bare { block: b, outline });
             }
@@ -259,6 +260,7 @@ fn joint(part: Part, rim: &Stretches) -> (Joint, f64) {
         })
         .collect();
     let sheet = sheet(&of_rim, area);
+    // By Gauss's theorem the slope of a linear quantity is the sum of its values on the rim times these.
     let levers = rim.ends.iter().map(|ends| outward(*ends) / area);
     let joint = Joint {
         blocks,
@@ -357,6 +359,7 @@ impl Lines {
             }
             let mut way = vec![a];
             let between = self.inside.get(&key(a, b)).map_or(&[][..], |list| list);
+            // Corners inside an edge are listed from its lower number.
             if a < b {
                 way.extend(between);
             } else {
@@ -457,6 +460,7 @@ fn angle_of(planes: &[(Vec3, f64)], at: Vec3, slack: f64) -> f64 {
     let normals: Vec<Vec3> = on.map(|(n, _)| *n).collect();
     let bends = normals.iter().enumerate().flat_map(|(k, n)| {
         let others = normals[..k].iter();
+        // From sine and cosine: the cosine alone has lost half of the digits where faces go on flat or turn back.
         others.map(move |m| libm::atan2(n.cross(*m).length(), n.dot(*m)))
     });
     match normals.len() {

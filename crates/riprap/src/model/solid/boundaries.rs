@@ -139,6 +139,7 @@ impl Builder<'_> {
                     return None;
                 }
                 let (min, max) = self.model_bounds();
+                // The distance from the origin along the outward normal, which points down the axis at the low side.
                 let offset = if sign > 0.0 { max[axis] } else { -min[axis] };
                 (normal_of(*word), offset)
             }
@@ -235,6 +236,7 @@ pub(in crate::model) fn boundary_name(said: &language::Boundary, number: usize) 
 pub(super) fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
     let (min, max) = bounds(shape);
     let slack = ON_PLANE * (max - min).max_element();
+    // 1 minus the cosine is half the square of the angle: within 4.5e-5 rad.
     let along = |n: Vec3| n.dot(normal) > 1.0 - 1e-9;
     match shape {
         Shape::Brick { .. } => (0..3).any(|k| {

@@ -106,6 +106,7 @@ impl Builder<'_> {
             self.bridge(name, &joints);
         }
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        // Of all blocks of the table: a plane goes on from one to the next, and must reach through all of them.
         let boxes = made.shapes.iter().map(bounds);
         let (min, max) = boxes.fold(start, |(a, b), (min, max)| (a.min(min), b.max(max)));
         let solids = made.shapes.iter().map(solid).collect();

@@ -225,6 +225,7 @@ fn physical(
     let mut sides: BTreeMap<u32, Vec<(u32, Vec3, f64)>> = BTreeMap::new();
     let mut facets: BTreeMap<BTreeSet<u32>, Vec<u32>> = BTreeMap::new();
     for facet in &mesh.facets {
+        // As sets: a facet and the face of an element may begin at different nodes and go round the other way.
         let nodes: BTreeSet<u32> = facet.nodes.into_iter().collect();
         facets.entry(nodes).or_default().push(facet.group);
     }

@@ -145,6 +145,7 @@ impl Builder<'_> {
         let mut columns = columns.into_iter().flatten();
         let (x, y, z) = (columns.next()?, columns.next()?, columns.next()?);
         let lines = |list: &[f64]| {
+            // Zero with either sign is one line: the sum makes -0 a 0, which the total order tells apart.
             let mut lines: Vec<f64> = list.iter().map(|v| v + 0.0).collect();
             lines.sort_by(f64::total_cmp);
             lines.dedup();
@@ -152,6 +153,7 @@ impl Builder<'_> {
         };
         let (columns, rows) = (lines(&x), lines(&y));
         let all = columns.len() as f64 * rows.len() as f64;
+        // A cell of the grid has two triangles.
         if (x.len() as f64) < SCATTERED * all || all > 0.5 * MOST as f64 {
             let message = format!(
                 "`{file}` is no grid, or too large: {} places have {} different x and {} different y",
@@ -303,6 +305,7 @@ fn depth_of(body: &Polyhedron, field: &HeightField, bins: &Bins) -> Option<f64> 
     let (low, high) = body.bounds();
     let mut near = Vec::new();
     bins.near([low.x, low.y], [high.x, high.y], &mut near);
+    // A peak of the surface can be in a face of the block whose corners are all above it.
     let points = near.iter().flat_map(|t| field.corners(*t as usize));
     let inside = points.filter_map(|p| {
         let room = (0..body.faces.len()).map(|face| {

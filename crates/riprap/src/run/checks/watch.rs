@@ -67,6 +67,7 @@ impl Watch {
         match self.check.window.within() {
             Window::Start => self.found = self.found.or(Some((time, value))),
             Window::At(at) => {
+                // A state that misses the instant by round-off alone is taken for it, not the one after it.
                 if self.found.is_none() && time >= at - 1e-12 * at.abs() {
                     let there = match before {
                         Some((t0, v0)) if time > at && time > t0 => {
@@ -102,6 +103,7 @@ impl Watch {
             Reduce::Max | Reduce::Min | Reduce::Range => {}
             Reduce::Mean => {
                 if let Some((t0, v0)) = before {
+                    // Steps differ in length, so that a mean of readings would not be one over time.
                     self.sum += 0.5 * (v0 + value) * (time - t0);
                     self.span += time - t0;
                 }
@@ -124,6 +126,7 @@ impl Watch {
             }
             Reduce::ShareAbove(threshold) => {
                 if let Some((t0, v0)) = before {
+                    // Of the span between two readings the middle decides.
                     if 0.5 * (v0 + value) > threshold {
                         self.sum += time - t0;
                     }
@@ -271,6 +274,7 @@ impl Watch {
             .relative
             .is_some_and(|r| difference <= r * expected.abs())
             || self.check.absolute.is_some_and(|a| difference <= a)
+            // A check with neither tolerance asks for equality.
             || difference == 0.0
     }
 

@@ -174,6 +174,7 @@ impl Clock {
         }
         let spent = self.last.elapsed();
         if spent < LOOK && self.rate > 0.0 {
+            // Asked too early: steps are faster than they were, and the clock is asked less often.
             self.stride = (self.stride * 2).min(STRIDE);
             self.next = step + self.stride;
             return false;
@@ -194,6 +195,8 @@ impl Clock {
             meter: &mut self.meter,
         });
         let step = simulation.steps();
+        // An eighth of the steps of a pause: so a look is late by about that
+        // much of it, if all at once steps take longer.
         self.stride = ((self.rate * LOOK.as_secs_f64() / 8.0) as u64).clamp(1, STRIDE);
         self.next = step + self.stride;
         self.last = Instant::now();

@@ -94,6 +94,7 @@ pub fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, SafetyE
     };
     let rows: Vec<u16> = (first..).take(single.copies.len()).collect();
     for phase in &mut plan.phases {
+        // A change that a phase makes to the original only would leave what is reduced with the law from before.
         copied(&mut phase.contacts, &single.copies, first);
         copied(&mut phase.joints, &single.copies, first);
     }
@@ -189,6 +190,7 @@ impl<'a> Laws<'a> {
             None => m,
             Some(twin) => usize::from(single.twins[twin]),
         };
+        // Where groups are chosen a twin is a material of theirs, and nothing else is.
         let meant = |m: usize| {
             let in_group = rules.groups.is_empty() || m >= old;
             let name = self.materials[original(m)];
@@ -198,6 +200,7 @@ impl<'a> Laws<'a> {
         for a in 0..all {
             for b in 0..all {
                 let row = self.pairs[original(a) * old + original(b)];
+                // One side is enough: a joint on the rim of a group is a joint of the group.
                 let apart = (meant(a) || meant(b)) && named(row);
                 single.pairs.push(match apart {
                     false => row,

@@ -137,6 +137,7 @@ impl Maker<'_> {
             match simulation.prepare() {
                 Ok(Stage::Within) => {}
                 Ok(Stage::PhaseEnd | Stage::Done) => {
+                    // The phase may have ended by its steps instead.
                     let balanced = simulation.view().unbalanced() <= self.rules.balance
                         || simulation
                             .engine()
@@ -212,8 +213,11 @@ impl Maker<'_> {
             let cursor = simulation.cursor();
             if of_phase != cursor.phase {
                 of_phase = cursor.phase;
+                // Displacements of a phase are judged against its own beginning.
                 watch = None;
             }
+            // This one from the beginning of the run, through dynamic phases
+            // as well, which are not watched for failure.
             let mut all = Watch::new(self.rules.moved);
             all.look(Look::of(simulation, 0));
             if let Some((moved, block)) = all.farthest()
@@ -322,6 +326,7 @@ pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Pha
     phase.zero_displacements = true;
     phase.zero_velocities = true;
     phase.deform = deform;
+    // A trial is judged by what moves, and the ledger of the way there must not stop it.
     phase.max_residual = f64::INFINITY;
     // A factor of one changes nothing, not even the last bit.
     phase.reduction = (factor != 1.0).then(|| Reduction {

@@ -79,6 +79,8 @@ pub(super) fn of_functions(simulation: &Simulation) -> Option<Cause> {
 /// The first function that is no number about now.
 fn blamed(simulation: &Simulation, courses: &[Course<'_>]) -> Option<Cause> {
     let (now, dt) = (simulation.time(), simulation.dt());
+    // Loads are asked for at whole steps and prescribed motions at half
+    // steps, of the step before and of the coming one.
     let times = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| now + k * dt);
     let bad = courses.iter().find(|course| course.is_bad(&times))?;
     Some(blame(&bad.what, bad.function))

@@ -158,6 +158,7 @@ impl Thrown {
         if energy <= GAVE_BACK * view.put_in() {
             return None;
         }
+        // The way since displacements were last set, not the speed: a block that was thrown may lie still by now.
         let ways = view.movements().into_iter().map(|m| {
             let [x, y, z] = m.shift;
             (m.block, (x * x + y * y + z * z).sqrt() / m.size)

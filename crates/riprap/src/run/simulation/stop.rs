@@ -59,9 +59,12 @@ impl Simulation {
             return self.relaxed(phase, rules);
         }
         let elapsed = self.elapsed();
+        // Times are sums of steps: one that ends a phase may fall short of its span by round-off.
         if until.time.is_some_and(|t| elapsed >= t - 1e-9 * self.dt) {
             return Some(Reason::Time);
         }
+        // Not at its first state: the phase before may have left that in balance, and what this one changes has had no step
+        // to act.
         let settled = steps > 0 && steps.is_multiple_of(LOOK);
         let ramped = phase.ramp.is_none_or(|ramp| elapsed >= ramp);
         if !settled || !ramped {
@@ -101,6 +104,7 @@ impl Simulation {
         self.look_at_seepage()?;
         let due = over || due(step, LOOK, 2);
         if due || self.cursor.crossed >= CROSSED {
+            // Every look counts, whatever it was due for: the way is that since the last one.
             self.cursor.crossed = 0.0;
             self.look_at_overlap()?;
         }
@@ -143,6 +147,7 @@ impl Simulation {
         if limits::judge(found.ratio, 1.0) == Depth::TooDeep {
             return Err(self.too_deep(&found));
         }
+        // Only the deepest one is told at the end, so that a long run leaves one warning and not thousands.
         if found.ratio > self.cursor.deepest.as_ref().map_or(0.0, |d| d.ratio)
             && limits::judge(found.ratio, 1.0) == Depth::Deep
         {
@@ -223,12 +228,15 @@ impl Simulation {
             .phase()
             .is_some_and(|phase| phase.kind == PhaseKind::Static)
         {
+            // In a static phase blocks that were built into each other push apart and
+            // are damped: no fault, and no load has put that in.
             put_in += view.released_by_overlaps();
         }
         if !put_in.is_finite() {
             return Err(self.no_number("the energy put in by loads, supports and gravity"));
         }
         let bearable = BLOW_UP * put_in + LEFT_TO_LEDGER * view.largest_work();
+        // Where nothing has been put in and nothing has worked the bound is zero, and round-off alone is above that.
         if judged && kinetic > bearable + 1e-12 {
             return Err(RunError::BlowUp {
                 block: view.fastest().map_or_else(String::new, |(name, _)| name),
