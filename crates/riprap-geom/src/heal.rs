@@ -209,6 +209,10 @@ impl<'a> Merging<'a> {
                 continue;
             }
             let s = self.shape_of(&self.faces[f as usize]);
+            // It may have become sound by what has been merged into it since it was listed.
+            if !self.is_small(&s) {
+                continue;
+            }
             let Some((into, union)) = self.partner(f) else {
                 continue;
             };
@@ -333,6 +337,30 @@ mod tests {
         );
         assert!(healed.polygons.iter().all(|p| p.len() == 4));
         assert_eq!(area(&healed), 16.0);
+    }
+
+    #[test]
+    fn what_has_become_sound_is_merged_no_further() {
+        // Strips of 29 and 31 mm are slivers, both together are none.
+        let cuts = lines(&[
+            (0.029, -1., 0.029, 9.),
+            (0.06, -1., 0.06, 9.),
+            (1., -1., 1., 9.),
+        ]);
+        let parts = cut_region(&rectangle(Vec2::ZERO, Vec2::new(2.0, 1.0)), &cuts).unwrap();
+        assert_eq!(parts.faces.len(), 4);
+        let healed = heal(parts, 0.05);
+        assert_eq!((healed.merged.len(), healed.left.len()), (1, 0));
+        let mut widths: Vec<f64> = healed
+            .polygons
+            .iter()
+            .map(|p| polygon::signed_area(p))
+            .collect();
+        widths.sort_by(f64::total_cmp);
+        assert_eq!(widths.len(), 3);
+        for (width, exact) in widths.iter().zip([0.06, 0.94, 1.0]) {
+            assert!((width - exact).abs() < 1e-12, "{width}");
+        }
     }
 
     #[test]

@@ -111,15 +111,31 @@ impl View<'_> {
         self.scratch.exec.largest(alive.len(), one)
     }
 
-    /// Acceleration (m/s²) and angular acceleration (rad/s²) of block `b`.
+    /// 1 for each freedom of block `b` that is left to it, 0 for those that are prescribed: x and y, and rotation.
+    fn freedoms(&self, b: usize) -> (Vec2, f64) {
+        let Some(motion) = &self.world.motion[b] else {
+            return (Vec2::ONE, 1.0);
+        };
+        let [x, y, rotation] = motion
+            .targets()
+            .map(|t| if t.is_free() { 1.0 } else { 0.0 });
+        (Vec2::new(x, y), rotation)
+    }
+
+    /// Whether block `b` has a freedom that is not prescribed.
+    fn is_free(&self, b: usize) -> bool {
+        self.freedoms(b) != (Vec2::ZERO, 0.0)
+    }
+
+    /// Acceleration (m/s²) and angular acceleration (rad/s²) of block `b`, of freedoms that are not prescribed.
     #[must_use]
     pub fn acceleration(&self, b: usize) -> (Vec2, f64) {
-        let net = &self.scratch.net[b];
-        if self.world.motion[b].is_some() {
-            return (Vec2::ZERO, 0.0);
-        }
-        let shapes = &self.scratch.shapes;
-        (net.force / shapes.mass[b], net.moment / shapes.inertia[b])
+        let (net, shapes) = (&self.scratch.net[b], &self.scratch.shapes);
+        let (along, about) = self.freedoms(b);
+        (
+            along * net.force / shapes.mass[b],
+            about * net.moment / shapes.inertia[b],
+        )
     }
 
     /// Angular momentum of all blocks about the origin, N s (N m s per m).
@@ -150,17 +166,18 @@ impl View<'_> {
     }
 
     /// Unbalanced-force ratio: sum of |net force| of the free blocks over the sum of the forces that
-    /// act on them.
+    /// act on them. Of a block with prescribed motion only the freedoms count that are left to it.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
         let (world, scratch) = (self.world, self.scratch);
-        let free = |b: u32| world.motion[b as usize].is_none();
+        let free = |b: u32| self.is_free(b as usize);
         let of_block = |b: usize| {
             if !world.alive[b] || !free(b as u32) {
                 return [0.0; 2];
             }
-            let n = &scratch.net[b];
-            let net = n.force.length() + n.moment.abs() / scratch.shapes.radius[b];
+            let (n, (along, about)) = (&scratch.net[b], self.freedoms(b));
+            let net =
+                (along * n.force).length() + (about * n.moment).abs() / scratch.shapes.radius[b];
             let weight = scratch.shapes.mass[b] * world.gravity.length();
             [net, weight + scratch.applied[b].force.length()]
         };
@@ -174,7 +191,7 @@ impl View<'_> {
         if all > 0.0 { net / all } else { 0.0 }
     }
 
-    /// The free block whose net force is the largest share of the forces that act on it, and that share.
+    /// The block whose net force, as far as it is free to follow it, is the largest share of the forces that act on it, and that share.
     #[must_use]
     pub fn least_balanced(&self) -> Option<(f64, u32)> {
         let (world, scratch) = (self.world, self.scratch);
@@ -189,8 +206,11 @@ impl View<'_> {
             all[j as usize] += slot.force.length();
         }
         self.living()
-            .filter(|&b| world.motion[b].is_none() && all[b] > 0.0)
-            .map(|b| (scratch.net[b].force.length() / all[b], b as u32))
+            .filter(|&b| self.is_free(b) && all[b] > 0.0)
+            .map(|b| {
+                let net = self.freedoms(b).0 * scratch.net[b].force;
+                (net.length() / all[b], b as u32)
+            })
             .max_by(|a, b| a.0.total_cmp(&b.0))
     }
 

@@ -327,8 +327,9 @@ impl Cavity {
         let mut sum = 0.0;
         for walls in self.walls.chunk_by(|a, b| a.block == b.block) {
             let b = walls[0].block as usize;
-            // Who is held or driven does not give way to the gas.
-            if world.motion[b].is_some() {
+            // Who is held or driven in all freedoms does not give way to the gas; one that is so in some counts as free, which is safe.
+            let motion = world.motion[b].as_deref();
+            if motion.is_some_and(|motion| motion.prescribes() == [[true; 3]; 2]) {
                 continue;
             }
             let (mut area, mut moment) = (Vec3::ZERO, Vec3::ZERO);
@@ -369,7 +370,7 @@ impl Cavity {
 
 /// Largest step that cavities allow at the present state, s; the run loop takes the smallest of all limits, every step.
 ///
-/// A charge that has not gone off yet is met on time, and its first step is already limited.
+/// A charge that has not gone off yet is met on time, but for the length of a step that the gas allows; its first step is already limited.
 #[must_use]
 pub fn step_limit(world: &World) -> f64 {
     let mut limit = f64::INFINITY;

@@ -96,3 +96,31 @@ fn equal_faces_store_the_energy_of_their_overlap() {
         assert!(error.abs() < 1e-9, "{angle}: {error:e}");
     }
 }
+
+#[test]
+fn a_block_that_is_held_in_part_counts_with_what_is_left_to_it() {
+    let square = [[0.0, 5.0], [1.0, 5.0], [1.0, 6.0], [0.0, 6.0]].map(Vec2::from);
+    let mut model = setup(
+        vec![block("falls", &square)],
+        law(NormalLaw::DistancePotential, 30.0),
+        &[0],
+    );
+    for (y, unbalanced) in [(false, 1.0), (true, 0.0)] {
+        model.supports[0].motion = Motion::Fixed {
+            x: true,
+            y,
+            rotation: true,
+        };
+        let (mut world, mut scratch) = World::new(model.clone(), Exec::serial());
+        evaluate(&mut world, &mut scratch, &Damping::default(), 1e-4).unwrap();
+        let view = View {
+            world: &world,
+            scratch: &scratch,
+        };
+        assert_eq!(view.unbalanced(), unbalanced);
+        assert_eq!(
+            view.acceleration(0),
+            (Vec2::new(0.0, -10.0 * unbalanced), 0.0)
+        );
+    }
+}

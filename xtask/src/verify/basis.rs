@@ -9,8 +9,13 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 8] = [
+const SCOPES: [(&str, Concerns); 9] = [
     ("In the plane:", |scene| !in_space(scene)),
+    // Blocks with some freedoms prescribed and others not.
+    ("Partly held blocks in the plane:", |scene| {
+        let moved = scene.contains("motion.velocity.") && !scene.contains("motion.velocity.y");
+        !in_space(scene) && (moved || scene.contains("fixed = { "))
+    }),
     ("In space:", in_space),
     ("Found contact in space:", |scene| {
         in_space(scene) && !scene.contains("found_contacts = false")
@@ -145,11 +150,20 @@ mod tests {
 
     #[test]
     fn an_entry_can_concern_some_scenes_only() {
-        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Joints in space that give way: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- e\n";
+        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Joints in space that give way: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- Partly held blocks in the plane: d\n- e\n";
         let space = "[space.spatial]\n";
         assert_eq!(numerics(text, "[space.planar]"), 2);
         assert_eq!(numerics(text, "[space.planar]\nwater.seepage = {}"), 3);
         assert_eq!(numerics(text, "[space.planar]\n[water.seepage]"), 4);
+        let held = "[space.planar]\nfixed = { y = false }\n";
+        assert_eq!(numerics(text, held), 3);
+        assert_eq!(numerics(text, "[space.planar]\nfixed = {}\n"), 2);
+        let moved = "[space.planar]\nmotion.velocity.x.constant = 0\n";
+        assert_eq!(numerics(text, moved), 3);
+        assert_eq!(
+            numerics(text, &format!("{moved}motion.velocity.y.constant = 0\n")),
+            2
+        );
         assert_eq!(numerics(text, space), 5);
         assert_eq!(numerics(text, &format!("{space}pour = {{}}")), 4);
         assert_eq!(numerics(text, &format!("{space}terrain.csv")), 6);

@@ -190,10 +190,14 @@ pub fn assess(
     let verdict = |mode, load: f64, limit: f64| Verdict {
         mode,
         excess: load - limit,
+        // Without any strength left the ratio says nothing: what is beyond the limit is so wholly, what is not stays out of the way
+        // of the other criterion.
         utilisation: if limit > 0.0 {
             load / limit
-        } else {
+        } else if load >= limit {
             f64::INFINITY
+        } else {
+            0.0
         },
     };
     let pulled = s1 + 3.0 * s3 < 0.0;

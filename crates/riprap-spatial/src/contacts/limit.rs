@@ -1,7 +1,7 @@
 //! How long a step may be for the contacts that are there, and for those that can form in it.
 //!
 //! A spring between two blocks holds no more energy than twice what it holds as a spring of each of them against a fixed wall. So no motion is faster than that of the stiffest block on twice its own springs: the largest eigenvalue of a matrix
-//! of six rows, bounded by its rows. A contact of the area A gives it the stiffness `kn A` across and `ks A` along at its place, and the
+//! of six rows, bounded by the norm of its fourth power (`felt`). A contact of the area A gives it the stiffness `kn A` across and `ks A` along at its place, and the
 //! couples of its polar second moment J. No part of a face is stiffer than the face: where two faces can come flat onto each other, the
 //! whole of the smaller one stands for them until most of it is in touch. Where nothing of that is known, the larger stiffness times
 //! `A (1/m + (h² + 2 A/3)/I)` comes on top, with the distance h of the farthest face. No point is farther away than the radius of the block.

@@ -22,8 +22,8 @@ use crate::world::{Bodies, Turned, World};
 
 /// How far a block looks for terrain, over its radius.
 const REACH: f64 = 1.0;
-/// Share of the stable step: the stiffness grows with the area. Half of that of pairs in the square, since a block may lie on terrain and on
-/// others at once and both limits are found apart.
+/// Share of the stable step: the stiffness grows with the area. In the square not much more than half of that of pairs (0.56), since a block may lie
+/// on terrain and on others at once and both limits are found apart.
 pub(super) const SAFETY: f64 = 0.15;
 /// Share of the time until a block can touch that a step may take.
 const APPROACH: f64 = 0.25;

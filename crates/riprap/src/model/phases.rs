@@ -133,7 +133,7 @@ impl Builder<'_> {
     /// Time over which the forces of removed blocks fade, s. It must pass: where blocks relax, it does in load steps.
     fn removal_ramp(&mut self, said: &language::Phase) -> Option<f64> {
         let ramp = said.removal_ramp.as_ref().filter(|ramp| ramp.si() > 0.0)?;
-        let deforms = !self.spatial.deform.sets.is_empty() && self.all_free_deform();
+        let deforms = !self.spatial.deform.sets.is_empty() && self.all_free_deform(said);
         let relaxes = deforms && said.kind == Some(PhaseKind::Static);
         if relaxes && said.until.time.is_none() {
             let message = format!(
@@ -152,7 +152,7 @@ impl Builder<'_> {
         if self.spatial.deform.sets.is_empty() {
             return None;
         }
-        let all_deform = self.all_free_deform();
+        let all_deform = self.all_free_deform(said);
         let mut read = self.reading(format!("phases.{}", said.name), said);
         let breaking = read.breaking();
         let relaxes = said.kind == Some(PhaseKind::Static) && all_deform;
@@ -199,16 +199,38 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether every block that is not held is deformable.
-    pub(super) fn all_free_deform(&self) -> bool {
-        let blocks = self.spatial.blocks.iter();
-        let mut bound: Vec<bool> = blocks.map(|block| block.shape.is_terrain()).collect();
-        let sets = self.spatial.deform.sets.iter().map(|s| &s.blocks);
-        let held = self.spatial.supports.iter().map(|s| &s.blocks);
-        for &b in sets.chain(held).flatten() {
+    /// Whether every block that can move in phase `said` is deformable.
+    pub(super) fn all_free_deform(&self, said: &language::Phase) -> bool {
+        let mut released = Vec::new();
+        for phase in &self.parsed.scenario.phases {
+            // What cannot be found has been reported.
+            released.extend(self.directory.all(&phase.release).unwrap_or_default());
+            if std::ptr::eq(phase, said) {
+                break;
+            }
+        }
+        let mut bound = self.wholly_driven(&released);
+        for &b in self.spatial.deform.sets.iter().flat_map(|s| &s.blocks) {
             bound[b as usize] = true;
         }
         bound.into_iter().all(|b| b)
+    }
+
+    /// Whether each block in space is terrain, or has all its freedoms prescribed by one support and is not among the `released`.
+    pub(super) fn wholly_driven(&self, released: &[u32]) -> Vec<bool> {
+        let blocks = self.spatial.blocks.iter();
+        let mut driven: Vec<bool> = blocks.map(|block| block.shape.is_terrain()).collect();
+        for support in &self.spatial.supports {
+            if support.motion.prescribes() == [[true; 3]; 2] {
+                for &b in &support.blocks {
+                    driven[b as usize] = true;
+                }
+            }
+        }
+        for &b in released {
+            driven[b as usize] = false;
+        }
+        driven
     }
 
     pub(super) fn outputs(&mut self) {

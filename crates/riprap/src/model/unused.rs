@@ -180,7 +180,7 @@ impl Builder<'_> {
             ];
             let help = "deformable blocks relax with a damping of their own: see `relaxation`";
             self.no_effect(&of, &keys, span, help);
-        } else if self.all_free_deform() {
+        } else if self.all_free_deform(said) {
             let keys = [
                 ("rotation", damping.rotation.is_some()),
                 ("stiffness", damping.stiffness.is_some()),
@@ -196,7 +196,10 @@ impl Builder<'_> {
         let mut deformable = vec![false; n];
         // How many rigid blocks there are, and whether any of them can be moved: two that are held mean nothing to each other.
         let mut rigid = vec![(0, false); n];
-        let driven = self.wholly_driven();
+        let released: Vec<u32> = (self.plan.phases.iter())
+            .flat_map(|phase| phase.release.iter().copied())
+            .collect();
+        let driven = self.wholly_driven(&released);
         for ((block, deforms), driven) in self.spatial.blocks.iter().zip(deforms).zip(driven) {
             let material = usize::from(block.material);
             if *deforms {
@@ -282,23 +285,6 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
-    /// Whether each block in space is terrain, or has all its freedoms prescribed by one support for the whole run.
-    fn wholly_driven(&self) -> Vec<bool> {
-        let blocks = self.spatial.blocks.iter();
-        let mut driven: Vec<bool> = blocks.map(|block| block.shape.is_terrain()).collect();
-        for support in &self.spatial.supports {
-            if support.motion.prescribes() == [[true; 3]; 2] {
-                for &b in &support.blocks {
-                    driven[b as usize] = true;
-                }
-            }
-        }
-        for &b in self.plan.phases.iter().flat_map(|phase| &phase.release) {
-            driven[b as usize] = false;
-        }
-        driven
-    }
-
     /// Bonds of deformable blocks neither dilate nor know the laws of joints that change with slip and closure.
     fn refuse_behaviour(&mut self, of: &str, said: &Interface) {
         let dilates = said.dilation_angle.as_ref().filter(|a| a.si() > 0.0);

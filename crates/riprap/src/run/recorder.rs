@@ -335,10 +335,10 @@ impl Recorder {
         let count = &mut self.counts.checkpoints;
         match self.checkpoints {
             Some(Every::Time(span)) => {
-                let due = time >= (*count + 1) as f64 * span;
-                if due {
-                    *count = (time / span).floor() as u64;
-                }
+                // Times are sums of steps: a mark that is missed by round-off alone is met.
+                let marks = (time / span + 1e-9).floor() as u64;
+                let due = marks > *count;
+                *count = marks.max(*count);
                 due
             }
             Some(Every::Steps(n)) => step.is_multiple_of(n.max(1)),

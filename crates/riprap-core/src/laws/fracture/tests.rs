@@ -43,6 +43,40 @@ fn plain(s1: f64, s2: f64, s3: f64) -> Principal {
 }
 
 #[test]
+fn rock_without_tensile_strength_is_cut_in_shear() {
+    let rock = Rock {
+        tension: 0.0,
+        ..ROCK
+    };
+    let margins = |tension| Margins {
+        tension,
+        shear: 0.0,
+    };
+    let assess = |margin, s1, s3| {
+        assess(
+            &rock,
+            Criterion::Larger,
+            &margins(margin),
+            &plain(s1, s3, s3),
+        )
+    };
+    for margin in [0.0, 1e6] {
+        // Pressed all round, far beyond Mohr-Coulomb's limit.
+        let shear = assess(margin, 100e6, 2e6);
+        assert!(
+            shear.cut() && shear.mode == FractureMode::Shear,
+            "{shear:?}"
+        );
+        // Within it, nothing is cut.
+        let none = assess(margin, 10e6, 2e6);
+        assert!(!none.cut() && none.utilisation < 1.0, "{none:?}");
+        // Pulled, it is.
+        let tension = assess(margin, 1e6, -0.1e6);
+        assert!(tension.cut() && tension.mode == FractureMode::Tension);
+    }
+}
+
+#[test]
 fn griffith_is_continuous_and_the_printed_form_is_not() {
     let st = ROCK.tension;
     // At s1 = -3 s3 both branches ask for s3 = -st.

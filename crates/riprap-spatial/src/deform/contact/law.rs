@@ -7,7 +7,8 @@
 //!
 //! Deviations: the mean radius of the pressure is [`MEAN_RADIUS`] of its radius of gyration (0.866 for a line, 0.943 for a disc, 0.937 for a
 //! square); dashpots are tuned to the masses that the contact moves at once, those of the nodes, not to whole blocks; those across the
-//! contact act spot by spot, which damps rocking too.
+//! contact act spot by spot, which damps rocking too; those along it act while springs and dashpots together are within the ellipse, and not at all
+//! beyond it, where between rigid blocks both are shrunk onto it.
 
 use riprap_geom::Vec3;
 

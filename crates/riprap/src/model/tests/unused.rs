@@ -129,6 +129,26 @@ fn damping_that_deformable_blocks_do_not_have() {
     );
 }
 
+/// A rigid block that can move keeps a static phase in true time: one that is held in part, or that a phase lets go.
+#[test]
+fn a_rigid_block_that_can_move_relaxes_in_true_time() {
+    let platen = "[[blocks]]\nname = \"platen\"\nmaterial = \"rock\"\nbrick = { size = [\"2 m\", \"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\", \"1 m\"] }\n";
+    let relaxes = |fixed: &str, keys: &str| -> Vec<bool> {
+        let support = format!("[[supports]]\non.block = \"platen\"\nfixed = {{ {fixed} }}\n");
+        let phases = phase("kind = \"static\"") + &phase(keys).replace("\"p\"", "\"q\"");
+        let text = format!("{HEAD}{DEFORMABLE}{platen}{support}{phases}");
+        let parsed = parse(Source::new("t.toml", text)).unwrap_or_else(|error| panic!("{error}"));
+        let model = build(&parsed, "default", INFOS).unwrap_or_else(|error| panic!("{error}"));
+        let phases = model.plan.phases.iter();
+        let deform = phases.map(|phase| phase.deform.as_ref().expect("blocks deform"));
+        deform.map(|deform| deform.relax.is_some()).collect()
+    };
+    assert_eq!(relaxes("", "kind = \"static\""), [true, true]);
+    assert_eq!(relaxes("z = false", "kind = \"static\""), [false, false]);
+    let released = "kind = \"static\"\nrelease = [\"platen\"]";
+    assert_eq!(relaxes("", released), [true, false]);
+}
+
 #[test]
 fn keys_of_deformable_blocks_without_any() {
     let friction = HEAD.replace(
