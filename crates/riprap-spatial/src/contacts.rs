@@ -10,13 +10,12 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
 
 mod acting;
-mod constants;
+pub(crate) mod constants;
 mod felt;
 mod give_way;
 pub(crate) mod glued;
 mod held;
-mod limit;
-mod outlook;
+pub(crate) mod limit;
 mod stored;
 pub(crate) mod terrain;
 
@@ -38,8 +37,6 @@ use crate::ledger::Works;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
-pub(crate) use outlook::still;
-pub use outlook::{Meets, can_give_way, outlook, unjoined};
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.
@@ -91,13 +88,13 @@ pub fn meeting(world: &World) -> Meeting {
         let interface = &setup.interfaces[*row];
         interface.joint.strength.is_none() && interface.friction.is_none()
     };
-    let joined = outlook::joined(world);
+    let joint_of = joined(world);
     let unread = |row: &usize| {
         let InterfaceLaw { joint, bond, .. } = &setup.interfaces[*row];
         let holds = joint
             .strength
             .is_some_and(|s| s.residual_cohesion == 0.0 && (s.cohesion > 0.0 || s.tension > 0.0));
-        holds && bond.is_none() && !joined[*row]
+        holds && bond.is_none() && !joint_of[*row]
     };
     let name = |row: usize| format!("interfaces.{}", setup.interfaces[row].name);
     let meets = || (0..rows.len()).filter(|row| rows[*row]);
@@ -209,7 +206,7 @@ fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f6
 }
 
 /// Who can meet whom.
-fn roles(world: &World) -> Vec<Role> {
+pub(crate) fn roles(world: &World) -> Vec<Role> {
     let mut desk = WhoDesk::default();
     find_roles(world, &mut desk);
     desk.roles
@@ -334,7 +331,7 @@ pub(crate) fn glued_of(shape: &setup::Shape, centre: Vec3) -> Result<Option<Glue
 
 /// Makes the shapes of the mass classes that have none yet. A class whose blocks take no part, or whose shape is refused (a block
 /// that building let pass is none of these), has that of a small cube, which nothing asks for.
-fn make_shapes(world: &World, desk: &mut Desk) {
+pub(crate) fn make_shapes(world: &World, desk: &mut Desk) {
     if desk.shapes.len() == world.solids.len() {
         return;
     }
@@ -498,6 +495,15 @@ pub fn step_limit(world: &World) -> f64 {
         world.found.deformable.longest_step,
     ];
     (longest.into_iter().flatten()).fold(f64::INFINITY, f64::min)
+}
+
+/// Whether a joint of the model has the interface, for each of them.
+pub(crate) fn joined(world: &World) -> Vec<bool> {
+    let mut joined = vec![false; world.setup.interfaces.len()];
+    for class in &world.patches.class {
+        joined[usize::from(world.classes[*class as usize].row)] = true;
+    }
+    joined
 }
 
 #[cfg(test)]

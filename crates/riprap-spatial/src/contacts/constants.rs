@@ -132,7 +132,7 @@ fn plain(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> Constants {
 }
 
 /// The law between two blocks; `depths` are their inradii, m.
-pub(super) fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
+pub(crate) fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
     let Constants { stiffness, row, .. } = plain(setup, ends, depths);
     of_row(&setup.interfaces[usize::from(row)]).with_stiffness(stiffness)
 }

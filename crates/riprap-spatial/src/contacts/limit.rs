@@ -362,7 +362,7 @@ pub(super) fn reach(world: &World) -> f64 {
 }
 
 /// How easily forces move and turn a block.
-pub(super) struct Ease {
+pub(crate) struct Ease {
     /// 1/kg.
     pub(super) mass: f64,
     /// 1/(kg m²).
@@ -374,7 +374,7 @@ pub(super) struct Ease {
 }
 
 impl Ease {
-    pub(super) fn of(world: &World, shapes: &[Shape], b: usize) -> Self {
+    pub(crate) fn of(world: &World, shapes: &[Shape], b: usize) -> Self {
         let [free, turns] = world.freedoms(b);
         let solid = world.solid_of(b);
         let diagonal = Vec3::new(
@@ -393,7 +393,7 @@ impl Ease {
     }
 
     /// `1/m + (h² + 2 A/3)/I`.
-    pub(super) fn of_area(&self, area: f64) -> f64 {
+    pub(crate) fn of_area(&self, area: f64) -> f64 {
         self.mass + (self.height + 2.0 * area / 3.0).min(self.reach) * self.inertia
     }
 }

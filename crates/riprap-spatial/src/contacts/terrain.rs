@@ -24,7 +24,7 @@ use crate::world::{Bodies, Turned, World};
 const REACH: f64 = 1.0;
 /// Share of the stable step: the stiffness grows with the area. In the square not much more than half of that of pairs (0.56), since a block may lie
 /// on terrain and on others at once and both limits are found apart.
-pub(super) const SAFETY: f64 = 0.15;
+pub(crate) const SAFETY: f64 = 0.15;
 /// Share of the time until a block can touch that a step may take.
 const APPROACH: f64 = 0.25;
 
@@ -36,7 +36,7 @@ impl World {
     }
 
     /// Whether terrain acts on block `b`.
-    pub(super) fn meets_terrain(&self, b: usize) -> bool {
+    pub(crate) fn meets_terrain(&self, b: usize) -> bool {
         self.alive[b] && self.is_free(b) && !self.deforms(b) && !self.is_terrain(b)
     }
 }

@@ -11,6 +11,7 @@
 //!
 //! Cutting ([`cut`]) appends the nodes of the parts and makes their facets anew; [`store::Deform::retire`] takes blocks out.
 
+pub(crate) mod area;
 pub mod bonds;
 pub mod build;
 pub(crate) mod contact;
@@ -28,8 +29,6 @@ pub mod stable;
 pub mod step;
 mod turn;
 mod workspace;
-
-pub use contact::outlook;
 
 use super::state::world::World;
 

@@ -1,5 +1,9 @@
 //! Cracks as surfaces: the outlines of facets that have lost bonds, with area, mode, time and opening.
 
+use riprap_geom::Vec3;
+
+use crate::deform::area::Area;
+use crate::deform::cut::tip::{broken, near};
 use crate::deform::shape::outline;
 use crate::deform::store::{Deform, State};
 use crate::frame::{Column, Surfaces};
@@ -46,6 +50,68 @@ pub fn surfaces(view: &View<'_>) -> Option<Surfaces> {
         .map(|(k, (name, unit))| Column::scalar(name, unit, rows.iter().map(|r| r[k]).collect()))
         .collect();
     Some(out)
+}
+
+/// Mean over the area of broken facets of the squared components of their normals.
+#[must_use]
+pub fn fabric(deform: &Deform) -> Vec3 {
+    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
+    for k in broken(deform) {
+        let facet = &deform.facets[k];
+        let n = facet.frame[0];
+        sum += facet.area * n * n;
+        area += facet.area;
+    }
+    sum / area
+}
+
+/// Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0 of the
+/// file, m; `origin` is that of the local frame.
+#[must_use]
+pub fn away(deform: &Deform, origin: Vec3) -> Vec3 {
+    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
+    for k in broken(deform) {
+        let facet = &deform.facets[k];
+        sum += facet.area * (facet.centre + origin).abs();
+        area += facet.area;
+    }
+    sum / area
+}
+
+/// Distance (m) of a point (local) from the nearest broken facet, at the start.
+#[must_use]
+pub fn distance(view: &View<'_>, at: Vec3) -> f64 {
+    let Some((deform, _)) = view.deformables() else {
+        return f64::NAN;
+    };
+    let distances = broken(deform).map(|k| {
+        let facet = &deform.facets[k];
+        Area::new(outline(view.world, facet), facet.frame[0]).distance(at)
+    });
+    distances.fold(f64::INFINITY, f64::min)
+}
+
+/// Distance (m) from a point (local) along a unit vector to the nearest broken facet that the line meets, at the start;
+/// infinite where there is none.
+#[must_use]
+pub fn offset(view: &View<'_>, at: Vec3, along: Vec3) -> f64 {
+    let Some((deform, _)) = view.deformables() else {
+        return f64::NAN;
+    };
+    let near = near(view.world, deform);
+    let hits = broken(deform).filter_map(|k| {
+        let facet = &deform.facets[k];
+        let area = Area::new(outline(view.world, facet), facet.frame[0]);
+        let slope = area.normal.dot(along);
+        let first = *area.corners.first()?;
+        let s = area.normal.dot(first - at) / slope;
+        // Along the facet the slope is zero, and nothing is met.
+        (s.is_finite() && area.holds(at + s * along, near)).then_some(s)
+    });
+    hits.fold(
+        f64::INFINITY,
+        |best, s| if s.abs() < best.abs() { s } else { best },
+    )
 }
 
 /// Facet, blocks, broken area (m²), mode (1 tension, 2 shear, by area), time of the first break (s), mean opening and

@@ -12,6 +12,7 @@ use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find}
 use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
 use crate::read::bolts;
+use crate::read::cracks;
 use crate::read::crater::UPLIFT;
 use crate::read::deformable::Motion;
 use crate::read::heap;
@@ -379,8 +380,8 @@ fields! {
     "model.broken_tension" "m2" Model Scalar true "Area of bonds broken by tension." |v, _| one(v.deformables().map_or(0.0, |s| s.0.broken_area[0]));
     "model.broken_shear" "m2" Model Scalar true "Area of bonds broken by shear." |v, _| one(v.deformables().map_or(0.0, |s| s.0.broken_area[1]));
     "model.broken_facets" "-" Model Scalar true "Number of facets more than half of whose springs are broken." |v, _| one(v.deformables().map_or(0, |s| tip::broken(s.0).count()) as f64);
-    "model.crack_fabric" "-" Model Vector3 true "Mean over the area of broken facets of the squared components of their normals: (0.75, 0.25, 0) for cracks at 30 degrees to y in the plane across z." |v, _| v.deformables().map_or(Vec3::NAN, |s| tip::fabric(s.0));
-    "model.crack_away" "m" Model Vector3 true "Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0, as x, y, z." |v, _| v.deformables().map_or(Vec3::NAN, |s| tip::away(s.0, v.world.setup.origin));
+    "model.crack_fabric" "-" Model Vector3 true "Mean over the area of broken facets of the squared components of their normals: (0.75, 0.25, 0) for cracks at 30 degrees to y in the plane across z." |v, _| v.deformables().map_or(Vec3::NAN, |s| cracks::fabric(s.0));
+    "model.crack_away" "m" Model Vector3 true "Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0, as x, y, z." |v, _| v.deformables().map_or(Vec3::NAN, |s| cracks::away(s.0, v.world.setup.origin));
     "model.break_events" "-" Model Scalar true "Number of times that bonds have broken in static phases, each followed by a new equilibrium." |v, _| one(v.deformables().map_or(0, |s| s.0.breaks) as f64);
     "model.peak_share" "-" Model Scalar true "Largest of 1/utilisation over the times that bonds have broken in static phases: the share of the load that the rock carried at most, as far as it is linear between them." |v, _| one(v.deformables().map_or(0.0, |s| s.0.peak_share));
     "model.cut_blocks" "-" Model Scalar true "Number of blocks that have been cut, parts that were cut again included." |v, _| one(v.deformables().map_or(0, |s| s.0.cut_blocks) as f64);
@@ -465,7 +466,7 @@ impl Reading {
     pub fn value(&self, view: &View<'_>) -> f64 {
         let get = FIELDS[self.index].get;
         if self.info().name == "block.crack_distance" {
-            return self.at.map_or(f64::NAN, |at| tip::distance(view, at));
+            return self.at.map_or(f64::NAN, |at| cracks::distance(view, at));
         }
         if self.info().name == "block.crack_offset" {
             let axis = match self.part {
@@ -475,7 +476,7 @@ impl Reading {
                     .find(|e| part.of(&e.to_array()) == Some(1.0)),
             };
             let both = self.at.zip(axis);
-            return both.map_or(f64::NAN, |(at, axis)| tip::offset(view, at, axis));
+            return both.map_or(f64::NAN, |(at, axis)| cracks::offset(view, at, axis));
         }
         let found;
         let of: &[u32] = match (self.at, self.info().site) {

@@ -11,6 +11,7 @@ pub mod deformable;
 pub mod fields;
 mod fragments;
 mod heap;
+pub mod outlook;
 pub mod peaks;
 pub mod picture;
 mod stress;

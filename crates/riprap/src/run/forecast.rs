@@ -16,7 +16,7 @@ use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
 use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
 use crate::setup::Setup;
-use crate::spatial::contacts::can_give_way;
+use crate::spatial::read::outlook::can_give_way;
 use crate::spatial::setup::{BoundaryKind, Shape};
 
 /// Most CPU time spent on the first trial steps, and on all where more than those are done; four steps are done in any case.

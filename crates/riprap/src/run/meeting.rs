@@ -6,10 +6,9 @@ use super::engine::View;
 use crate::plan::Plan;
 use crate::planar;
 use crate::scenario::diagnostic::list;
-use crate::spatial::contacts::{self, Meets};
-use crate::spatial::deform;
+use crate::spatial::contacts;
 use crate::spatial::found::limits;
-use crate::spatial::view::View as SpatialView;
+use crate::spatial::read::outlook::{self, Meets};
 
 /// Depth under a block's own weight, over its size, from which contacts are too soft for it.
 const PRESSED: f64 = 0.01;
@@ -63,7 +62,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
         View::Spatial(of) => of,
     };
     let world = of.world;
-    for (name, keys) in contacts::unjoined(world) {
+    for (name, keys) in outlook::unjoined(world) {
         let verb = if keys.len() == 1 { "has" } else { "have" };
         found.push(format!(
             "{} of {name} {verb} no effect: no joint of the model has this interface, and blocks that meet anew do not read it",
@@ -92,7 +91,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
             meeting.unread.join(", ")
         ));
     }
-    let blocks = meets(of);
+    let blocks = outlook::outlook(of);
     found.extend(soft(&view_name(view), world, &blocks));
     found
 }
@@ -180,17 +179,10 @@ fn soft(
     found
 }
 
-/// All blocks that can meet others, rigid ones first.
-fn meets(of: &SpatialView<'_>) -> Vec<Meets> {
-    let mut blocks = contacts::outlook(of.world);
-    blocks.extend(deform::outlook(of));
-    blocks
-}
-
 /// What `check` says of blocks that can meet; `None` where none can.
 pub(super) fn outlook(view: &View<'_>) -> Option<Outlook> {
     let of = view.spatial()?;
-    let blocks = meets(&of);
+    let blocks = outlook::outlook(&of);
     let least =
         |get: &dyn Fn(&Meets) -> f64| blocks.iter().min_by(|a, b| get(a).total_cmp(&get(b)));
     let stop = least(&Meets::stop_speed)?;

@@ -13,12 +13,10 @@
 mod act;
 mod law;
 mod limit;
-mod outlook;
 mod part;
-mod search;
+pub(crate) mod search;
 
 pub(crate) use act::{act, depart};
-pub use outlook::outlook;
 pub(crate) use part::part;
 pub(crate) use search::refresh;
 
@@ -36,7 +34,7 @@ const LOOK: u64 = 16;
 ///
 /// # Errors
 /// A material that lacks moduli.
-fn between(
+pub(crate) fn between(
     setup: &Setup,
     ends: [u32; 2],
     rigid: [bool; 2],

@@ -477,7 +477,7 @@ fn member(
 }
 
 /// Area that each node stands for and that of the largest face, m².
-pub(super) fn shown(class: &BlockClass) -> (Vec<f64>, f64) {
+pub(crate) fn shown(class: &BlockClass) -> (Vec<f64>, f64) {
     let mut areas = vec![0.0; class.mesh.nodes.len()];
     let mut largest = 0.0_f64;
     for face in 0..class.faces.len() {

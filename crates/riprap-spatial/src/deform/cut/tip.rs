@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Polyhedron;
 
+use crate::deform::area::Area;
 use crate::deform::shape::{centred, outline};
 use crate::deform::store::Deform;
-use crate::read::view::View;
 use crate::setup::deform::CutAnchor as Anchor;
 use crate::world::World;
 
@@ -37,68 +37,6 @@ impl Tip {
     #[must_use]
     pub fn leads_to(&self, place: Vec3) -> bool {
         self.heading.dot((place - self.at).normalize_or_zero()) > AHEAD
-    }
-}
-
-/// Outline of a facet.
-struct Area {
-    corners: Vec<Vec3>,
-    normal: Vec3,
-    low: Vec3,
-    high: Vec3,
-}
-
-impl Area {
-    fn new(corners: Vec<Vec3>, normal: Vec3) -> Self {
-        let low = corners.iter().fold(Vec3::INFINITY, |m, p| m.min(*p));
-        let high = corners.iter().fold(Vec3::NEG_INFINITY, |m, p| m.max(*p));
-        Self {
-            corners,
-            normal,
-            low,
-            high,
-        }
-    }
-
-    /// Whether a point is on it, its rim included.
-    fn holds(&self, at: Vec3, near: f64) -> bool {
-        let slack = Vec3::splat(near);
-        if at.cmplt(self.low - slack).any() || at.cmpgt(self.high + slack).any() {
-            return false;
-        }
-        let count = self.corners.len();
-        (self.normal.dot(at - self.corners[0])).abs() <= near
-            && (0..count).all(|k| {
-                let (p, q) = (self.corners[k], self.corners[(k + 1) % count]);
-                let inward = self.normal.cross(q - p).normalize_or_zero();
-                inward.dot(at - p) >= -near
-            })
-    }
-}
-
-impl Area {
-    /// Mean of the corners, m.
-    fn middle(&self) -> Vec3 {
-        self.corners.iter().copied().sum::<Vec3>() / self.corners.len() as f64
-    }
-
-    /// Distance of a point, m.
-    fn distance(&self, at: Vec3) -> f64 {
-        let Some(&first) = self.corners.first() else {
-            return f64::INFINITY;
-        };
-        let foot = at - self.normal.dot(at - first) * self.normal;
-        if self.holds(foot, 0.0) {
-            return foot.distance(at);
-        }
-        let count = self.corners.len();
-        let edges = (0..count).map(|k| {
-            let (p, q) = (self.corners[k], self.corners[(k + 1) % count]);
-            let along = q - p;
-            let share = (at - p).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
-            at.distance(p + share.clamp(0.0, 1.0) * along)
-        });
-        edges.fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -188,7 +126,7 @@ fn root(world: &World, deform: &Deform, block: u32) -> u32 {
 }
 
 /// Length below which points are the same, m.
-fn near(world: &World, deform: &Deform) -> f64 {
+pub(crate) fn near(world: &World, deform: &Deform) -> f64 {
     let given = deform.given.unwrap_or(u32::MAX);
     // Of blocks as given: the length must not shrink as they are cut.
     let bodies = deform.bodies.iter().filter(|b| b.block < given);
@@ -200,32 +138,6 @@ fn near(world: &World, deform: &Deform) -> f64 {
 /// Numbers of the broken facets.
 pub fn broken(deform: &Deform) -> impl Iterator<Item = usize> + '_ {
     (0..deform.facets.len()).filter(|k| is_broken(deform, *k))
-}
-
-/// Mean over the area of broken facets of the squared components of their normals.
-#[must_use]
-pub fn fabric(deform: &Deform) -> Vec3 {
-    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
-    for k in broken(deform) {
-        let facet = &deform.facets[k];
-        let n = facet.frame[0];
-        sum += facet.area * n * n;
-        area += facet.area;
-    }
-    sum / area
-}
-
-/// Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0 of the
-/// file, m; `origin` is that of the local frame.
-#[must_use]
-pub fn away(deform: &Deform, origin: Vec3) -> Vec3 {
-    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
-    for k in broken(deform) {
-        let facet = &deform.facets[k];
-        sum += facet.area * (facet.centre + origin).abs();
-        area += facet.area;
-    }
-    sum / area
 }
 
 /// Whether more than half of the points of facet `k` are broken.
@@ -295,40 +207,4 @@ pub fn may_break(world: &World, deform: &Deform) -> Option<BTreeMap<u32, Vec<usi
         chosen.retain(|_, tips| !tips.is_empty());
     }
     Some(chosen)
-}
-
-/// Distance (m) of a point (local) from the nearest broken facet, at the start.
-#[must_use]
-pub fn distance(view: &View<'_>, at: Vec3) -> f64 {
-    let Some((deform, _)) = view.deformables() else {
-        return f64::NAN;
-    };
-    let distances = broken(deform).map(|k| {
-        let facet = &deform.facets[k];
-        Area::new(outline(view.world, facet), facet.frame[0]).distance(at)
-    });
-    distances.fold(f64::INFINITY, f64::min)
-}
-
-/// Distance (m) from a point (local) along a unit vector to the nearest broken facet that the line meets, at the start;
-/// infinite where there is none.
-#[must_use]
-pub fn offset(view: &View<'_>, at: Vec3, along: Vec3) -> f64 {
-    let Some((deform, _)) = view.deformables() else {
-        return f64::NAN;
-    };
-    let near = near(view.world, deform);
-    let hits = broken(deform).filter_map(|k| {
-        let facet = &deform.facets[k];
-        let area = Area::new(outline(view.world, facet), facet.frame[0]);
-        let slope = area.normal.dot(along);
-        let first = *area.corners.first()?;
-        let s = area.normal.dot(first - at) / slope;
-        // Along the facet the slope is zero, and nothing is met.
-        (s.is_finite() && area.holds(at + s * along, near)).then_some(s)
-    });
-    hits.fold(
-        f64::INFINITY,
-        |best, s| if s.abs() < best.abs() { s } else { best },
-    )
 }

@@ -4,10 +4,13 @@ use riprap_core::laws::behaviour::{Closure, Weakening};
 use riprap_core::laws::parameters::{Dashpots, Failure, JointLaw, Points};
 use riprap_geom::Vec3;
 
-use super::constants::law;
-use super::limit::Ease;
-use super::terrain::SAFETY;
-use super::{make_shapes, roles};
+use super::view::View;
+use crate::contacts::limit::Ease;
+use crate::contacts::terrain::SAFETY;
+use crate::contacts::{constants, joined, make_shapes, roles};
+use crate::deform::contact::between;
+use crate::deform::contact::search::shown;
+use crate::found::cells::peak;
 use crate::found::desk::Desk;
 use crate::found::{Role, limits};
 use crate::world::World;
@@ -57,9 +60,16 @@ impl Meets {
     }
 }
 
-/// All rigid blocks that can come together with others, or with terrain; none where found contact is off.
+/// All blocks that can come together with others, or with terrain, the rigid ones first; none where found contact is off.
 #[must_use]
-pub fn outlook(world: &World) -> Vec<Meets> {
+pub fn outlook(view: &View<'_>) -> Vec<Meets> {
+    let mut blocks = rigid(view.world);
+    blocks.extend(deformable(view));
+    blocks
+}
+
+/// The rigid ones.
+fn rigid(world: &World) -> Vec<Meets> {
     let roles = roles(world);
     if !world.setup.found_contacts || world.found.roles.len() != roles.len() {
         return Vec::new();
@@ -89,7 +99,7 @@ pub fn outlook(world: &World) -> Vec<Meets> {
                 let materials = ends.map(|b| usize::from(world.setup.blocks[b as usize].material));
                 let row = materials[0] * world.setup.materials.len() + materials[1];
                 let row = world.setup.pair_table[row];
-                (row, law(&world.setup, ends, [inradius; 2]))
+                (row, constants::law(&world.setup, ends, [inradius; 2]))
             });
             let laws: Vec<_> = laws.collect();
             let softest = laws
@@ -115,6 +125,59 @@ pub fn outlook(world: &World) -> Vec<Meets> {
                 face,
                 speed: (world.bodies.velocity(b) - still).length() + spin,
                 step: steps.fold(f64::INFINITY, f64::min),
+            })
+        })
+        .collect()
+}
+
+/// The deformable ones. A block counts as deep as its centre lies
+/// below its surface. How long steps may be is left open ([`Meets::step`] is infinite): their own waves are faster as a rule.
+fn deformable(view: &View<'_>) -> Vec<Meets> {
+    let View { world, scratch } = view;
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
+        return Vec::new();
+    };
+    let roles = &world.found.deformable.roles;
+    // One block of each material and kind stands for all, as in `check`.
+    let count = world.setup.materials.len();
+    let mut partner = vec![[None; 2]; count];
+    for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
+        let material = usize::from(world.setup.blocks[b].material);
+        partner[material][usize::from(world.deforms(b))].get_or_insert(b as u32);
+    }
+    let still = still(world);
+    let seekers = (0..roles.len()).filter(|b| roles[*b] == Role::Seeker);
+    let seekers = seekers.filter_map(|b| Some((b, deform.body(b)?)));
+    seekers
+        .filter_map(|(b, body)| {
+            let solid = world.solid_of(b);
+            let class = work.class(body);
+            let depth = peak(&class.mesh);
+            let own = usize::from(world.setup.blocks[b].material);
+            let partners = partner.iter().enumerate().flat_map(|(material, of)| {
+                let kinds = of.iter().enumerate();
+                kinds.filter_map(move |(deforms, other)| Some((material, deforms, (*other)?)))
+            });
+            let laws = partners.filter_map(|(material, deforms, other)| {
+                let rigid = [false, deforms == 0];
+                let law = between(&world.setup, [b as u32, other], rigid, [depth; 2]).ok()?;
+                let row = world.setup.pair_table[own * count + material];
+                Some((row, law.normal_stiffness))
+            });
+            let (row, stiffness) = laws.min_by(|a, b| a.1.total_cmp(&b.1))?;
+            let nodes = deform.nodes.velocity[body.nodes()].iter();
+            let speeds = nodes.map(|v| (Vec3::from_array(*v) - still).length());
+            let density = world.setup.materials[own].density;
+            Some(Meets {
+                block: b as u32,
+                row,
+                stiffness,
+                inradius: depth,
+                size: libm::cbrt(solid.mass / density),
+                mass: solid.mass,
+                face: shown(class).1,
+                speed: speeds.fold(0.0, f64::max),
+                step: f64::INFINITY,
             })
         })
         .collect()
@@ -148,15 +211,6 @@ pub fn unjoined(world: &World) -> Vec<(String, Vec<&'static str>)> {
     rows.filter(|(_, keys)| !keys.is_empty()).collect()
 }
 
-/// Whether a joint of the model has the interface, for each of them.
-pub(super) fn joined(world: &World) -> Vec<bool> {
-    let mut joined = vec![false; world.setup.interfaces.len()];
-    for class in &world.patches.class {
-        joined[usize::from(world.classes[*class as usize].row)] = true;
-    }
-    joined
-}
-
 /// What a law says that joints alone read, but for cohesion and tension; that an elastic one has a strength has been told.
 fn of_joints(law: &JointLaw) -> Vec<&'static str> {
     let breaks = law.strength.is_some();
@@ -182,7 +236,7 @@ fn of_joints(law: &JointLaw) -> Vec<&'static str> {
 }
 
 /// Velocity that nobody is hit with: none where something is held, else that of the centre of mass, m/s.
-pub(crate) fn still(world: &World) -> Vec3 {
+fn still(world: &World) -> Vec3 {
     let (mut mass, mut momentum) = (0.0, Vec3::ZERO);
     for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
         if world.is_terrain(b) || world.motion[b].is_some() {
