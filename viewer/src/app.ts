@@ -415,11 +415,13 @@ export class App {
 
   /** Asks a running run for news until it ends. */
   private news(): void {
+    // One after the other, not at intervals: a slow answer would be asked for again before it has come.
     setTimeout(async () => {
       const good = this.panes.map((p) => p.view.run);
       try {
         const other = await Promise.all(good.map((r) => r.refresh()));
         if (other.some(Boolean)) {
+          // Another run has the folder: blocks, names and memory are all of the old one.
           location.reload();
           return;
         }

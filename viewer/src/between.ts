@@ -13,6 +13,7 @@ function twinsOf(blocks: Blocks): Map<number, number> {
     for (let k = 0; k < twins.length; k += 2) {
       const i = blockOf[twins[k]!]!;
       const j = blockOf[twins[k + 1]!]!;
+      // One number for a pair in either order; exact, since no page holds 2^26 blocks.
       between.set(Math.min(i, j) * count + Math.max(i, j), k);
     }
     known.set(blocks, between);

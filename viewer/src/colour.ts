@@ -38,6 +38,7 @@ const probe = document.createElement("canvas").getContext("2d", { willReadFreque
 
 /** Red, green, blue of 0 to 255. */
 export function rgb(css: string): [number, number, number] {
+  // What is no colour is ignored by the canvas: it is black then, not the colour of the last call.
   probe.fillStyle = "#000";
   probe.fillStyle = css;
   probe.fillRect(0, 0, 1, 1);
@@ -61,6 +62,7 @@ export class Scale {
   constructor() {
     this.texture = new THREE.DataTexture(this.data, 2 * STEPS, 1);
     this.texture.colorSpace = THREE.SRGBColorSpace;
+    // Between the colours of two kinds, or of a value and of none, there is nothing.
     this.texture.magFilter = THREE.NearestFilter;
     this.texture.minFilter = THREE.NearestFilter;
     this.paint("light");

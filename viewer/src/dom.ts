@@ -53,6 +53,7 @@ export function save(data: Blob, name: string): void {
   document.body.append(link);
   link.click();
   link.remove();
+  // The browser begins to read after the click, and does not say when it has.
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 

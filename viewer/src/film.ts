@@ -72,6 +72,7 @@ export async function sequence(views: View[], settings: Settings, timeline: Time
     if (!progress(k / count)) return;
     await timeline.go(k);
     const blob = await blobOf(compose(views, settings, canvas));
+    // Stored as they are: a PNG is packed already.
     files[`frame_${String(k + 1).padStart(6, "0")}.png`] = [new Uint8Array(await blob.arrayBuffer()), { level: 0 }];
   }
   await timeline.go(back);

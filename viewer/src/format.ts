@@ -16,6 +16,7 @@ const PREFIXED = new Set(["m", "m/s", "m/s2", "Pa", "N", "N/m", "J", "J/m", "s",
 export function scaleFor(size: number, unit: string): { factor: number; unit: string } {
   if (unit === "-" || unit === "") return { factor: 1, unit: "" };
   if (!PREFIXED.has(unit) || !(size > 0) || !Number.isFinite(size)) return { factor: 1, unit };
+  // What would be rounded to 1000 has the next prefix already.
   const found = PREFIXES.find(([limit]) => size >= limit * 0.9995) ?? PREFIXES.at(-1)!;
   // Kilometres of displacement are metres here.
   if (unit.startsWith("m") && found[0] > 1) return { factor: 1, unit };
@@ -48,6 +49,7 @@ export function ticks(low: number, high: number, count = 5): number[] {
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= raw * 0.999) ?? 10 * power;
   const out: number[] = [];
+  // Multiples of the step, since a sum of steps would drift away from round numbers.
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) out.push(k * step);
   return out;
 }

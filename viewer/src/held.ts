@@ -11,6 +11,7 @@ export interface Names {
 
 /** Name of a block by its number; empty where it has none. */
 export function nameOf(names: Names, id: number): string {
+  // Entries ascend by their first number.
   const run = names.blocks.findLast((r) => r.first <= id);
   if (!run || id >= run.first + (run.count ?? 1)) return "";
   return run.from === undefined ? run.name : `${run.name}.${run.from + id - run.first}`;

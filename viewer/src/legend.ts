@@ -25,6 +25,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
     if (scale.kinds) {
       out.title = settings.field;
       const kinds = [...new Set(view.values)].filter(Number.isFinite).sort((a, b) => a - b);
+      // Of more kinds two would have one colour.
       if (kinds.length <= 10) {
         out.marks = kinds.map((k, i) => ({ at: i, text: kindName(view.run, settings.field, k), colour: kindColour(k) }));
       }

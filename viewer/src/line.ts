@@ -45,6 +45,7 @@ function insideConvex({ positions, corners, facesOf, faceEnds }: Solids, block: 
       v.fromArray(positions, 3 * corners[k + 1]!).sub(corner);
       normal.add(u.cross(v));
     }
+    // Of any length: only signs and ratios are read.
     const [da, db] = [normal.dot(u.subVectors(a, corner)), normal.dot(v.subVectors(b, corner))];
     if (da >= 0 && db >= 0) return [1, 0];
     const at = da / (da - db);

@@ -34,6 +34,7 @@ function arrowShape(flat: boolean): THREE.BufferGeometry {
   const shaft = new THREE.CylinderGeometry(0.025, 0.025, 0.7, 5).translate(0, 0.35, 0);
   const head = new THREE.ConeGeometry(0.09, 0.3, 8).translate(0, 0.85, 0);
   const merged = new THREE.BufferGeometry();
+  // Both number their corners from 0.
   const parts = [shaft.toNonIndexed(), head.toNonIndexed()];
   for (const name of ["position", "normal"]) {
     const arrays = parts.map((p) => p.getAttribute(name).array as Float32Array);
@@ -71,6 +72,7 @@ export class Arrows {
     const some: number[] = [];
     for (let i = 0; i < count; i++) {
       const size = Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!);
+      // Before they are thinned out, so that what cannot be seen takes no place of what can.
       if (size > longest * 0.01 && Number.isFinite(places[3 * i]!)) some.push(i);
     }
     const step = Math.max(1, Math.ceil(some.length / ARROWS));

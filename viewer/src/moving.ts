@@ -12,6 +12,7 @@ export interface Corners {
 export function moveInPlane(blocks: Corners, shifts: Float32Array, turns: Float32Array, s: number): void {
   const { rest, positions, offsets, middles } = blocks;
   for (let b = 0; b < blocks.count; b++) {
+    // What a turn adds to an arm: that alone is multiplied by `s`.
     const c = Math.cos(turns[b]!) - 1;
     const n = Math.sin(turns[b]!);
     const dx = shifts[2 * b]!;

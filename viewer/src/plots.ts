@@ -197,6 +197,7 @@ export class Plots {
           width: 1.4,
           ...(c.dash ? { dash: [6, 4] } : {}),
           points: { show: c.x.length < 40 && along === undefined, size: 4 },
+          // Along a line there is nothing between blocks; a history goes on over rows without its value.
           spanGaps: along === undefined,
           value: (_: uPlot, v: number | null) => (v === null || v === undefined ? "–" : short(v)),
         })),

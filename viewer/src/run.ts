@@ -199,6 +199,7 @@ export class Run {
       this.memory.clear();
       this.held = 0;
     }
+    // A new frame may have larger values.
     if (next.times?.length !== this.summary.times?.length) this.ranges.clear();
     this.summary = next;
     return other;
@@ -345,6 +346,7 @@ export class Run {
   /** The last frame not later than a moment. */
   frameAt(moment: Pick<Moment, "time" | "nth">): number {
     const all = this.moments();
+    // Times of runs that are shown side by side are sums of different steps.
     const slack = 1e-9 * Math.abs(moment.time);
     let low = 0;
     let high = all.length;
@@ -362,6 +364,7 @@ export class Run {
     const known = this.memory.get(key);
     if (known) {
       this.memory.delete(key);
+      // Behind all others: those asked for longest ago are let go first.
       this.memory.set(key, known);
       return known.answer as Promise<Packet<T>>;
     }
@@ -374,12 +377,14 @@ export class Run {
         this.held += packet.bytes;
         for (const [name, old] of this.memory) {
           if (this.held < MEMORY) break;
+          // What is still on its way has no size, and somebody waits for it.
           if (old !== entry && old.bytes > 0) {
             this.memory.delete(name);
             this.held -= old.bytes;
           }
         }
       },
+      // A failure is not kept: the file may be whole the next time.
       () => this.memory.delete(key),
     );
     return answer;

@@ -46,6 +46,7 @@ export class Stage {
     }
     // Smooth edges cost a processor more than all else.
     const software = drawnBySoftware();
+    // Kept after drawing, since saved pictures are read from the canvas.
     this.renderer = new THREE.WebGLRenderer({ antialias: !software, preserveDrawingBuffer: true });
     this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
@@ -131,6 +132,7 @@ export class Stage {
       this.camera.position.set(centre.x, centre.y, centre.z + 100);
       this.frameOrthographic(size);
     } else {
+      // Looking along `up` itself the camera would not know what is right and left.
       const standing = { default: [-0.55, 0.62, 1], x: [1, 0, 0], y: [0, 1, 0.001], z: [0, 0, 1] } as const;
       const lying = { default: [-0.55, -1, 0.62], x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1] } as const;
       const ways = this.up === "y" ? standing : lying;

@@ -83,6 +83,7 @@ class Crosses {
     for (const b of drawn) {
       for (let k = 0; k < 3; k++) {
         const size = way.fromArray(arms, 9 * b + 3 * k).length();
+        // Too short to be seen; what is no number is left out with it.
         if (!(size > 0.01 * longest)) continue;
         one.position.fromArray(places, 3 * b);
         one.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(size));

@@ -20,6 +20,7 @@ pub fn si(value: f64, unit: &str) -> String {
         return format!("{value} {unit}");
     }
     let size = value.abs();
+    // What would be rounded to 1000 has the next prefix already.
     match PREFIXES.iter().find(|(scale, _)| size >= *scale * 0.9999) {
         Some((scale, prefix)) if size < 1e15 => {
             format!("{} {prefix}{unit}", digits(value / scale))
@@ -30,6 +31,7 @@ pub fn si(value: f64, unit: &str) -> String {
 
 /// Three significant digits for 1 to 1000, without trailing zeros.
 fn digits(value: f64) -> String {
+    // The bounds of what is rounded: 9.996 is written 10.
     let decimals = match value.abs() {
         v if v < 9.995 => 2,
         v if v < 99.95 => 1,

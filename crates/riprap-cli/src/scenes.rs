@@ -39,6 +39,7 @@ fn meant(file: &Path) -> Option<PathBuf> {
         .filter_map(|entry| entry.file_name().into_string().ok())
         .filter(|name| name.ends_with(".toml"))
         .collect();
+    // A folder is listed in any order; of names that are as near the same one is to be offered.
     names.sort();
     let name = file.file_name()?.to_string_lossy();
     let with_end = format!("{}.toml", name.trim_end_matches(".toml"));

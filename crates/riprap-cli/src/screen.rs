@@ -10,6 +10,7 @@ use crate::diagnostics;
 /// such as a full disk behind a redirection, ends it with the code for unwritten results.
 pub fn print(text: &str) {
     let mut out = std::io::stdout().lock();
+    // Flushed at once: at the end of the program nobody would see the error.
     if let Err(error) = out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         if error.kind() == ErrorKind::BrokenPipe {
             std::process::exit(0);

@@ -9,6 +9,7 @@ impl Chance {
     #[must_use]
     pub fn new(seed: u64) -> Self {
         let mut chance = Self(seed);
+        // The first numbers of neighbouring seeds are nearly the same.
         chance.below(2);
         chance
     }
@@ -19,6 +20,7 @@ impl Chance {
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
+        // The low bits of such a generator repeat soon.
         usize::try_from(self.0 >> 33).unwrap_or(0) % limit.max(1)
     }
 

@@ -59,6 +59,7 @@ pub fn asc(bytes: &[u8]) -> bool {
 }
 
 pub fn stl(bytes: &[u8]) -> bool {
+    // Both in any case: what one refuses the other may fail on.
     let (solids, surface) = (
         stl::parse_stl(bytes).is_ok(),
         stl::parse_surface(bytes).is_ok(),

@@ -23,6 +23,7 @@ impl Chance {
 
     /// Normal with mean 0 and deviation 1 (Box and Muller's cosine half; two draws each).
     pub(crate) fn normal(&mut self) -> f64 {
+        // In (0, 1]: the logarithm of 0 would be infinite.
         let u = 1.0 - self.unit();
         let v = self.unit();
         libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
@@ -31,6 +32,7 @@ impl Chance {
     /// Uniform whole number from low to high, both included.
     pub(crate) fn whole(&mut self, low: usize, high: usize) -> usize {
         let span = (high - low + 1) as u128;
+        // The upper half of the product: one draw each, and a bias of span/2^64 at most.
         low + ((u128::from(self.0.next_u64()) * span) >> 64) as usize
     }
 }

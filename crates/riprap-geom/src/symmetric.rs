@@ -32,6 +32,7 @@ pub fn principal_axes(m: &Mat3) -> ([f64; 3], [Vec3; 3]) {
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| a[j][j].total_cmp(&a[i][i]));
     let [x, y, z] = order.map(|k| axes[k]);
+    // An axis may look either way; the third gives in.
     let z = if x.cross(y).dot(z) < 0.0 { -z } else { z };
     (order.map(|k| a[k][k]), [x, y, z])
 }
@@ -42,6 +43,7 @@ fn turn(a: &mut [[f64; 3]; 3], axes: &mut [Vec3; 3], p: usize, q: usize) {
         return;
     }
     let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+    // The smaller of the two angles that do it, 45 degrees at most: with it the method converges.
     let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
     let c = 1.0 / (t * t + 1.0).sqrt();
     let s = t * c;

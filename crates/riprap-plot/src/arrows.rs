@@ -66,6 +66,7 @@ pub(super) fn draw(
     let Some(column) = column(frame, vectors).filter(|_| longest > 0.0) else {
         return;
     };
+    // As if the blocks shared the picture evenly.
     let spacing = (size[0] * size[1] / frame.blocks().max(1) as f64).sqrt();
     let reach = (LONGEST * 0.5 * (size[0] + size[1])).min((SPACINGS * spacing).max(20.0));
     let mut taken = BTreeSet::new();
@@ -75,6 +76,7 @@ pub(super) fn draw(
         let [x, y] = pixel(place(frame, vectors, i));
         let length = dx.hypot(dy);
         let cell = [x, y].map(|v| (v / CELL).floor() as i64);
+        // Asked last: an arrow that is not drawn takes no place from others.
         if length.is_finite() && length >= SHORTEST && taken.insert(cell) {
             arrow(page, [x, y], [x + dx, y + dy], length);
         }
@@ -91,6 +93,7 @@ fn arrow(page: &mut Page, from: [f64; 2], to: [f64; 2], length: f64) {
         [neck[0] - side * uy, neck[1] + side * ux],
         [neck[0] + side * uy, neck[1] - side * ux],
     ];
+    // A pale rim, or arrows would be lost on dark blocks.
     page.line(
         from,
         neck,

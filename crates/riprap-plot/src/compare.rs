@@ -123,6 +123,7 @@ pub fn compare(
 
 fn interpolated(line: &Line, x: f64) -> f64 {
     let i = line.x.partition_point(|v| *v < x);
+    // At a row of the reference itself: exact, and the first one has no row before it.
     if i < line.x.len() && line.x[i] == x {
         return line.y[i];
     }

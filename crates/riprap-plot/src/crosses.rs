@@ -79,6 +79,7 @@ pub(super) fn draw(
 fn cross(page: &mut Page, [x, y]: [f64; 2], stress: &Principal, scale: f64, half: f64) {
     let mut arms = [0, 1].map(|k| (stress.values[k], stress.axes[k]));
     arms.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    // Both rims first, so that neither covers an arm.
     for (rim, width) in [(true, 3.0), (false, 1.5)] {
         for (value, axis) in arms {
             let reach = (scale * value.abs()).min(half);

@@ -96,6 +96,7 @@ pub fn energy(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
         .filter(alive)
         .map(|s| curve(s, &time.values))
         .collect();
+    // Axes need a curve, where all terms are nil too.
     if curves.is_empty() {
         curves = terms
             .iter()

@@ -134,6 +134,7 @@ fn samples(frame: &Frame, charges: &[&Source], surface: bool) -> Result<Vec<Samp
             .map(|s| (s.distance(place), s.mass.unwrap_or(f64::NAN)))
             .min_by(|a, b| a.0.total_cmp(&b.0));
         let counts = speed[i] > 0.0 && !rising(i) && up.as_ref().is_none_or(|u| u[i] > 0.5);
+        // No distance has no logarithm.
         if let Some((distance, mass)) = nearest.filter(|n| counts && n.0 > 0.0) {
             out.push(Sample {
                 block: ids.map_or(i as f64, |c| c.data[i]),

@@ -193,6 +193,7 @@ pub fn spectrum(folder: &Path, history: &str, out: &Path) -> Result<Vec<PathBuf>
 
 /// The spectrum from one period in the record to where nothing is left, and a line at its peak.
 fn spectrum_curves(s: &Spectrum) -> Vec<Curve> {
+    // The place of one period is off by a rounding.
     let first = s.frequency.partition_point(|f| *f < 0.999 * s.resolution);
     let largest = s.amplitude[first..].iter().copied().fold(0.0, f64::max);
     let least = FAINTEST * largest;

@@ -85,6 +85,7 @@ impl Scale {
     /// Where a value stands between the ends, 0..1.
     pub(super) fn share(&self, v: f64) -> f64 {
         if self.log {
+            // What a logarithmic axis cannot show lies on its lower end.
             (v.max(self.low).log10() - self.low.log10()) / (self.high.log10() - self.low.log10())
         } else {
             (v - self.low) / (self.high - self.low)
@@ -133,6 +134,7 @@ impl Scale {
         }
         let step = round_step(self.high - self.low, count);
         let (unit, offset) = (10f64.powi(self.power()), self.offset());
+        // The logarithm of a power of ten is off by a rounding, which would add a decimal.
         let decimals = (-(step / unit).log10() - 1e-9).ceil().clamp(0.0, 9.0) as usize;
         let (first, last) = (
             (self.low / step - 1e-6).ceil() as i64,

@@ -129,6 +129,7 @@ fn inline(value: &Bound<'_, PyAny>, path: &str, depth: usize) -> PyResult<Option
 
 /// Paths as texts, NumPy numbers and arrays as numbers and lists.
 fn plain(value: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyAny>> {
+    // Texts and floats of NumPy are of Python's own kinds already.
     let known = value.is_instance_of::<PyString>() || value.is_instance_of::<PyFloat>();
     if !known && value.hasattr("__fspath__")? {
         return value.call_method0("__fspath__");

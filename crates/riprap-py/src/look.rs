@@ -100,6 +100,7 @@ impl Look {
                 return Ok(true);
             };
             let said = callback.bind(py).call1((Progress::from(look),))?;
+            // A function without `return` means nothing by it.
             Ok(said.is_none() || said.is_truthy()?)
         });
         match answer {

@@ -61,6 +61,7 @@ pub fn plot(
         "rose",
         "fragments",
     ];
+    // Any other word would be drawn as histories.
     if !known.contains(&what) {
         return Err(PyValueError::new_err(format!(
             "there is no picture {what:?}; pictures are {}",

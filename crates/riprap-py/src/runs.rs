@@ -37,6 +37,7 @@ pub fn run(
 ) -> PyResult<String> {
     let existing = existing(existing_folder)?;
     let prepared = scene.prepare(py, case)?;
+    // Errors have places in it, and the job takes the rest.
     let parsed = prepared.parsed.clone();
     let job = prepared.job();
     let outcome = with_look(py, callback, |look| {

@@ -37,6 +37,7 @@ pub fn open_plain(path: &Path) -> io::Result<File> {
         true => Ok(()),
         false => Err(io::Error::other("it is not a plain file")),
     };
+    // Before it is opened, since opening a pipe waits; and after, since another may have taken its place.
     plain(&fs::metadata(path)?)?;
     let file = File::open(path)?;
     plain(&file.metadata()?)?;

@@ -175,6 +175,7 @@ impl RunFolder {
                     });
                 }
                 (Existing::ReplaceRun, true) | (Existing::Force, _) => {
+                    // Refuses a folder that another process writes; not held, since its file goes too.
                     drop(lock(path)?);
                     clear(path)?;
                 }
@@ -417,6 +418,7 @@ impl RunFolder {
             step: frame.step,
             time: frame.time,
         });
+        // Last, so that the lists never name a file that is not whole.
         files::extend_lists(&self.path, &self.frames)?;
         Ok(&self.frames[self.frames.len() - 1])
     }
@@ -465,6 +467,7 @@ impl RunFolder {
         state: &T,
         packing: checkpoint::Packing,
     ) -> Result<PathBuf, OutputError> {
+        // The marks in a checkpoint count bytes that must be on the disk before it is.
         for series in [&self.histories, &self.energy].into_iter().flatten() {
             series.file.sync()?;
         }

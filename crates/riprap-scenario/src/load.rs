@@ -219,6 +219,7 @@ pub(super) fn syntax_error(text: &str, message: &str, span: Option<Span>) -> Dia
             .at(span)
             .help("keep one; repeated tables are written with double brackets, [[blocks]]");
     }
+    // Control characters, or no equals sign at all: another kind of file, whose first error would mean nothing.
     let odd = text
         .chars()
         .take(2000)

@@ -37,6 +37,7 @@ pub fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
                 "this is {}, an interval is expected",
                 dim.describe()
             ))),
+            // What begins with a digit was meant as a time, whose own error says more.
             Err(error) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(error),
             Err(_) => Err(wrong("this is no interval")),
         },

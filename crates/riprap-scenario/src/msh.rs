@@ -190,6 +190,7 @@ impl File {
                     let group = reader.int("the number of a group")?;
                     if k == 0 {
                         self.physical
+                            // A negative number tells the orientation of the entity, not another group.
                             .insert((dimension, tag), group.saturating_abs());
                     }
                 }
@@ -226,6 +227,7 @@ impl File {
                 let count = reader.size("the number of nodes")?;
                 reader.size("the lowest node number")?;
                 reader.size("the highest node number")?;
+                // Looked at only: each block says again how many it has.
                 reader.room(count, 8, "nodes")?;
                 let mut tags = Vec::new();
                 for _ in 0..reader.room(blocks, 8, "node blocks")? {
@@ -249,6 +251,7 @@ impl File {
                 }
             }
         }
+        // Searched, since numbers may be anything: a table up to the largest could be longer than memory.
         self.tags.sort_unstable();
         if let Some(pair) = self.tags.windows(2).find(|pair| pair[0].0 == pair[1].0) {
             return Err(reader.wrong(format!("two nodes have the number {}", pair[0].0)));

@@ -93,6 +93,7 @@ impl<'de> Deserialize<'de> for Names {
                 f.write_str("a name or a list of names")
             }
             fn visit_str<E>(self, value: &str) -> Result<Self::Value, E> {
+                // A single name stands where the whole value does.
                 Ok(vec![(value.to_owned(), 0..0)])
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(

@@ -139,6 +139,7 @@ fn find_entry<'a, 'i>(
     entries: &[&'a Spanned<DeValue<'i>>],
     word: &str,
 ) -> Option<&'a Spanned<DeValue<'i>>> {
+    // A name first, so that an entry whose name is a number can be reached.
     let named = entries
         .iter()
         .find(|entry| entry_name(entry).as_deref() == Some(word));

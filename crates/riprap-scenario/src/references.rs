@@ -142,6 +142,7 @@ impl<'a> References<'a> {
     /// Names of blocks as written; generated ones are known by their generator.
     fn is_block(&self, name: &str) -> bool {
         self.blocks.contains_key(name)
+            // At the last dot: the name of the generator may have some too.
             || name.rsplit_once('.').is_some_and(|(generator, number)| {
                 self.blocks.get(generator) == Some(&true)
                     && number.parse::<u32>().is_ok_and(|number| number > 0)

@@ -27,6 +27,7 @@ pub(super) fn check_quantity(
     let example = assignment(key, kind.example);
     let (value, dim) = match raw {
         Raw::Number(number) => {
+            // Where any dimension will do, the number is looked at again once its field is known.
             let bare_allowed = si || kind.dim.is_none() || kind.dim == Some(Dim::NONE);
             if !bare_allowed {
                 return Some(missing_unit(&number.to_string(), span, kind, key));

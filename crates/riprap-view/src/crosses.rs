@@ -35,6 +35,7 @@ pub fn wire(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
             *one = true;
         }
     }
+    // Range and length are those of what is drawn.
     let whole = blocks.iter().zip(&divided).filter(|(_, d)| !**d);
     let drawn: Vec<&Principal> = whole.map(|(b, _)| b).chain(&fine.stress).collect();
     let sizes: Vec<f64> = drawn.iter().map(|p| largest(&p.values)).collect();

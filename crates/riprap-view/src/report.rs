@@ -143,6 +143,7 @@ fn replay(out: &mut String, run: &Run, limits: Limits) {
     for note in &book.notes {
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(note));
     }
+    // No name in an answer may end the script that holds it.
     let answers = Value::Object(book.answers)
         .to_string()
         .replace('<', "\\u003c");

@@ -100,6 +100,7 @@ impl Server {
                         once: random()?,
                     });
                 }
+                // What is told is about the port that was asked for.
                 Err(error) => problem = problem.or(Some(error)),
             }
         }
@@ -126,6 +127,7 @@ impl Server {
     pub fn run(self) -> Result<(), ServerError> {
         let threads = std::thread::available_parallelism().map_or(2, |n| n.get().clamp(2, 4));
         let runtime = tokio::runtime::Builder::new_multi_thread()
+            // It only waits: answers are made on the threads for what blocks.
             .worker_threads(1)
             .max_blocking_threads(threads)
             .enable_all()
@@ -194,6 +196,7 @@ impl Context {
         {
             return Ok(format!("/{rest}"));
         }
+        // Looked at and used up in one: of two requests only one gets through.
         if same(key, &self.once) && rest.is_none() && !self.used.swap(true, Ordering::SeqCst) {
             let mut away = plain(StatusCode::SEE_OTHER, "");
             if let Ok(place) = HeaderValue::try_from(format!("/{}/", self.secret)) {
@@ -351,6 +354,7 @@ fn reply(code: StatusCode, kind: &'static str, body: Body) -> Response<Body> {
     let headers = response.headers_mut();
     for (name, value) in [
         (header::CONTENT_TYPE, kind),
+        // A run may go on, or another take its folder: the next answer may be another one.
         (header::CACHE_CONTROL, "no-store"),
         (header::CONTENT_SECURITY_POLICY, POLICY),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),

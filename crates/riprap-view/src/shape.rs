@@ -311,6 +311,7 @@ fn at_rest(frame: &Frame, shape: &Shape) -> Vec<Vec3> {
 impl Shape {
     /// Centroid of area or volume of block `b`, from the signed cones of its faces.
     fn centroid(&self, b: usize, points: &[Vec3]) -> Vec3 {
+        // Cones from a place near by: from a far origin their sum would lose its digits.
         let start = mean(&points[self.range(b)]);
         let (mut sum, mut weight) = (Vec3::ZERO, 0.0);
         for f in self.faces_of[b] as usize..self.faces_of[b + 1] as usize {

@@ -53,6 +53,7 @@ impl Wire {
         for v in values {
             self.body.extend_from_slice(&bytes(v));
         }
+        // Typed arrays of a page can only begin at multiples of the size of their numbers.
         pad(&mut self.body);
         self
     }

@@ -64,6 +64,7 @@ fn disk() -> String {
     let begun = Instant::now();
     let written = std::fs::File::create_new(&path).and_then(|mut file| {
         file.write_all(&vec![0x5a; SAMPLE])?;
+        // Else only memory would have been written.
         file.sync_all()
     });
     let seconds = begun.elapsed().as_secs_f64();

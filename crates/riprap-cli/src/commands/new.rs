@@ -67,6 +67,7 @@ fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(true);
     if !force {
+        // Refused by the system itself: what came to be there since is safe too.
         options.create_new(true);
     }
     options

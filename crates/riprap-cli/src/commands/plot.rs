@@ -33,6 +33,7 @@ pub fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let words = [
         "riprap".as_ref(),
         "plot".as_ref(),
+        // The name of a folder may begin with a dash.
         "--".as_ref(),
         folder.as_os_str(),
     ];
@@ -48,6 +49,7 @@ pub fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
     let folder = &args.run;
     run_folder(folder, "plot")?;
+    // No folder is left in what turns out to be no run.
     if args.output.is_none() && folder.join("manifest.json").exists() {
         let plots = folder.join("plots");
         std::fs::create_dir_all(&plots)
@@ -98,6 +100,7 @@ fn everything(folder: &Path, asked: &Asked) -> Result<Vec<PathBuf>, Failure> {
         match asked.drawn(what) {
             Ok(files) => all.extend(files),
             Err(PlotError::Unsuitable { .. } | PlotError::NothingToDraw { .. })
+                // What a run has nothing of, as a run in the plane of poles, is no news.
                 if OF_ANY.contains(&what) => {}
             // Nobody asked for this one by name.
             Err(

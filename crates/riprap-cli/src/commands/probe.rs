@@ -28,6 +28,7 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
     let threshold = args.threshold.as_deref().map(length).transpose()?;
     let touches = probe::touches(setup, threshold).map_err(|e| Failure::Physics(e.to_string()))?;
     let wanted = |touch: &&Touch| match args.pair.as_deref() {
+        // Nobody has to know which of the two the search found first.
         Some([a, b]) => {
             (touch.first == *a && touch.second == *b) || (touch.first == *b && touch.second == *a)
         }

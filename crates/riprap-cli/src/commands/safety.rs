@@ -84,6 +84,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         let answer = safety::search(setup, plan, &rules, threads, &stop, &mut report)?;
         (answer, job)
     };
+    // Before the mechanism is run, which takes as long again and may be stopped.
     write(
         &folder.join("safety.json"),
         &serde_json::json!(&answer).to_string(),

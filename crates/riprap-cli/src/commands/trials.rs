@@ -22,6 +22,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     if args.scene.change.case.is_some() {
         scene.cases = vec![scenes::case(&scene, &args.scene.change)?];
     }
+    // A slip in the last case is told now, not when all others have been run.
     sweep::check_all(&scene)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "sweep", args.force);
     make_folder(&folder, existing)?;
@@ -153,6 +154,7 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
 pub fn compare(args: &Compare) -> Result<(), Failure> {
     let scene = scenes::load(&args.scene.file, &args.scene.change)?;
     trials::comparable(&scene)?;
+    // A case that does not exist is refused before a folder is made.
     scenes::case(&scene, &args.scene.change)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "compare", args.force);
     make_folder(&folder, existing)?;

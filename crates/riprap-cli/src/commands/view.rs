@@ -71,6 +71,7 @@ fn watch(file: &Path, change: &Change, folder: &Path, style: Style, mut shown: L
     loop {
         std::thread::sleep(LOOK);
         let now = saved();
+        // Editors that put a new file in the place of the old one leave none for a moment.
         if now.is_none() || now == last {
             continue;
         }

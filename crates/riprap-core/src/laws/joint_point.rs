@@ -38,6 +38,7 @@ pub fn joint_point(law: &BondLaw, un: f64, us: f64, slip: f64, failed: bool) -> 
             failed: false,
         };
     }
+    // Open: it carries nothing, and its shear spring begins anew where it is.
     if sigma >= 0.0 {
         return Response {
             sigma: 0.0,

@@ -26,6 +26,7 @@ impl Bins {
         let wanted = PER_TRIANGLE * surface.triangles.len() as f64;
         let size = (extent.x * extent.y / wanted.max(1.0))
             .sqrt()
+            // Else a long and narrow surface would have any number of bins along it.
             .max(extent.max_element() / MOST);
         let mut bins = Self {
             low: [low.x, low.y],
@@ -41,6 +42,7 @@ impl Bins {
             })
             .collect();
         let [nx, ny] = bins.counts;
+        // Counted first, so that all lists lie in one array.
         let mut first = vec![0_u32; nx * ny + 1];
         let each = |[from, to]: &[[usize; 2]; 2], act: &mut dyn FnMut(usize)| {
             for j in from[1]..=to[1] {
@@ -104,6 +106,7 @@ impl Bins {
                 found.extend_from_slice(self.list(j * self.counts[0] + i));
             }
         }
+        // A triangle is in every bin that its box reaches into.
         found.sort_unstable();
         found.dedup();
     }

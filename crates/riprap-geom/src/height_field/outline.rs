@@ -35,6 +35,7 @@ pub(super) fn check(surface: &HeightField) -> Result<(), HeightFieldError> {
                     back.x * out.y - back.y * out.x,
                     back.x * out.x + back.y * out.y,
                 );
+                // Back along the edge that was come by is the last choice, a full turn, not the first.
                 if angle > 0.0 {
                     angle
                 } else {
@@ -47,6 +48,7 @@ pub(super) fn check(surface: &HeightField) -> Result<(), HeightFieldError> {
             take(&mut leaving, here, |to| *to == next);
             (from, here) = (here, next);
         }
+        // The outline runs anticlockwise, the rim of a hole clockwise.
         if area(&ring) <= 0.0 {
             let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
             let (low, high) = ring
@@ -85,6 +87,7 @@ fn area(ring: &[Vec3]) -> f64 {
     ring.iter()
         .zip(next)
         .map(|(a, b)| {
+            // From a corner of it: far from the origin the products would lose their digits.
             0.5 * ((a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y))
         })
         .sum()

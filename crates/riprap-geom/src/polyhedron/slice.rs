@@ -47,6 +47,7 @@ pub fn slice(solid: &Polyhedron, normal: Vec3, offset: f64) -> Sliced {
     let mut vertices = solid.vertices.clone();
     let mut crossings: BTreeMap<(u32, u32), u32> = BTreeMap::new();
     let mut crossing = |from: u32, to: u32| {
+        // Both faces of an edge ask, from either end, and must find the same bits.
         let (a, b) = (from.min(to), from.max(to));
         *crossings.entry((a, b)).or_insert_with(|| {
             let (p, q) = (solid.vertices[a as usize], solid.vertices[b as usize]);
@@ -58,6 +59,7 @@ pub fn slice(solid: &Polyhedron, normal: Vec3, offset: f64) -> Sliced {
     let mut faces: Vec<Vec<u32>> = Vec::new();
     for corners in &solid.faces {
         let height = |v: u32| heights[v as usize];
+        // A face that lies in the plane goes too: the new face stands for it.
         if corners.iter().all(|&v| height(v) >= 0.0) {
             continue;
         }
@@ -118,6 +120,7 @@ fn cap(faces: &[Vec<u32>]) -> Option<Vec<u32>> {
 /// # Errors
 /// Nothing in common, or something that reaches farther than `reach`.
 pub fn from_half_spaces(planes: &[(Vec3, f64)], reach: f64) -> Result<Polyhedron, SolidError> {
+    // Farther than is allowed, so that what has no bounds is found out.
     let far = 2.0 * reach;
     let mut solid = Polyhedron::brick(Vec3::ZERO, Vec3::splat(far));
     for (plane, &(normal, offset)) in planes.iter().enumerate() {

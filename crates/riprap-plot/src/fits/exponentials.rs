@@ -60,19 +60,23 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
     if step <= 0.0 {
         return Err(FitError::NotAscending);
     }
+    // A record that begins at its peak has risen within the step before.
     let start = if risen(&y) { time[0] - step } else { time[0] };
     let t: Vec<f64> = time.iter().map(|v| v - start).collect();
     let syy = spread(&y, &y);
     let size = y.iter().fold(0.0, |s: f64, v| s.max(v.abs()));
+    // The round-off of a constant.
     if syy <= 1e-24 * size * size * found as f64 {
         return Err(FitError::Constant { what: "values" });
     }
+    // From a tenth of one decay in the whole record to ten in one step: beyond, rates cannot be told from each other.
     let limits = [
         libm::log(0.1 / t[found - 1]),
         libm::log((10.0 / step).max(1.0 / t[found - 1])),
     ];
     let cost = |rates: [f64; 2]| -> f64 {
         let inside = rates.iter().all(|r| (limits[0]..=limits[1]).contains(r));
+        // Equal rates leave nothing of the curve, and a factor without bounds.
         if !inside || rates[1] - rates[0] < 1e-3 {
             return f64::INFINITY;
         }
@@ -144,6 +148,7 @@ fn on_grid(t: &[f64], y: &[f64], low: f64, spacing: f64) -> [f64; 2] {
             let sff = own[i] - 2.0 * spread(&decays[i], &decays[j]) + own[j];
             let sfy = with_y[i] - with_y[j];
             let explained = sfy * sfy / sff;
+            // What is left of two curves that are nearly the same is round-off.
             if sff > 1e-9 * (own[i] + own[j]) && explained > best {
                 (best, found) = (explained, [rate(i), rate(j)]);
             }

@@ -48,6 +48,7 @@ pub fn amplitude_spectrum(time: &[f64], values: &[f64]) -> Result<Spectrum, FitE
         return Err(FitError::Constant { what: "values" });
     }
     let duration = t[found - 1] - t[0];
+    // The usual step, so that a few short or long ones do not decide over all.
     let count = (duration / steps[steps.len() / 2]).round() + 1.0;
     let count = (count as usize).clamp(needed, MOST);
     let step = duration / (count - 1) as f64;
@@ -71,6 +72,7 @@ pub fn amplitude_spectrum(time: &[f64], values: &[f64]) -> Result<Spectrum, FitE
 
 /// Amplitudes of the frequencies above zero up to half the sampling rate.
 fn transformed(even: &[f64], step: f64) -> Vec<f64> {
+    // As many zeros again: the peak is then seen between the frequencies of the record alone.
     let length = (2 * even.len()).next_power_of_two();
     let mut wave: Vec<Complex<f64>> = even.iter().map(|v| Complex::new(*v, 0.0)).collect();
     wave.resize(length, Complex::new(0.0, 0.0));
@@ -120,6 +122,7 @@ fn peak(frequency: &[f64], amplitude: &[f64], lowest: f64) -> f64 {
         return frequency[top];
     }
     let (l, m, r) = (amplitude[top - 1], amplitude[top], amplitude[top + 1]);
+    // The top of the parabola through the largest and its neighbours.
     let bend = l - 2.0 * m + r;
     let shift = if bend < 0.0 {
         0.5 * (l - r) / bend

@@ -176,6 +176,7 @@ class Frame:
 
     def corners(self, block: int) -> Field:
         """Corners of a block [m]; in the plane its outline, anticlockwise."""
+        # Counts from the end too, and refuses what is not there: slices would give nothing.
         block = range(self.n_blocks)[block]
         return self.points[self.offsets[block] : self.offsets[block + 1]]
 

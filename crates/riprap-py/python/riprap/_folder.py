@@ -46,6 +46,7 @@ class RunFolder:
             raise FolderError(f"{file} was written by a newer riprap ({manifest.get('riprap')}); update this one")
         self.manifest: dict[str, Any] = manifest
         """The manifest: see the page on run folders for its keys."""
+        # More frames may be there by now.
         self.__dict__.pop("_frames", None)
         return self
 
@@ -128,6 +129,7 @@ class RunFolder:
         return len(self._frames)
 
     def __bool__(self) -> bool:
+        # A run without frames is a run all the same, which its length would deny.
         return True
 
     def frame(self, index: int = -1, *, time: float | None = None) -> Frame:

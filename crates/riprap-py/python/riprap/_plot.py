@@ -30,6 +30,7 @@ class Picture:
 
     def _repr_png_(self) -> bytes | None:
         png = self.file(".png")
+        # Of both a notebook shows the sharp one.
         return None if png is None or self.file(".svg") is not None else png.read_bytes()
 
 

@@ -30,6 +30,7 @@ class Display:
         if wanted is not False:
             if _in_notebook():
                 self._form = "notebook"
+            # Programs without a console have no stderr at all.
             elif sys.stderr is not None and sys.stderr.isatty():
                 self._form = "bar"
             elif wanted:
@@ -93,6 +94,7 @@ def _html(title: str, share: float, text: str) -> str:
 
 
 def _in_notebook() -> bool:
+    # Not imported: who runs in a notebook has it already, and others need not have it.
     shell = sys.modules.get("IPython")
     if shell is None:
         return False

@@ -129,6 +129,7 @@ def safety(
         what._scene, case, folder, existing, options, report if progress else None
     )
     folder.mkdir(parents=True, exist_ok=True)
+    # The same bytes on all systems.
     (folder / "safety.json").write_text(answer + "\n", encoding="utf-8", newline="")
     (folder / "safety.csv").write_text(csv, encoding="utf-8", newline="")
     return Safety(folder, json.loads(answer), csv, words)

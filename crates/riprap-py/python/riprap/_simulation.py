@@ -67,6 +67,7 @@ class Simulation:
         self.close()
 
     def __repr__(self) -> str:
+        # One that is closed, or being advanced by another thread, can be shown too.
         try:
             state = f"{self._sim.state[0]}, step {self.steps}, t = {self.time:g} s"
         except (ValueError, RuntimeError) as error:
@@ -93,6 +94,7 @@ class Simulation:
         """
         if steps is not None and steps < 0:
             raise ValueError(f"steps={steps}; the past is gone")
+        # So that what is no number is refused too.
         if time is not None and not time >= 0:
             raise ValueError(f"time={time}; the past is gone")
         state, message = self._sim.advance(steps, time, callback)

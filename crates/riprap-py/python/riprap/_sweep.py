@@ -46,6 +46,7 @@ class Sweep(Mapping[str, RunFolder]):
     def numbers(self, name: str) -> dict[str, float]:
         """One number for each case that has it: the last value of a history, by its name."""
         heads = list(self.rows[0]) if self.rows else []
+        # A history is known by its name alone, heads have the unit behind it.
         column = next((head for head in heads if name in (head, head.rsplit(" [", 1)[0])), None)
         if column is None:
             raise KeyError(f"there is no column {name!r} (there is: {', '.join(heads)})")

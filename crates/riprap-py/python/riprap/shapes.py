@@ -110,6 +110,7 @@ def to_stl(frame: Frame, path: _Path, *, blocks: Sequence[int] | None = None) ->
     normals = np.cross(surface[:, 1] - surface[:, 0], surface[:, 2] - surface[:, 0])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     records = np.zeros(len(surface), _STL)
+    # A triangle without an area has no normal: zeros let the reader find it from the corners.
     records["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
     records["corners"] = surface
     path = Path(path)

@@ -110,10 +110,12 @@ fn solids(file: &Vtu) -> Result<Option<Solids>, String> {
         if let Some(&stop) = file.face_ends.get(cell).filter(|e| **e >= 0) {
             let stop = usize::try_from(stop).map_err(|_| bad())?;
             let mut rest = file.faces.get(at..stop).ok_or_else(bad)?.iter();
+            // The number of faces, which the end of the cell tells as well.
             rest.next().ok_or_else(bad)?;
             while let Some(&count) = rest.next() {
                 let count = usize::try_from(count).map_err(|_| bad())?;
                 let corners = rest.as_slice().get(..count).ok_or_else(bad)?;
+                // Over the whole file there, from the first of the cell here.
                 for c in corners {
                     out.corners
                         .push(u32::try_from(c - first).map_err(|_| bad())?);

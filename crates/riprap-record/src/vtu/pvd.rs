@@ -31,6 +31,7 @@ pub const PVD_END: &str = "</Collection>\n</VTKFile>\n";
 /// The line of one entry.
 pub fn pvd_entry(entry: &PvdEntry) -> String {
     format!(
+        // All digits of the time: it is compared with that in the frame itself.
         "<DataSet timestep=\"{:?}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
         entry.time,
         escape(&entry.file)

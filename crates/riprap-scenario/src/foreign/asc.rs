@@ -49,6 +49,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
     let size = head.size.ok_or_else(|| missing("cellsize"))?;
     let x = head.x.ok_or_else(|| missing("xllcorner"))?;
     let y = head.y.ok_or_else(|| missing("yllcorner"))?;
+    // A product that wraps round would make a huge grid look small.
     if columns < 2 || rows < 2 || columns.saturating_mul(rows) > MOST {
         let text = format!(
             "the grid has {columns} by {rows} cells: 2 to {MOST} in all are possible, 2 along each side at least"
@@ -59,11 +60,13 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
         return Err(at_line(at, "`cellsize` must be greater than zero"));
     }
     let places = |(start, centre): (f64, bool), count: usize| -> Vec<f64> {
+        // Heights stand at the centres of cells, half a cell from the corner.
         let first = if centre { 0.0 } else { 0.5 };
         (0..count)
             .map(|k| start + (first + k as f64) * size)
             .collect()
     };
+    // No file has more heights than bytes, whatever its head says.
     let mut north_first = Vec::with_capacity((columns * rows).min(bytes.len()));
     let mut last = at;
     for (line, text) in lines {
@@ -98,6 +101,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
 fn is_head(text: &str) -> bool {
     let first = text.trim_start().chars().next();
     first.is_none_or(|c| c.is_ascii_alphabetic())
+        // A row that begins so is heights, and is refused as such, not as a strange word of the head.
         && !text.trim_start().to_ascii_lowercase().starts_with("nan")
 }
 

@@ -249,6 +249,7 @@ fn entities(
             continue;
         }
         let next = Entity::new(&value.text(), pairs.place());
+        // Whatever follows the points ends a POLYLINE, its SEQEND or not.
         let ended = next.kind != Kind::Vertex;
         let last = std::mem::replace(&mut current, next);
         finish(pairs, drawing, last, &mut open, sagitta, room)?;
@@ -309,6 +310,7 @@ fn close(
     let count = entity.points.len();
     for (k, &[x, y, _, bulge]) in entity.points.iter().enumerate() {
         points.push([x, y]);
+        // A bulge lies in the plane of its polyline; a line in space has none.
         if (k + 1 < count || flagged) && bulge != 0.0 && !in_space {
             let [to_x, to_y, ..] = entity.points[(k + 1) % count];
             arc([x, y], [to_x, to_y], bulge, sagitta, &mut points);
@@ -330,6 +332,7 @@ fn close(
     }
     let size = extent(&points);
     let ends = points.first().zip(points.last());
+    // Drawn back to its start, a line is closed without the flag.
     let joined = ends.is_some_and(|(a, b)| (0..2).all(|k| (a[k] - b[k]).abs() <= CLOSED * size));
     if joined {
         points.pop();
@@ -349,6 +352,7 @@ fn close(
 /// Axes x and y of the plane with a normal, and its direction; `None` if it has none.
 fn axes(normal: Vec3) -> Option<[Vec3; 3]> {
     let n = normal.try_normalize()?;
+    // The bound of the algorithm itself: with another one some entities would lie otherwise than where they were drawn.
     let near_z = n.x.abs() < 1.0 / 64.0 && n.y.abs() < 1.0 / 64.0;
     let a = if near_z { Vec3::Y } else { Vec3::Z }.cross(n).normalize();
     Some([a, n.cross(a), n])
@@ -369,9 +373,11 @@ fn extent(points: &[[f64; 2]]) -> f64 {
 /// Points of an arc between its ends. The bulge is the tangent of a quarter of its angle, positive anticlockwise.
 fn arc(from: [f64; 2], to: [f64; 2], bulge: f64, sagitta: Option<f64>, out: &mut Vec<[f64; 2]>) {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    // With t = tan(angle/4): sin(angle/2) = 2 t/(1 + t^2), cos(angle/2) = (1 - t^2)/(1 + t^2).
     let radius = libm::hypot(dx, dy) * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
     let angle = 4.0 * libm::atan(bulge);
     let share = sagitta.map_or(SAGITTA, |s| s / radius);
+    // At most half a circle: a sagitta above the radius would have no angle.
     let piece = 2.0 * libm::acos(1.0 - share.clamp(0.0, 1.0));
     let pieces = (angle.abs() / piece).ceil();
     let to_centre = (1.0 - bulge * bulge) / (4.0 * bulge);
@@ -379,6 +385,7 @@ fn arc(from: [f64; 2], to: [f64; 2], bulge: f64, sagitta: Option<f64>, out: &mut
         0.5 * (from[0] + to[0]) - to_centre * dy,
         0.5 * (from[1] + to[1]) + to_centre * dx,
     ];
+    // A bulge of next to nothing has its centre at infinity: the arc is the straight piece.
     if !(radius.is_finite() && centre.iter().all(|x| x.is_finite())) {
         return;
     }

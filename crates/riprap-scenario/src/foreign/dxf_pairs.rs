@@ -132,6 +132,7 @@ impl<'a> Pairs<'a> {
                     i32::from(i16::from_le_bytes(self.take()?))
                 } else {
                     match u8::from_le_bytes(self.take()?) {
+                        // A code that does not fit into one byte stands behind this one.
                         255 => i32::from(i16::from_le_bytes(self.take()?)),
                         code => i32::from(code),
                     }

@@ -86,6 +86,7 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
     let count = bytes.get(80..HEAD).and_then(|b| b.try_into().ok());
     let count = count.map(u32::from_le_bytes);
     let whole = count.map(|count| HEAD as u64 + RECORD as u64 * u64::from(count));
+    // Only the length tells: the head of a binary file may begin with `solid` too.
     if whole != Some(bytes.len() as u64) {
         let is_text = bytes.trim_ascii_start().starts_with(b"solid");
         return match count.zip(whole) {
@@ -227,6 +228,7 @@ fn part(
     let mut own: Vec<u32> = list.iter().flat_map(|t| rings[*t]).collect();
     own.sort_unstable();
     own.dedup();
+    // First of all, since convexity looks at every corner from every triangle.
     if own.len() > MAX_VERTICES {
         let text = format!(
             "part {number} has {} corners; a block has at most {MAX_VERTICES}",
@@ -246,6 +248,7 @@ fn part(
         let text = format!("part {number} is no simple surface: triangles are there twice");
         return Err(triangles.wrong(list[0], text));
     }
+    // Two triangles that turn alike run along their common edge in opposite directions.
     let there = |a: u32, b: u32| {
         let k = edges.partition_point(|e| (e.0, e.1) < (b, a));
         edges.get(k).is_some_and(|e| (e.0, e.1) == (b, a))
@@ -272,6 +275,7 @@ fn part(
         let [a, b, c] = rings[t].each_ref().map(at);
         let normal = (b - a).cross(c - a);
         let length = normal.length();
+        // Corners on one line span no plane that others could lie beyond.
         if length == 0.0 {
             continue;
         }

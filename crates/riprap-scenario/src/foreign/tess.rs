@@ -65,6 +65,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             return Err(reader.wrong(format!("cells of dimension {other} are no blocks")));
         }
     };
+    // By their numbers, which a file may give as large and as scattered as it likes.
     let mut vertices: BTreeMap<i64, [f64; 3]> = BTreeMap::new();
     for _ in 0..reader.entries("**vertex")? {
         let mut words = reader.row()?;
@@ -89,6 +90,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             reader.next()?;
         }
     }
+    // In the plane the faces are the cells.
     if plane {
         let cells = faces.into_iter().map(|(number, (ring, line))| Polygon {
             number,
@@ -113,6 +115,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
         };
         let mut places: BTreeMap<i64, u32> = BTreeMap::new();
         for face in signed {
+            // The lowest number has no opposite.
             let Some((ring, _)) = faces.get(&face.saturating_abs()) else {
                 return Err(reader.wrong(format!("there is no face {}", face.saturating_abs())));
             };
@@ -159,6 +162,7 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     fn new(text: &'a str) -> Self {
         let lines: Vec<&str> = text.lines().collect();
+        // From the end, so that of several sections of one name the first counts.
         let named = lines.iter().enumerate().rev();
         let sections = named
             .filter(|(_, line)| line.trim_start().starts_with("**"))
@@ -226,6 +230,7 @@ impl<'a> Reader<'a> {
     /// A number of three or more, and as many whole numbers.
     fn list(&self, words: &mut std::str::SplitWhitespace<'a>) -> Result<Vec<i64>, FileError> {
         let count = self.integer(words.next())?;
+        // A line has only so many words, whatever its count says.
         let list = words.take(usize::try_from(count).unwrap_or(0));
         let list: Vec<i64> = list
             .map(|word| self.integer(Some(word)))

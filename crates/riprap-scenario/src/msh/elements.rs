@@ -189,6 +189,7 @@ fn first_tag(reader: &mut Reader, tags: i32) -> Result<Option<i32>, FileError> {
     let count = u64::try_from(tags).map_err(|_| reader.wrong(format!("{tags} tags")))?;
     let mut group = None;
     for k in 0..reader.room(count, 2, "tags")? {
+        // The sign is the orientation of the element.
         let tag = reader.int("a tag")?.saturating_abs();
         if k == 0 && tag != 0 {
             group = Some(tag);
@@ -275,6 +276,7 @@ pub(super) fn drop_repeated(cells: &mut Vec<Cell>) {
             (nodes, place)
         })
         .collect();
+    // Among equals by their place in the file, so that the first one stays.
     order.sort_unstable();
     let mut repeated = vec![false; cells.len()];
     for pair in order.windows(2) {

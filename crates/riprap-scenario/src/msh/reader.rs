@@ -62,6 +62,7 @@ impl<'a> Reader<'a> {
         let start = self.start.min(self.bytes.len());
         let place = match self.coding {
             Coding::Text => {
+                // Counted only when there is something to say, not at each word.
                 let lines = self.bytes[..start].iter().filter(|b| **b == b'\n').count();
                 Place::Line(lines + 1)
             }
@@ -188,6 +189,7 @@ impl<'a> Reader<'a> {
     pub(super) fn skip(&mut self, name: &str) -> Result<(), FileError> {
         let end = format!("$End{name}");
         let rest = &self.bytes[self.at..];
+        // Its words are not read: in a binary file they may be anything.
         let found = rest.windows(end.len()).position(|w| w == end.as_bytes());
         match found {
             Some(place) => {

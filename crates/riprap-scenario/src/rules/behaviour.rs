@@ -31,6 +31,7 @@ impl Joint {
             stiffness(&interface.normal_stiffness),
             stiffness(&interface.shear_stiffness),
         ];
+        // The default of the language for the shear stiffness.
         let half = |[normal, shear]: [Option<f64>; 2]| shear.or(normal.map(|k| 0.5 * k));
         match (space, &interface.bond) {
             (InSpace::Planar, Some(bond)) => {
@@ -112,6 +113,7 @@ impl Rules {
         let coefficient = interface.friction_coefficient.as_ref();
         let peak = joint
             .friction
+            // Dilation is an angle, so that friction is compared as one however it was given.
             .or(coefficient.map(|friction| libm::atan(friction.si())));
         let residual = joint.residual.as_ref().map(|(angle, _)| *angle);
         let least = peak

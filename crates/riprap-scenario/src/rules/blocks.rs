@@ -371,6 +371,7 @@ impl Rules {
             }
             if self.space == InSpace::Spatial
                 && self.values_sound
+                // In the plane the angle alone says also to which side a joint falls.
                 && !(0.0..=FRAC_PI_2).contains(&set.dip.si())
             {
                 let message = format!("the dip of a plane cannot be \"{}\"", set.dip.raw);

@@ -130,6 +130,7 @@ impl Rules {
         else {
             return;
         };
+        // A tension calculated as cohesion/tan(friction_angle) lies a rounding to either side of the tip.
         if tension.si() * angle.tangent() > cohesion.si() * (1.0 + 1e-12) {
             let message = format!(
                 "the tensile strength of {of} lies beyond the tip of the Mohr-Coulomb cone, {:.4} MPa",
@@ -159,6 +160,7 @@ impl Rules {
             let Some(strength) = strength.as_ref().map(Quantity::si) else {
                 continue;
             };
+            // What a spring holds at its peak: with less to lose, its curve would have to run back.
             let least = strength * strength / (2.0 * stiffness);
             if stiffness.is_finite() && energy.si() <= least {
                 let message = format!(
@@ -219,7 +221,9 @@ impl Rules {
         let (planes, generations) = (cut.planes_or_default(), cut.generations_or_default());
         let parts = planes
             .saturating_add(1)
+            // So that it fits into the exponent; so many generations are too many whatever `planes` is.
             .checked_pow(generations.min(64) as u32);
+        // Any other number of planes has been refused by the schema.
         if (1..=7).contains(&planes) && parts.is_none_or(|parts| parts > MOST_PARTS) {
             let message = format!(
                 "{of}: {planes} planes in {generations} generations make {}^{generations} parts of one block",

@@ -15,6 +15,7 @@ impl Rules {
     ) {
         if interface.elastic {
             self.no_strength(span, of, interface);
+        // A bond has friction of its own; beside it that of the interface need not be given.
         } else if interface.brittle_bond.is_none()
             || interface.friction_angle.is_some()
             || interface.friction_coefficient.is_some()
@@ -96,6 +97,7 @@ impl Rules {
             (None, None) => return,
         };
         let cohesion = interface.cohesion.as_ref().map_or(0.0, Quantity::si);
+        // A tension calculated from the tip itself is off by a rounding.
         if tension.si() * friction > cohesion * (1.0 + 1e-12) {
             let message = format!(
                 "the tensile strength of {of} lies beyond the tip of the Mohr-Coulomb cone"
@@ -120,6 +122,7 @@ impl Rules {
     ) {
         let stiffness = interface.normal_stiffness.is_none();
         let ratio = interface.damping_ratio.as_ref().map_or(0.1, Quantity::si);
+        // Neither the stiffness nor dashpots follow from moduli then.
         if !stiffness && ratio <= 0.0 {
             return;
         }

@@ -208,6 +208,7 @@ impl Rules {
                 self.error("key.one_of", &second.span, message, "keep one of them");
             }
             self.rebound(&of, &change.damping_ratio, &change.restitution);
+            // A speed without the law may be meant: the law may be clipped from the start.
             if change.friction_law == Some(FrictionLaw::Clipped) && change.clip_speed.is_none() {
                 self.friction_law(&name.span, &of, change.friction_law, false);
             }

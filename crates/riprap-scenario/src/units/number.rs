@@ -23,6 +23,7 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
         end = fraction;
     }
     if count == 0 {
+        // Elsewhere these words are numbers: to say that there is none would puzzle.
         let word: String = text[start..]
             .chars()
             .take_while(|c| c.is_alphabetic())
@@ -42,6 +43,7 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
     if matches!(bytes.get(end), Some(b'e' | b'E')) {
         let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
         let exponent = digits(end + 1 + sign);
+        // An `e` without digits behind it begins a unit.
         if exponent > end + 1 + sign {
             end = exponent;
         }

@@ -122,6 +122,7 @@ impl Book {
             }
         }
         let contacts = self.add(&room, "contacts", None);
+        // The page draws cracks by what contacts tell: without these it asks for none.
         let cracks = told["cracks"] == true && contacts && self.add(&room, "cracks", None);
         let bolts = told["bolts"] == true && self.add(&room, "bolts", None);
         let stress = self.add(&room, "stress", None);

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 /// Text for HTML.
 pub(super) fn escape(text: &str) -> String {
+    // First, or it would escape what the others put in.
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

@@ -20,6 +20,7 @@ pub(super) fn groups(out: &mut String, names: &Names) {
         let count: u64 = group
             .blocks
             .iter()
+            // A damaged file may have the ends the other way round.
             .map(|[a, b]| 1 + u64::from(b.saturating_sub(*a)))
             .sum();
         let name = |number: Option<u32>| number.and_then(|n| names.block(n)).unwrap_or_default();

@@ -78,6 +78,7 @@ impl Law<'_> {
         moved: &[f64; 3],
         memory: &mut Memory,
     ) -> (Traction, Loss) {
+        // The state of a step ago, against which all losses are booked.
         let old = [0, 1, 2].map(|k| at[k] - moved[k]);
         let (w, t) = self.look(start, &old, memory, self.dilated(memory.slip, memory));
         let before = (t, if memory.open { 0.0 } else { self.stored(w, &t) });
@@ -116,6 +117,7 @@ impl Law<'_> {
         }
         if !fails || stays(damage) {
             let t = [sigma, trial[0], trial[1]];
+            // What has softened across the joint is lost without any slip.
             let all = if memory.parted > parted {
                 account(w, &t)
             } else {
@@ -134,9 +136,11 @@ impl Law<'_> {
         let damage = self.damage(memory, accumulated);
         let w = base - dilated;
         let sigma = self.normal(w, damage, memory.parted);
+        // The spring gives way by the plastic slip along the trial direction.
         let keep = (1.0 - self.springs[1] * plastic / tau).max(0.0);
         memory.slip = [0, 1].map(|k| memory.slip[k] + plastic * direction[k]);
         let t = [sigma, keep * trial[0], keep * trial[1]];
+        // By the trapezoidal rule: the strength above the residual one changes along the slip.
         let separation = 0.5 * plastic * (above + self.above_residual(sigma, damage, accumulated));
         (t, divided(account(w, &t), separation))
     }

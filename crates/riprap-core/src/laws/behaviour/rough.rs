@@ -40,6 +40,7 @@ impl BartonBandis {
     /// `JRC log10(JCS/s)`, rad: none from s = JCS on, and no more than brings the friction angle to 70 degrees.
     fn roughness(&self, residual: f64, s: f64) -> f64 {
         if s >= self.jcs || s <= 0.0 {
+            // Without pressure the logarithm has no value; its bound is the limit.
             return if s > 0.0 { 0.0 } else { STEEPEST - residual };
         }
         (self.jrc * libm::log10(self.jcs / s))
@@ -56,6 +57,7 @@ impl BartonBandis {
         let x = accumulated / peak;
         let [first, _] = MOBILISED[0];
         if x < first {
+            // Less than nothing: all of the angle, the residual one too, grows from 0.
             return -residual * (1.0 - x / first);
         }
         let after = MOBILISED.iter().position(|row| x < row[0]);

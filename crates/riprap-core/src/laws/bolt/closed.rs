@@ -23,9 +23,11 @@ pub fn pull_out_load(
     length: f64,
     slipping: f64,
 ) -> (f64, f64) {
+    // Where slip ends the grout is just at its strength: the bar has moved by strength/grout there.
     let elastic = strength / grout * pull_out_stiffness(grout, axial, length - slipping);
     let force = elastic + strength * slipping;
     let motion =
+        // The force grows evenly along what slips, which stretches by its mean.
         strength / grout + (elastic * slipping + 0.5 * strength * slipping * slipping) / axial;
     (force, motion)
 }

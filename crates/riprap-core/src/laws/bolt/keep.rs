@@ -43,11 +43,13 @@ impl Chain {
 /// Bars one behind the other as one.
 fn in_series(bars: &[Bar]) -> Bar {
     let mut all = bars[0];
+    // One broken bar of a row lets go of all of it.
     if bars.iter().any(|bar| bar.stiffness == 0.0) {
         all.stiffness = 0.0;
         return all;
     }
     all.stiffness = 1.0 / bars.iter().map(|bar| 1.0 / bar.stiffness).sum::<f64>();
+    // Pieces of one bolt: all of them harden, or none.
     if all.hardening > 0.0 {
         all.hardening = 1.0 / bars.iter().map(|bar| 1.0 / bar.hardening).sum::<f64>();
     }

@@ -77,6 +77,7 @@ pub fn lay(design: &Design, length: f64, spans: &[[f64; 2]]) -> Laid {
     let mut laid = Laid::default();
     let mut holds = Vec::new();
     if let (Some(capacity), Some(first)) = (design.plate, spans.first()) {
+        // Its stiffness follows from the bar behind it, which is laid below.
         holds.push(Hold::plate(0.0, capacity));
         laid.along.push(first[0]);
         laid.span.push(0);
@@ -106,7 +107,9 @@ pub fn lay(design: &Design, length: f64, spans: &[[f64; 2]]) -> Laid {
     if design.dowel.is_some() {
         for k in 0..bars.len() {
             let [a, b] = [laid.span[k], laid.span[k + 1]];
+            // The bar behind a plate may run free of grout: nothing holds it across there.
             let held = k > 0 || design.plate.is_none();
+            // A wider gap between blocks is a void, no joint.
             if b == a + 1 && held && spans[b][0] - spans[a][1] <= design.piece {
                 laid.joints.push((k, 0.5 * (spans[a][1] + spans[b][0])));
             }

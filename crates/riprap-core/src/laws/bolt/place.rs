@@ -52,6 +52,7 @@ pub fn order(
     if head > slack {
         return Err(Misplaced::Head { gap: head });
     }
+    // Rock is looked for up to `slack` before the head: where it is met that early, it goes on.
     if plate && head < -0.5 * slack {
         return Err(Misplaced::Buried);
     }

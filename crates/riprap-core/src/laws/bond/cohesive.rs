@@ -74,6 +74,7 @@ impl Cohesive {
         }
         match self.softening {
             Softening::Linear => {
+                // A triangle as high as the peak: half of its base is its area.
                 let end = 2.0 * area;
                 if kappa >= end {
                     return 1.0;
@@ -81,6 +82,7 @@ impl Cohesive {
                 1.0 - (end - kappa) / ((end - 1.0) * kappa)
             }
             Softening::Munjiza => {
+                // The rise to the peak has an area of one half.
                 let length = (area - 0.5) / MUNJIZA_AREA;
                 if kappa - 1.0 >= length {
                     return 1.0;
@@ -114,6 +116,7 @@ pub fn cohesive(
         // Areas of the curves of opening and shear in units of their peaks.
         let area = [0, 1].map(|k| law.energy[k] * springs[k] / (peaks[k] * peaks[k]));
         let area = (a + b) / (a / area[0] + b / area[1]);
+        // What is damaged does not heal when the direction changes.
         damage = damage.max(law.damage((a + b).sqrt(), area));
     }
     let whole = 1.0 - damage;

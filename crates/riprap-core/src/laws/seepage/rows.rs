@@ -64,6 +64,7 @@ impl Rows {
                 if !may(c) {
                     continue;
                 }
+                // Entries beside the diagonal of a network are negative.
                 let tie = -v;
                 strongest = tie.max(strongest);
                 if of[c] == NONE && tie > free.0 {
@@ -115,6 +116,7 @@ impl Rows {
                     let at = place[to as usize] as usize;
                     if to as usize == k {
                         diagonal += v;
+                    // What earlier rows have left in the table lies before `begin`.
                     } else if at >= begin && at < out.column.len() {
                         out.value[at] += v;
                     } else {

@@ -56,6 +56,7 @@ impl Drain {
         let along = [self.to[0] - self.from[0], self.to[1] - self.from[1]];
         let out = [place[0] - self.from[0], place[1] - self.from[1]];
         let squared = along[0] * along[0] + along[1] * along[1];
+        // A drain without length is its one end.
         let share = (out[0] * along[0] + out[1] * along[1]) / squared.max(f64::MIN_POSITIVE);
         let share = share.clamp(0.0, 1.0);
         super::super::norm(out[0] - share * along[0], out[1] - share * along[1])

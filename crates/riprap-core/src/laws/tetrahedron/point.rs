@@ -190,6 +190,8 @@ pub fn energy_density(law: &Elastic, strain: Strain, start: &Symmetric, h: &Grad
 pub(super) fn density<T: Number>(law: &Elastic, e: &[T; 6], start: &[T; 6]) -> T {
     let elastic = hooke(law, e, &[T::of(0.0); 6]);
     let (half, two) = (T::of(0.5), T::of(2.0));
+    // The elastic stress has grown with the strain from nothing; that of the start was whole all the way.
     let each = |k: usize| (half * elastic[k] + start[k]) * e[k];
+    // Components off the diagonal stand twice in the tensor.
     (each(0) + each(1) + each(2)) + two * (each(3) + each(4) + each(5))
 }

@@ -148,6 +148,7 @@ impl Stiffness {
 #[must_use]
 pub fn row_sums(mesh: &Tetrahedra, law: &Elastic) -> Vec<f64> {
     let size = 3 * mesh.nodes.len();
+    // Whole, since what several tetrahedra add to one entry cancels in part before its magnitude counts.
     let mut matrix = vec![0.0; size * size];
     entries(mesh, law, |row, column, block| {
         for i in 0..3 {
@@ -168,6 +169,7 @@ pub fn row_sums(mesh: &Tetrahedra, law: &Elastic) -> Vec<f64> {
 /// Visits the contributions of all tetrahedra: nodes of row and column, their block of the matrix.
 fn entries(mesh: &Tetrahedra, law: &Elastic, mut add: impl FnMut(u32, u32, Mat3)) {
     for ((tet, volume), [g1, g2, g3]) in mesh.tets.iter().zip(&mesh.volumes).zip(&mesh.gradients) {
+        // The four shape functions add up to one, their gradients to nothing.
         let g = [-(*g1 + *g2 + *g3), *g1, *g2, *g3];
         for (a, ga) in g.iter().enumerate() {
             for (b, gb) in g.iter().enumerate() {

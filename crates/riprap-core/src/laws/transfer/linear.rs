@@ -41,6 +41,7 @@ impl LinearStress {
         for ((tet, v), s) in tets().zip(stresses) {
             let arms = corners(tet).map(|x| x - centre);
             let sum = arms[0] + arms[1] + arms[2] + arms[3];
+            // Over a tetrahedron: V/20 (sum of r r^T of its corners + s s^T), s the sum of their arms.
             for r in [arms[0], arms[1], arms[2], arms[3], sum] {
                 let r_v = 0.05 * v * r;
                 second += Mat3::from_cols(r.x * r_v, r.y * r_v, r.z * r_v);

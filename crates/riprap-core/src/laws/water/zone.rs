@@ -73,6 +73,7 @@ impl Zone {
             (self.low.z, self.high.z, from.y, to.y),
         ] {
             let run = b - a;
+            // Along a bound it is in or out as a whole.
             if run == 0.0 {
                 if a < low || a > high {
                     return [1.0, 0.0];
