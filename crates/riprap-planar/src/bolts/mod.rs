@@ -27,7 +27,7 @@ impl Pin {
 
     /// Displacement since the bolt was installed, m.
     #[must_use]
-    pub fn moved(&self, bodies: &[Body]) -> Vec2 {
+    pub fn displacement(&self, bodies: &[Body]) -> Vec2 {
         bodies[self.block as usize].place(self.arm) - self.place
     }
 }
@@ -35,7 +35,7 @@ impl Pin {
 /// Present chord (m) from one pin to another, and by how much it is longer than when the bolt was installed, m.
 fn chord(from: &Pin, to: &Pin, bodies: &[Body]) -> (Vec2, f64) {
     let start = to.place - from.place;
-    let moved = to.moved(bodies) - from.moved(bodies);
+    let moved = to.displacement(bodies) - from.displacement(bodies);
     let now = start + moved;
     // Without the difference of two lengths.
     let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
@@ -150,7 +150,7 @@ fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, bodies: &[Body]) {
     };
     for one in &mut bolt.dowels {
         let [behind, ahead] = &one.sides;
-        let jump = ahead.moved(bodies) - behind.moved(bodies);
+        let jump = ahead.displacement(bodies) - behind.displacement(bodies);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
         let before = Sheared {
             slip: one.slip.to_array(),

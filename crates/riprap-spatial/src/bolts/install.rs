@@ -134,6 +134,6 @@ fn pin(world: &World, (block, star): (u32, Option<&Star>), place: Vec3, along: f
         anchor,
         along,
         place,
-        base: world.all_freedoms().moved(&anchor),
+        base: world.all_freedoms().displacement_inside(&anchor),
     }
 }

@@ -75,8 +75,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     let pushes = &mut scratch.pushes.own;
     pushes.need_blocks(world.alive.len());
-    let soft = |bolt: &Bolt| bolt.points().any(|pin| pin.anchor.deforms());
-    if pushes.nodes.is_empty() && bolts.iter().any(soft) {
+    let on_nodes = |bolt: &Bolt| bolt.points().any(|pin| pin.anchor.deforms());
+    if pushes.nodes.is_empty() && bolts.iter().any(on_nodes) {
         pushes.need_nodes(freedoms.displacement.len());
     }
     for bolt in &*bolts {
@@ -117,7 +117,7 @@ fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
     };
     for one in &mut bolt.dowels {
         let [behind, ahead] = &one.sides;
-        let jump = ahead.moved(freedoms) - behind.moved(freedoms);
+        let jump = ahead.displacement(freedoms) - behind.displacement(freedoms);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
         let before = Sheared {
             slip: one.slip.to_array(),
@@ -147,14 +147,12 @@ impl World {
         let mut all = Vec::new();
         for bolt in &self.bolts {
             let first = all.len();
-            let arm = |block: u32, place: Vec3, moved: Vec3| {
-                let centre =
-                    self.reference[block as usize] + freedoms.displacement(&self.centroid(block));
-                place + moved - centre
+            let centre = |block: u32| {
+                self.reference[block as usize] + freedoms.displacement(&self.centroid(block))
             };
             let pin = |pin: &Pin, force: Vec3| {
-                let moved = pin.moved(&freedoms);
-                (pin.block, arm(pin.block, pin.place, moved), force)
+                let place = pin.place + pin.displacement(&freedoms);
+                (pin.block, place - centre(pin.block), force)
             };
             all.extend(bolt.pins.iter().map(|p| pin(p, Vec3::ZERO)));
             for k in 0..bolt.chain.bars.len() {

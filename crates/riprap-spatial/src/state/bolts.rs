@@ -59,8 +59,8 @@ impl Pin {
     /// Displacement since the bolt was installed, m.
     #[inline]
     #[must_use]
-    pub fn moved(&self, freedoms: &Freedoms) -> Vec3 {
-        freedoms.moved(&self.anchor) - self.base
+    pub fn displacement(&self, freedoms: &Freedoms) -> Vec3 {
+        freedoms.displacement_inside(&self.anchor) - self.base
     }
 }
 
@@ -69,7 +69,7 @@ impl Pin {
 #[must_use]
 pub fn chord(from: &Pin, to: &Pin, freedoms: &Freedoms) -> (Vec3, f64) {
     let start = to.place - from.place;
-    let moved = to.moved(freedoms) - from.moved(freedoms);
+    let moved = to.displacement(freedoms) - from.displacement(freedoms);
     let now = start + moved;
     // Without the difference of two lengths.
     let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
