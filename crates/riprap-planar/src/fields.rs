@@ -243,9 +243,9 @@ fields! {
     "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_slip()));
     "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
     "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
-    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
+    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.toll.breaks)).sum());
     "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
-    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
+    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
     "boundary.work" "J/m" Boundary Scalar false "Work of the stress of the rock outside on a side of the model." |v, of| one(v.world.work_of_boundary(first(of)));
     "support.work" "J/m" Support Scalar false "Work of a support on its blocks; what holds still does none." |v, of| one(v.world.work(first(of)));
     "load.work" "J/m" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));

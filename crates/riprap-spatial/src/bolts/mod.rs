@@ -95,23 +95,17 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     if changes {
         for (bolt, desk) in bolts.iter_mut().zip(&scratch.bolts) {
-            let lost = desk.losses.all() + desk.sheared;
-            bolt.lost += lost;
-            bolt.breaks += desk.losses.breaks as u32;
-            bolt.left = bolt.left.max(desk.losses.left);
-            world.works.bolts += lost;
+            world.works.bolts += bolt.toll.add(desk);
         }
     }
 }
 
 /// Equilibrium of one bolt and forces of its dowels.
 fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
-    for &k in &desk.stretching {
-        let k = k as usize;
-        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], freedoms).1;
-    }
-    desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
-    desk.sheared = 0.0;
+    let pins = &bolt.pins;
+    desk.solve(&mut bolt.chain, |k| {
+        chord(&pins[k], &pins[k + 1], freedoms).1
+    });
     let Some(dowel) = spec.design.dowel else {
         return;
     };
@@ -133,10 +127,7 @@ impl World {
     /// Energy in bolts, J.
     #[must_use]
     pub fn bolt_energy(&self) -> f64 {
-        let stored = |bolt: &Bolt| {
-            let dowel = self.setup.bolts[bolt.number as usize].design.dowel;
-            bolt.stored(dowel.map_or(0.0, |d| d[0]))
-        };
+        let stored = |bolt: &Bolt| bolt.stored(&self.setup.bolts[bolt.number as usize]);
         self.bolts.iter().map(stored).sum()
     }
 

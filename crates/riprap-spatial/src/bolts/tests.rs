@@ -127,7 +127,7 @@ fn blocks_on_bolts_keep_momentum_and_energy_while_the_bolts_yield_and_slip() {
     let (q, after) = view(&world, &scratch);
     assert!((q - p).length() < 1e-11 * p.length());
     assert!(after.works.bolts > 0.05 * before.kinetic, "{after:?}");
-    assert!(world.bolts.iter().all(|b| b.left == 0.0));
+    assert!(world.bolts.iter().all(|b| b.toll.left == 0.0));
     let residual = after.residual() / before.kinetic;
     assert!(residual.abs() < 1e-3, "{residual}");
 }

@@ -366,12 +366,12 @@ fields! {
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
     "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
     "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));
-    "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, bolts::slip));
-    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, bolts::yielded));
-    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, bolts::utilisation));
-    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
+    "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_slip()));
+    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
+    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
+    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.toll.breaks)).sum());
     "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
-    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
+    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
     "model.strain_energy" "J" Model Scalar true "Elastic energy of deformable blocks." |v, _| one(v.strain_energy());
     "model.bond_energy" "J" Model Scalar true "Elastic energy of the bonds of deformable blocks." |v, _| one(v.bond_energy().iter().sum());
     "model.facets" "-" Model Scalar false "Number of facets: shared parts of faces along which a deformable block is joined." |v, _| one(v.deformables().map_or(0, |s| s.0.facets.len()) as f64);

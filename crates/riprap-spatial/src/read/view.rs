@@ -502,10 +502,10 @@ impl View<'_> {
     /// every search came to its end.
     #[must_use]
     pub fn unbalanced_bolt(&self) -> Option<(&str, f64)> {
-        let missed = self.world.bolts.iter().filter(|bolt| bolt.left > 0.0);
-        let worst = missed.max_by(|a, b| a.left.total_cmp(&b.left))?;
+        let missed = self.world.bolts.iter().filter(|bolt| bolt.toll.left > 0.0);
+        let worst = missed.max_by(|a, b| a.toll.left.total_cmp(&b.toll.left))?;
         let spec = &self.world.setup.bolts[worst.number as usize];
-        Some((&spec.name, worst.left))
+        Some((&spec.name, worst.toll.left))
     }
 
     /// Force of all terrain on a block, N, and how deep it lies in it, m.

@@ -130,6 +130,19 @@ impl Chain {
         bars + held.sum::<f64>()
     }
 
+    /// The same and that of dowels of `[stiffness, limit]` (N/m, N), if it has any, J; `squares` are those of their forces, N².
+    #[must_use]
+    pub fn stored_with(&self, dowel: Option<[f64; 2]>, squares: impl Iterator<Item = f64>) -> f64 {
+        let stiffness = dowel.map_or(0.0, |d| d[0]);
+        let squares: f64 = squares.sum();
+        let sheared = if stiffness > 0.0 {
+            0.5 * squares / stiffness
+        } else {
+            0.0
+        };
+        self.stored() + sheared
+    }
+
     /// Force by which the rock holds node `k` back, N.
     #[must_use]
     pub fn held(&self, k: usize) -> f64 {

@@ -197,7 +197,7 @@ fn rigid_and_deformable_blocks_on_bolts_keep_momentum_and_energy() {
     assert!((q - p).length() < 1e-11 * p.length());
     assert!(after.works.bolts > 0.05 * before.kinetic, "{after:?}");
     assert!(after.bond > 1e-4 * before.kinetic, "{after:?}");
-    assert!(world.bolts.iter().all(|b| b.left == 0.0));
+    assert!(world.bolts.iter().all(|b| b.toll.left == 0.0));
     let residual = after.residual() / before.kinetic;
     assert!(residual.abs() < 1e-3, "{residual}");
 }
