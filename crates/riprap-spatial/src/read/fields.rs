@@ -8,7 +8,7 @@ use riprap_geom::{Mat3, Vec3};
 use crate::cavity::Cavity;
 use crate::deform::cut::tip;
 use crate::deform::fracture;
-use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
+use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
 use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
 use crate::read::bolts;
@@ -25,45 +25,8 @@ use crate::world::flag;
 /// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
 type Getter = fn(&View<'_>, &[u32]) -> Vec3;
 
-/// One field: what it is and how it is read.
-pub struct Field {
-    /// Name, unit, meaning.
-    pub info: FieldInfo,
-    get: Getter,
-    /// Whether reading it costs as much as a step.
-    pub costly: bool,
-}
-
-macro_rules! fields {
-    ($($name:literal $unit:literal $site:ident $shape:ident $cost:literal $meaning:literal $get:expr;)*) => {
-        /// Names, units and meanings, in the order of the documentation.
-        pub const INFOS: &[FieldInfo] = &[$(FieldInfo {
-            name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
-        }),*];
-        /// The table with its getters, in the order of [`INFOS`].
-        pub const FIELDS: &[Field] = &[$(Field {
-            info: FieldInfo {
-                name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
-            },
-            get: $get,
-            costly: $cost,
-        }),*];
-    };
-}
-
 const fn one(x: f64) -> Vec3 {
     Vec3::new(x, 0.0, 0.0)
-}
-
-fn first(of: &[u32]) -> usize {
-    of.first().map_or(0, |&b| b as usize)
-}
-
-fn pair(of: &[u32]) -> (u32, u32) {
-    (
-        of.first().copied().unwrap_or(0),
-        of.get(1).copied().unwrap_or(0),
-    )
 }
 
 /// Blocks of a group (ascending) that are there, and those that its split blocks have become.
@@ -252,7 +215,8 @@ fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
     v.stress(first(of))
 }
 
-fields! {
+riprap_core::fields! {
+    Getter;
     "block.position" "m" Block Vector3 false "Position of the centroid." |v, of| v.position(first(of)) + v.world.setup.origin;
     "block.displacement" "m" Block Vector3 false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of));
     "block.rotation" "rad" Block Vector3 false "Rotation vector since the start or the last reset." |v, of| v.rotation(first(of));
@@ -436,8 +400,7 @@ impl Reading {
         at: Option<Vec3>,
         along: Option<Vec3>,
     ) -> Result<Self, FieldError> {
-        let (info, part) = find(INFOS, name)?;
-        let index = INFOS.iter().position(|f| f.name == info.name).unwrap_or(0);
+        let (index, part) = place(INFOS, name)?;
         Ok(Self {
             index,
             part,
@@ -457,14 +420,14 @@ impl Reading {
     /// Whether reading it costs as much as a step.
     #[must_use]
     pub fn costly(&self) -> bool {
-        FIELDS[self.index].costly
+        READERS[self.index].costly
     }
 
     /// The number; a vector without part or direction gives its magnitude. NaN where the block is gone or
     /// no block holds the point.
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
-        let get = FIELDS[self.index].get;
+        let get = READERS[self.index].get;
         if self.info().name == "block.crack_distance" {
             return self.at.map_or(f64::NAN, |at| cracks::distance(view, at));
         }
@@ -491,13 +454,9 @@ impl Reading {
             (None, Site::Block | Site::Pair) if self.gone(view) => return f64::NAN,
             (None, _) => &self.of,
         };
-        let v = get(view, of);
-        match (self.info().shape, self.part, self.along) {
-            (FieldShape::Scalar, ..) => v.x,
-            (_, Part::Whole, Some(direction)) => v.dot(direction),
-            (_, Part::Whole, None) => v.length(),
-            (_, part, _) => part.of(&v.to_array()).unwrap_or(f64::NAN),
-        }
+        let values = get(view, of).to_array();
+        let along = self.along.map(|along| along.to_array());
+        self.part.read(self.info().shape, values, along)
     }
 
     /// Whether a block asked for is no longer there (`block.removed` can still be read).
