@@ -112,6 +112,18 @@ impl Chain {
         }
     }
 
+    /// All numbers of its state that change, for the hash: by nodes, then by bars.
+    #[must_use]
+    pub fn memory(&self) -> [&[f64]; 5] {
+        [
+            &self.motion,
+            &self.slip,
+            &self.plastic,
+            &self.yielded,
+            &self.force,
+        ]
+    }
+
     /// Room to solve it, with the factors of the elastic matrix.
     #[must_use]
     pub fn factors(&self) -> Factors {
