@@ -385,6 +385,20 @@ mod tests {
     }
 
     #[test]
+    fn readings_are_one_number() {
+        let plane = |part: Part, along| part.read(Shape::Vector, [3.0, -4.0], along);
+        assert_eq!(plane(Part::Whole, None), 5.0);
+        assert_eq!(plane(Part::Magnitude, None), 5.0);
+        assert_eq!(plane(Part::Y, None), -4.0);
+        assert_eq!(plane(Part::Whole, Some([0.0, -1.0])), 4.0);
+        let space = [2.0, 3.0, -6.0];
+        assert_eq!(Part::Whole.read(Shape::Vector3, space, None), 7.0);
+        assert_eq!(Part::Whole.read(Shape::Scalar, space, None), 2.0);
+        assert_eq!((first(&[]), first(&[4, 5])), (0, 4));
+        assert_eq!((pair(&[4]), pair(&[4, 5])), ((4, 0), (4, 5)));
+    }
+
+    #[test]
     fn wrong_names_are_explained() {
         let message = find(TABLE, "block.velocty.x").unwrap_err().to_string();
         assert!(
