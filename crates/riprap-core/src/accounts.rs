@@ -106,6 +106,12 @@ impl Entries {
         }
     }
 
+    /// Adds the work of the half step after the present time to the accounts, once.
+    pub fn depart(&mut self, accounts: &mut [Account]) {
+        add(accounts, &self.departure);
+        self.departure.clear();
+    }
+
     /// Adds what was booked in the halves before and after to account number `of`.
     pub fn add(&mut self, of: u16, halves: &[Account; 2]) {
         self.arrival[usize::from(of)].add(&halves[0]);

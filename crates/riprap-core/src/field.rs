@@ -108,6 +108,50 @@ pub struct FieldInfo {
     pub meaning: &'static str,
 }
 
+/// How an engine reads a field. `G` is the function that does: from a view of the model and the numbers of the blocks, or of what else the
+/// field is asked of ([`first`], [`pair`]), to its one, two or three numbers.
+pub struct Reader<G> {
+    /// The function.
+    pub get: G,
+    /// Whether reading it costs as much as a step (exact energies, sums over all contacts).
+    pub costly: bool,
+}
+
+/// Makes the table of an engine from the type of its getters and rows of name, unit, site, shape, whether reading is costly, meaning and getter:
+/// `INFOS` and, in the same order, `READERS`.
+#[macro_export]
+macro_rules! fields {
+    ($getter:ty; $($name:literal $unit:literal $site:ident $shape:ident $costly:literal $meaning:literal $get:expr;)*) => {
+        /// Names, units and meanings, in the order of the documentation.
+        pub const INFOS: &[$crate::field::FieldInfo] = &[$($crate::field::FieldInfo {
+            name: $name,
+            unit: $unit,
+            site: $crate::field::Site::$site,
+            shape: $crate::field::Shape::$shape,
+            meaning: $meaning,
+        }),*];
+        const READERS: &[$crate::field::Reader<$getter>] = &[$($crate::field::Reader {
+            get: $get,
+            costly: $costly,
+        }),*];
+    };
+}
+
+/// The block, or what else one thing of its kind, that a field is asked of.
+#[must_use]
+pub fn first(of: &[u32]) -> usize {
+    of.first().map_or(0, |&b| b as usize)
+}
+
+/// The two blocks that a field is asked of.
+#[must_use]
+pub fn pair(of: &[u32]) -> (u32, u32) {
+    (
+        of.first().copied().unwrap_or(0),
+        of.get(1).copied().unwrap_or(0),
+    )
+}
+
 /// The part of a field that a name asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
@@ -147,6 +191,26 @@ impl Part {
                 [x, y] => (x * x + y * y).sqrt(),
                 _ => v.iter().map(|x| x * x).sum::<f64>().sqrt(),
             }),
+        }
+    }
+
+    /// The number that a reading of a field gives: `values` are those of the field, one of a scalar. A vector without part gives its component
+    /// in the direction `along`, or its length.
+    #[must_use]
+    pub fn read<const N: usize>(
+        self,
+        shape: Shape,
+        values: [f64; N],
+        along: Option<[f64; N]>,
+    ) -> f64 {
+        match (shape, self, along) {
+            (Shape::Scalar, ..) => values.first().copied().unwrap_or(f64::NAN),
+            (_, Part::Whole, Some(along)) => {
+                let terms = values.iter().zip(along).map(|(v, c)| v * c);
+                terms.reduce(|sum, term| sum + term).unwrap_or(f64::NAN)
+            }
+            (_, Part::Whole, None) => Part::Magnitude.of(&values).unwrap_or(f64::NAN),
+            (_, part, _) => part.of(&values).unwrap_or(f64::NAN),
         }
     }
 
@@ -203,13 +267,22 @@ fn did_you_mean(suggestion: Option<&str>) -> String {
 /// # Errors
 /// Unknown names, with the nearest known one, and components of scalars.
 pub fn find<'a>(table: &'a [FieldInfo], name: &str) -> Result<(&'a FieldInfo, Part), FieldError> {
-    if let Some(info) = table.iter().find(|f| f.name == name) {
-        return Ok((info, Part::Whole));
+    place(table, name).map(|(k, part)| (&table[k], part))
+}
+
+/// As [`find`], with the place of the field in the table.
+///
+/// # Errors
+/// The same.
+pub fn place(table: &[FieldInfo], name: &str) -> Result<(usize, Part), FieldError> {
+    let of = |name: &str| table.iter().position(|f| f.name == name);
+    if let Some(k) = of(name) {
+        return Ok((k, Part::Whole));
     }
     let (stem, part) = Part::split(name);
-    match table.iter().find(|f| f.name == stem) {
-        Some(info) if info.shape.has(part) => Ok((info, part)),
-        Some(info) if info.shape != Shape::Scalar => Err(FieldError::NoSuchComponent {
+    match of(stem) {
+        Some(k) if table[k].shape.has(part) => Ok((k, part)),
+        Some(k) if table[k].shape != Shape::Scalar => Err(FieldError::NoSuchComponent {
             name: name.to_owned(),
             field: stem.to_owned(),
         }),
@@ -309,6 +382,20 @@ mod tests {
         );
         assert_eq!(Part::Magnitude.of(&[3.0, -4.0]), Some(5.0));
         assert_eq!(Part::Whole.of(&[3.0, -4.0]), None);
+    }
+
+    #[test]
+    fn readings_are_one_number() {
+        let plane = |part: Part, along| part.read(Shape::Vector, [3.0, -4.0], along);
+        assert_eq!(plane(Part::Whole, None), 5.0);
+        assert_eq!(plane(Part::Magnitude, None), 5.0);
+        assert_eq!(plane(Part::Y, None), -4.0);
+        assert_eq!(plane(Part::Whole, Some([0.0, -1.0])), 4.0);
+        let space = [2.0, 3.0, -6.0];
+        assert_eq!(Part::Whole.read(Shape::Vector3, space, None), 7.0);
+        assert_eq!(Part::Whole.read(Shape::Scalar, space, None), 2.0);
+        assert_eq!((first(&[]), first(&[4, 5])), (0, 4));
+        assert_eq!((pair(&[4]), pair(&[4, 5])), ((4, 0), (4, 5)));
     }
 
     #[test]

@@ -101,6 +101,12 @@ impl Works {
         .fold(self.peak, |peak, work| peak.max(work.abs()));
     }
 
+    /// Adds the works of the half step after an instant, once, and notes how large the sums are then.
+    pub fn depart(&mut self, departure: &mut Self) {
+        self.add(&std::mem::take(departure));
+        self.note_peak();
+    }
+
     /// The energy at the start and all that gravity, loads, supports and edits have put in since, as
     /// magnitudes: what kinetic energy can be judged against.
     #[must_use]

@@ -32,6 +32,11 @@ impl StateHash {
         }
     }
 
+    /// Takes in two numbers of blocks, or of what else comes in pairs.
+    pub fn pair(&mut self, [a, b]: [u32; 2]) {
+        self.count(u64::from(a) << 32 | u64::from(b));
+    }
+
     /// The hash of all that was taken in, in hexadecimal digits.
     #[must_use]
     pub fn finish(mut self) -> String {

@@ -8,51 +8,14 @@ use riprap_geom::Vec2;
 use super::bolts::read as bolts;
 use super::heap;
 use super::view::View;
-use crate::field::{FieldError, FieldInfo, Part, Shape, Site, find};
+use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
 use crate::frame::stress::Principal;
 
 /// A getter: the view, the blocks asked for, and room for one or two numbers.
 type Getter = fn(&View<'_>, &[u32]) -> [f64; 2];
 
-/// One field: what it is and how it is read.
-pub struct Field {
-    /// Name, unit, meaning.
-    pub info: FieldInfo,
-    get: Getter,
-    /// Whether reading it costs as much as a step (exact energies, sums over all contacts).
-    pub costly: bool,
-}
-
-macro_rules! fields {
-    ($($name:literal $unit:literal $site:ident $shape:ident $cost:literal $meaning:literal $get:expr;)*) => {
-        /// Names, units and meanings, in the order of the documentation.
-        pub const INFOS: &[FieldInfo] = &[$(FieldInfo {
-            name: $name, unit: $unit, site: Site::$site, shape: Shape::$shape, meaning: $meaning,
-        }),*];
-        /// The table with its getters, in the order of [`INFOS`].
-        pub const FIELDS: &[Field] = &[$(Field {
-            info: FieldInfo {
-                name: $name, unit: $unit, site: Site::$site, shape: Shape::$shape, meaning: $meaning,
-            },
-            get: $get,
-            costly: $cost,
-        }),*];
-    };
-}
-
 const fn one(x: f64) -> [f64; 2] {
     [x, 0.0]
-}
-
-fn first(of: &[u32]) -> usize {
-    of.first().map_or(0, |&b| b as usize)
-}
-
-fn pair(of: &[u32]) -> (u32, u32) {
-    (
-        of.first().copied().unwrap_or(0),
-        of.get(1).copied().unwrap_or(0),
-    )
 }
 
 /// Mean over blocks of a vector.
@@ -168,7 +131,8 @@ pub static INFOS_OF_SLICE: LazyLock<Vec<FieldInfo>> = LazyLock::new(|| {
     INFOS.iter().map(of_slice).collect()
 });
 
-fields! {
+riprap_core::fields! {
+    Getter;
     "block.position" "m" Block Vector false "Position of the centroid." |v, of| (v.world.bodies[first(of)].position + Vec2::from(v.world.setup.origin)).into();
     "block.displacement" "m" Block Vector false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of)).into();
     "block.rotation" "rad" Block Scalar false "Rotation since the start or the last reset, anticlockwise." |v, of| one(v.rotation(first(of)));
@@ -243,9 +207,9 @@ fields! {
     "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_slip()));
     "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
     "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
-    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
+    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.toll.breaks)).sum());
     "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
-    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
+    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
     "boundary.work" "J/m" Boundary Scalar false "Work of the stress of the rock outside on a side of the model." |v, of| one(v.world.work_of_boundary(first(of)));
     "support.work" "J/m" Support Scalar false "Work of a support on its blocks; what holds still does none." |v, of| one(v.world.work(first(of)));
     "load.work" "J/m" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));
@@ -284,8 +248,7 @@ impl Reading {
     /// # Errors
     /// Unknown names and parts of scalars.
     pub fn new(name: &str, of: &[u32], along: Option<[f64; 2]>) -> Result<Self, FieldError> {
-        let (info, part) = find(INFOS, name)?;
-        let index = INFOS.iter().position(|f| f.name == info.name).unwrap_or(0);
+        let (index, part) = place(INFOS, name)?;
         Ok(Self {
             index,
             part,
@@ -316,27 +279,18 @@ impl Reading {
     /// Whether reading it costs as much as a step.
     #[must_use]
     pub fn costly(&self) -> bool {
-        FIELDS[self.index].costly
+        READERS[self.index].costly
     }
 
     /// The number; a vector without part or direction gives its magnitude.
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
-        let per_metre = (FIELDS[self.index].get)(view, &self.of);
+        let per_metre = (READERS[self.index].get)(view, &self.of);
         let info = &INFOS[self.index];
-        let [x, y] = match unit_of_slice(info.site, info.unit) {
+        let values = match unit_of_slice(info.site, info.unit) {
             Some(_) => per_metre.map(|value| value * view.world.setup.slice()),
             None => per_metre,
         };
-        match (self.info().shape, self.part, self.along) {
-            // The table has no vectors in space.
-            (Shape::Scalar | Shape::Vector3, _, _) | (_, Part::Z, _) => x,
-            (Shape::Vector, Part::X, _) => x,
-            (Shape::Vector, Part::Y, _) => y,
-            (Shape::Vector, Part::Magnitude, _) | (Shape::Vector, Part::Whole, None) => {
-                (x * x + y * y).sqrt()
-            }
-            (Shape::Vector, Part::Whole, Some([cx, cy])) => x * cx + y * cy,
-        }
+        self.part.read(info.shape, values, self.along)
     }
 }

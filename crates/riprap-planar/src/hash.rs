@@ -37,7 +37,7 @@ impl World {
         bonds.sort_by_key(|b| (b.i, b.j));
         hash.count(bonds.len() as u64);
         for bond in bonds {
-            hash.count(u64::from(bond.i) << 32 | u64::from(bond.j));
+            hash.pair([bond.i, bond.j]);
             hash.count(u64::from(bond.active) | u64::from(bond.torn) << 1);
             for point in &bond.points {
                 hash.number(point.slip);
@@ -51,14 +51,7 @@ impl World {
         }
         for bolt in &self.bolts {
             hash.count(u64::from(bolt.number));
-            let chain = &bolt.chain;
-            for list in [
-                &chain.motion,
-                &chain.slip,
-                &chain.plastic,
-                &chain.yielded,
-                &chain.force,
-            ] {
+            for list in bolt.chain.memory() {
                 hash.numbers(list);
             }
             for dowel in &bolt.dowels {

@@ -25,7 +25,7 @@ use super::setup::Setup;
 use super::shapes::Shapes;
 use super::water;
 use super::world::{Body, World, Wrench};
-use crate::accounts::{Account, Entries, add};
+use crate::accounts::{Account, Entries};
 use crate::exec::{Exec, piece};
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
@@ -305,11 +305,8 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
         integrate(world, scratch, dt);
     });
     // Not booked by `evaluate`: that may be called again before this step is taken.
-    let departure = std::mem::take(&mut scratch.departure);
-    world.works.add(&departure);
-    world.works.note_peak();
-    add(&mut world.accounts, &scratch.entries.departure);
-    scratch.entries.departure.clear();
+    world.works.depart(&mut scratch.departure);
+    scratch.entries.depart(&mut world.accounts);
     world.time += dt;
     world.step += 1;
     world.last_dt = dt;

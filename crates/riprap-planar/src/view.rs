@@ -9,6 +9,7 @@ use super::search::Candidate;
 use super::setup::NormalLaw;
 use super::water;
 use super::world::{Contact, World, Wrench};
+use crate::dynamics::kick::past;
 use crate::ledger::Balance;
 
 /// A world with its forces evaluated, ready to be read.
@@ -21,16 +22,9 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    /// Share of the coming kick that lies before the present time: velocities are those of half a
-    /// step before, the kick spans both halves.
+    /// Share of the coming kick that lies before the present time.
     fn past(&self) -> f64 {
-        let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
-        // Before the first step velocities are those of the present time already.
-        if before > 0.0 {
-            before / (before + after)
-        } else {
-            0.0
-        }
+        past(self.world.last_dt, self.scratch.coming_dt)
     }
 
     /// Velocity of block `b` at the present time, m/s.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::seepage::state::Seepage;
 use super::setup::{Motion, Setup};
 use crate::accounts::{self, Account, Holder};
-use crate::laws::bolt::Chain;
+use crate::laws::bolt::{Chain, Toll};
 use crate::ledger::Works;
 
 /// Whole state of a planar model.
@@ -259,12 +259,8 @@ pub struct Bolt {
     pub dowels: Vec<Dowel>,
     /// Unit direction from the head to the toe when it was installed.
     pub axis: Vec2,
-    /// Yield, slip and rupture so far, J/m.
-    pub lost: f64,
-    /// Bars that have broken.
-    pub breaks: u32,
-    /// The worst that was left of its equilibrium, over its largest force.
-    pub left: f64,
+    /// What it has gone through so far, per metre of thickness.
+    pub toll: Toll,
 }
 
 /// A point of the rock that a bolt holds on to.

@@ -196,7 +196,7 @@ impl<'a> Freedoms<'a> {
     /// Displacement of a point in the inside of a block, m.
     #[inline]
     #[must_use]
-    pub fn moved(&self, inside: &Inside) -> Vec3 {
+    pub fn displacement_inside(&self, inside: &Inside) -> Vec3 {
         match *inside {
             Inside::Block { block, arm } => self.displacement(&Anchor::Block { block, arm }),
             Inside::Tetrahedron { nodes, weights } => {
@@ -328,7 +328,7 @@ mod tests {
         let work: f64 = each
             .map(|(f, u)| Vec3::from_array(*f).dot(Vec3::from_array(*u)))
             .sum();
-        assert!((work - force.dot(freedoms.moved(&inside))).abs() < 1e-14);
+        assert!((work - force.dot(freedoms.displacement_inside(&inside))).abs() < 1e-14);
         let sum: Vec3 = to.nodes.iter().map(|f| Vec3::from_array(*f)).sum();
         assert!((sum - force).length() < 1e-14);
         // In a rigid block it is the point of an anchor.
@@ -337,7 +337,10 @@ mod tests {
             Inside::Block { block: 1, arm },
             Anchor::Block { block: 1, arm },
         );
-        assert_eq!(freedoms.moved(&inside), freedoms.displacement(&anchor));
+        assert_eq!(
+            freedoms.displacement_inside(&inside),
+            freedoms.displacement(&anchor)
+        );
     }
 
     #[test]

@@ -507,4 +507,4 @@ pub(crate) fn joined(world: &World) -> Vec<bool> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

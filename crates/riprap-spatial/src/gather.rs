@@ -87,12 +87,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
-            gravity: world.gravity,
-            time: world.time,
-            damping: scratch.damping,
-            half: [0.5 * world.pending, 0.5 * scratch.coming_dt],
-            // Velocities belong to the middles of steps: a kick leads from the one to the next.
-            span: 0.5 * (world.last_dt + scratch.coming_dt),
+            ..scratch.kick_of_nobody(world)
         },
         tiles: &scratch.tiles,
         slots: &scratch.slots,

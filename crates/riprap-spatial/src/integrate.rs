@@ -62,11 +62,7 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
-            gravity: world.gravity,
-            time: world.time,
-            damping: scratch.damping,
-            half: [0.5 * world.pending, 0.5 * scratch.coming_dt],
-            span: 0.5 * (world.last_dt + scratch.coming_dt),
+            ..scratch.kick_of_nobody(world)
         },
         tiles: &scratch.tiles,
         dt,

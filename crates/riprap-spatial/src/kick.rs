@@ -219,11 +219,23 @@ impl Scratch {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            ..self.kick_of_nobody(world)
+        }
+    }
+
+    /// The coming kick without the lists of blocks: who changes other parts of the world while it lasts adds them himself.
+    #[must_use]
+    pub fn kick_of_nobody(&self, world: &World) -> Kick<'static> {
+        Kick {
+            solids: &[],
+            solid: &[],
+            motion: &[],
             gravity: world.gravity,
             time: world.time,
             damping: self.damping,
             // `pending` and not the last step: seen again at the same instant, the half before it has been booked.
             half: [0.5 * world.pending, 0.5 * self.coming_dt],
+            // Velocities belong to the middles of steps: a kick leads from the one to the next.
             // Half of each step. Before the first one (`last_dt` is 0) velocities are those
             // of now, and half a kick makes them those of its middle.
             span: 0.5 * (world.last_dt + self.coming_dt),

@@ -22,7 +22,6 @@ use super::state::scratch::Lost;
 pub use super::state::scratch::{NonFinite, Scratch};
 use super::sums;
 use super::world::{Turned, World, flag};
-use crate::accounts::add;
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
@@ -123,11 +122,8 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     }
     deform::contact::depart(world, scratch, dt);
     // Not booked by `evaluate`: that may be called again with another step or damping before this one is taken.
-    let departure = std::mem::take(&mut scratch.departure);
-    world.works.add(&departure);
-    world.works.note_peak();
-    add(&mut world.accounts, &scratch.entries.departure);
-    scratch.entries.departure.clear();
+    world.works.depart(&mut scratch.departure);
+    scratch.entries.depart(&mut world.accounts);
     // A step of a relaxation has no length in model time: what passes is the increment of what is driven.
     world.time += passed;
     world.step += 1;

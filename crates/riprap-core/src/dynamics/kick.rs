@@ -27,6 +27,19 @@ pub fn fade(alpha: f64, span: f64) -> f64 {
     0.5 * alpha * span
 }
 
+/// Share of a kick that lies before the present time: velocities are those of half a step before, the kick spans both halves. `before` and
+/// `after` are the lengths of the last and of the coming step, s. Before the first step velocities are those of the present time already:
+/// then it is 0.
+#[inline(always)]
+#[must_use]
+pub fn past(before: f64, after: f64) -> f64 {
+    if before > 0.0 {
+        before / (before + after)
+    } else {
+        0.0
+    }
+}
+
 /// Velocity change under `force`, with `ease` the span over the inertia: mass damping acts on the mean of the velocities before and
 /// after (implicit, stable).
 #[inline(always)]

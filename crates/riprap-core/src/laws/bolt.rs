@@ -23,14 +23,16 @@ pub mod place;
 mod seen;
 mod solve;
 
+use std::ops::{Add, Mul};
+
 use serde::{Deserialize, Serialize};
 
 pub use closed::{
     dowel_limit, dowel_stiffness, pull_out_load, pull_out_stiffness, transfer_length,
 };
-pub use keep::{Desk, Kept};
+pub use keep::{Desk, Kept, Toll};
 pub use lay::{Design, Laid, bar, lay};
-pub use seen::BarState;
+pub use seen::{BarState, largest};
 pub use solve::{Chain, Factors, Losses};
 
 /// What holds a node of a bar in the rock: a spring that gives way.
@@ -164,6 +166,20 @@ impl Bar {
             0.0
         }
     }
+}
+
+/// Present chord (m) between two points of the rock that were `start` (m) apart and have moved by `moved` (m) against each other since, and
+/// by how much it is longer than then, m. V is a vector of the plane or of space, `dot` its scalar product.
+#[inline(always)]
+#[must_use]
+pub fn chord<V>(start: V, moved: V, dot: impl Fn(V, V) -> f64) -> (V, f64)
+where
+    V: Copy + Add<Output = V> + Mul<f64, Output = V>,
+{
+    let now = start + moved;
+    // Without the difference of two lengths.
+    let lengths = dot(now, now).sqrt() + dot(start, start).sqrt();
+    (now, dot(moved, start * 2.0 + moved) / lengths)
 }
 
 /// Force (N) of a dowel on the side behind against a jump (m) across the bolt, and what it has slipped by then.

@@ -60,7 +60,7 @@ fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt,
     let design = &spec.design;
     let found = place::order(found, length, design.grouted, design.plate.is_some())?;
     let lengths: Vec<[f64; 2]> = found.iter().map(|s| s.0).collect();
-    let laid = lay(design, length, &lengths);
+    let mut laid = lay(design, length, &lengths);
     let pin = |along: f64, span: usize| {
         let block = found[span].1;
         let place = spec.head + along * axis;
@@ -80,21 +80,14 @@ fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt,
         force: Vec2::ZERO,
     });
     let dowels = dowels.collect();
-    let mut chain = laid.chain;
-    let mut lost = 0.0;
-    if design.pretension > 0.0 {
-        let mut factors = chain.factors();
-        lost = chain.stretch(design.pretension, &mut factors).all();
-    }
+    let toll = laid.tighten(design);
     Ok(Bolt {
         number,
-        chain,
+        chain: laid.chain,
         pins,
         dowels,
         axis,
-        lost,
-        breaks: 0,
-        left: 0.0,
+        toll,
     })
 }
 

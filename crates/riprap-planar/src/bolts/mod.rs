@@ -12,7 +12,7 @@ mod stiffness;
 
 use riprap_geom::Vec2;
 
-use crate::laws::bolt::{Desk, Sheared};
+use crate::laws::bolt::{self, Desk, Sheared};
 use crate::setup::Bolt as Spec;
 use crate::world::{Body, Bolt, Pin, World, Wrench};
 
@@ -27,32 +27,23 @@ impl Pin {
 
     /// Displacement since the bolt was installed, m.
     #[must_use]
-    pub fn moved(&self, bodies: &[Body]) -> Vec2 {
+    pub fn displacement(&self, bodies: &[Body]) -> Vec2 {
         bodies[self.block as usize].place(self.arm) - self.place
     }
 }
 
 /// Present chord (m) from one pin to another, and by how much it is longer than when the bolt was installed, m.
 fn chord(from: &Pin, to: &Pin, bodies: &[Body]) -> (Vec2, f64) {
-    let start = to.place - from.place;
-    let moved = to.moved(bodies) - from.moved(bodies);
-    let now = start + moved;
-    // Without the difference of two lengths.
-    let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
-    (now, apart)
+    let moved = to.displacement(bodies) - from.displacement(bodies);
+    bolt::chord(to.place - from.place, moved, Vec2::dot)
 }
 
 impl Bolt {
-    /// Energy in bar, grout, plate and dowels, J/m; `dowel` is the stiffness of the dowels, N/m per metre.
+    /// Energy in bar, grout, plate and dowels, J/m; `spec` is what it was built from.
     #[must_use]
-    pub fn stored(&self, dowel: f64) -> f64 {
-        let sheared: f64 = self.dowels.iter().map(|d| d.force.length_squared()).sum();
-        let sheared = if dowel > 0.0 {
-            0.5 * sheared / dowel
-        } else {
-            0.0
-        };
-        self.chain.stored() + sheared
+    pub fn stored(&self, spec: &Spec) -> f64 {
+        let squares = self.dowels.iter().map(|d| d.force.length_squared());
+        self.chain.stored_with(spec.design.dowel, squares)
     }
 
     /// Whether the rock at the ends of bar `k` can move apart: it lies in two blocks.
@@ -94,10 +85,7 @@ impl World {
     /// Energy in bolts, J/m.
     #[must_use]
     pub fn bolt_energy(&self) -> f64 {
-        let stored = |bolt: &Bolt| {
-            let dowel = self.setup.bolts[bolt.number as usize].design.dowel;
-            bolt.stored(dowel.map_or(0.0, |d| d[0]))
-        };
+        let stored = |bolt: &Bolt| bolt.stored(&self.setup.bolts[bolt.number as usize]);
         self.bolts.iter().map(stored).sum()
     }
 }
@@ -122,11 +110,7 @@ pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]
     for (bolt, desk) in bolts.iter_mut().zip(desks) {
         if *pending > 0.0 {
             solve(bolt, desk, &setup.bolts[bolt.number as usize], bodies);
-            let lost = desk.losses.all() + desk.sheared;
-            bolt.lost += lost;
-            bolt.breaks += desk.losses.breaks as u32;
-            bolt.left = bolt.left.max(desk.losses.left);
-            works.bolts += lost;
+            works.bolts += bolt.toll.add(desk);
         }
         bolt.pulls(bodies, &mut |from, to, force| {
             let arm = |pin: &Pin| pin.lever(bodies);
@@ -139,18 +123,14 @@ pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]
 
 /// Equilibrium of one bolt and forces of its dowels.
 fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, bodies: &[Body]) {
-    for &k in &desk.stretching {
-        let k = k as usize;
-        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], bodies).1;
-    }
-    desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
-    desk.sheared = 0.0;
+    let pins = &bolt.pins;
+    desk.solve(&mut bolt.chain, |k| chord(&pins[k], &pins[k + 1], bodies).1);
     let Some(dowel) = spec.design.dowel else {
         return;
     };
     for one in &mut bolt.dowels {
         let [behind, ahead] = &one.sides;
-        let jump = ahead.moved(bodies) - behind.moved(bodies);
+        let jump = ahead.displacement(bodies) - behind.displacement(bodies);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
         let before = Sheared {
             slip: one.slip.to_array(),

@@ -1,6 +1,7 @@
 //! What pictures, tables and fields ask of bolts. Forces are those of one bolt: what acts on a metre of thickness times the spacing.
 
 use crate::frame::bars::BoltBar;
+use crate::laws::bolt;
 use crate::setup::Bolt as Spec;
 use crate::view::View;
 use crate::world::Bolt;
@@ -41,11 +42,7 @@ pub fn bars(view: &View<'_>) -> Vec<BoltBar> {
 #[must_use]
 pub fn largest(v: &View, numbers: &[u32], least: f64, get: impl Fn(&Spec, &Bolt) -> f64) -> f64 {
     let spec = |bolt: &Bolt| &v.world.setup.bolts[bolt.number as usize];
-    let mut all = of(v, numbers).map(|bolt| get(spec(bolt), bolt)).peekable();
-    if all.peek().is_none() {
-        return f64::NAN;
-    }
-    all.fold(least, f64::max)
+    bolt::largest(of(v, numbers).map(|bolt| get(spec(bolt), bolt)), least)
 }
 
 /// The installed ones among bolts of the setup (ascending).
@@ -78,9 +75,9 @@ impl View<'_> {
     /// every search came to its end.
     #[must_use]
     pub fn unbalanced_bolt(&self) -> Option<(&str, f64)> {
-        let missed = self.world.bolts.iter().filter(|bolt| bolt.left > 0.0);
-        let worst = missed.max_by(|a, b| a.left.total_cmp(&b.left))?;
+        let missed = self.world.bolts.iter().filter(|bolt| bolt.toll.left > 0.0);
+        let worst = missed.max_by(|a, b| a.toll.left.total_cmp(&b.toll.left))?;
         let spec = &self.world.setup.bolts[worst.number as usize];
-        Some((&spec.name, worst.left))
+        Some((&spec.name, worst.toll.left))
     }
 }

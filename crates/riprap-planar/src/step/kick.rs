@@ -4,11 +4,9 @@ use riprap_geom::Vec2;
 
 use super::{Damping, nobody};
 use crate::dynamics::kick::{self, Support, Target};
-use crate::loads::Applied;
 use crate::scratch::{Change, Net, NonFinite, Partial, Scratch};
-use crate::shapes::Shapes;
 use crate::sums::{self, GROUP};
-use crate::world::{World, Wrench};
+use crate::world::World;
 
 /// Gathers the slots of each block and finds its velocity change.
 pub(super) fn kicks(
@@ -17,23 +15,17 @@ pub(super) fn kicks(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), NonFinite> {
-    scratch.partial.fill(Partial::default());
-    let kick = Kick {
-        world,
-        shapes: &scratch.shapes,
-        slots: &scratch.slots,
-        first_entry: &scratch.first_entry,
-        incidence: &scratch.incidence,
-        applied: &scratch.applied,
-        damping,
-        half: [0.5 * world.pending, 0.5 * dt],
-        span: 0.5 * (world.last_dt + dt),
-    };
-    let count = scratch.changes.len();
+    // What the kick writes is taken out while it reads all else.
+    let mut changes = std::mem::take(&mut scratch.changes);
+    let mut net = std::mem::take(&mut scratch.net);
+    let mut partial = std::mem::take(&mut scratch.partial);
+    partial.fill(Partial::default());
+    let kick = Kick::new(world, scratch, damping, dt);
+    let count = changes.len();
     scratch.exec.groups2(
-        &mut scratch.changes,
-        &mut scratch.net,
-        &mut scratch.partial,
+        &mut changes,
+        &mut net,
+        &mut partial,
         &mut nobody(count),
         |at, changes, net, partial, ()| {
             for (k, (change, net)) in changes.iter_mut().zip(net).enumerate() {
@@ -41,6 +33,7 @@ pub(super) fn kicks(
             }
         },
     );
+    (scratch.changes, scratch.net, scratch.partial) = (changes, net, partial);
     let groups = &mut scratch.partial[..count.div_ceil(GROUP)];
     let bad = groups.iter().find_map(|p| p.bad);
     sums::tree(groups, |sum, other| {
@@ -61,17 +54,7 @@ pub(super) fn of_support(
     dt: f64,
     b: usize,
 ) -> [f64; 2] {
-    let kick = Kick {
-        world,
-        shapes: &scratch.shapes,
-        slots: &scratch.slots,
-        first_entry: &scratch.first_entry,
-        incidence: &scratch.incidence,
-        applied: &scratch.applied,
-        damping,
-        half: [0.5 * world.pending, 0.5 * dt],
-        span: 0.5 * (world.last_dt + dt),
-    };
+    let kick = Kick::new(world, scratch, damping, dt);
     let mut partial = Partial::default();
     kick.block(b, &mut Change::default(), &mut Net::default(), &mut partial);
     [partial.arrival.supports, partial.departure.supports]
@@ -80,11 +63,7 @@ pub(super) fn of_support(
 /// What the kick of one block reads.
 struct Kick<'a> {
     world: &'a World,
-    shapes: &'a Shapes,
-    slots: &'a [Wrench],
-    first_entry: &'a [u32],
-    incidence: &'a [u32],
-    applied: &'a [Applied],
+    scratch: &'a Scratch,
     damping: &'a Damping,
     /// Halves of the step before and after the present time, s.
     half: [f64; 2],
@@ -92,17 +71,27 @@ struct Kick<'a> {
     span: f64,
 }
 
-impl Kick<'_> {
+impl<'a> Kick<'a> {
+    fn new(world: &'a World, scratch: &'a Scratch, damping: &'a Damping, dt: f64) -> Self {
+        Self {
+            world,
+            scratch,
+            damping,
+            half: [0.5 * world.pending, 0.5 * dt],
+            span: 0.5 * (world.last_dt + dt),
+        }
+    }
+
     fn block(&self, b: usize, change: &mut Change, net: &mut Net, partial: &mut Partial) {
         if !self.world.alive[b] {
             *change = Change::default();
             return;
         }
         let (mut force, mut moment) = (Vec2::ZERO, 0.0);
-        for &entry in
-            &self.incidence[self.first_entry[b] as usize..self.first_entry[b + 1] as usize]
-        {
-            let slot = &self.slots[(entry >> 1) as usize];
+        let scratch = self.scratch;
+        let [first, end] = [b, b + 1].map(|b| scratch.first_entry[b] as usize);
+        for &entry in &scratch.incidence[first..end] {
+            let slot = &scratch.slots[(entry >> 1) as usize];
             if entry & 1 == 0 {
                 force += slot.force;
                 moment += slot.moment_i;
@@ -111,8 +100,8 @@ impl Kick<'_> {
                 moment += slot.moment_j;
             }
         }
-        let (mass, inertia) = (self.shapes.mass[b], self.shapes.inertia[b]);
-        let (weight, load) = (mass * self.world.gravity, self.applied[b]);
+        let (mass, inertia) = (scratch.shapes.mass[b], scratch.shapes.inertia[b]);
+        let (weight, load) = (mass * self.world.gravity, scratch.applied[b]);
         force += weight + load.force;
         moment += load.moment;
         *net = Net { force, moment };

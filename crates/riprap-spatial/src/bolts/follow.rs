@@ -96,7 +96,7 @@ fn across(world: &World, ends: [&Pin; 2], parts: [Pin; 2]) -> Option<[Pin; 2]> {
             anchor,
             along: mid(ends[0].along, ends[1].along),
             place: both(ends[0].place, ends[1].place),
-            base: world.all_freedoms().moved(&anchor),
+            base: world.all_freedoms().displacement_inside(&anchor),
         })
     };
     Some([side(&behind, &parts[0])?, side(&ahead, &parts[1])?])
@@ -162,7 +162,8 @@ fn parts(world: &World, block: u32) -> impl Iterator<Item = usize> {
 /// A pin that hangs on another block from now on and has moved by as much as before.
 fn handed(world: &World, pin: &Pin, block: u32, anchor: Inside) -> Pin {
     let freedoms = world.all_freedoms();
-    let jump = freedoms.moved(&anchor) - freedoms.moved(&pin.anchor);
+    let there = freedoms.displacement_inside(&anchor);
+    let jump = there - freedoms.displacement_inside(&pin.anchor);
     Pin {
         block,
         anchor,

@@ -70,7 +70,7 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
         spec.design.plate.is_some(),
     )?;
     let lengths: Vec<[f64; 2]> = spans.iter().map(|s| s.0).collect();
-    let laid = lay(&spec.design, length, &lengths);
+    let mut laid = lay(&spec.design, length, &lengths);
     let pin = |along: f64, span: usize| {
         let block = spans[span].1;
         let star = stars.binary_search_by_key(&block, |s| s.0);
@@ -90,21 +90,14 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
         force: Vec3::ZERO,
     });
     let dowels = dowels.collect();
-    let mut chain = laid.chain;
-    let mut lost = 0.0;
-    if spec.design.pretension > 0.0 {
-        let mut factors = chain.factors();
-        lost = chain.stretch(spec.design.pretension, &mut factors).all();
-    }
+    let toll = laid.tighten(&spec.design);
     Ok(Bolt {
         number,
-        chain,
+        chain: laid.chain,
         pins,
         dowels,
         axis,
-        lost,
-        breaks: 0,
-        left: 0.0,
+        toll,
     })
 }
 
@@ -134,6 +127,6 @@ fn pin(world: &World, (block, star): (u32, Option<&Star>), place: Vec3, along: f
         anchor,
         along,
         place,
-        base: world.all_freedoms().moved(&anchor),
+        base: world.all_freedoms().displacement_inside(&anchor),
     }
 }

@@ -75,8 +75,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     let pushes = &mut scratch.pushes.own;
     pushes.need_blocks(world.alive.len());
-    let soft = |bolt: &Bolt| bolt.points().any(|pin| pin.anchor.deforms());
-    if pushes.nodes.is_empty() && bolts.iter().any(soft) {
+    let on_nodes = |bolt: &Bolt| bolt.points().any(|pin| pin.anchor.deforms());
+    if pushes.nodes.is_empty() && bolts.iter().any(on_nodes) {
         pushes.need_nodes(freedoms.displacement.len());
     }
     for bolt in &*bolts {
@@ -95,29 +95,23 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     }
     if changes {
         for (bolt, desk) in bolts.iter_mut().zip(&scratch.bolts) {
-            let lost = desk.losses.all() + desk.sheared;
-            bolt.lost += lost;
-            bolt.breaks += desk.losses.breaks as u32;
-            bolt.left = bolt.left.max(desk.losses.left);
-            world.works.bolts += lost;
+            world.works.bolts += bolt.toll.add(desk);
         }
     }
 }
 
 /// Equilibrium of one bolt and forces of its dowels.
 fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
-    for &k in &desk.stretching {
-        let k = k as usize;
-        desk.apart[k] = chord(&bolt.pins[k], &bolt.pins[k + 1], freedoms).1;
-    }
-    desk.losses = bolt.chain.solve(&desk.apart, &mut desk.factors);
-    desk.sheared = 0.0;
+    let pins = &bolt.pins;
+    desk.solve(&mut bolt.chain, |k| {
+        chord(&pins[k], &pins[k + 1], freedoms).1
+    });
     let Some(dowel) = spec.design.dowel else {
         return;
     };
     for one in &mut bolt.dowels {
         let [behind, ahead] = &one.sides;
-        let jump = ahead.moved(freedoms) - behind.moved(freedoms);
+        let jump = ahead.displacement(freedoms) - behind.displacement(freedoms);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
         let before = Sheared {
             slip: one.slip.to_array(),
@@ -133,10 +127,7 @@ impl World {
     /// Energy in bolts, J.
     #[must_use]
     pub fn bolt_energy(&self) -> f64 {
-        let stored = |bolt: &Bolt| {
-            let dowel = self.setup.bolts[bolt.number as usize].design.dowel;
-            bolt.stored(dowel.map_or(0.0, |d| d[0]))
-        };
+        let stored = |bolt: &Bolt| bolt.stored(&self.setup.bolts[bolt.number as usize]);
         self.bolts.iter().map(stored).sum()
     }
 
@@ -147,14 +138,12 @@ impl World {
         let mut all = Vec::new();
         for bolt in &self.bolts {
             let first = all.len();
-            let arm = |block: u32, place: Vec3, moved: Vec3| {
-                let centre =
-                    self.reference[block as usize] + freedoms.displacement(&self.centroid(block));
-                place + moved - centre
+            let centre = |block: u32| {
+                self.reference[block as usize] + freedoms.displacement(&self.centroid(block))
             };
             let pin = |pin: &Pin, force: Vec3| {
-                let moved = pin.moved(&freedoms);
-                (pin.block, arm(pin.block, pin.place, moved), force)
+                let place = pin.place + pin.displacement(&freedoms);
+                (pin.block, place - centre(pin.block), force)
             };
             all.extend(bolt.pins.iter().map(|p| pin(p, Vec3::ZERO)));
             for k in 0..bolt.chain.bars.len() {

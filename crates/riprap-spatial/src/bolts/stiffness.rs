@@ -32,7 +32,7 @@ impl<'a> BoltSprings<'a> {
         for (bolt, factors) in world.bolts.iter().zip(&mut self.factors) {
             let bars = bolt.chain.bars.len();
             // Deformable blocks do not move in `at`.
-            let moved = |pin: &Pin| -> Vec3 {
+            let displacement = |pin: &Pin| -> Vec3 {
                 let [u, turn] = at[pin.block as usize];
                 u + turn.cross(arm(world, pin))
             };
@@ -48,7 +48,7 @@ impl<'a> BoltSprings<'a> {
                     if from.block == to.block {
                         0.0
                     } else {
-                        bolt.axis.dot(moved(to) - moved(from))
+                        bolt.axis.dot(displacement(to) - displacement(from))
                     }
                 })
                 .collect();
@@ -69,7 +69,7 @@ impl<'a> BoltSprings<'a> {
             };
             for dowel in &bolt.dowels {
                 let [behind, ahead] = &dowel.sides;
-                let jump = moved(ahead) - moved(behind);
+                let jump = displacement(ahead) - displacement(behind);
                 let force = stiffness * (jump - jump.dot(bolt.axis) * bolt.axis);
                 add(behind, -force);
                 add(ahead, force);

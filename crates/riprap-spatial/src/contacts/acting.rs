@@ -335,7 +335,7 @@ impl Evaluation<'_> {
             // The springs along the contact have the stiffness of its law from now on, and act at its point.
             sums.left += before - reply.sprung;
         }
-        pair.stored = pair.memory.stored(&law);
+        pair.stored = pair.memory.stored(law.shear_stiffness);
         pair.force = reply.wrench.force;
         pair.depth = surface.depth;
         pair.gap = 0.0;

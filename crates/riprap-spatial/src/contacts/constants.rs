@@ -7,7 +7,7 @@ use crate::build::stiffness;
 use crate::exec::Exec;
 use crate::found::desk::{Constants, Desk, Facing};
 use crate::found::glued::Glued;
-use crate::found::{ContactLaw, Shape};
+use crate::found::{ContactLaw, Pose, Shape};
 use crate::setup::{InterfaceLaw, Setup};
 use crate::world::World;
 
@@ -65,6 +65,13 @@ pub(super) fn inverse_mass(world: &World, b: usize) -> f64 {
     }
 }
 
+/// Poses of the blocks of a pair when the candidate list was made, and the way that both together may go until the next one, m.
+fn placed(world: &World, ends: [u32; 2]) -> ([Pose; 2], f64) {
+    let search = &world.found.search;
+    let margins = ends.map(|b| search.margin[b as usize]);
+    (ends.map(|b| search.pose[b as usize]), margins.iter().sum())
+}
+
 /// What is the same in all steps for a pair, and faces of both that can come flat onto each other.
 fn constants_of(
     world: &World,
@@ -73,9 +80,7 @@ fn constants_of(
     rows: &[ContactLaw],
     faces: [&[u16]; 2],
 ) -> (Constants, Option<Facing>) {
-    let search = &world.found.search;
-    let poses = ends.map(|b| search.pose[b as usize]);
-    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
+    let (poses, margin) = placed(world, ends);
     let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
     let constants = Constants {
         largest: limit::largest_area(shape, faces),
@@ -83,10 +88,8 @@ fn constants_of(
     };
     let law = constants.law(rows);
     let facing = limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied()));
-    let with_square = |found: Facing| {
-        let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-        found.with_square(eases, poses, &law)
-    };
+    let eases = || ends.map(|b| limit::Ease::of(world, shapes, b as usize));
+    let with_square = |found: Facing| found.with_square(eases(), poses, &law);
     (constants, facing.map(with_square))
 }
 
@@ -97,9 +100,7 @@ fn constants_of_glued(
     ends: [u32; 2],
     rows: &[ContactLaw],
 ) -> (Constants, Option<Facing>) {
-    let search = &world.found.search;
-    let poses = ends.map(|b| search.pose[b as usize]);
-    let margin = ends.map(|b| search.margin[b as usize]).iter().sum();
+    let (poses, margin) = placed(world, ends);
     let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
     let constants = Constants {
         largest: of[0].largest.min(of[1].largest),
@@ -107,10 +108,8 @@ fn constants_of_glued(
         ..plain(&world.setup, ends, of.map(|glued| glued.inradius))
     };
     let law = constants.law(rows);
-    let with_square = |found: Facing| {
-        let eases = ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-        found.with_square(eases, poses, &law)
-    };
+    let eases = || ends.map(|b| limit::Ease::of(world, shapes, b as usize));
+    let with_square = |found: Facing| found.with_square(eases(), poses, &law);
     let facing = glued::facing(of, poses, margin, with_square);
     (constants, facing)
 }

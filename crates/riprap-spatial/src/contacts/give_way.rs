@@ -290,9 +290,7 @@ fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
         sliding: true,
         arms: if i < j { arms } else { [arms[1], arms[0]] },
     };
-    let stiffness = class.stiffness[1];
-    let stored = memory.shear.length_squared() / (2.0 * stiffness * memory.area)
-        + memory.torsion * memory.torsion / (2.0 * stiffness * memory.polar);
+    let stored = memory.stored(class.stiffness[1]);
     let change = stored - pair.stored;
     pair.memory = memory;
     pair.stored = stored;

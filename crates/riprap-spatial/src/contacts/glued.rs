@@ -119,7 +119,7 @@ pub(super) fn act(
                 &mut None,
             );
             sums.friction += reply.friction;
-            contact.stored = contact.memory.stored(law);
+            contact.stored = contact.memory.stored(law.shear_stiffness);
             contact.force = reply.elastic.force + reply.spring.force;
             contact.depth = surface.depth;
             contact.area = reply.area;

@@ -318,7 +318,7 @@ impl Here<'_> {
             };
             let reply = respond(&law, &question, &mut contact.memory, &mut None);
             workspace.friction += reply.friction;
-            contact.stored = contact.memory.stored(&law);
+            contact.stored = contact.memory.stored(law.shear_stiffness);
             contact.force = reply.wrench.force;
             contact.depth = on.sums.depth;
             contact.area = reply.area;

@@ -40,6 +40,31 @@ pub(super) fn turned(low: [f64; 3], size: [f64; 3], rotation: Quat) -> BlockSpec
     block
 }
 
+/// Joints and contacts of 1e9 and 5e8 Pa/m without strength but for friction; tan of its angle, and damping ratio of both.
+pub(crate) fn joint(friction: f64, damping: f64) -> JointLaw {
+    JointLaw {
+        stiffness: Stiffness::Given {
+            normal: 1e9,
+            shear: 5e8,
+        },
+        strength: Some(Strength {
+            cohesion: 0.0,
+            tension: 0.0,
+            friction,
+            residual_friction: friction,
+            residual_cohesion: 0.0,
+            dilation: 0.0,
+            dilation_end: 1.0,
+        }),
+        behaviour: Default::default(),
+        failure: Failure::Point,
+        points: Points::Gauss,
+        damping,
+        contact_damping: damping,
+        dashpots: Dashpots::Sticking,
+    }
+}
+
 /// A fixed floor with its top at z = 0, and blocks above it; tan of the friction angle and damping ratio of all contacts.
 pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -> Setup {
     let mut setup = Setup {
@@ -60,27 +85,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
         name: "default".into(),
         bond: None,
         friction: None,
-        joint: JointLaw {
-            stiffness: Stiffness::Given {
-                normal: 1e9,
-                shear: 5e8,
-            },
-            strength: Some(Strength {
-                cohesion: 0.0,
-                tension: 0.0,
-                friction,
-                residual_friction: friction,
-                residual_cohesion: 0.0,
-                dilation: 0.0,
-                dilation_end: 1.0,
-            }),
-            behaviour: Default::default(),
-            failure: Failure::Point,
-            points: Points::Gauss,
-            damping,
-            contact_damping: damping,
-            dashpots: Dashpots::Sticking,
-        },
+        joint: joint(friction, damping),
     });
     setup.supports.push(Support {
         blocks: vec![0],

@@ -102,19 +102,25 @@ impl Memory {
         -0.5 * dt * (self.shear.dot(velocity) + self.torsion * twist)
     }
 
-    /// Energy in the shear springs, J.
+    /// Energy in shear springs of this stiffness (Pa/m), J.
     #[must_use]
-    pub fn stored(&self, law: &ContactLaw) -> f64 {
-        let share = |squared: f64, amount: f64| {
-            if amount > 0.0 {
-                squared / (2.0 * law.shear_stiffness * amount)
-            } else {
-                0.0
-            }
-        };
-        share(self.shear.length_squared(), self.area)
-            + share(self.torsion * self.torsion, self.polar)
+    pub fn stored(&self, stiffness: f64) -> f64 {
+        stored(stiffness, self.shear, self.torsion, [self.area, self.polar])
     }
+}
+
+/// Energy (J) in shear springs of this stiffness (Pa/m) over an area (m²) with its polar second moment (m⁴) that carry a shear force (N) and a
+/// torsion (N m).
+#[must_use]
+pub fn stored(stiffness: f64, shear: Vec3, torsion: f64, [area, polar]: [f64; 2]) -> f64 {
+    let share = |squared: f64, amount: f64| {
+        if amount > 0.0 {
+            squared / (2.0 * stiffness * amount)
+        } else {
+            0.0
+        }
+    };
+    share(shear.length_squared(), area) + share(torsion * torsion, polar)
 }
 
 /// Motion of a block.
@@ -262,7 +268,7 @@ pub fn respond(
     let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
     let mut work = memory.work(&q.motion, q.dt);
     let Some(meeting) = meeting(law, q) else {
-        let lost = memory.stored(law);
+        let lost = memory.stored(law.shear_stiffness);
         let booked = part(offset.take(), &q.motion, memory, q.dt);
         *memory = Memory::default();
         return Reply {
@@ -329,7 +335,7 @@ pub fn respond(
         radius: LEAST_MEAN_RADIUS * c.gyration.sqrt(),
         exact: false,
     };
-    let before = memory.stored(law);
+    let before = memory.stored(law.shear_stiffness);
     // Found for the first time without a move (at the start, after an edit), it still has to learn where it is.
     if q.dt > 0.0 || memory.normal == Vec3::ZERO {
         let turning = 0.5 * (a.spin + b.spin).dot(c.normal) * q.dt;
@@ -349,7 +355,7 @@ pub fn respond(
             torsion /= excess;
         }
     }
-    let stored = memory.stored(law);
+    let stored = memory.stored(law.shear_stiffness);
     let spring = about(arms, memory.shear, memory.torsion * c.normal);
     let drag = about(
         arms,

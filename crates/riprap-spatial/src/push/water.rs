@@ -68,9 +68,9 @@ pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec
     let Some(table) = world.table().filter(|_| !world.is_terrain(b)) else {
         return Vec3::ZERO;
     };
-    let soft = world.deform.as_deref().zip(work);
-    let soft = soft.and_then(|(deform, work)| Some((deform, deform.body(b)?, work)));
-    match soft {
+    let with_nodes = world.deform.as_deref().zip(work);
+    let nodal = with_nodes.and_then(|(deform, work)| Some((deform, deform.body(b)?, work)));
+    match nodal {
         None => on_block_of(world, table, b).0,
         Some((deform, body, work)) => {
             let mut force = Vec3::ZERO;

@@ -13,7 +13,7 @@ pub fn bars(view: &View<'_>) -> Vec<BoltBar> {
     for bolt in &world.bolts {
         let place = |k: usize| {
             let pin = &bolt.pins[k];
-            (pin.place + pin.moved(&freedoms) + world.setup.origin).to_array()
+            (pin.place + pin.displacement(&freedoms) + world.setup.origin).to_array()
         };
         for k in 0..bolt.chain.bars.len() {
             all.push(BoltBar {

@@ -8,7 +8,7 @@ use riprap_geom::{Mat3, Vec3};
 use crate::cavity::Cavity;
 use crate::deform::cut::tip;
 use crate::deform::fracture;
-use crate::field::{FieldError, FieldInfo, Part, Shape as FieldShape, Site, find};
+use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
 use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
 use crate::read::bolts;
@@ -25,45 +25,8 @@ use crate::world::flag;
 /// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
 type Getter = fn(&View<'_>, &[u32]) -> Vec3;
 
-/// One field: what it is and how it is read.
-pub struct Field {
-    /// Name, unit, meaning.
-    pub info: FieldInfo,
-    get: Getter,
-    /// Whether reading it costs as much as a step.
-    pub costly: bool,
-}
-
-macro_rules! fields {
-    ($($name:literal $unit:literal $site:ident $shape:ident $cost:literal $meaning:literal $get:expr;)*) => {
-        /// Names, units and meanings, in the order of the documentation.
-        pub const INFOS: &[FieldInfo] = &[$(FieldInfo {
-            name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
-        }),*];
-        /// The table with its getters, in the order of [`INFOS`].
-        pub const FIELDS: &[Field] = &[$(Field {
-            info: FieldInfo {
-                name: $name, unit: $unit, site: Site::$site, shape: FieldShape::$shape, meaning: $meaning,
-            },
-            get: $get,
-            costly: $cost,
-        }),*];
-    };
-}
-
 const fn one(x: f64) -> Vec3 {
     Vec3::new(x, 0.0, 0.0)
-}
-
-fn first(of: &[u32]) -> usize {
-    of.first().map_or(0, |&b| b as usize)
-}
-
-fn pair(of: &[u32]) -> (u32, u32) {
-    (
-        of.first().copied().unwrap_or(0),
-        of.get(1).copied().unwrap_or(0),
-    )
 }
 
 /// Blocks of a group (ascending) that are there, and those that its split blocks have become.
@@ -252,7 +215,8 @@ fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
     v.stress(first(of))
 }
 
-fields! {
+riprap_core::fields! {
+    Getter;
     "block.position" "m" Block Vector3 false "Position of the centroid." |v, of| v.position(first(of)) + v.world.setup.origin;
     "block.displacement" "m" Block Vector3 false "Displacement of the centroid since the start or the last reset." |v, of| v.displacement(first(of));
     "block.rotation" "rad" Block Vector3 false "Rotation vector since the start or the last reset." |v, of| v.rotation(first(of));
@@ -366,12 +330,12 @@ fields! {
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
     "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
     "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));
-    "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, bolts::slip));
-    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, bolts::yielded));
-    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, bolts::utilisation));
-    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.breaks)).sum());
+    "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_slip()));
+    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
+    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
+    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.toll.breaks)).sum());
     "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
-    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.left).fold(0.0, f64::max));
+    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
     "model.strain_energy" "J" Model Scalar true "Elastic energy of deformable blocks." |v, _| one(v.strain_energy());
     "model.bond_energy" "J" Model Scalar true "Elastic energy of the bonds of deformable blocks." |v, _| one(v.bond_energy().iter().sum());
     "model.facets" "-" Model Scalar false "Number of facets: shared parts of faces along which a deformable block is joined." |v, _| one(v.deformables().map_or(0, |s| s.0.facets.len()) as f64);
@@ -436,8 +400,7 @@ impl Reading {
         at: Option<Vec3>,
         along: Option<Vec3>,
     ) -> Result<Self, FieldError> {
-        let (info, part) = find(INFOS, name)?;
-        let index = INFOS.iter().position(|f| f.name == info.name).unwrap_or(0);
+        let (index, part) = place(INFOS, name)?;
         Ok(Self {
             index,
             part,
@@ -457,14 +420,14 @@ impl Reading {
     /// Whether reading it costs as much as a step.
     #[must_use]
     pub fn costly(&self) -> bool {
-        FIELDS[self.index].costly
+        READERS[self.index].costly
     }
 
     /// The number; a vector without part or direction gives its magnitude. NaN where the block is gone or
     /// no block holds the point.
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
-        let get = FIELDS[self.index].get;
+        let get = READERS[self.index].get;
         if self.info().name == "block.crack_distance" {
             return self.at.map_or(f64::NAN, |at| cracks::distance(view, at));
         }
@@ -491,13 +454,9 @@ impl Reading {
             (None, Site::Block | Site::Pair) if self.gone(view) => return f64::NAN,
             (None, _) => &self.of,
         };
-        let v = get(view, of);
-        match (self.info().shape, self.part, self.along) {
-            (FieldShape::Scalar, ..) => v.x,
-            (_, Part::Whole, Some(direction)) => v.dot(direction),
-            (_, Part::Whole, None) => v.length(),
-            (_, part, _) => part.of(&v.to_array()).unwrap_or(f64::NAN),
-        }
+        let values = get(view, of).to_array();
+        let along = self.along.map(|along| along.to_array());
+        self.part.read(self.info().shape, values, along)
     }
 
     /// Whether a block asked for is no longer there (`block.removed` can still be read).

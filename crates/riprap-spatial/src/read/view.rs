@@ -6,6 +6,7 @@ use riprap_geom::Vec3;
 
 use crate::boundary;
 use crate::contacts;
+use crate::dynamics::kick::past;
 use crate::found::desk::Deepest;
 use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
@@ -26,16 +27,9 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    /// Share of the coming kick that lies before the present time: velocities are those of half a
-    /// step before, the kick spans both halves.
+    /// Share of the coming kick that lies before the present time.
     pub(crate) fn past(&self) -> f64 {
-        let (before, after) = (self.world.last_dt, self.scratch.coming_dt);
-        // Before the first step velocities are those of the present time already.
-        if before > 0.0 {
-            before / (before + after)
-        } else {
-            0.0
-        }
+        past(self.world.last_dt, self.scratch.coming_dt)
     }
 
     /// Name of block `b`.
@@ -502,10 +496,10 @@ impl View<'_> {
     /// every search came to its end.
     #[must_use]
     pub fn unbalanced_bolt(&self) -> Option<(&str, f64)> {
-        let missed = self.world.bolts.iter().filter(|bolt| bolt.left > 0.0);
-        let worst = missed.max_by(|a, b| a.left.total_cmp(&b.left))?;
+        let missed = self.world.bolts.iter().filter(|bolt| bolt.toll.left > 0.0);
+        let worst = missed.max_by(|a, b| a.toll.left.total_cmp(&b.toll.left))?;
         let spec = &self.world.setup.bolts[worst.number as usize];
-        Some((&spec.name, worst.left))
+        Some((&spec.name, worst.toll.left))
     }
 
     /// Force of all terrain on a block, N, and how deep it lies in it, m.

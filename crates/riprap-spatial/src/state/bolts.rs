@@ -4,7 +4,8 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::anchor::{Freedoms, Inside};
-use crate::laws::bolt::Chain;
+use crate::laws::bolt::{self, Chain, Toll};
+use crate::setup::Bolt as Spec;
 
 /// A bolt in the rock.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,12 +20,8 @@ pub struct Bolt {
     pub dowels: Vec<Dowel>,
     /// Unit direction from the head to the toe when it was installed.
     pub axis: Vec3,
-    /// Yield, slip and rupture so far, J.
-    pub lost: f64,
-    /// Bars that have broken.
-    pub breaks: u32,
-    /// The worst that was left of its equilibrium, over its largest force.
-    pub left: f64,
+    /// What it has gone through so far.
+    pub toll: Toll,
 }
 
 /// A point of the rock that a bolt holds on to.
@@ -59,8 +56,8 @@ impl Pin {
     /// Displacement since the bolt was installed, m.
     #[inline]
     #[must_use]
-    pub fn moved(&self, freedoms: &Freedoms) -> Vec3 {
-        freedoms.moved(&self.anchor) - self.base
+    pub fn displacement(&self, freedoms: &Freedoms) -> Vec3 {
+        freedoms.displacement_inside(&self.anchor) - self.base
     }
 }
 
@@ -68,25 +65,16 @@ impl Pin {
 #[inline]
 #[must_use]
 pub fn chord(from: &Pin, to: &Pin, freedoms: &Freedoms) -> (Vec3, f64) {
-    let start = to.place - from.place;
-    let moved = to.moved(freedoms) - from.moved(freedoms);
-    let now = start + moved;
-    // Without the difference of two lengths.
-    let apart = moved.dot(2.0 * start + moved) / (now.length() + start.length());
-    (now, apart)
+    let moved = to.displacement(freedoms) - from.displacement(freedoms);
+    bolt::chord(to.place - from.place, moved, Vec3::dot)
 }
 
 impl Bolt {
-    /// Energy in bar, grout, plate and dowels, J; `dowel` is the stiffness of the dowels, N/m.
+    /// Energy in bar, grout, plate and dowels, J; `spec` is what it was built from.
     #[must_use]
-    pub fn stored(&self, dowel: f64) -> f64 {
-        let sheared: f64 = self.dowels.iter().map(|d| d.force.length_squared()).sum();
-        let sheared = if dowel > 0.0 {
-            0.5 * sheared / dowel
-        } else {
-            0.0
-        };
-        self.chain.stored() + sheared
+    pub fn stored(&self, spec: &Spec) -> f64 {
+        let squares = self.dowels.iter().map(|d| d.force.length_squared());
+        self.chain.stored_with(spec.design.dowel, squares)
     }
 
     /// Whether the rock at the ends of bar `k` can move apart: it lies in two blocks, or in one that deforms.

@@ -5,6 +5,7 @@ use riprap_core::state_hash::StateHash;
 use super::deform::{Deform, State};
 use super::patches::{Patches, flag};
 use super::world::World;
+use crate::found::Memory;
 
 impl World {
     /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.
@@ -54,17 +55,11 @@ impl World {
             hash.numbers(&anchor.to_array());
         }
         for pair in self.found.pairs.iter().filter(|p| p.depth > 0.0) {
-            let (m, [i, j]) = (&pair.memory, pair.ends);
-            hash.count(u64::from(i) << 32 | u64::from(j));
-            hash.numbers(&m.shear.to_array());
-            hash.numbers(&m.normal.to_array());
-            hash.numbers(&[m.torsion, m.area, m.polar]);
+            hash.pair(pair.ends);
+            remember(&mut hash, &pair.memory);
             for piece in &pair.pieces {
-                let (m, [a, b]) = (&piece.memory, piece.pieces);
-                hash.count(u64::from(a) << 32 | u64::from(b));
-                hash.numbers(&m.shear.to_array());
-                hash.numbers(&m.normal.to_array());
-                hash.numbers(&[m.torsion, m.area, m.polar]);
+                hash.pair(piece.pieces.map(u32::from));
+                remember(&mut hash, &piece.memory);
             }
             if let Some(offset) = &pair.offset {
                 hash.numbers(&offset.rocking.to_array());
@@ -73,32 +68,22 @@ impl World {
             }
         }
         for pair in self.found.deformable.pairs.iter().filter(|p| p.depth > 0.0) {
-            let (m, [i, j]) = (&pair.memory, pair.ends);
-            hash.count(u64::from(i) << 32 | u64::from(j));
+            let m = &pair.memory;
+            hash.pair(pair.ends);
             hash.numbers(&m.shear.to_array());
             hash.numbers(&m.normal.to_array());
             hash.numbers(&[m.torsion, m.area, m.polar]);
         }
         for (b, on) in self.found.terrain.iter().enumerate() {
             for facet in &on.facets {
-                let (m, [terrain, number]) = (&facet.memory, facet.key);
                 hash.count(b as u64);
-                hash.count(u64::from(terrain) << 32 | u64::from(number));
-                hash.numbers(&m.shear.to_array());
-                hash.numbers(&m.normal.to_array());
-                hash.numbers(&[m.torsion, m.area, m.polar]);
+                hash.pair(facet.key);
+                remember(&mut hash, &facet.memory);
             }
         }
         for bolt in &self.bolts {
             hash.count(u64::from(bolt.number));
-            let chain = &bolt.chain;
-            for list in [
-                &chain.motion,
-                &chain.slip,
-                &chain.plastic,
-                &chain.yielded,
-                &chain.force,
-            ] {
+            for list in bolt.chain.memory() {
                 hash.numbers(list);
             }
             for dowel in &bolt.dowels {
@@ -122,8 +107,7 @@ impl World {
         hash.count(order.len() as u64);
         for p in order {
             let p = p as usize;
-            let [i, j] = list.ends[p];
-            hash.count(u64::from(i) << 32 | u64::from(j));
+            hash.pair(list.ends[p]);
             let memory = memory(list, p);
             // `OFFSET` only says that numbers are in use.
             let flags = u64::from(list.flags[p] & !flag::OFFSET);
@@ -137,6 +121,12 @@ impl World {
             }
         }
     }
+}
+
+fn remember(hash: &mut StateHash, memory: &Memory) {
+    hash.numbers(&memory.shear.to_array());
+    hash.numbers(&memory.normal.to_array());
+    hash.numbers(&[memory.torsion, memory.area, memory.polar]);
 }
 
 /// Slip, offset along the normal and accumulated slip of the points of a patch, m.
@@ -176,8 +166,7 @@ fn bonds(hash: &mut StateHash, deform: &Deform) {
     hash.count(order.len() as u64);
     for f in order {
         let facet = &deform.facets[f as usize];
-        let [a, b] = facet.blocks;
-        hash.count(u64::from(a) << 32 | u64::from(b));
+        hash.pair(facet.blocks);
         hash.count(facet.whole_until << 1 | u64::from(deform.worn[f as usize]));
         if facet.parted {
             hash.count(1);

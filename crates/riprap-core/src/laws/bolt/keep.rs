@@ -1,4 +1,6 @@
-//! What is left of a chain when nodes of it go, and what the solution of a bolt works with.
+//! What is left of a chain when nodes of it go, what the solution of a bolt works with, and what it has cost.
+
+use serde::{Deserialize, Serialize};
 
 use super::{Bar, Chain, Factors, Losses};
 
@@ -85,5 +87,36 @@ impl Desk {
             losses: Losses::default(),
             sheared: 0.0,
         }
+    }
+
+    /// Finds the equilibrium of the chain where the rock has parted by `parting(k)` (m) along bar `k`; its dowels have cost nothing yet.
+    pub fn solve(&mut self, chain: &mut Chain, parting: impl Fn(usize) -> f64) {
+        for &k in &self.stretching {
+            self.apart[k as usize] = parting(k as usize);
+        }
+        self.losses = chain.solve(&self.apart, &mut self.factors);
+        self.sheared = 0.0;
+    }
+}
+
+/// What a bolt has gone through so far. A checkpoint holds these three numbers as if they stood in the bolt itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Toll {
+    /// Yield, slip and rupture, J.
+    pub lost: f64,
+    /// Bars that have broken.
+    pub breaks: u32,
+    /// The worst that was left of its equilibrium, over its largest force.
+    pub left: f64,
+}
+
+impl Toll {
+    /// Adds what the last step of a bolt has cost; gives the energy it has lost, J.
+    pub fn add(&mut self, desk: &Desk) -> f64 {
+        let lost = desk.losses.all() + desk.sheared;
+        self.lost += lost;
+        self.breaks += desk.losses.breaks as u32;
+        self.left = self.left.max(desk.losses.left);
+        lost
     }
 }

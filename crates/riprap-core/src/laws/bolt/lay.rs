@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Bar, Chain, Hold};
+use super::{Bar, Chain, Hold, Toll};
 
 /// Stiffness of a plate over that of the bar behind it, which then is 0.1 % softer than behind a rigid one. Deviation: the tie of a
 /// rigid plate is a stiff spring, so that the plate can lift and give way.
@@ -66,6 +66,19 @@ pub struct Laid {
     pub span: Vec<usize>,
     /// Joints that a dowel crosses: the bar across, and the distance from the head, m.
     pub joints: Vec<(usize, f64)>,
+}
+
+impl Laid {
+    /// Stretches the bar to the pretension of its design, if it has one; gives what that has cost.
+    #[must_use]
+    pub fn tighten(&mut self, design: &Design) -> Toll {
+        let mut toll = Toll::default();
+        if design.pretension > 0.0 {
+            let mut factors = self.chain.factors();
+            toll.lost = self.chain.stretch(design.pretension, &mut factors).all();
+        }
+        toll
+    }
 }
 
 /// Lays a bolt of a `length` (m) through spans of rock: from where to where each block holds it (m from the head), in order.

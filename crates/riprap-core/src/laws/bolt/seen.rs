@@ -39,6 +39,16 @@ impl BarState {
     }
 }
 
+/// The largest of a number over bolts, at least `least`; not a number where there are none.
+#[must_use]
+pub fn largest(over: impl Iterator<Item = f64>, least: f64) -> f64 {
+    let mut over = over.peekable();
+    if over.peek().is_none() {
+        return f64::NAN;
+    }
+    over.fold(least, f64::max)
+}
+
 impl Chain {
     /// Larger slip of the grout at the ends of bar `k`, m.
     #[must_use]

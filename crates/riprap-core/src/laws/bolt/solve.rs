@@ -112,6 +112,18 @@ impl Chain {
         }
     }
 
+    /// All numbers of its state that change, for the hash: by nodes, then by bars.
+    #[must_use]
+    pub fn memory(&self) -> [&[f64]; 5] {
+        [
+            &self.motion,
+            &self.slip,
+            &self.plastic,
+            &self.yielded,
+            &self.force,
+        ]
+    }
+
     /// Room to solve it, with the factors of the elastic matrix.
     #[must_use]
     pub fn factors(&self) -> Factors {
@@ -128,6 +140,19 @@ impl Chain {
         let nodes = self.holds.iter().zip(self.motion.iter().zip(&self.slip));
         let held = nodes.map(|(hold, (r, slip))| hold.stored(hold.map(r - slip).force));
         bars + held.sum::<f64>()
+    }
+
+    /// The same and that of dowels of `[stiffness, limit]` (N/m, N), if it has any, J; `squares` are those of their forces, N².
+    #[must_use]
+    pub fn stored_with(&self, dowel: Option<[f64; 2]>, squares: impl Iterator<Item = f64>) -> f64 {
+        let stiffness = dowel.map_or(0.0, |d| d[0]);
+        let squares: f64 = squares.sum();
+        let sheared = if stiffness > 0.0 {
+            0.5 * squares / stiffness
+        } else {
+            0.0
+        };
+        self.stored() + sheared
     }
 
     /// Force by which the rock holds node `k` back, N.

@@ -248,3 +248,21 @@ fn a_dowel_holds_up_to_its_limit_in_any_direction() {
     let k = dowel_stiffness(20e9, 200e9, 0.025, 0.040);
     assert!((5e7..5e8).contains(&k), "{k}");
 }
+
+#[test]
+fn a_chord_tells_how_much_longer_it_is_where_its_lengths_no_longer_do() {
+    let (now, longer) = chord(3.0, 1e-17, |a: f64, b: f64| a * b);
+    assert_eq!(now, 3.0);
+    assert!((longer / 1e-17 - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn dowels_store_with_the_chain_and_no_bolt_has_no_largest_number() {
+    let squares = [4.0, 8.0];
+    let stored = |dowel| Chain::default().stored_with(dowel, squares.into_iter());
+    assert_eq!(stored(Some([2.0, 9.0])), 3.0);
+    assert_eq!(stored(None), 0.0);
+    assert!(largest(std::iter::empty(), 0.0).is_nan());
+    assert_eq!(largest([-2.0, -1.0].into_iter(), f64::NEG_INFINITY), -1.0);
+    assert_eq!(largest([-2.0, -1.0].into_iter(), 0.0), 0.0);
+}

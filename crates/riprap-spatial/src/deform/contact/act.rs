@@ -7,6 +7,7 @@ use super::law::{Asked, Sides, respond};
 use super::limit;
 use crate::contacts::pose;
 use crate::found::cells::{Member, PairConstants, PairSlot, PairWorkspace, Spot, Star};
+use crate::found::friction::stored;
 use crate::found::grid::Box3;
 use crate::found::tetra::Piece;
 use crate::found::{Pose, Terrain};
@@ -370,5 +371,10 @@ impl DeformableMemory {
     /// A contact without memory.
     pub(super) fn forget(&mut self) {
         *self = Self::default();
+    }
+
+    /// Energy in shear springs of this stiffness (Pa/m), J.
+    pub(super) fn stored(&self, stiffness: f64) -> f64 {
+        stored(stiffness, self.shear, self.torsion, [self.area, self.polar])
     }
 }

@@ -297,9 +297,7 @@ pub(super) fn respond(
             memory.torsion /= outside;
         }
     }
-    let share = |squared: f64, amount: f64| squared / (2.0 * law.shear_stiffness * amount);
-    reply.stored = share(memory.shear.length_squared(), c.area)
-        + share(memory.torsion * memory.torsion, c.polar);
+    reply.stored = memory.stored(law.shear_stiffness);
     let viscous = dashpot(law.shear_stiffness);
     let mut sticking = (-viscous * along, -viscous * c.polar / c.area * c.twist[0]);
     if c.moment == 0.0 {

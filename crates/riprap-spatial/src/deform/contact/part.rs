@@ -173,9 +173,7 @@ fn hand_over(world: &mut World, facet: &Facet) {
         polar: pair.memory.polar + polar,
         sliding: true,
     };
-    let stiffness = facet.stiffness[1];
-    let stored = memory.shear.length_squared() / (2.0 * stiffness * memory.area)
-        + memory.torsion * memory.torsion / (2.0 * stiffness * memory.polar);
+    let stored = memory.stored(facet.stiffness[1]);
     let change = stored - pair.stored;
     pair.memory = memory;
     pair.stored = stored;

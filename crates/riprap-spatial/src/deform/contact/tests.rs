@@ -4,12 +4,13 @@ use riprap_geom::height_field::HeightField;
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Quat, Vec3};
 
+use crate::contacts::tests::joint;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::setup::deform::{BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Strain};
 use crate::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
-    Setup, Shape, Solid, Stiffness, Strength, Support, Surface,
+    BlockName, BlockSpec, InterfaceLaw, Material, Motion, Setup, Shape, Solid, Strength, Support,
+    Surface,
 };
 use crate::state::deform::Masses;
 use crate::state::scratch::Scratch;
@@ -75,27 +76,7 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
             failure: BondFailure::Spring,
         }),
         friction: None,
-        joint: JointLaw {
-            stiffness: Stiffness::Given {
-                normal: 1e9,
-                shear: 5e8,
-            },
-            strength: Some(Strength {
-                cohesion: 0.0,
-                tension: 0.0,
-                friction,
-                residual_friction: friction,
-                residual_cohesion: 0.0,
-                dilation: 0.0,
-                dilation_end: 1.0,
-            }),
-            behaviour: Default::default(),
-            failure: Failure::Point,
-            points: Points::Gauss,
-            damping,
-            contact_damping: damping,
-            dashpots: Dashpots::Sticking,
-        },
+        joint: joint(friction, damping),
     });
     setup.deform = Deformables {
         sets: vec![DeformableSet {
