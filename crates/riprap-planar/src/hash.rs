@@ -8,7 +8,8 @@ use super::world::{Contact, Wear, World};
 impl World {
     /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.
     ///
-    /// Contacts and joints come in the order of their blocks, however they are stored.
+    /// Contacts and joints come in the order of their blocks, however they are stored. The poses from which the candidates were found are
+    /// not in it: what is not on the list touches nothing, and nothing else hangs on it.
     #[must_use]
     pub fn hash(&self) -> String {
         let mut hash = StateHash::default();

@@ -4,6 +4,7 @@ use riprap_geom::{Quat, Vec3};
 
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::found::offset::{Carried, Offset};
 use crate::setup::{
     BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
     Setup, Shape, Solid, Stiffness, Strength, Support,
@@ -547,4 +548,50 @@ fn a_crooked_stack_carries_its_weight() {
     assert!(worst < 1e-7, "{worst:e}");
     // Along its sides a contact is bevelled as far as it is deep, up to 1.2e-5 m, and presses there at an angle.
     assert!(aside < 5e-6, "{aside:e}");
+}
+
+/// Two bricks on the floor, one of them pressed against the other.
+#[test]
+fn the_state_hash_covers_what_contacts_remember() {
+    let blocks = vec![
+        brick([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
+        brick([1.05, 0.0, 0.0], [1.0, 1.0, 1.0]),
+    ];
+    let mut run = Run::new(above_floor(blocks, 0.5, 0.1), 1, 1e-4);
+    run.until(0.02);
+    let pairs = &run.world.found.pairs;
+    let touching = pairs
+        .iter()
+        .position(|p| p.depth > 0.0)
+        .expect("lies on the floor");
+    let apart = pairs
+        .iter()
+        .position(|p| p.depth == 0.0)
+        .expect("are neighbours");
+    let whole = run.world.hash();
+    let change = |what: &str, f: &dyn Fn(&mut World)| {
+        let mut other = run.world.clone();
+        f(&mut other);
+        assert_ne!(other.hash(), whole, "{what}");
+    };
+    let joint = Offset::new(Carried::default());
+    change("springs", &|w| {
+        w.found.pairs[touching].memory.shear.x += 1.0;
+    });
+    change("arms", &|w| {
+        w.found.pairs[touching].memory.arms[1].z += 1e-3;
+    });
+    change("sliding", &|w| {
+        let sliding = &mut w.found.pairs[touching].memory.sliding;
+        *sliding = !*sliding;
+    });
+    change("gap", &|w| w.found.pairs[apart].gap += 1e-3);
+    change("in place", &|w| w.found.pairs[apart].in_place = true);
+    change("faces", &|w| w.found.pairs[apart].next = Some([7, 7]));
+    change("offset", &|w| {
+        w.found.pairs[touching].offset = Some(Box::new(joint));
+    });
+    change("longest step", &|w| w.found.longest_step = Some(1.0));
+    change("search", &|w| w.found.search.pose[1].position.x += 1e-3);
+    change("margin", &|w| w.found.search.margin[1] += 1e-3);
 }

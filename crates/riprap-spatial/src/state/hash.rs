@@ -3,16 +3,20 @@
 use riprap_core::state_hash::StateHash;
 
 use super::deform::{Deform, State};
+use super::found::FoundContacts;
 use super::patches::{Patches, flag};
 use super::world::World;
-use crate::found::Memory;
+use crate::found::offset::Offset;
+use crate::found::{Memory, Pose};
 
 impl World {
     /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.
     ///
-    /// Covers what moves (blocks, nodes) and everything that interfaces, faces with a condition and cavities remember.
+    /// Covers what moves (blocks, nodes), everything that interfaces, contacts, faces with a condition, cavities, bolts and relaxing
+    /// phases remember, and the poses from which the candidates were found, since the length of steps hangs on what is listed.
     /// Interfaces come in the order of their blocks, however they are stored, and lists that are empty because nothing is
-    /// remembered yet count as zeros.
+    /// remembered yet count as zeros. What is only told (works, peaks, events, places that displacements are measured from) and
+    /// what follows from the rest is not in it.
     #[must_use]
     pub fn hash(&self) -> String {
         let mut hash = StateHash::default();
@@ -47,40 +51,16 @@ impl World {
                 hash.numbers(&wall.hold.to_array());
                 hash.numbers(&wall.hold_moment.to_array());
                 if let Some(turned) = &wall.turned {
-                    hash.numbers(&[turned.swept]);
+                    hash.numbers(&turned.normal.to_array());
+                    hash.numbers(&turned.displacement.to_array());
+                    hash.numbers(&[turned.area, turned.swept]);
                 }
             }
         }
         for anchor in self.faces.iter().flat_map(|f| f.behind().anchor) {
             hash.numbers(&anchor.to_array());
         }
-        for pair in self.found.pairs.iter().filter(|p| p.depth > 0.0) {
-            hash.pair(pair.ends);
-            remember(&mut hash, &pair.memory);
-            for piece in &pair.pieces {
-                hash.pair(piece.pieces.map(u32::from));
-                remember(&mut hash, &piece.memory);
-            }
-            if let Some(offset) = &pair.offset {
-                hash.numbers(&offset.rocking.to_array());
-                hash.numbers(&[offset.normal, offset.hidden, offset.softness]);
-                hash.numbers(&[offset.overlap, offset.slip, offset.turned, offset.stored]);
-            }
-        }
-        for pair in self.found.deformable.pairs.iter().filter(|p| p.depth > 0.0) {
-            let m = &pair.memory;
-            hash.pair(pair.ends);
-            hash.numbers(&m.shear.to_array());
-            hash.numbers(&m.normal.to_array());
-            hash.numbers(&[m.torsion, m.area, m.polar]);
-        }
-        for (b, on) in self.found.terrain.iter().enumerate() {
-            for facet in &on.facets {
-                hash.count(b as u64);
-                hash.pair(facet.key);
-                remember(&mut hash, &facet.memory);
-            }
-        }
+        contacts(&mut hash, &self.found);
         for bolt in &self.bolts {
             hash.count(u64::from(bolt.number));
             for list in bolt.chain.memory() {
@@ -123,10 +103,90 @@ impl World {
     }
 }
 
+/// Found contacts, in the order of their lists, which follows from the numbers of blocks.
+fn contacts(hash: &mut StateHash, found: &FoundContacts) {
+    poses(hash, &found.search.pose, &found.search.margin);
+    hash.number(found.longest_step.unwrap_or(-1.0));
+    hash.count(found.pairs.len() as u64);
+    for pair in &found.pairs {
+        hash.pair(pair.ends);
+        let touches = pair.depth > 0.0;
+        hash.count(
+            u64::from(touches)
+                | u64::from(pair.in_place) << 1
+                | u64::from(pair.offset.is_some()) << 2,
+        );
+        for faces in [pair.start, pair.next] {
+            hash.count(faces.map_or(u64::MAX, |[a, b]| u64::from(a) << 16 | u64::from(b)));
+        }
+        hash.number(pair.gap);
+        if touches {
+            remember(hash, &pair.memory);
+        }
+        for piece in &pair.pieces {
+            hash.pair(piece.pieces.map(u32::from));
+            remember(hash, &piece.memory);
+        }
+        if let Some(offset) = &pair.offset {
+            carried_on(hash, offset);
+        }
+    }
+    let deformable = &found.deformable;
+    poses(hash, &deformable.search.poses, &deformable.search.margins);
+    hash.numbers(deformable.search.displacement.as_flattened());
+    hash.number(deformable.longest_step.unwrap_or(-1.0));
+    hash.count(deformable.pairs.len() as u64);
+    for pair in &deformable.pairs {
+        let m = &pair.memory;
+        hash.pair(pair.ends);
+        hash.count(u64::from(pair.known) | u64::from(m.sliding) << 1);
+        hash.numbers(&m.shear.to_array());
+        hash.numbers(&m.normal.to_array());
+        hash.numbers(&[m.torsion, m.area, m.polar]);
+    }
+    for on in &found.terrain {
+        hash.number(on.clear);
+        hash.count((on.facets.len() as u64) << 1 | u64::from(on.left));
+        for facet in &on.facets {
+            hash.pair(facet.key);
+            remember(hash, &facet.memory);
+        }
+    }
+}
+
+/// Where blocks were at the last search, and how far they may go until the next.
+fn poses(hash: &mut StateHash, poses: &[Pose], margins: &[f64]) {
+    hash.count(poses.len() as u64);
+    for pose in poses {
+        hash.numbers(&pose.position.to_array());
+        hash.numbers(&pose.rotation.to_array());
+    }
+    hash.numbers(margins);
+}
+
+/// Springs of a contact.
 fn remember(hash: &mut StateHash, memory: &Memory) {
     hash.numbers(&memory.shear.to_array());
     hash.numbers(&memory.normal.to_array());
     hash.numbers(&[memory.torsion, memory.area, memory.polar]);
+    for arm in memory.arms {
+        hash.numbers(&arm.to_array());
+    }
+    hash.count(u64::from(memory.sliding));
+}
+
+/// What goes on of the load of a joint.
+fn carried_on(hash: &mut StateHash, offset: &Offset) {
+    if let Some(joint) = &offset.joint {
+        hash.numbers(&joint.rocking.to_array());
+        hash.numbers(&joint.at.to_array());
+        hash.numbers(&[joint.normal, joint.energy]);
+    }
+    hash.numbers(&offset.begins.unwrap_or([-1.0; 2]));
+    hash.numbers(&offset.rocking.to_array());
+    hash.numbers(&[offset.normal, offset.hidden, offset.softness, offset.energy]);
+    hash.numbers(&[offset.rocks, offset.overlap, offset.slip, offset.turned]);
+    hash.number(offset.stored);
 }
 
 /// Slip, offset along the normal and accumulated slip of the points of a patch, m.
@@ -151,6 +211,18 @@ fn bodies(hash: &mut StateHash, deform: &Deform) {
     for list in [&deform.nodes.displacement, &deform.nodes.velocity] {
         hash.numbers(list.as_flattened());
     }
+    if let Some(relax) = &deform.relax {
+        hash.numbers(&[relax.damping, relax.ratio, relax.increment, relax.largest]);
+        hash.number(relax.energy.unwrap_or(-1.0));
+        hash.count(
+            relax.iterations << 2 | u64::from(relax.converged) << 1 | u64::from(relax.settled),
+        );
+        hash.count(u64::from(relax.since));
+        if let Some(seen) = &relax.last {
+            hash.numbers(seen.displacement.as_flattened());
+            hash.numbers(seen.net.as_flattened());
+        }
+    }
     for start in &deform.start {
         hash.number(start.energy);
         for stress in &start.stresses {
@@ -174,7 +246,7 @@ fn bonds(hash: &mut StateHash, deform: &Deform) {
         for memory in &deform.memory[facet.points()] {
             hash.numbers(&memory.start);
             hash.numbers(&memory.law.slip);
-            hash.number(memory.law.damage);
+            hash.numbers(&[memory.law.damage, memory.unbooked, memory.broken_at]);
             hash.count(match memory.state {
                 State::Bonded => 0,
                 State::Opened => 1,
