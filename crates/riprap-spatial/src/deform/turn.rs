@@ -40,7 +40,12 @@ pub(super) fn look(deform: &Deform, work: &mut Workspace, exec: &Exec, width: Wi
         }
         width.run(
             #[inline(always)]
-            || piece.turns.chunks_mut(LANES).for_each(polar_eight),
+            || {
+                // A loop and no iterator: what goes through one may be compiled for narrower registers.
+                for turns in piece.turns.chunks_mut(LANES) {
+                    polar_eight(turns);
+                }
+            },
         );
     });
 }
@@ -111,10 +116,9 @@ fn polar_eight(list: &mut [Mat3]) {
             *crushed |= !(det > 0.0 && det.is_finite());
         }
         let over = Lanes::all(1.0) / det;
-        columns = [0, 1, 2].map(
-            #[inline(always)]
-            |k| scaled(half, &plus(&columns[k], &scaled(over, &minors[k]))),
-        );
+        for (column, minor) in columns.iter_mut().zip(&minors) {
+            *column = scaled(half, &plus(column, &scaled(over, minor)));
+        }
     }
     for (k, (turn, crushed)) in list.iter_mut().zip(crushed).enumerate() {
         let column = |c: usize| Vec3::from_array([0, 1, 2].map(|axis| columns[c][axis].0[k]));
