@@ -74,6 +74,31 @@ fn broken_tessellations_have_their_line() {
     );
 }
 
+/// Each copies its corners: a short file could ask for any memory.
+#[test]
+fn a_face_has_two_sides_and_no_more_corners_than_a_block() {
+    let file = |ring: usize, cells: &[&str]| {
+        let vertices: String = (1..=ring).map(|k| format!("{k} {k} 0 0 0\n")).collect();
+        let numbers: Vec<String> = (1..=ring).map(|k| k.to_string()).collect();
+        let rows = cells.join("\n");
+        format!(
+            "***tess\n **general\n 3 standard\n **vertex\n {ring}\n{vertices} **face\n 1\n 1 {ring} {}\n 0\n 0\n 0\n \
+             **polyhedron\n {}\n{rows}\n***end\n",
+            numbers.join(" "),
+            cells.len()
+        )
+    };
+    let wrong = |text: String| parse_tess(text.as_bytes()).unwrap_err().to_string();
+    let thrice = "face 1 is used for the third time";
+    let one = wrong(file(3, &["1 3 1 1 1"]));
+    assert!(one.starts_with(&format!("line 17: {thrice}")), "{one}");
+    let two = wrong(file(3, &["1 3 1 -1 1"]));
+    assert!(two.contains(thrice), "{two}");
+    let long = wrong(file(10_001, &["1 3 1 1 1"]));
+    let right = "line 10009: face 1 has 10001 corners; a block has at most 10000";
+    assert_eq!(long, right);
+}
+
 #[test]
 fn surfaces_of_pyvista_are_read() {
     for bytes in STL {
