@@ -1,6 +1,6 @@
 //! Rules of water tables.
 
-use super::Rules;
+use super::{Rules, above};
 use crate::language::{Scenario, Seepage, Side, Water};
 use crate::names::{Name, Names};
 use crate::references::NO_WATER;
@@ -106,8 +106,8 @@ impl Rules {
         let least = said.aperture_min.as_ref();
         let most = said.aperture_max.as_ref();
         let aperture = said.aperture.si();
-        let wrong = least.filter(|q| q.si() > aperture);
-        if let Some(wrong) = wrong.or(most.filter(|q| q.si() < aperture)) {
+        let wrong = least.filter(|q| above(q.si(), aperture));
+        if let Some(wrong) = wrong.or(most.filter(|q| above(aperture, q.si()))) {
             let message = format!("`aperture` of {of}.seepage lies outside of its limits");
             let help = "aperture_min <= aperture <= aperture_max";
             self.error("value.range", &wrong.span, message, help);

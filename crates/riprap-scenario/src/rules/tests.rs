@@ -1,0 +1,54 @@
+//! Rules that no other test reaches.
+
+use crate::diagnostic::Source;
+use crate::load::parse;
+
+const PLANAR: &str = r#"
+riprap = 1
+title = "test"
+space.planar.gravity = ["0 m/s2", "-10 m/s2"]
+materials.rock.density = "2000 kg/m3"
+interfaces.default = { normal_stiffness = "1 GPa/m", friction_angle = "30 deg" }
+[[blocks]]
+name = "rock"
+material = "rock"
+rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+"#;
+
+const PHASE: &str = "[[phases]]\nname = \"p\"\nuntil.time = \"1 ms\"\n";
+
+/// What is told of a scene, in lines.
+fn told(text: &str) -> String {
+    match parse(Source::new("t.toml", text)) {
+        Ok(parsed) => {
+            let lines = parsed.warnings.iter().map(|w| w.message.clone());
+            lines.collect::<Vec<_>>().join("\n")
+        }
+        Err(errors) => errors.render(),
+    }
+}
+
+/// 700 ms are 0.7000000000000001 s.
+#[test]
+fn times_in_other_units_are_the_same_times() {
+    let phase = |until: &str| {
+        format!(
+            "{PLANAR}[[phases]]\nname = \"p\"\nremove = [\"rock\"]\nuntil.time = \"{until}\"\nremoval_ramp = \"700 ms\"\n"
+        )
+    };
+    assert_eq!(told(&phase("0.7 s")), "");
+    assert!(told(&phase("0.69 s")).contains("ends before its `removal_ramp`"));
+    let load = |start: &str, end: &str| {
+        format!(
+            "{PLANAR}{PHASE}[[loads]]\non.block = \"rock\"\nmoment = \"1 N\"\n\
+             time.pulse = {{ value = 1.0, start = \"{start}\", end = \"{end}\" }}\n"
+        )
+    };
+    let late = "`end` does not come after `start`";
+    assert!(
+        told(&load("0.7 s", "700 ms")).contains(late),
+        "{}",
+        told(&load("0.7 s", "700 ms"))
+    );
+    assert_eq!(told(&load("0.7 s", "701 ms")), "");
+}
