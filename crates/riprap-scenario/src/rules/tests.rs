@@ -15,6 +15,18 @@ material = "rock"
 rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
 "#;
 
+const SPATIAL: &str = r#"
+riprap = 1
+title = "test"
+space.spatial.gravity = "10 m/s2"
+materials.rock = { density = "2000 kg/m3", young = "18 GPa", poisson = 0.25 }
+[[blocks]]
+name = "rock"
+material = "rock"
+brick = { size = ["2 m", "1 m", "1 m"], corner = ["0 m", "0 m", "0 m"] }
+mechanics.deformable = {}
+"#;
+
 const PHASE: &str = "[[phases]]\nname = \"p\"\nuntil.time = \"1 ms\"\n";
 
 /// What is told of a scene, in lines.
@@ -51,4 +63,26 @@ fn times_in_other_units_are_the_same_times() {
         told(&load("0.7 s", "700 ms"))
     );
     assert_eq!(told(&load("0.7 s", "701 ms")), "");
+}
+
+#[test]
+fn elastic_bonds_tell_what_they_do_not_read() {
+    let bond = |keys: &str| {
+        told(&format!(
+            "{SPATIAL}[interfaces.default.brittle_bond]\nthickness = \"1 mm\"\nelastic = true\n{keys}\n{PHASE}"
+        ))
+    };
+    assert_eq!(bond(""), "");
+    let energies = "cohesive = { mode_1 = \"100 J/m2\", mode_2 = \"100 J/m2\" }";
+    assert_eq!(
+        bond(&format!("{energies}\nfailure = \"facet\"")),
+        "interfaces.default.brittle_bond is elastic and has `cohesive`, `failure`"
+    );
+    for one in ["young = \"1 GPa\"", "poisson = 0.2"] {
+        let found = bond(one);
+        assert!(
+            found.contains("has only one of `young` and `poisson`"),
+            "{found}"
+        );
+    }
 }
