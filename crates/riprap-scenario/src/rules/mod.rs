@@ -188,6 +188,9 @@ impl Rules {
         for phase in &scenario.phases {
             self.phase(phase);
         }
+        if self.space == InSpace::Planar {
+            self.clip_speeds(scenario);
+        }
         for output in &scenario.outputs {
             if let Output::History(history) = output {
                 self.name(&history.name, "a history");

@@ -86,3 +86,26 @@ fn elastic_bonds_tell_what_they_do_not_read() {
         );
     }
 }
+
+#[test]
+fn a_phase_gives_a_speed_to_friction_that_is_clipped() {
+    let scene = |law: &str, change: &str| {
+        let head = PLANAR.replace("friction_angle", &format!("{law}friction_angle"));
+        told(&format!(
+            "{head}{PHASE}interfaces.default = {{ {change} }}\n"
+        ))
+    };
+    let clipped = "friction_law = \"clipped\", clip_speed = \"1 mm/s\", ";
+    let speed = "clip_speed = \"2 mm/s\"";
+    assert_eq!(
+        scene("", speed),
+        "`clip_speed` in phases.p.interfaces.default has no effect"
+    );
+    assert_eq!(scene(clipped, speed), "");
+    assert_eq!(
+        scene("", &format!("friction_law = \"clipped\", {speed}")),
+        ""
+    );
+    let other = scene(clipped, &format!("friction_law = \"rate_sign\", {speed}"));
+    assert!(other.contains("has no effect"), "{other}");
+}
