@@ -109,3 +109,21 @@ fn a_phase_gives_a_speed_to_friction_that_is_clipped() {
     let other = scene(clipped, &format!("friction_law = \"rate_sign\", {speed}"));
     assert!(other.contains("has no effect"), "{other}");
 }
+
+/// Coordinates that are rounded are never exactly on one line.
+#[test]
+fn drain_holes_in_the_line_of_their_row_are_refused() {
+    let row = |end: &str| {
+        told(&format!(
+            "{SPATIAL}[interfaces.default.brittle_bond]\nthickness = \"1 mm\"\nelastic = true\n\
+             [water.table]\nlevel = \"1 m\"\n\
+             seepage = {{ aperture = \"0.1 mm\", drains = [{{ from = [\"0.1 m\", \"0.2 m\", \"0.3 m\"], to = [\"0.4 m\", \"0.6 m\", \"0.8 m\"], \
+             row_end = {end} }}] }}\n{PHASE}"
+        ))
+    };
+    let line = "the drain holes of a row of water.table.seepage lie on one line";
+    let found = row("[\"0.7 m\", \"1.0 m\", \"1.3 m\"]");
+    assert!(found.contains(line), "{found}");
+    let found = row("[\"0.7 m\", \"1.0 m\", \"1.31 m\"]");
+    assert!(!found.contains(line), "{found}");
+}

@@ -6,6 +6,9 @@ use crate::names::{Name, Names};
 use crate::references::NO_WATER;
 use crate::vectors::{Components, InSpace};
 
+/// Sine of the angle between a drain hole and its row below which they lie on one line: coordinates are rounded.
+const ON_LINE: f64 = 1e-9;
+
 impl Rules {
     pub(super) fn water(&mut self, scenario: &Scenario) {
         for (name, water) in scenario.water.iter() {
@@ -138,7 +141,9 @@ impl Rules {
             };
             let way = |at: [f64; 3]| [0, 1, 2].map(|k| at[k] - from[k]);
             let ([a, b, c], [d, e, f]) = (way(to), way(end.xyz()));
-            if [b * f - c * e, c * d - a * f, a * e - b * d] == [0.0; 3] {
+            let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let across = length([b * f - c * e, c * d - a * f, a * e - b * d]);
+            if across <= ON_LINE * length([a, b, c]) * length([d, e, f]) {
                 let message = format!("the drain holes of a row of {of}.seepage lie on one line");
                 let help =
                     "`row_end` is where the last hole begins, beside the line from `from` to `to`";
