@@ -191,6 +191,27 @@ fn lines_of_ezdxf_are_read() {
     }
 }
 
+/// All layers with such letters had one name, and none that could be asked for.
+#[test]
+fn letters_of_layers_are_read_as_the_drawing_writes_them() {
+    // A drawing of release 12 with its layer `joints` renamed.
+    let layers = |page: &str, name: &[u8]| {
+        let text = text(DXF[0]).replace("ANSI_1252", page);
+        let parts: Vec<&str> = text.split("joints").collect();
+        let bytes = parts
+            .iter()
+            .map(|p| p.as_bytes())
+            .collect::<Vec<_>>()
+            .join(name);
+        let drawing = parse_dxf(&bytes, None).unwrap();
+        drawing.layers()[2].to_owned()
+    };
+    assert_eq!(layers("ANSI_1252", b"Kl\xfcfte \x80"), "Klüfte €");
+    assert_eq!(layers("ANSI_1252", "Klüfte".as_bytes()), "Klüfte");
+    assert_eq!(layers("ANSI_1252", b"Kl\\U+00FCfte\\U+"), "Klüfte\\U+");
+    assert_eq!(layers("ANSI_1251", b"Kl\xfcfte"), "Kl\\xFCfte");
+}
+
 #[test]
 fn broken_drawings_have_their_line_or_byte() {
     let wrong = |bytes: &[u8]| parse_dxf(bytes, None).unwrap_err().to_string();
