@@ -5,7 +5,7 @@
 //!
 //! Source: ESRI, "Esri ASCII raster format" (ArcGIS documentation).
 
-use super::{FileError, at_line, shown};
+use super::{FileError, at_line, shown, without_mark};
 
 /// Height of cells without ground where the head does not name one.
 const NOTHING: f64 = -9999.0;
@@ -39,7 +39,7 @@ struct Head {
 /// # Errors
 /// The first thing that is wrong, with its line.
 pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = String::from_utf8_lossy(without_mark(bytes));
     let mut lines = (1..).zip(text.lines()).peekable();
     let mut head = Head::default();
     while let Some((line, text)) = lines.next_if(|(_, text)| is_head(text)) {

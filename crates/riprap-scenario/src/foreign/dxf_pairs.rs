@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-use super::{FileError, Place, at_byte, at_line, shown};
+use super::{FileError, MARK, Place, at_byte, at_line, shown};
 
 /// First bytes of a binary file.
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
@@ -111,6 +111,7 @@ impl<'a> Pairs<'a> {
         Self {
             bytes,
             at: match coding {
+                Coding::Text if bytes.starts_with(MARK) => MARK.len(),
                 Coding::Text => 0,
                 Coding::Binary { .. } => SENTINEL.len(),
             },

@@ -8,7 +8,7 @@ use riprap_core::sets::Sets;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::MAX_VERTICES;
 
-use super::{FileError, Place, at_byte, at_line};
+use super::{FileError, Place, at_byte, at_line, without_mark};
 
 /// Bytes before the triangles of a binary file, and of one triangle.
 const HEAD: usize = 84;
@@ -88,7 +88,7 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
     let whole = count.map(|count| HEAD as u64 + RECORD as u64 * u64::from(count));
     // Only the length tells: the head of a binary file may begin with `solid` too.
     if whole != Some(bytes.len() as u64) {
-        let is_text = bytes.trim_ascii_start().starts_with(b"solid");
+        let is_text = without_mark(bytes).trim_ascii_start().starts_with(b"solid");
         return match count.zip(whole) {
             _ if is_text => Ok(None),
             Some((count, whole)) => Err(at_byte(

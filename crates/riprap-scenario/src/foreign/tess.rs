@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use riprap_geom::polyhedron::MAX_VERTICES;
 
-use super::{FileError, at_byte, at_line, shown};
+use super::{FileError, at_byte, at_line, shown, without_mark};
 
 /// A cell in the plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,8 +60,11 @@ pub enum Cells {
 /// # Errors
 /// The first thing that is wrong, with its line.
 pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
-    let text = std::str::from_utf8(bytes)
-        .map_err(|error| at_byte(error.valid_up_to(), "this is no text"))?;
+    let words = without_mark(bytes);
+    let text = std::str::from_utf8(words).map_err(|error| {
+        let mark = bytes.len() - words.len();
+        at_byte(mark + error.valid_up_to(), "this is no text")
+    })?;
     let mut reader = Reader::new(text);
     if reader.lines.first().map(|line| line.trim()) != Some("***tess") {
         return Err(at_line(

@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 
+use super::asc::parse_asc;
 use super::dxf::{Drawing, parse_dxf};
 use super::stl::parse_stl;
 use super::tess::{Cells, parse_tess};
@@ -210,6 +211,17 @@ fn letters_of_layers_are_read_as_the_drawing_writes_them() {
     assert_eq!(layers("ANSI_1252", "Klüfte".as_bytes()), "Klüfte");
     assert_eq!(layers("ANSI_1252", b"Kl\\U+00FCfte\\U+"), "Klüfte\\U+");
     assert_eq!(layers("ANSI_1251", b"Kl\xfcfte"), "Kl\\xFCfte");
+}
+
+#[test]
+fn a_byte_order_mark_is_no_damage() {
+    let marked = |bytes: &[u8]| [b"\xef\xbb\xbf", bytes].concat();
+    assert_eq!(parse_tess(&marked(TESS3)), parse_tess(TESS3));
+    assert_eq!(parse_stl(&marked(STL[0])), parse_stl(STL[0]));
+    assert_eq!(parse_dxf(&marked(DXF[1]), None), parse_dxf(DXF[1], None));
+    let raster = b"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n";
+    assert_eq!(parse_asc(&marked(raster)), parse_asc(raster));
+    assert!(parse_asc(raster).is_ok());
 }
 
 #[test]
