@@ -124,12 +124,24 @@ fn broken_surfaces_have_their_line_or_byte() {
         "{}",
         wrong(&STL[1][..300])
     );
-    let number = good.replacen("vertex 0 0 4", "vertex 0 zero 4", 1);
+    for numbers in ["0 zero 4", "0 inf 0 4", "0 0 4 0", "0 0 4 x", "0 0"] {
+        let number = good.replacen("vertex 0 0 4", &format!("vertex {numbers}"), 1);
+        assert!(
+            wrong(number.as_bytes()).starts_with("line 5: `vertex` and three finite"),
+            "{numbers}: {}",
+            wrong(number.as_bytes())
+        );
+    }
+    let mut long = STL[1].to_vec();
+    long.extend([0; 7]);
     assert!(
-        wrong(number.as_bytes()).starts_with("line 5: `vertex`"),
+        wrong(&long).starts_with("byte 884: 16 triangles end here, and 7 more bytes follow"),
         "{}",
-        wrong(number.as_bytes())
+        wrong(&long)
     );
+    // Heads of binary files may begin as texts do.
+    long[..6].copy_from_slice(b"solid ");
+    assert!(wrong(&long).contains("7 more bytes"), "{}", wrong(&long));
     // Without its first triangle.
     let end = good.find("endfacet").unwrap() + "endfacet".len();
     let open = format!("solid a{}", &good[end..]);
