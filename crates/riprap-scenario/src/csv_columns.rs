@@ -114,7 +114,8 @@ struct Cell<'h> {
 /// The cell of the header that names the column.
 fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, CsvError> {
     let mut refused = None;
-    for cell in header {
+    let mut found: Option<Cell> = None;
+    'cells: for cell in header {
         for (name, unit) in name_and_unit(cell) {
             let alike = |known: &&str| plain(known) == plain(name);
             if !column.names.iter().any(alike) {
@@ -124,11 +125,15 @@ fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, C
             // In names of columns an underscore divides: `a_m_s2` is `a` in m/s2.
             match units::parse(&format!("1 {}", usual.unwrap_or(unit).replace('_', "/"))) {
                 Ok((factor, dim)) if dim == column.dim => {
-                    return Ok(Some(Cell {
+                    if let Some(first) = found {
+                        return Err(both(first.name, cell, column.names[0]));
+                    }
+                    found = Some(Cell {
                         name: cell,
                         factor,
                         bare: usual.is_some(),
-                    }));
+                    });
+                    continue 'cells;
                 }
                 Ok((_, dim)) => {
                     // Told only where no other way to read a cell, and no other cell, fits.
@@ -149,7 +154,23 @@ fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, C
             }
         }
     }
-    refused.map_or(Ok(None), Err)
+    match (found, refused) {
+        (Some(cell), _) => Ok(Some(cell)),
+        (None, Some(refused)) => Err(refused),
+        (None, None) => Ok(None),
+    }
+}
+
+/// Two columns of which either could be meant.
+fn both(first: &str, second: &str, wanted: &str) -> CsvError {
+    CsvError {
+        message: if first == second {
+            format!("the column `{first}` is there twice")
+        } else {
+            format!("the columns `{first}` and `{second}` are both `{wanted}`")
+        },
+        help: Some("take one of them out, or give it another name".to_owned()),
+    }
 }
 
 /// Ways to read a cell of the header as a name and a unit, the longest name first.
@@ -267,7 +288,9 @@ pub fn read_columns(text: &str, names: &[&str]) -> Result<Columns, CsvError> {
     }
     let mut at = Vec::new();
     for name in names {
-        match header.iter().position(|column| column == *name) {
+        let mut places = (0..header.len()).filter(|k| header.get(*k) == Some(*name));
+        match places.next() {
+            Some(_) if places.next().is_some() => return Err(both(name, name, name)),
             Some(index) => at.push(index),
             None => {
                 let only: Vec<&str> = header.iter().collect();
@@ -352,6 +375,7 @@ mod tests {
         assert!(error("t_s,b\n1,2\n").contains("no column `a`"));
         assert!(error("t_s;a\n1;2\n").contains("separate the columns with commas"));
         assert!(error("0,1\n1,2\n").contains("must name the columns"));
+        assert!(error("t_s,a,a\n1,2,3\n").contains("the column `a` is there twice"));
         assert!(error("t_s,a\n").contains("no lines"));
         assert!(error("t_s,a\n1,x\n").contains("line 2, column `a`: \"x\" is not a number"));
         assert!(
@@ -385,6 +409,19 @@ mod tests {
             let right = Some(Found { values, bare });
             let found = read_table(text, &[dip(Some("deg")), direction]).unwrap();
             assert_eq!(found, [right.clone(), right], "{text}");
+        }
+        for (text, says) in [
+            (
+                "dip_direction_deg,Dip Azimuth [deg],dip\n90,80,90\n",
+                "the columns `dip_direction_deg` and `Dip Azimuth [deg]` are both `dip_direction`",
+            ),
+            (
+                "dip_direction,dip,dip\n90,80,90\n",
+                "the column `dip` is there twice",
+            ),
+        ] {
+            let refused = read_table(text, &[dip(Some("deg")), direction]).unwrap_err();
+            assert_eq!(refused.message, says);
         }
         let refused = read_table("dip\n90\n", &[dip(None)]).unwrap_err();
         assert!(refused.message.contains("the column `dip`"), "{refused}");

@@ -64,6 +64,14 @@ fn at_byte(byte: usize, text: impl Into<String>) -> FileError {
     }
 }
 
+/// The bytes of a text without a byte order mark, which editors on Windows put before it.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(MARK).unwrap_or(bytes)
+}
+
+/// The byte order mark of UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// The first letters of a word of a file, for messages.
 fn shown(word: &str) -> String {
     word.chars().take(40).collect()

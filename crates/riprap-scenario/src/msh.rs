@@ -20,6 +20,9 @@ pub use reader::{FileError, Place};
 
 use reader::{Coding, Reader};
 
+/// Most physical groups of an entity: each of its elements is in all of them.
+const MOST_GROUPS: u64 = 32;
+
 /// Largest file accepted, bytes.
 pub const MAX_MSH_SIZE: u64 = 1 << 30;
 
@@ -32,9 +35,19 @@ pub struct Mesh {
     pub cells: Vec<Cell>,
     /// Triangles and quadrangles of physical surfaces.
     pub facets: Vec<Facet>,
+    /// Sets of groups that cells and facets are in: places in `groups`, each once. The first set is empty.
+    pub sets: Vec<Vec<u32>>,
     /// Physical groups of volumes and surfaces, by dimension (2 or 3) and tag, and their names (the tag where the file
     /// has none).
     pub groups: Vec<Group>,
+}
+
+impl Mesh {
+    /// Physical groups of a cell or facet with this set: places in `groups`.
+    #[must_use]
+    pub fn groups_of(&self, set: u32) -> &[u32] {
+        self.sets.get(set as usize).map_or(&[], Vec::as_slice)
+    }
 }
 
 /// A physical group.
@@ -146,11 +159,13 @@ struct File {
     mesh: Mesh,
     /// Tag and place of each node, sorted by tag.
     tags: Vec<(u64, u32)>,
-    /// Physical group of each entity of format 4.1, by dimension and tag.
-    physical: BTreeMap<(u8, i32), i32>,
+    /// Physical groups of each entity of format 4.1, by dimension and tag.
+    physical: BTreeMap<(u8, i32), Vec<i32>>,
     names: BTreeMap<(u8, i32), String>,
     /// Place of each group in the mesh, by dimension and tag.
     groups: BTreeMap<(u8, i32), u32>,
+    /// Place of each set of groups in the mesh.
+    sets: BTreeMap<Vec<u32>, u32>,
     seen_nodes: bool,
 }
 
@@ -186,12 +201,17 @@ impl File {
                     reader.number("a bound of an entity")?;
                 }
                 let groups = reader.size("a number of groups")?;
-                for k in 0..reader.room(groups, 2, "groups")? {
-                    let group = reader.int("the number of a group")?;
-                    if k == 0 {
-                        self.physical
-                            // A negative number tells the orientation of the entity, not another group.
-                            .insert((dimension, tag), group.saturating_abs());
+                if groups > MOST_GROUPS {
+                    return Err(reader.wrong(format!(
+                        "an entity is in {groups} physical groups; {MOST_GROUPS} at most are possible"
+                    )));
+                }
+                for _ in 0..reader.room(groups, 2, "groups")? {
+                    // A negative number tells the orientation of the entity, not another group.
+                    let group = reader.int("the number of a group")?.saturating_abs();
+                    let known = self.physical.entry((dimension, tag)).or_default();
+                    if !known.contains(&group) {
+                        known.push(group);
                     }
                 }
                 if dimension > 0 {
@@ -294,8 +314,33 @@ impl File {
         })
     }
 
+    /// The set of the groups with these tags.
+    fn set(&mut self, dimension: u8, tags: &[i32]) -> u32 {
+        let groups: Vec<u32> = tags.iter().map(|tag| self.group(dimension, *tag)).collect();
+        self.set_of(groups)
+    }
+
+    /// The set of these groups, each of which is there once.
+    fn set_of(&mut self, groups: Vec<u32>) -> u32 {
+        let sets = &mut self.mesh.sets;
+        if sets.is_empty() {
+            // That of no groups.
+            sets.push(Vec::new());
+        }
+        if groups.is_empty() {
+            return 0;
+        }
+        if let Some(set) = self.sets.get(&groups) {
+            return *set;
+        }
+        sets.push(groups.clone());
+        let set = sets.len() as u32 - 1;
+        self.sets.insert(groups, set);
+        set
+    }
+
     fn finish(mut self, reader: &Reader) -> Result<Mesh, FileError> {
-        elements::drop_repeated(&mut self.mesh.cells);
+        elements::join_repeated(&mut self);
         if self.mesh.cells.is_empty() {
             return Err(reader.wrong(
                 "the mesh has no volume elements: mesh in 3 dimensions, and if there are physical groups, put the \

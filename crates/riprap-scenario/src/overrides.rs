@@ -60,8 +60,8 @@ impl Case {
 
     /// Without `[variants]` their names mean nothing: `only` goes, and with it the checks of others.
     fn keep_own_checks(&self, checks: &mut Item) {
-        let own = |only: Option<&Item>| {
-            let Some(names) = only.and_then(Item::as_array) else {
+        let own = |only: Option<&Value>| {
+            let Some(names) = only.and_then(Value::as_array) else {
                 return true;
             };
             names.is_empty()
@@ -70,10 +70,16 @@ impl Case {
                     .any(|name| name.as_str() == Some(&self.variant))
         };
         if let Some(tables) = checks.as_array_of_tables_mut() {
-            tables.retain(|check| own(check.get("only")));
+            tables.retain(|check| own(check.get("only").and_then(Item::as_value)));
             tables
                 .iter_mut()
                 .for_each(|check| drop(check.remove("only")));
+        }
+        // The same written in one line: `checks = [{ ... }]`.
+        if let Some(list) = checks.as_array_mut() {
+            list.retain(|check| own(check.as_inline_table().and_then(|t| t.get("only"))));
+            let tables = list.iter_mut().filter_map(Value::as_inline_table_mut);
+            tables.for_each(|check| drop(check.remove("only")));
         }
     }
 }
@@ -416,6 +422,25 @@ mod tests {
         let trial = vec![("title".to_owned(), "\"d\"".to_owned())];
         let text = Case { trial, ..case }.source(&source, &set).unwrap().text;
         assert!(text.starts_with("title = \"d\"\n"), "{text}");
+    }
+
+    /// Such a case was refused: there was no variant of the name in `only` any more.
+    #[test]
+    fn checks_in_one_line_are_those_of_the_case_too() {
+        let text = "checks = [{ name = \"x\", only = [\"b\"] }, { name = \"y\", only = [\"default\"] }, { name = \"z\" }]\n\
+            [variants.b]\n\"title\" = \"b\"\n";
+        let case = Case {
+            name: "b".to_owned(),
+            variant: "b".to_owned(),
+            changes: Vec::new(),
+            trial: Vec::new(),
+        };
+        let text = case.source(&Source::new("a.toml", text), &[]).unwrap().text;
+        let read: toml::Table = toml::from_str(&text).unwrap();
+        let checks = read["checks"].as_array().unwrap();
+        let names: Vec<&str> = checks.iter().filter_map(|c| c["name"].as_str()).collect();
+        assert_eq!(names, ["x", "z"], "{text}");
+        assert!(!text.contains("only"), "{text}");
     }
 
     #[test]

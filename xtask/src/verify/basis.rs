@@ -9,7 +9,7 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 9] = [
+const SCOPES: [(&str, Concerns); 10] = [
     ("In the plane:", |scene| !in_space(scene)),
     // Blocks with some freedoms prescribed and others not.
     ("Partly held blocks in the plane:", |scene| {
@@ -29,6 +29,7 @@ const SCOPES: [(&str, Concerns); 9] = [
     ("Terrain in space:", |scene| {
         in_space(scene) && scene.contains("terrain")
     }),
+    ("Rupture of bolts:", |scene| scene.contains("rupture = ")),
     ("Seepage:", |scene| scene.contains("seepage")),
     ("Water:", |scene| scene.contains("[water.")),
 ];

@@ -4,8 +4,23 @@ use super::HeightField;
 
 /// Bins for each triangle, about.
 const PER_TRIANGLE: f64 = 0.5;
+/// Most entries in all bins for each triangle, and how many are never too many. Thin triangles askew to the axes, as in a fan, reach
+/// into bins all over the surface with their boxes: larger bins then take less memory and no more time.
+const ENTRIES: (u64, u64) = (64, 1 << 20);
 /// Most bins along an axis.
 const MOST: f64 = 8192.0;
+
+/// First and last bin along x and y.
+type Range = [[usize; 2]; 2];
+
+/// How many entries the bins of some rectangles have.
+fn entries(boxes: &[Range]) -> u64 {
+    let one = |[from, to]: &Range| {
+        let along = [0, 1].map(|k| (to[k] - from[k] + 1) as u64);
+        along[0] * along[1]
+    };
+    boxes.iter().map(one).sum()
+}
 
 /// Triangles by place. Every bin lists the triangles whose box in the plane reaches into it, ascending.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,20 +46,25 @@ impl Bins {
         let mut bins = Self {
             low: [low.x, low.y],
             size,
-            counts: [extent.x, extent.y].map(|length| (length / size) as usize + 1),
             ..Self::default()
         };
-        let boxes: Vec<[[usize; 2]; 2]> = (0..surface.triangles.len())
-            .map(|t| {
-                let [a, b, c] = surface.corners(t);
-                let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-                bins.range([low.x, low.y], [high.x, high.y])
-            })
-            .collect();
+        let triangles = surface.triangles.len() as u64;
+        let most = (ENTRIES.0 * triangles)
+            .max(ENTRIES.1)
+            .min(u64::from(u32::MAX));
+        let boxes = loop {
+            bins.counts = [extent.x, extent.y].map(|length| (length / bins.size) as usize + 1);
+            let boxes = bins.boxes(surface);
+            // With one bin each triangle is in it once.
+            if entries(&boxes) <= most || bins.counts == [1; 2] {
+                break boxes;
+            }
+            bins.size *= 2.0;
+        };
         let [nx, ny] = bins.counts;
         // Counted first, so that all lists lie in one array.
         let mut first = vec![0_u32; nx * ny + 1];
-        let each = |[from, to]: &[[usize; 2]; 2], act: &mut dyn FnMut(usize)| {
+        let each = |[from, to]: &Range, act: &mut dyn FnMut(usize)| {
             for j in from[1]..=to[1] {
                 for i in from[0]..=to[0] {
                     act(j * nx + i);
@@ -70,8 +90,18 @@ impl Bins {
         bins
     }
 
+    /// First and last bin along x and y of each triangle.
+    fn boxes(&self, surface: &HeightField) -> Vec<Range> {
+        let boxes = (0..surface.triangles.len()).map(|t| {
+            let [a, b, c] = surface.corners(t);
+            let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+            self.range([low.x, low.y], [high.x, high.y])
+        });
+        boxes.collect()
+    }
+
     /// First and last bin along x and y of a rectangle; those outside count to the outermost bins.
-    fn range(&self, low: [f64; 2], high: [f64; 2]) -> [[usize; 2]; 2] {
+    fn range(&self, low: [f64; 2], high: [f64; 2]) -> Range {
         let number = |at: [f64; 2]| {
             [0, 1].map(|k: usize| {
                 let cell = (at[k] - self.low[k]) / self.size;

@@ -135,3 +135,24 @@ fn bins_name_every_triangle_near_a_rectangle() {
         }
     }
 }
+
+/// Thin triangles around one corner: the boxes of those askew reach all over the surface, and their lists took gigabytes.
+#[test]
+fn bins_of_a_fan_stay_small() {
+    let count = 20_000;
+    let angle = |k: u32| std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(count);
+    let mut points = vec![Vec3::ZERO];
+    points.extend((0..=count).map(|k| Vec3::new(libm::cos(angle(k)), libm::sin(angle(k)), 0.0)));
+    let triangles = (1..=count).map(|k| [0, k, k + 1]).collect();
+    let field = HeightField { points, triangles };
+    let bins = Bins::new(&field);
+    let entries: usize = bins.lists().map(<[u32]>::len).sum();
+    assert!(entries <= 64 * count as usize, "{entries}");
+    let mut found = Vec::new();
+    for k in [1, 300, 10_000, 19_999] {
+        let (s, c) = libm::sincos(angle(k) + 0.5 * angle(1));
+        assert!(bins.at(0.9 * c, 0.9 * s).contains(&k));
+        bins.near([0.9 * c, 0.9 * s], [0.95 * c, 0.95 * s], &mut found);
+        assert!(found.contains(&k));
+    }
+}

@@ -1,11 +1,14 @@
 //! Grids of heights as text: the ASCII raster of ESRI.
 //!
-//! A head of words with a number each, then one line of heights for each row of cells, the northern row first.
+//! A head of words with a number each, then one line of heights for each row of cells, the northern row first. Cells of the
+//! height `NODATA_value`, -9999 where the head is silent, have no ground.
 //!
 //! Source: ESRI, "Esri ASCII raster format" (ArcGIS documentation).
 
-use super::{FileError, at_line, shown};
+use super::{FileError, at_line, shown, without_mark};
 
+/// Height of cells without ground where the head does not name one.
+const NOTHING: f64 = -9999.0;
 /// Most cells of a grid.
 const MOST: usize = 4_000_000;
 
@@ -36,7 +39,7 @@ struct Head {
 /// # Errors
 /// The first thing that is wrong, with its line.
 pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = String::from_utf8_lossy(without_mark(bytes));
     let mut lines = (1..).zip(text.lines()).peekable();
     let mut head = Head::default();
     while let Some((line, text)) = lines.next_if(|(_, text)| is_head(text)) {
@@ -66,20 +69,27 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
             .map(|k| start + (first + k as f64) * size)
             .collect()
     };
+    let cells = columns * rows;
+    let nothing = head.nothing.unwrap_or(NOTHING);
     // No file has more heights than bytes, whatever its head says.
-    let mut north_first = Vec::with_capacity((columns * rows).min(bytes.len()));
+    let mut north_first = Vec::with_capacity(cells.min(bytes.len()));
     let mut last = at;
     for (line, text) in lines {
         last = line;
         for word in text.split_whitespace() {
             let height = number(line, word)?;
-            north_first.push((head.nothing != Some(height)).then_some(height));
+            if north_first.len() == cells {
+                let text = format!(
+                    "{columns} by {rows} cells need {cells} heights, and here stand more: correct `ncols` and `nrows`, or take them out"
+                );
+                return Err(at_line(line, text));
+            }
+            north_first.push((nothing != height).then_some(height));
         }
     }
-    if north_first.len() != columns * rows {
+    if north_first.len() != cells {
         let text = format!(
-            "{columns} by {rows} cells need {} heights, the file has {}",
-            columns * rows,
+            "{columns} by {rows} cells need {cells} heights, the file has {}",
             north_first.len()
         );
         return Err(at_line(last, text));
@@ -163,6 +173,16 @@ mod tests {
         assert_eq!(parse_asc(centre.as_bytes()).unwrap().x[0], 10.0);
     }
 
+    /// The format takes -9999 where its head is silent; the ground fell to that height there.
+    #[test]
+    fn cells_without_ground_need_no_word_in_the_head() {
+        let silent = SMALL.replace("NODATA_value -9999\n", "");
+        assert_eq!(parse_asc(silent.as_bytes()), parse_asc(SMALL.as_bytes()));
+        let other = SMALL.replace("NODATA_value -9999", "NODATA_value 4");
+        let read = parse_asc(other.as_bytes()).unwrap();
+        assert_eq!((read.z[0], read.z[5]), (None, Some(-9999.0)));
+    }
+
     #[test]
     fn says_what_is_wrong() {
         let error = |from: &str, to: &str| {
@@ -173,6 +193,11 @@ mod tests {
         assert!(error("ncols 3\n", "").contains("no `ncols`"));
         assert!(error("cellsize 2", "cellsize 0").contains("greater than zero"));
         assert!(error("4 5 6", "4 5").contains("need 6 heights, the file has 5"));
+        let long = error("4 5 6", "4 5 6\n7\nx");
+        assert!(
+            long.starts_with("line 9: 3 by 2 cells need 6 heights, and here stand more"),
+            "{long}"
+        );
         assert!(error("4 5 6", "4 5 nan").contains("line 8"));
         assert!(error("1 2 -9999", "nan 2 3").contains("no finite number"));
         assert!(error("nrows 2", "nrows two").contains("line 2"));

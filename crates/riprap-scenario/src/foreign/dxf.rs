@@ -98,11 +98,12 @@ fn section_goes_on<'a>(pairs: &mut Pairs<'a>) -> Result<Option<(i32, Value<'a>)>
 }
 
 fn header(pairs: &mut Pairs, drawing: &mut Drawing) -> Result<(), FileError> {
-    let mut here = false;
+    let mut name = String::new();
     while let Some((code, value)) = section_goes_on(pairs)? {
-        match code {
-            9 => here = value.text() == "$INSUNITS",
-            70 if here => drawing.unit = unit(pairs.whole(value)?),
+        match (code, name.as_str()) {
+            (9, _) => name = value.text().into_owned(),
+            (70, "$INSUNITS") => drawing.unit = unit(pairs.whole(value)?),
+            (3, "$DWGCODEPAGE") => pairs.code_page(value),
             _ => {}
         }
     }
@@ -192,7 +193,7 @@ impl Entity {
         }
         let axis = (code / 10 - 1) as usize;
         match (code, self.kind) {
-            (8, _) => self.layer = value.text().into_owned(),
+            (8, _) => self.layer = pairs.name(value),
             (67, _) => self.paper = pairs.whole(value)? != 0,
             (70, _) => self.flags = pairs.whole(value)?,
             (38, _) => self.elevation = pairs.real(value)?,

@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-use super::{FileError, Place, at_byte, at_line, shown};
+use super::{FileError, MARK, Place, at_byte, at_line, shown};
 
 /// First bytes of a binary file.
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
@@ -46,6 +46,36 @@ impl<'a> Value<'a> {
     }
 }
 
+/// Letters of the bytes 0x80 to 0x9f in the code page 1252; those above are Latin-1.
+const WESTERN: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
+    '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// A text with its letters for `\U+` and four digits.
+fn spelled_out(text: &str) -> String {
+    let mut parts = text.split("\\U+");
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let letter = part
+            .get(..4)
+            .filter(|digits| digits.bytes().all(|b| b.is_ascii_hexdigit()));
+        let letter = letter.and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        match letter.and_then(char::from_u32) {
+            Some(letter) => {
+                out.push(letter);
+                out.push_str(&part[4..]);
+            }
+            // No letter: it stays as it stands.
+            None => {
+                out.push_str("\\U+");
+                out.push_str(part);
+            }
+        }
+    }
+    out
+}
+
 /// How the pairs are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Coding {
@@ -65,6 +95,8 @@ pub(super) struct Pairs<'a> {
     /// Byte of the pair read last.
     start: usize,
     coding: Coding,
+    /// Whether bytes that are no UTF-8 are letters of [`WESTERN`].
+    western: bool,
 }
 
 impl<'a> Pairs<'a> {
@@ -79,12 +111,14 @@ impl<'a> Pairs<'a> {
         Self {
             bytes,
             at: match coding {
+                Coding::Text if bytes.starts_with(MARK) => MARK.len(),
                 Coding::Text => 0,
                 Coding::Binary { .. } => SENTINEL.len(),
             },
             line: 0,
             start: 0,
             coding,
+            western: false,
         }
     }
 
@@ -150,6 +184,29 @@ impl<'a> Pairs<'a> {
                 shown(&value.text())
             ))
         })
+    }
+
+    /// Takes note of the code page that the drawing names (`$DWGCODEPAGE`).
+    pub(super) fn code_page(&mut self, value: Value) {
+        self.western = value.text().eq_ignore_ascii_case("ANSI_1252");
+    }
+
+    /// A name as its letters: of UTF-8, else of the code page; letters may stand as `\U+00FC` in both. Bytes of a code page that is not
+    /// known are written as `\xFC`, so that different names stay different.
+    pub(super) fn name(&self, value: Value) -> String {
+        let Value::Written(bytes) = value else {
+            return String::new();
+        };
+        let Ok(text) = std::str::from_utf8(bytes) else {
+            let letters = bytes.iter().map(|b| match b {
+                0x80..=0x9f if self.western => WESTERN[usize::from(b - 0x80)].to_string(),
+                0xa0.. if self.western => char::from(*b).to_string(),
+                0x80.. => format!("\\x{b:02X}"),
+                _ => char::from(*b).to_string(),
+            });
+            return spelled_out(&letters.collect::<String>());
+        };
+        spelled_out(text)
     }
 
     /// A whole number.

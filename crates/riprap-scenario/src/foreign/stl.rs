@@ -8,7 +8,7 @@ use riprap_core::sets::Sets;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::MAX_VERTICES;
 
-use super::{FileError, Place, at_byte, at_line};
+use super::{FileError, Place, at_byte, at_line, without_mark};
 
 /// Bytes before the triangles of a binary file, and of one triangle.
 const HEAD: usize = 84;
@@ -88,9 +88,19 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
     let whole = count.map(|count| HEAD as u64 + RECORD as u64 * u64::from(count));
     // Only the length tells: the head of a binary file may begin with `solid` too.
     if whole != Some(bytes.len() as u64) {
-        let is_text = bytes.trim_ascii_start().starts_with(b"solid");
+        // No text has the byte 0, which the count of a binary file nearly always has.
+        let is_text = without_mark(bytes).trim_ascii_start().starts_with(b"solid")
+            && !bytes[..bytes.len().min(HEAD)].contains(&0);
+        let length = bytes.len() as u64;
         return match count.zip(whole) {
             _ if is_text => Ok(None),
+            Some((count, whole)) if length > whole => Err(at_byte(
+                whole as usize,
+                format!(
+                    "{count} triangles end here, and {} more bytes follow: this is no STL file, or something was put behind them",
+                    length - whole
+                ),
+            )),
             Some((count, whole)) => Err(at_byte(
                 bytes.len(),
                 format!(
@@ -137,12 +147,12 @@ fn text(bytes: &[u8]) -> Result<Triangles, FileError> {
         let mut words = words.split_whitespace();
         match words.next() {
             Some("vertex") => {
-                let numbers: Vec<f64> = words
-                    .map_while(|word| word.parse().ok())
-                    .filter(|x: &f64| x.is_finite())
-                    .collect();
-                let &[x, y, z] = &numbers[..] else {
-                    return Err(at_line(line, "`vertex` and three numbers are expected"));
+                // All words: one that is no number between three that are would be passed over.
+                let numbers = words.map(|word| word.parse().ok().filter(|x: &f64| x.is_finite()));
+                let numbers: Option<Vec<f64>> = numbers.collect();
+                let Some(&[x, y, z]) = numbers.as_deref() else {
+                    let text = "`vertex` and three finite numbers are expected";
+                    return Err(at_line(line, text));
                 };
                 ring.push(Vec3::new(x + 0.0, y + 0.0, z + 0.0));
             }

@@ -6,7 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{FileError, at_byte, at_line, shown};
+use riprap_geom::polyhedron::MAX_VERTICES;
+
+use super::{FileError, at_byte, at_line, shown, without_mark};
 
 /// A cell in the plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +34,18 @@ pub struct Solid {
     pub line: usize,
 }
 
+/// A face as the file lists it.
+struct Face {
+    /// Its corners by their numbers.
+    ring: Vec<i64>,
+    line: usize,
+    /// How often polyhedra have named it.
+    uses: u8,
+}
+
+/// Sides of a face, each that of one polyhedron at most.
+const SIDES: u8 = 2;
+
 /// The cells of a tessellation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
@@ -46,8 +60,11 @@ pub enum Cells {
 /// # Errors
 /// The first thing that is wrong, with its line.
 pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
-    let text = std::str::from_utf8(bytes)
-        .map_err(|error| at_byte(error.valid_up_to(), "this is no text"))?;
+    let words = without_mark(bytes);
+    let text = std::str::from_utf8(words).map_err(|error| {
+        let mark = bytes.len() - words.len();
+        at_byte(mark + error.valid_up_to(), "this is no text")
+    })?;
     let mut reader = Reader::new(text);
     if reader.lines.first().map(|line| line.trim()) != Some("***tess") {
         return Err(at_line(
@@ -76,7 +93,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
         }
         vertices.insert(number, place);
     }
-    let mut faces: BTreeMap<i64, (Vec<i64>, usize)> = BTreeMap::new();
+    let mut faces: BTreeMap<i64, Face> = BTreeMap::new();
     for _ in 0..reader.entries("**face")? {
         let mut words = reader.row()?;
         let number = reader.integer(words.next())?;
@@ -84,7 +101,18 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
         if let Some(corner) = ring.iter().find(|k| !vertices.contains_key(k)) {
             return Err(reader.wrong(format!("there is no vertex {corner}")));
         }
-        faces.insert(number, (ring, reader.at));
+        if !plane && ring.len() > MAX_VERTICES {
+            return Err(reader.wrong(format!(
+                "face {number} has {} corners; a block has at most {MAX_VERTICES}",
+                ring.len()
+            )));
+        }
+        let face = Face {
+            ring,
+            line: reader.at,
+            uses: 0,
+        };
+        faces.insert(number, face);
         // Edges, equation and state.
         for _ in 0..3 {
             reader.next()?;
@@ -92,13 +120,14 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
     }
     // In the plane the faces are the cells.
     if plane {
-        let cells = faces.into_iter().map(|(number, (ring, line))| Polygon {
+        let cells = faces.into_iter().map(|(number, face)| Polygon {
             number,
-            points: ring
+            points: face
+                .ring
                 .iter()
                 .map(|k| [vertices[k][0], vertices[k][1]])
                 .collect(),
-            line,
+            line: face.line,
         });
         return Ok(Cells::Plane(cells.collect())).and_then(|cells| some(cells, &reader));
     }
@@ -114,13 +143,21 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             line: reader.at,
         };
         let mut places: BTreeMap<i64, u32> = BTreeMap::new();
-        for face in signed {
+        for signed in signed {
             // The lowest number has no opposite.
-            let Some((ring, _)) = faces.get(&face.saturating_abs()) else {
-                return Err(reader.wrong(format!("there is no face {}", face.saturating_abs())));
+            let number = signed.saturating_abs();
+            let Some(face) = faces.get_mut(&number) else {
+                return Err(reader.wrong(format!("there is no face {number}")));
             };
-            let mut corners: Vec<u32> = Vec::with_capacity(ring.len());
-            for corner in ring {
+            face.uses += 1;
+            // Each use copies all corners: without a limit a small file could ask for any memory.
+            if face.uses > SIDES {
+                return Err(reader.wrong(format!(
+                    "face {number} is used for the third time; it lies between two polyhedra at most"
+                )));
+            }
+            let mut corners: Vec<u32> = Vec::with_capacity(face.ring.len());
+            for corner in &face.ring {
                 let place = *places.entry(*corner).or_insert_with(|| {
                     cell.vertices.push(vertices[corner]);
                     cell.vertices.len() as u32 - 1
@@ -128,7 +165,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
                 corners.push(place);
             }
             // A negative number: the face looks inwards.
-            if face < 0 {
+            if signed < 0 {
                 corners.reverse();
             }
             cell.faces.push(corners);

@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 
+use super::asc::parse_asc;
 use super::dxf::{Drawing, parse_dxf};
 use super::stl::parse_stl;
 use super::tess::{Cells, parse_tess};
@@ -74,6 +75,31 @@ fn broken_tessellations_have_their_line() {
     );
 }
 
+/// Each copies its corners: a short file could ask for any memory.
+#[test]
+fn a_face_has_two_sides_and_no_more_corners_than_a_block() {
+    let file = |ring: usize, cells: &[&str]| {
+        let vertices: String = (1..=ring).map(|k| format!("{k} {k} 0 0 0\n")).collect();
+        let numbers: Vec<String> = (1..=ring).map(|k| k.to_string()).collect();
+        let rows = cells.join("\n");
+        format!(
+            "***tess\n **general\n 3 standard\n **vertex\n {ring}\n{vertices} **face\n 1\n 1 {ring} {}\n 0\n 0\n 0\n \
+             **polyhedron\n {}\n{rows}\n***end\n",
+            numbers.join(" "),
+            cells.len()
+        )
+    };
+    let wrong = |text: String| parse_tess(text.as_bytes()).unwrap_err().to_string();
+    let thrice = "face 1 is used for the third time";
+    let one = wrong(file(3, &["1 3 1 1 1"]));
+    assert!(one.starts_with(&format!("line 17: {thrice}")), "{one}");
+    let two = wrong(file(3, &["1 3 1 -1 1"]));
+    assert!(two.contains(thrice), "{two}");
+    let long = wrong(file(10_001, &["1 3 1 1 1"]));
+    let right = "line 10009: face 1 has 10001 corners; a block has at most 10000";
+    assert_eq!(long, right);
+}
+
 #[test]
 fn surfaces_of_pyvista_are_read() {
     for bytes in STL {
@@ -98,12 +124,24 @@ fn broken_surfaces_have_their_line_or_byte() {
         "{}",
         wrong(&STL[1][..300])
     );
-    let number = good.replacen("vertex 0 0 4", "vertex 0 zero 4", 1);
+    for numbers in ["0 zero 4", "0 inf 0 4", "0 0 4 0", "0 0 4 x", "0 0"] {
+        let number = good.replacen("vertex 0 0 4", &format!("vertex {numbers}"), 1);
+        assert!(
+            wrong(number.as_bytes()).starts_with("line 5: `vertex` and three finite"),
+            "{numbers}: {}",
+            wrong(number.as_bytes())
+        );
+    }
+    let mut long = STL[1].to_vec();
+    long.extend([0; 7]);
     assert!(
-        wrong(number.as_bytes()).starts_with("line 5: `vertex`"),
+        wrong(&long).starts_with("byte 884: 16 triangles end here, and 7 more bytes follow"),
         "{}",
-        wrong(number.as_bytes())
+        wrong(&long)
     );
+    // Heads of binary files may begin as texts do.
+    long[..6].copy_from_slice(b"solid ");
+    assert!(wrong(&long).contains("7 more bytes"), "{}", wrong(&long));
     // Without its first triangle.
     let end = good.find("endfacet").unwrap() + "endfacet".len();
     let open = format!("solid a{}", &good[end..]);
@@ -164,6 +202,38 @@ fn lines_of_ezdxf_are_read() {
         // Seen from behind, anticlockwise becomes clockwise.
         assert!((area(&fine.lines[3].points) / exact + 1.0).abs() < 1e-4);
     }
+}
+
+/// All layers with such letters had one name, and none that could be asked for.
+#[test]
+fn letters_of_layers_are_read_as_the_drawing_writes_them() {
+    // A drawing of release 12 with its layer `joints` renamed.
+    let layers = |page: &str, name: &[u8]| {
+        let text = text(DXF[0]).replace("ANSI_1252", page);
+        let parts: Vec<&str> = text.split("joints").collect();
+        let bytes = parts
+            .iter()
+            .map(|p| p.as_bytes())
+            .collect::<Vec<_>>()
+            .join(name);
+        let drawing = parse_dxf(&bytes, None).unwrap();
+        drawing.layers()[2].to_owned()
+    };
+    assert_eq!(layers("ANSI_1252", b"Kl\xfcfte \x80"), "Klüfte €");
+    assert_eq!(layers("ANSI_1252", "Klüfte".as_bytes()), "Klüfte");
+    assert_eq!(layers("ANSI_1252", b"Kl\\U+00FCfte\\U+"), "Klüfte\\U+");
+    assert_eq!(layers("ANSI_1251", b"Kl\xfcfte"), "Kl\\xFCfte");
+}
+
+#[test]
+fn a_byte_order_mark_is_no_damage() {
+    let marked = |bytes: &[u8]| [b"\xef\xbb\xbf", bytes].concat();
+    assert_eq!(parse_tess(&marked(TESS3)), parse_tess(TESS3));
+    assert_eq!(parse_stl(&marked(STL[0])), parse_stl(STL[0]));
+    assert_eq!(parse_dxf(&marked(DXF[1]), None), parse_dxf(DXF[1], None));
+    let raster = b"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n";
+    assert_eq!(parse_asc(&marked(raster)), parse_asc(raster));
+    assert!(parse_asc(raster).is_ok());
 }
 
 #[test]

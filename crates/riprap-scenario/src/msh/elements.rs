@@ -1,5 +1,7 @@
 //! Elements of a .msh file.
 
+use std::collections::BTreeSet;
+
 use super::reader::{Coding, FileError, Reader};
 use super::{File, Version};
 use riprap_geom::Vec3;
@@ -68,8 +70,8 @@ pub struct Cell {
     pub kind: CellKind,
     /// Nodes in the order of Gmsh; those past the number of the shape are 0.
     pub nodes: [u32; 8],
-    /// Its physical group, if it has one: place in [`super::Mesh::groups`].
-    pub group: Option<u32>,
+    /// Its physical groups: place in [`super::Mesh::sets`].
+    pub set: u32,
 }
 
 impl Cell {
@@ -98,8 +100,8 @@ impl Cell {
 pub struct Facet {
     /// Nodes; of a triangle the last is repeated.
     pub nodes: [u32; 4],
-    /// Its physical group: place in [`super::Mesh::groups`].
-    pub group: u32,
+    /// Its physical groups, one at least: place in [`super::Mesh::sets`].
+    pub set: u32,
 }
 
 /// What an element type of Gmsh is to us.
@@ -154,7 +156,7 @@ fn two_text(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
         let kind = kind(reader, number)?;
         let tags = reader.int("a number of tags")?;
         let group = first_tag(reader, tags)?;
-        element(file, reader, &kind, group, true)?;
+        element(file, reader, &kind, group.as_slice(), true)?;
     }
     Ok(())
 }
@@ -177,7 +179,7 @@ fn two_binary(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
         for _ in 0..here {
             reader.int("the number of an element")?;
             let group = first_tag(reader, tags)?;
-            element(file, reader, &kind, group, true)?;
+            element(file, reader, &kind, group.as_slice(), true)?;
         }
         left -= here;
     }
@@ -213,10 +215,11 @@ fn four(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
         let here = reader.size("a number of elements")?;
         let dimension = u8::try_from(dimension)
             .map_err(|_| reader.wrong(format!("an entity of dimension {dimension}")))?;
-        let group = file.physical.get(&(dimension, entity)).copied();
+        let tags = file.physical.get(&(dimension, entity));
+        let tags = tags.cloned().unwrap_or_default();
         for _ in 0..reader.room(here, 4, "elements")? {
             reader.size("the number of an element")?;
-            element(file, reader, &kind, group, false)?;
+            element(file, reader, &kind, &tags, false)?;
         }
     }
     Ok(())
@@ -227,7 +230,7 @@ fn element(
     file: &mut File,
     reader: &mut Reader,
     kind: &Kind,
-    group: Option<i32>,
+    tags: &[i32],
     short: bool,
 ) -> Result<(), FileError> {
     let count = match kind {
@@ -247,16 +250,16 @@ fn element(
     }
     match kind {
         Kind::Cell(kind) => {
-            let group = group.map(|tag| file.group(3, tag));
+            let set = file.set(3, tags);
             let kind = *kind;
-            file.mesh.cells.push(Cell { kind, nodes, group });
+            file.mesh.cells.push(Cell { kind, nodes, set });
         }
         Kind::Facet(count) => {
-            if let Some(tag) = group {
-                let group = file.group(2, tag);
+            if !tags.is_empty() {
+                let set = file.set(2, tags);
                 let last = nodes[*count - 1];
                 let nodes = [nodes[0], nodes[1], nodes[2], last];
-                file.mesh.facets.push(Facet { nodes, group });
+                file.mesh.facets.push(Facet { nodes, set });
             }
         }
         Kind::Passed(_) => {}
@@ -264,9 +267,10 @@ fn element(
     Ok(())
 }
 
-/// Drops elements that are there more than once: format 2.2 repeats an element for each of its physical groups. The
-/// first one stays.
-pub(super) fn drop_repeated(cells: &mut Vec<Cell>) {
+/// Takes elements that are there more than once as one: format 2.2 repeats an element for each of its physical groups. The
+/// first one stays and has the groups of all.
+pub(super) fn join_repeated(file: &mut File) {
+    let cells = &file.mesh.cells;
     let mut order: Vec<([u32; 8], usize)> = cells
         .iter()
         .enumerate()
@@ -279,12 +283,29 @@ pub(super) fn drop_repeated(cells: &mut Vec<Cell>) {
     // Among equals by their place in the file, so that the first one stays.
     order.sort_unstable();
     let mut repeated = vec![false; cells.len()];
+    // Each repetition behind the first one.
+    let mut again: Vec<(usize, usize)> = Vec::new();
+    let mut first = 0;
     for pair in order.windows(2) {
-        let (first, second) = (pair[0].1, pair[1].1);
-        repeated[second] = pair[0].0 == pair[1].0 && cells[first].kind == cells[second].kind;
+        let [before, here] = [pair[0].1, pair[1].1];
+        if pair[0].0 == pair[1].0 && cells[before].kind == cells[here].kind {
+            first = if repeated[before] { first } else { before };
+            repeated[here] = true;
+            again.push((first, here));
+        }
+    }
+    for list in again.chunk_by(|a, b| a.0 == b.0) {
+        let first = list[0].0;
+        let mut groups = file.mesh.groups_of(file.mesh.cells[first].set).to_vec();
+        let mut known: BTreeSet<u32> = groups.iter().copied().collect();
+        for (_, here) in list {
+            let more = file.mesh.groups_of(file.mesh.cells[*here].set);
+            groups.extend(more.iter().filter(|group| known.insert(**group)));
+        }
+        file.mesh.cells[first].set = file.set_of(groups);
     }
     let mut place = 0;
-    cells.retain(|_| {
+    file.mesh.cells.retain(|_| {
         place += 1;
         !repeated[place - 1]
     });

@@ -34,7 +34,7 @@ fn tetrahedra_of_a_cylinder_in_all_formats() {
             .map(|g| (g.dimension, g.name.as_str()))
             .collect();
         assert_eq!(names, [(2, "ends"), (3, "rock core")]);
-        assert!(mesh.cells.iter().all(|c| c.group == Some(1)));
+        assert!(mesh.cells.iter().all(|c| mesh.groups_of(c.set) == [1]));
         assert!(mesh.facets.len() > 8);
         for facet in &mesh.facets {
             let z = mesh.nodes[facet.nodes[0] as usize][2];
@@ -58,7 +58,7 @@ fn sheared_bricks_in_all_formats() {
             let group = mesh.groups.iter().position(|g| g.name == name).unwrap();
             mesh.cells
                 .iter()
-                .filter(|c| c.group == Some(group as u32))
+                .filter(|c| mesh.groups_of(c.set) == [group as u32])
                 .count()
         };
         assert_eq!((of("left"), of("right")), (2, 2));
@@ -79,7 +79,7 @@ fn prisms_and_pyramids_are_solids() {
     let cell = |kind, nodes| Cell {
         kind,
         nodes,
-        group: None,
+        set: 0,
     };
     let prism = cell(CellKind::Prism, [0, 1, 2, 4, 5, 6, 0, 0]);
     let pyramid = cell(CellKind::Pyramid, [0, 1, 2, 3, 4, 0, 0, 0]);
@@ -149,9 +149,50 @@ fn repeated_elements_count_once() {
     let text = format!("{head}$Elements\n2\n1 4 2 1 1 1 2 3 5\n2 4 2 2 1 1 2 3 5\n$EndElements\n");
     let mesh = parse_msh(text.as_bytes()).unwrap();
     assert_eq!(mesh.cells.len(), 1);
-    assert_eq!(
-        mesh.groups[mesh.cells[0].group.unwrap() as usize].name,
-        "left"
+    let groups = mesh.groups_of(mesh.cells[0].set).iter();
+    let names: Vec<&str> = groups
+        .map(|k| mesh.groups[*k as usize].name.as_str())
+        .collect();
+    assert_eq!(names, ["left", "right"]);
+}
+
+/// Format 4.1 lists all groups of an entity at once: those behind the first were lost.
+#[test]
+fn entities_in_several_groups_keep_all_of_them() {
+    let good = std::str::from_utf8(CYLINDER[2]).unwrap();
+    let whole = parse_msh(good.as_bytes()).unwrap();
+    // The volume is in the group 7, the surfaces of the ends in 8: both in a second one now, named twice.
+    let (head, rest) = good.split_once("$Entities").unwrap();
+    let (entities, rest) = rest.split_once("$EndEntities").unwrap();
+    let lines = entities.lines().map(|line| {
+        let mut words: Vec<&str> = line.split_whitespace().collect();
+        if words.len() > 9 && words[7] == "1" {
+            words[7] = "3";
+            words.splice(9..9, ["5", "-5"]);
+        }
+        words.join(" ")
+    });
+    let lines: Vec<String> = lines.collect();
+    let text = format!("{head}$Entities{}\n$EndEntities{rest}", lines.join("\n"));
+    let mesh = parse_msh(text.as_bytes()).unwrap();
+    let names = |set: u32| -> Vec<&str> {
+        let groups = mesh.groups_of(set).iter();
+        groups
+            .map(|k| mesh.groups[*k as usize].name.as_str())
+            .collect()
+    };
+    assert!(
+        mesh.cells
+            .iter()
+            .all(|c| names(c.set) == ["rock core", "5"])
+    );
+    assert!(mesh.facets.iter().all(|f| names(f.set) == ["ends", "5"]));
+    assert_eq!(mesh.facets.len(), whole.facets.len());
+    let many = text.replacen(" 3 8 5 -5", " 33 8 5 -5", 1);
+    let found = error(&many);
+    assert!(
+        found.contains("in 33 physical groups; 32 at most"),
+        "{found}"
     );
 }
 

@@ -1,6 +1,6 @@
 //! Rules of bolts.
 
-use super::Rules;
+use super::{Rules, above};
 use crate::language::{Bolt, Scenario};
 
 impl Rules {
@@ -59,7 +59,7 @@ impl Rules {
                 ("the yield force of its bar", steel.yield_force.as_ref()),
                 ("the capacity of its plate", plate),
             ] {
-                if limit.is_some_and(|limit| limit.si() < pull.si()) {
+                if limit.is_some_and(|limit| above(pull.si(), limit.si())) {
                     let message = format!("the pretension of {of} is above {what}");
                     self.error("value.order", &pull.span, message, "stretch it less");
                 }

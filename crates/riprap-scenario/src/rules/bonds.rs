@@ -50,15 +50,22 @@ impl Rules {
             ("friction_angle", bond.friction_angle.is_some()),
         ];
         self.bond_springs(span, &of, bond);
+        if bond.young.is_some() != bond.poisson.is_some() {
+            let message = format!("{of} has only one of `young` and `poisson`");
+            let help = "give both, or neither: then they are those of the two materials";
+            self.error("key.missing", span, message, help);
+        }
         if bond.elastic {
-            let residual = [
+            let broken = [
                 (
                     "residual_friction_angle",
                     bond.residual_friction_angle.is_some(),
                 ),
                 ("residual_cohesion", bond.residual_cohesion.is_some()),
+                ("cohesive", bond.cohesive.is_some()),
+                ("failure", bond.failure.is_some()),
             ];
-            let given = strengths.iter().chain(&residual).filter(|s| s.1);
+            let given = strengths.iter().chain(&broken).filter(|s| s.1);
             let given: Vec<&str> = given.map(|s| s.0).collect();
             if !given.is_empty() {
                 let message = format!("{of} is elastic and has {}", list(&given));
@@ -75,11 +82,6 @@ impl Rules {
                         friction_angle = \"30 deg\"; or elastic = true";
             self.error("key.missing", span, message, help);
             return;
-        }
-        if bond.young.is_some() != bond.poisson.is_some() {
-            let message = format!("{of} has only one of `young` and `poisson`");
-            let help = "give both, or neither: then they are those of the two materials";
-            self.error("key.missing", span, message, help);
         }
         if self.values_sound {
             self.cut_off(&of, bond);

@@ -116,6 +116,24 @@ impl Rules {
         );
     }
 
+    /// Speeds that phases give to interfaces whose friction is not clipped then.
+    pub(super) fn clip_speeds(&mut self, scenario: &Scenario) {
+        for (name, interface) in scenario.interfaces.iter() {
+            let mut law = interface.friction_law;
+            for phase in &scenario.phases {
+                let Some(change) = phase.interfaces.get(name.as_str()) else {
+                    continue;
+                };
+                law = change.friction_law.or(law);
+                if let Some(speed) = change.clip_speed.as_ref() {
+                    let of = format!("phases.{}.interfaces.{name}", phase.name);
+                    // A phase that brings the law without a speed has been refused.
+                    self.friction_law(&speed.span, &of, law, true);
+                }
+            }
+        }
+    }
+
     pub(super) fn friction_law(
         &mut self,
         span: &Span,

@@ -11,6 +11,8 @@ mod interfaces;
 mod joints;
 mod motion;
 mod sources;
+#[cfg(test)]
+mod tests;
 mod water;
 
 use toml::de::DeTable;
@@ -47,6 +49,14 @@ pub(super) fn check(
 
 /// Lightest solid that a block may be made of without a word, kg/m3.
 const LIGHTEST: f64 = 20.0;
+
+/// Values that differ by less than this share are the same, written in other units: 700 ms are 0.7000000000000001 s.
+const SAME: f64 = 1e-9;
+
+/// Whether one value is larger than another, and not only by the rounding of their units.
+fn above(value: f64, other: f64) -> bool {
+    value - other > SAME * value.abs().max(other.abs())
+}
 
 struct Rules {
     found: Vec<Diagnostic>,
@@ -178,6 +188,9 @@ impl Rules {
         for phase in &scenario.phases {
             self.phase(phase);
         }
+        if self.space == InSpace::Planar {
+            self.clip_speeds(scenario);
+        }
         for output in &scenario.outputs {
             if let Output::History(history) = output {
                 self.name(&history.name, "a history");
@@ -235,7 +248,14 @@ impl Rules {
         help: &str,
     ) {
         let (first, second) = (low.si(), high.si());
-        if self.values_sound && (first > second || (first == second && !may_be_equal)) {
+        // Not `SAME`: places far from the origin may lie nearer to each other.
+        let round = 4.0 * f64::EPSILON * first.abs().max(second.abs());
+        let wrong = if may_be_equal {
+            first - second > round
+        } else {
+            second - first <= round
+        };
+        if self.values_sound && wrong {
             let than = if may_be_equal {
                 "is larger than"
             } else {

@@ -2,7 +2,7 @@
 
 use riprap_core::laws::parameters::FrictionLaw;
 
-use super::{Rules, target_span};
+use super::{Rules, above, target_span};
 use crate::diagnostic::Diagnostic;
 use crate::language::{EdgeLoad, Load, Motion, MotionComponents, Phase, Support, Target};
 use crate::quantity::{Kind, NotNegativeTime, Quantity, Span};
@@ -134,7 +134,7 @@ impl Rules {
     }
 
     pub(super) fn end_after(&mut self, start: f64, end: f64, span: &Span) {
-        if self.values_sound && end <= start {
+        if self.values_sound && !above(end, start) {
             let message = "`end` does not come after `start`".to_owned();
             self.error(
                 "value.order",
@@ -225,7 +225,7 @@ impl Rules {
             self.found.push(note.help(help));
         }
         let until = phase.until.time.as_ref();
-        if let Some(until) = until.filter(|until| until.si() < ramp.si()) {
+        if let Some(until) = until.filter(|until| above(ramp.si(), until.si())) {
             let message = format!("{of} ends before its `removal_ramp`");
             let help = "make `until.time` at least as long, or the ramp shorter";
             self.error("value.range", &until.span, message, help);

@@ -1,10 +1,13 @@
 //! Rules of water tables.
 
-use super::Rules;
+use super::{Rules, above};
 use crate::language::{Scenario, Seepage, Side, Water};
 use crate::names::{Name, Names};
 use crate::references::NO_WATER;
 use crate::vectors::{Components, InSpace};
+
+/// Sine of the angle between a drain hole and its row below which they lie on one line: coordinates are rounded.
+const ON_LINE: f64 = 1e-9;
 
 impl Rules {
     pub(super) fn water(&mut self, scenario: &Scenario) {
@@ -106,8 +109,8 @@ impl Rules {
         let least = said.aperture_min.as_ref();
         let most = said.aperture_max.as_ref();
         let aperture = said.aperture.si();
-        let wrong = least.filter(|q| q.si() > aperture);
-        if let Some(wrong) = wrong.or(most.filter(|q| q.si() < aperture)) {
+        let wrong = least.filter(|q| above(q.si(), aperture));
+        if let Some(wrong) = wrong.or(most.filter(|q| above(aperture, q.si()))) {
             let message = format!("`aperture` of {of}.seepage lies outside of its limits");
             let help = "aperture_min <= aperture <= aperture_max";
             self.error("value.range", &wrong.span, message, help);
@@ -138,7 +141,9 @@ impl Rules {
             };
             let way = |at: [f64; 3]| [0, 1, 2].map(|k| at[k] - from[k]);
             let ([a, b, c], [d, e, f]) = (way(to), way(end.xyz()));
-            if [b * f - c * e, c * d - a * f, a * e - b * d] == [0.0; 3] {
+            let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let across = length([b * f - c * e, c * d - a * f, a * e - b * d]);
+            if across <= ON_LINE * length([a, b, c]) * length([d, e, f]) {
                 let message = format!("the drain holes of a row of {of}.seepage lie on one line");
                 let help =
                     "`row_end` is where the last hole begins, beside the line from `from` to `to`";

@@ -286,6 +286,9 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
 /// between two kicks leaves its blocks with the first one alone. Joints of rigid blocks make 1 % at 0.99 there.
 const MOST_WITH_BREAKING: f64 = 0.8;
 
+/// Times that differ by less than this share are the same, written in other units: 700 ms are 0.7000000000000001 s.
+const SAME_TIME: f64 = 1e-9;
+
 /// That a phase ends before its gravity is there in full, in words; `stable` is the stable step at the start, s.
 fn gravity_cut_off(phase: &Phase, stable: f64) -> Option<String> {
     let ramp = phase.gravity_ramp?;
@@ -296,7 +299,9 @@ fn gravity_cut_off(phase: &Phase, stable: f64) -> Option<String> {
     let steps = phase.until.steps.filter(|_| relaxing(phase).is_none());
     let stepped = steps.map(|steps| steps as f64 * dt);
     let time = phase.until.time.into_iter().chain(stepped);
-    let time = time.reduce(f64::min).filter(|time| *time < ramp)?;
+    let time = time
+        .reduce(f64::min)
+        .filter(|time| *time < ramp * (1.0 - SAME_TIME))?;
     Some(format!(
         "the phase `{}` ends after {time:.3e} s, before its gravity is there in full (`gravity_ramp`, {ramp} s): a phase after it has the whole at once",
         phase.name

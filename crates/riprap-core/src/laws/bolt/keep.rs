@@ -33,13 +33,29 @@ impl Chain {
         (chain.motion, chain.slip) = (of(&self.motion), of(&self.slip));
         for ends in nodes.windows(2) {
             let bars = ends[0]..ends[1];
-            chain.bars.push(in_series(&self.bars[bars.clone()]));
-            chain.plastic.push(self.plastic[bars.clone()].iter().sum());
+            let plastic = &self.plastic[bars.clone()];
+            let mut bar = in_series(&self.bars[bars.clone()]);
+            chain.plastic.push(plastic.iter().sum());
+            bar.breaks = breaks(&self.bars[bars.clone()], plastic);
+            chain.bars.push(bar);
             chain.yielded.push(self.yielded[bars.clone()].iter().sum());
             chain.force.push(self.force[bars.start]);
         }
         Kept { chain, nodes }
     }
+}
+
+/// Plastic elongation (m) at which bars one behind the other break as one that has all of theirs, `plastic` (m).
+///
+/// `breaks` is the elongation of one place, whatever the length of the bar: the joined bar breaks when what is still to come
+/// has broken that of them which has the least left. Their sum alone would tear two bars of which neither has come so far.
+fn breaks(bars: &[Bar], plastic: &[f64]) -> f64 {
+    // To the bit where nothing is joined.
+    if let [bar] = bars {
+        return bar.breaks;
+    }
+    let left = bars.iter().zip(plastic).map(|(bar, p)| bar.breaks - p);
+    plastic.iter().sum::<f64>() + left.fold(f64::INFINITY, f64::min)
 }
 
 /// Bars one behind the other as one.

@@ -189,6 +189,35 @@ fn a_bar_breaks_at_its_elongation_and_what_it_held_is_booked() {
     assert!(residual.abs() < 2e-3 * put, "{residual} {put}");
 }
 
+/// When the node between them goes, two bars at 0.6 of their rupture are none at 1.2, and a place that was compressed saves no other one.
+#[test]
+fn a_joined_bar_breaks_when_what_is_left_of_its_worst_part_is_used_up() {
+    let rigid = || Hold::grout(1e9 * AXIAL, f64::INFINITY);
+    let half = Bar {
+        yields: 250e3,
+        breaks: 5e-3,
+        ..bar(0.5)
+    };
+    for plastic in [[3e-3, 3e-3], [3e-3, -3e-3], [0.0, 3e-3]] {
+        let mut chain = Chain::new(vec![rigid(), rigid(), rigid()], vec![half; 2]);
+        chain.plastic = plastic.to_vec();
+        chain.yielded = plastic.map(f64::abs).to_vec();
+        let mut chain = chain.keep(&[true, false, true]).chain;
+        let mut work = chain.factors();
+        // Plastic elongation begins beyond this one.
+        let start = plastic[0] + plastic[1] + 250e3 / chain.bars[0].stiffness;
+        for (more, breaks) in [(-1e-3, 0), (1.99e-3, 0), (2.01e-3, 1)] {
+            let losses = chain.solve(&[start + more], &mut work);
+            assert_eq!(losses.breaks, breaks, "{plastic:?} {more}");
+        }
+    }
+    // Bars that are not joined keep their own to the bit.
+    let mut chain = Chain::new(vec![rigid(), rigid(), rigid()], vec![half; 2]);
+    chain.plastic = vec![1e-3 / 3.0; 2];
+    let kept = chain.keep(&[true, true, false]).chain;
+    assert_eq!(kept.bars, [half]);
+}
+
 #[test]
 fn a_stretched_bolt_carries_its_force_exactly_and_its_plate_lifts() {
     // 5 m free, then 2 m of grout.

@@ -195,7 +195,7 @@ impl Builder<'_> {
         };
         let cells = mesh.cells.iter().enumerate();
         let chosen: Vec<usize> = cells
-            .filter(|(_, c)| c.group.is_some_and(is))
+            .filter(|(_, c)| mesh.groups_of(c.set).iter().any(|k| is(*k)))
             .map(|(k, _)| k)
             .collect();
         if chosen.is_empty() {
@@ -227,11 +227,12 @@ fn physical(
     for facet in &mesh.facets {
         // As sets: a facet and the face of an element may begin at different nodes and go round the other way.
         let nodes: BTreeSet<u32> = facet.nodes.into_iter().collect();
-        facets.entry(nodes).or_default().push(facet.group);
+        let groups = mesh.groups_of(facet.set);
+        facets.entry(nodes).or_default().extend(groups);
     }
     for ((place, &k), solid) in (0u32..).zip(chosen).zip(solids) {
         let cell = &mesh.cells[k];
-        if let Some(group) = cell.group {
+        for &group in mesh.groups_of(cell.set) {
             members.entry(group).or_default().push(place);
         }
         if facets.is_empty() {
