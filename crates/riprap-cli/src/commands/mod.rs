@@ -32,6 +32,23 @@ pub fn default_folder(scene: &Path, kind: &str) -> PathBuf {
     PathBuf::from(format!("{stem}.{kind}"))
 }
 
+/// Writes a whole file aside and gives it its name then: what was there is never half overwritten. Pipes and devices are written as they are,
+/// and so is the file that a link leads to.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    if target.exists() && !target.is_file() {
+        return std::fs::write(path, bytes)
+            .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())));
+    }
+    riprap::record::write_whole(&target, bytes).map_err(|error| {
+        Failure::Output(format!(
+            "could not write {}: {}",
+            path.display(),
+            error.source
+        ))
+    })
+}
+
 /// Number of threads the user asked for, or of the machine.
 pub fn threads(how: &How) -> usize {
     how.threads.map_or_else(cores, usize::from)
