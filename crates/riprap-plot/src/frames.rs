@@ -118,6 +118,7 @@ pub(super) fn drawn(
     options: BlockOptions,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    options.checked()?;
     let manifest = Manifest::read(folder)?;
     let fields = loaded
         .iter()

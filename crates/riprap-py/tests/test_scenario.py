@@ -119,6 +119,9 @@ def test_words():
     assert riprap.si("16 GPa") == 16e9
     with pytest.raises(ValueError, match="16 GPx"):
         riprap.si("16 GPx")
+    assert riprap.si("2 mm", "m") == 2e-3
+    with pytest.raises(ValueError, match="cannot be measured in m"):
+        riprap.si("2 s", "m")
 
 
 def test_a_path_may_have_an_equals_sign(sliding_block, tmp_path):
