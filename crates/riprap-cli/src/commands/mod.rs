@@ -124,3 +124,26 @@ pub fn run_folder(path: &Path, verb: &str) -> Result<(), Failure> {
         "{shown} {what}, and `{verb}` takes a run: the folder that `riprap run` made; {next}"
     )))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn whole_files_are_replaced_and_links_and_devices_stay() {
+        let dir = tempfile::tempdir().unwrap();
+        let [file, link] = ["a.html", "link.html"].map(|name| dir.path().join(name));
+        write_file(&file, b"one").unwrap();
+        let before = std::fs::File::open(&file).unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_file(&link, b"two").unwrap();
+        assert_eq!(std::fs::read(&file).unwrap(), b"two");
+        assert!(link.is_symlink());
+        // Whoever has the old one open still reads it whole.
+        assert_eq!(std::io::read_to_string(before).unwrap(), "one");
+        write_file(Path::new("/dev/null"), b"three").unwrap();
+        let told = write_file(&dir.path().join("no/a.html"), b"").unwrap_err();
+        assert!(told.to_string().contains("no/a.html"), "{told}");
+    }
+}
