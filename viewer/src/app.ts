@@ -34,6 +34,8 @@ export class App {
   private readonly choices = new Choices();
   private runs: Run[] = [];
   private panes: Pane[] = [];
+  /** Those whose run gave no good answer when it was last asked for news. */
+  private readonly silent = new Set<Pane>();
   private timeline!: Timeline;
   private panel: Panel | null = null;
   private plots: Plots | null = null;
@@ -413,20 +415,15 @@ export class App {
     if (this.timeline.following) void this.timeline.go(this.timeline.moments.length - 1);
   }
 
-  /** Asks a running run for news until it ends. */
+  /** Asks running runs for news until they end. After a bad answer what is there is kept and asked for again. */
   private news(): void {
     // One after the other, not at intervals: a slow answer would be asked for again before it has come.
     setTimeout(async () => {
       const good = this.panes.map((p) => p.view.run);
-      try {
-        const other = await Promise.all(good.map((r) => r.refresh()));
-        if (other.some(Boolean)) {
-          // Another run has the folder: blocks, names and memory are all of the old one.
-          location.reload();
-          return;
-        }
-      } catch (error) {
-        for (const pane of this.panes) this.banner(pane, told(error));
+      const answers = await Promise.allSettled(good.map((r) => r.refresh()));
+      if (answers.some((a) => a.status === "fulfilled" && a.value)) {
+        // Another run has the folder: blocks, names and memory are all of the old one.
+        location.reload();
         return;
       }
       const moments = this.moments(good);
@@ -440,9 +437,21 @@ export class App {
         for (const pane of this.panes) if (pane.view.run.frames === 0) this.banner(pane, noFrames(pane.view.run));
       }
       if (more && this.plots && this.plots.tab !== "block") this.openPlots();
+      this.panes.forEach((pane, k) => this.answered(pane, answers[k]!));
       if (good.some((r) => r.summary.live)) this.news();
       else this.panel?.rebuild();
     }, NEWS);
+  }
+
+  /** Tells of a bad answer as long as no good one has come. */
+  private answered(pane: Pane, answer: PromiseSettledResult<boolean>): void {
+    if (answer.status === "rejected") {
+      this.silent.add(pane);
+      this.banner(pane, told(answer.reason));
+    } else if (this.silent.delete(pane)) {
+      if (pane.view.run.frames === 0) this.banner(pane, noFrames(pane.view.run));
+      else this.refreshPane(pane);
+    }
   }
 
   private refreshHead(): void {

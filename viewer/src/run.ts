@@ -4,8 +4,7 @@ import type { Conditions } from "./conditions";
 import { quantity } from "./format";
 import type { Charge } from "./marks";
 import { heldBlock, heldHistory, nameOf, type Names } from "./held";
-import type { Source } from "./source";
-import { Problem } from "./source";
+import { Problem, type Source } from "./source";
 import type { Packet } from "./wire";
 
 /** Bytes of answers kept. */
@@ -189,9 +188,13 @@ export class Run {
     return this.summary.times?.length ?? 0;
   }
 
-  /** Reads the summary again; whether another run has taken the folder. */
+  /**
+   * Reads the summary again; whether another run has taken the folder. One that tells of a problem does not replace one that does not: a
+   * file may be read while it is written.
+   */
   async refresh(): Promise<boolean> {
     const next = await this.source.json<Summary>("summary");
+    if (next.problem && !this.summary.problem) throw new Problem(next.problem.what, next.problem.hint);
     // A scene that is saved twice in a second starts twice at one time.
     const before = this.summary.manifest;
     const other = !next.problem && (next.manifest.started !== before?.started || next.manifest.input_hash !== before.input_hash);

@@ -42,7 +42,7 @@ test("a run whose program died, and one without frames", async ({ view }) => {
   await shoot(other, "frameless");
 });
 
-test("a run that goes on is followed to its end", async ({ view }) => {
+test("a run that goes on is followed to its end, past bad answers", async ({ view, allow }) => {
   const out = join(RUNS, "live.run");
   rmSync(out, { recursive: true, force: true });
   const words = ["run", join(ROOT, "scenes/planar/topple.toml"), "--quiet", "--out", out, "--threads", "1"];
@@ -51,6 +51,12 @@ test("a run that goes on is followed to its end", async ({ view }) => {
   await expect.poll(() => going.exitCode ?? "running").toBe("running");
   await new Promise((done) => setTimeout(done, 300));
   const page = await view("live");
+  allow(/422/);
+  let asked = 0;
+  await page.route("**/summary", async (route) => {
+    if (++asked > 2) await route.continue();
+    else await route.fulfill({ status: 422, json: { what: "the list was half written", hint: "Ask again." } });
+  });
   await expect(page.locator(".badge")).toHaveText(/running|finished/);
   await expect.poll(() => frame(page), { timeout: 30_000 }).toBeGreaterThan(3);
   await ended;

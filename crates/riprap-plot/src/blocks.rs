@@ -283,7 +283,7 @@ fn notes(frames: &[Frame], options: BlockOptions) -> String {
     }
     if options.cracks {
         let count: usize = frames.iter().map(|f| traces(f).len()).sum();
-        out.push(format!("red: {count} broken faces"));
+        out.push(format!("red: {count} broken faces in the cut"));
     }
     out.join("; ")
 }

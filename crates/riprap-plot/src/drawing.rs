@@ -1,5 +1,6 @@
 //! What pictures of blocks are asked for, and what all of them read of a frame.
 
+use super::PlotError;
 use riprap_record::field::{FieldError, Part, nearest};
 use riprap_record::frame::{Frame, SEEPAGE_FLOW};
 
@@ -87,6 +88,54 @@ pub struct BlockOptions {
     pub normal: Normal,
     /// In space: where the cut lies along its normal, m; `None` is the first source, or the middle of the model.
     pub at: Option<f64>,
+}
+
+/// More lines of equal value than this hide what they are drawn over.
+const MOST_ISOLINES: usize = 50;
+
+impl BlockOptions {
+    /// Refuses what no picture can be drawn by.
+    pub(super) fn checked(&self) -> Result<(), PlotError> {
+        let wrong = |option, given, wanted| {
+            Err(PlotError::Option {
+                option,
+                given,
+                wanted,
+            })
+        };
+        if let Some(window @ [left, bottom, right, top]) = self.window {
+            let finite = window.iter().all(|v| v.is_finite());
+            if !finite || left >= right || bottom >= top {
+                let given = window.map(short).join(", ");
+                return wrong(
+                    "window",
+                    given,
+                    "give left, bottom, right and top: the first less than the third, the second less than the fourth",
+                );
+            }
+        }
+        match self.exaggeration {
+            Some(factor) if !factor.is_finite() || factor <= 0.0 => {
+                return wrong(
+                    "exaggerate",
+                    short(factor),
+                    "give a positive factor, for example 20",
+                );
+            }
+            Some(_) | None => {}
+        }
+        match self.at {
+            Some(at) if !at.is_finite() => {
+                return wrong("at", short(at), "give a place along the normal in m");
+            }
+            Some(_) | None => {}
+        }
+        if self.isolines > MOST_ISOLINES {
+            let given = self.isolines.to_string();
+            return wrong("isolines", given, "give a number up to 50");
+        }
+        Ok(())
+    }
 }
 
 /// A field of a frame as numbers on blocks.
@@ -181,4 +230,41 @@ pub(super) fn short(v: f64) -> String {
     }
     let text = format!("{v:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_that_no_picture_can_be_drawn_by_are_refused() {
+        let told = |options: BlockOptions| options.checked().map_err(|e| e.to_string());
+        let sound = BlockOptions {
+            window: Some([-1.0, 0.0, 5.0, 3.0]),
+            exaggeration: Some(20.0),
+            isolines: 50,
+            at: Some(-2.0),
+            ..BlockOptions::default()
+        };
+        assert_eq!(told(sound), Ok(()));
+        for (window, exaggeration, isolines, at, option) in [
+            (Some([5.0, 0.0, 0.0, 3.0]), None, 0, None, "window"),
+            (Some([0.0, 3.0, 5.0, 3.0]), None, 0, None, "window"),
+            (Some([0.0, 0.0, f64::NAN, 3.0]), None, 0, None, "window"),
+            (None, Some(0.0), 0, None, "exaggerate"),
+            (None, Some(f64::INFINITY), 0, None, "exaggerate"),
+            (None, None, 51, None, "isolines"),
+            (None, None, 0, Some(f64::NAN), "at"),
+        ] {
+            let options = BlockOptions {
+                window,
+                exaggeration,
+                isolines,
+                at,
+                ..BlockOptions::default()
+            };
+            let text = told(options).unwrap_err();
+            assert!(text.starts_with(option) && text.contains("give "), "{text}");
+        }
+    }
 }

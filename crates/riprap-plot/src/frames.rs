@@ -11,6 +11,9 @@ use riprap_record::manifest::Manifest;
 use riprap_record::vtu::{self, PvdEntry};
 use std::path::{Path, PathBuf};
 
+/// Times nearer to each other than this share of them are the same.
+const ROUND_OFF: f64 = 1e-9;
+
 /// Which frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Which {
@@ -115,6 +118,7 @@ pub(super) fn drawn(
     options: BlockOptions,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    options.checked()?;
     let manifest = Manifest::read(folder)?;
     let fields = loaded
         .iter()
@@ -268,7 +272,9 @@ fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
             // Half a frame beyond an end still means the frame there.
             let before = 0.5 * list.get(1).map_or(0.0, |next| next.time - first);
             let after = 0.5 * list.iter().rev().nth(1).map_or(0.0, |e| last - e.time);
-            if !(first - before..=last + after).contains(&t) {
+            // A time in other words, such as 1 min 3 s, differs in its last bits.
+            let round_off = ROUND_OFF * first.abs().max(last.abs());
+            if !(first - before - round_off..=last + after + round_off).contains(&t) {
                 return Err(PlotError::OutsideTheRun {
                     time: t,
                     first,
@@ -281,4 +287,24 @@ fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
                 .unwrap_or(0)
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_only_frame_is_found_by_its_time_but_for_round_off() {
+        let at = |time: f64| PvdEntry {
+            time,
+            file: "frames/frame_000001.vtu".to_owned(),
+        };
+        let list = [at(0.1 + 0.2)];
+        assert_eq!(found(&list, Which::Time(0.3)).unwrap(), 0);
+        assert_eq!(found(&list, Which::Time(0.1 + 0.2)).unwrap(), 0);
+        for wrong in [0.29999, 0.30001, -0.3, f64::NAN] {
+            assert!(found(&list, Which::Time(wrong)).is_err(), "{wrong}");
+        }
+        assert!(found(&[at(0.0)], Which::Time(1e-9)).is_err());
+    }
 }

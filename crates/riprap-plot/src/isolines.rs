@@ -13,6 +13,8 @@ use riprap_record::frame::Frame;
 
 /// Corners that lie nearer to an outline than this share of the usual size of a block touch it.
 const TOUCH: f64 = 0.02;
+/// Blocks over more cells of the grid than this are compared with all corners.
+const MANY_CELLS: f64 = 200.0;
 /// Labels of one level, and the least distance between any two labels, pixels.
 const LABELS: usize = 3;
 const APART: f64 = 56.0;
@@ -70,9 +72,14 @@ fn carried(frame: &Frame, values: &[f64]) -> Vec<Vec<Corner>> {
     };
     let near = TOUCH * usual;
     let cell = |v: f64| (v / usual).floor() as i64;
-    let mut cells: BTreeMap<[i64; 2], Vec<usize>> = BTreeMap::new();
+    let (mut cells, mut large): (BTreeMap<[i64; 2], Vec<usize>>, Vec<usize>) = Default::default();
     for (b, [x, y, u, v]) in boxes.iter().enumerate() {
         if ![x, y, u, v].iter().all(|n| n.is_finite()) {
+            continue;
+        }
+        let across = |low: f64, high: f64| (high - low + 2.0 * near) / usual + 1.0;
+        if across(*x, *u) * across(*y, *v) > MANY_CELLS {
+            large.push(b);
             continue;
         }
         for i in cell(x - near)..=cell(u + near) {
@@ -82,8 +89,16 @@ fn carried(frame: &Frame, values: &[f64]) -> Vec<Vec<Corner>> {
         }
     }
     let touched = |p: [f64; 2]| -> Vec<usize> {
-        let there = cells.get(&p.map(cell)).into_iter().flatten().copied();
+        let there = cells.get(&p.map(cell)).into_iter().flatten();
+        // A base under small stones is in thousands of cells.
+        let beside = large.iter().filter(|b| {
+            let [x, y, u, v] = boxes[**b];
+            let inside = |k: f64, low: f64, high: f64| (low - near..=high + near).contains(&k);
+            inside(p[0], x, u) && inside(p[1], y, v)
+        });
         there
+            .chain(beside)
+            .copied()
             .filter(|b| values[*b].is_finite() && distance(frame.outline(*b), p) <= near)
             .collect()
     };
@@ -280,6 +295,31 @@ mod tests {
         values.fill(f64::NAN);
         let corners = carried(&frame, &values);
         assert!(pieces(&frame, &values, &corners, 1.0).is_empty());
+    }
+
+    #[test]
+    fn a_large_base_takes_no_more_room_than_a_stone() {
+        // Ten stones of 1 m on a base of 10^6 m by 10^6 m: 10^12 cells.
+        let mut frame = Frame {
+            offsets: vec![0],
+            ..Frame::default()
+        };
+        let stones = (0..10).map(|k| [f64::from(k), 0.0, f64::from(k) + 1.0, 1.0]);
+        for [x, y, u, v] in stones.chain([[-5e5, -1e6, 5e5, 0.0]]) {
+            frame
+                .points
+                .extend([[x, y, 0.0], [u, y, 0.0], [u, v, 0.0], [x, v, 0.0]]);
+            frame.offsets.push(frame.points.len() as u32);
+        }
+        let values: Vec<f64> = (0..11).map(f64::from).collect();
+        let corners = carried(&frame, &values);
+        // The foot between the first two stones touches both and the base.
+        let foot = |rim: &[Corner]| {
+            let found = rim.iter().find(|(p, _)| *p == [1.0, 0.0]).map(|c| c.1);
+            assert_eq!(found, Some((0.0 + 1.0 + 10.0) / 3.0));
+        };
+        foot(&corners[0]);
+        foot(&corners[10]);
     }
 
     #[test]

@@ -132,6 +132,16 @@ pub enum PlotError {
         /// What the run lacks, and what to do.
         reason: String,
     },
+    /// An option that no picture can be drawn by.
+    #[error("{option} cannot be {given}; {wanted}")]
+    Option {
+        /// Its name.
+        option: &'static str,
+        /// What was given.
+        given: String,
+        /// What to give.
+        wanted: &'static str,
+    },
     /// Too few or useless numbers for a fit.
     #[error("cannot fit {what}: {reason}")]
     Fit {
@@ -167,6 +177,7 @@ impl PlotError {
             | Self::OutsideTheRun { .. }
             | Self::NothingToDraw { .. }
             | Self::Unsuitable { .. }
+            | Self::Option { .. }
             | Self::Fit { .. }
             | Self::Ending { .. }
             | Self::Render { .. } => Fault::Request,

@@ -127,7 +127,7 @@ pub fn rose(folder: &Path, frame: Which, out: &Path) -> Result<Vec<PathBuf>, Plo
 fn broken_pairs(folder: &Path, time: f64) -> Result<Vec<([u32; 2], f64)>, PlotError> {
     let names = Names::read(folder)?;
     let path = folder.join("events.jsonl");
-    let text = match std::fs::read_to_string(&path) {
+    let text = match riprap_record::read_plain_text(&path) {
         Ok(text) => text,
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => String::new(),
         Err(e) => {
@@ -252,6 +252,16 @@ fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn events_that_are_no_plain_file_are_not_waited_for() {
+        let dir = tempfile::tempdir().unwrap();
+        assert!(broken_pairs(dir.path(), 1.0).unwrap().is_empty());
+        std::os::unix::fs::symlink("/dev/null", dir.path().join("events.jsonl")).unwrap();
+        let refused = broken_pairs(dir.path(), 1.0).unwrap_err().to_string();
+        assert!(refused.contains("not a plain file"), "{refused}");
+    }
 
     #[test]
     fn petals_are_centred_on_the_axes() {

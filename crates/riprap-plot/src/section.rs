@@ -10,6 +10,7 @@ use super::solid::{self, Body};
 use riprap_geom::Vec3;
 use riprap_record::frame::{Column, Frame, SEEPAGE_FLOW, Surfaces, stress};
 use riprap_record::manifest::Manifest;
+use std::collections::BTreeMap;
 
 /// Refuses a frame in the plane.
 pub(super) fn need_space(frame: &Frame, picture: &'static str) -> Result<(), PlotError> {
@@ -42,6 +43,12 @@ pub(super) fn flattened(
         choose(frame, "displacement")?;
     }
     if frames.iter().all(|f| f.solids.is_none()) {
+        if options.cracks {
+            return Err(PlotError::Unsuitable {
+                picture: "traces of broken faces",
+                reason: "the run is in the plane, where blocks are drawn and no cuts; leave the traces out".to_owned(),
+            });
+        }
         let frames = frames
             .into_iter()
             .map(|f| if factor == 1.0 { f } else { shifted(f, factor) })
@@ -142,17 +149,17 @@ fn sliced(
             out.offsets.push(out.points.len() as u32);
         }
     }
-    // Bars of bolts as seen along the normal; they do not move with exaggerated displacements.
-    out.bolts = frame
-        .bolts
-        .clone()
-        .filter(|_| factor == 1.0)
-        .map(|mut bars| {
-            bars.points = bars.points.iter().map(|p| [p[h], p[v], 0.0]).collect();
-            bars
-        });
-    out.cracks = (factor == 1.0).then(|| traces(frame, normal, at));
-    flows(frame, normal, at, &mut out);
+    let owners = Owners::of(frame, bodies, factor);
+    // Bars of bolts as seen along the normal.
+    out.bolts = frame.bolts.clone().map(|mut bars| {
+        owners.carry_bars(&mut bars);
+        for p in &mut bars.points {
+            *p = [p[h], p[v], 0.0];
+        }
+        bars
+    });
+    out.cracks = Some(traces(frame, &owners, normal, at));
+    flows(frame, &owners, normal, at, &mut out);
     for name in ["block", "displacement", "velocity"] {
         if let Some(column) = frame.column(name) {
             out.block_columns.push(picked(column, &kept, [h, v]));
@@ -170,8 +177,60 @@ fn sliced(
     (out, kept)
 }
 
-/// Where the plane meets faces that have broken: two points a line, in the axes of the picture. A face counts as a square of its area.
-fn traces(frame: &Frame, normal: Normal, at: f64) -> Surfaces {
+/// The blocks that joints and bars of bolts belong to, by their numbers: these move with them.
+struct Owners<'a> {
+    bodies: &'a [Body],
+    places: BTreeMap<u32, usize>,
+    /// Factor on displacements and rotations.
+    factor: f64,
+}
+
+impl<'a> Owners<'a> {
+    fn of(frame: &Frame, bodies: &'a [Body], factor: f64) -> Self {
+        let numbers = frame.column("block").filter(|c| c.components == 1);
+        let number = |i: usize| numbers.map_or(i as u32, |c| c.data[i] as u32);
+        Owners {
+            bodies,
+            places: (0..bodies.len()).map(|i| (number(i), i)).collect(),
+            factor,
+        }
+    }
+
+    /// The block of entry `i` of a column of numbers of blocks; none where a frame does not tell.
+    fn owner(&self, column: Option<&Column>, i: usize) -> Option<&Body> {
+        let number = *column?.data.get(i)?;
+        let place = *self.places.get(&(number as u32))?;
+        self.bodies.get(place)
+    }
+
+    /// A place that belongs to a block, with its displacement multiplied.
+    fn carried(&self, owner: Option<&Body>, place: Vec3) -> Vec3 {
+        match owner.filter(|_| self.factor != 1.0) {
+            Some(body) => body.moved(body.unmoved(place), self.factor),
+            None => place,
+        }
+    }
+
+    /// Takes the ends of bars along with the blocks that they lie in.
+    fn carry_bars(&self, bars: &mut Surfaces) {
+        let column = |name: &str| bars.columns.iter().find(|c| c.name == name);
+        let sides = [column("block_a"), column("block_b")];
+        for (k, p) in bars.points.iter_mut().enumerate() {
+            let owner = self.owner(sides[k % 2], k / 2);
+            *p = self.carried(owner, Vec3::from(*p)).to_array();
+        }
+    }
+}
+
+/// The numbers of the first blocks of joints.
+fn first_blocks(frame: &Frame) -> Option<&Column> {
+    let mut columns = frame.contact_columns.iter();
+    columns.find(|c| c.name == "block_a" && c.components == 1)
+}
+
+/// Where the plane meets faces that have broken: two points a line, in the axes of the picture. A face counts as a square of its area,
+/// and lies where it was before its first block moved, as the blocks do that are cut.
+fn traces(frame: &Frame, owners: &Owners, normal: Normal, at: f64) -> Surfaces {
     let column = |name: &str, components: usize| {
         let all = frame.contact_columns.iter();
         let mut found = all.filter(|c| c.name == name && c.components == components);
@@ -185,17 +244,29 @@ fn traces(frame: &Frame, normal: Normal, at: f64) -> Surfaces {
     ) else {
         return out;
     };
+    let first = first_blocks(frame);
     let ([h, v], k) = (normal.across(), normal.index());
     for (i, place) in frame.contact_points.iter().enumerate() {
-        let [nh, nv] = [directions[3 * i + h], directions[3 * i + v]];
+        let owner = owners.owner(first, i);
+        let (now, direction) = (
+            Vec3::from(*place),
+            Vec3::from_slice(&directions[3 * i..3 * i + 3]),
+        );
+        let (place, direction) = match owner {
+            Some(body) => (body.unmoved(now), body.unturned(direction)),
+            None => (now, direction),
+        };
+        let [nh, nv] = [direction[h], direction[v]];
         let flat = nh.hypot(nv);
         let half = 0.5 * area[i].sqrt();
         // How far the face reaches to either side of the plane; one that lies in it has no trace.
         if broken[i] > 0.0 && (place[k] - at).abs() <= half * flat && flat > 1e-6 {
-            let along = [-nv / flat * half, nh / flat * half];
             for sign in [-1.0, 1.0] {
-                let end = [place[h] + sign * along[0], place[v] + sign * along[1], 0.0];
-                out.points.push(end);
+                let mut end = place;
+                end[h] -= sign * nv / flat * half;
+                end[v] += sign * nh / flat * half;
+                let end = owner.map_or(end, |body| body.moved(end, owners.factor));
+                out.points.push([end[h], end[v], 0.0]);
             }
             out.ends.push(out.points.len() as u32);
         }
@@ -203,17 +274,26 @@ fn traces(frame: &Frame, normal: Normal, at: f64) -> Surfaces {
     out
 }
 
-/// Flows through the joints that the plane meets, in the axes of the picture. A joint counts as a square of its area.
-fn flows(frame: &Frame, normal: Normal, at: f64, out: &mut Frame) {
+/// Flows through the joints that the plane meets, in the axes of the picture. A joint counts as a square of its area, and lies where it was
+/// before its first block moved.
+fn flows(frame: &Frame, owners: &Owners, normal: Normal, at: f64, out: &mut Frame) {
     let column = |name: &str| frame.contact_columns.iter().find(|c| c.name == name);
     let (Some(flow), Some(area)) = (column(SEEPAGE_FLOW), column("area")) else {
         return;
     };
+    let first = first_blocks(frame);
     let ([h, v], k) = (normal.across(), normal.index());
-    let met = |i: &usize| (frame.contact_points[*i][k] - at).abs() <= 0.5 * area.data[*i].sqrt();
+    let now = |i: usize| Vec3::from(frame.contact_points[i]);
+    let met = |i: &usize| {
+        let owner = owners.owner(first, *i);
+        let place = owner.map_or(now(*i), |body| body.unmoved(now(*i)));
+        (place[k] - at).abs() <= 0.5 * area.data[*i].sqrt()
+    };
     let met: Vec<usize> = (0..frame.contact_points.len()).filter(met).collect();
     out.contact_columns.push(picked(flow, &met, [h, v]));
-    let places = met.iter().map(|i| frame.contact_points[*i]);
+    let places = met
+        .iter()
+        .map(|i| owners.carried(owners.owner(first, *i), now(*i)));
     out.contact_points = places.map(|p| [p[h], p[v], 0.0]).collect();
 }
 
@@ -234,15 +314,26 @@ fn picked(column: &Column, kept: &[usize], [h, v]: [usize; 2]) -> Column {
     Column::vector(&column.name, &column.unit, &data)
 }
 
-/// A frame in the plane with displacements and rotations multiplied.
+/// A frame in the plane with displacements and rotations multiplied; contacts and bolts go with their blocks.
 fn shifted(mut frame: Frame, factor: f64) -> Frame {
-    let bodies = solid::bodies(&frame);
-    for (i, body) in bodies.iter().enumerate() {
+    let mut bodies = solid::bodies(&frame);
+    for (i, body) in bodies.iter_mut().enumerate() {
         let [x, y] = middle(frame.outline(i));
-        let body = Body {
-            now: Vec3::new(x, y, 0.0),
-            ..*body
-        };
+        body.now = Vec3::new(x, y, 0.0);
+    }
+    let owners = Owners::of(&frame, &bodies, factor);
+    let first = first_blocks(&frame);
+    let contacts = frame.contact_points.iter().enumerate().map(|(i, p)| {
+        let owner = owners.owner(first, i);
+        owners.carried(owner, Vec3::from(*p)).to_array()
+    });
+    let contacts = contacts.collect();
+    let bolts = frame.bolts.clone().map(|mut bars| {
+        owners.carry_bars(&mut bars);
+        bars
+    });
+    (frame.contact_points, frame.bolts) = (contacts, bolts);
+    for (i, body) in bodies.iter().enumerate() {
         let range = frame.offsets[i] as usize..frame.offsets[i + 1] as usize;
         for p in &mut frame.points[range] {
             *p = body.moved(body.unmoved(Vec3::from(*p)), factor).to_array();
@@ -281,7 +372,7 @@ mod tests {
             ],
             ..Frame::default()
         };
-        let found = traces(&frame, Normal::Y, 0.0);
+        let found = traces(&frame, &Owners::of(&frame, &[], 1.0), Normal::Y, 0.0);
         assert_eq!(found.ends, [2]);
         let [a, b] = found.points[..] else {
             panic!("{found:?}")
@@ -291,6 +382,86 @@ mod tests {
             (a[1] - 0.2).abs() < 1e-12 && (b[1] - 0.4).abs() < 1e-12,
             "{a:?} {b:?}"
         );
-        assert!(traces(&Frame::default(), Normal::X, 0.0).points.is_empty());
+        let none = Frame::default();
+        let found = traces(&none, &Owners::of(&none, &[], 1.0), Normal::X, 0.0);
+        assert!(found.points.is_empty());
+    }
+
+    #[test]
+    fn joints_and_bolts_go_with_their_blocks() {
+        // A brick that has moved by 1 m along the normal and 0.1 m up, with a broken face at its end and a bar.
+        let lift = Vec3::new(0.0, 1.0, 0.1);
+        let body = Body {
+            now: lift,
+            displacement: lift,
+            rotation: Vec3::ZERO,
+        };
+        let frame = Frame {
+            contact_points: vec![[0.5, 1.0, 0.1]],
+            contact_columns: vec![
+                Column::scalar("block_a", "-", vec![7.0]),
+                Column::scalar("broken_points", "-", vec![4.0]),
+                Column::scalar("area", "m2", vec![1.0]),
+                Column::vector3("normal", "-", &[[1.0, 0.0, 0.0]]),
+                Column::vector3(SEEPAGE_FLOW, "m3/s", &[[0.0, 0.0, 1.0]]),
+            ],
+            offsets: vec![0, 0],
+            block_columns: vec![Column::scalar("block", "-", vec![7.0])],
+            bolts: Some(Surfaces {
+                ends: vec![2],
+                points: vec![[0.0, 1.0, 0.1], [5.0, 0.0, 0.0]],
+                columns: vec![
+                    Column::scalar("block_a", "-", vec![7.0]),
+                    Column::scalar("block_b", "-", vec![8.0]),
+                ],
+            }),
+            ..Frame::default()
+        };
+        for (factor, up) in [(1.0, 0.1), (10.0, 1.0)] {
+            let (cut, _) = sliced(&frame, &[body], Normal::Y, 0.0, factor);
+            let near = |p: [f64; 3], x: f64, y: f64| {
+                assert!((p[0] - x).hypot(p[1] - y) < 1e-12, "{p:?}, {x} {y}");
+            };
+            let traces = cut.cracks.unwrap();
+            assert_eq!(traces.points.len(), 2, "cut where it was");
+            near(traces.points[0], 0.5, up - 0.5);
+            near(traces.points[1], 0.5, up + 0.5);
+            near(cut.contact_points[0], 0.5, up);
+            let bars = cut.bolts.unwrap();
+            near(bars.points[0], 0.0, up);
+            // The other end lies in no block of the frame.
+            near(bars.points[1], 5.0, 0.0);
+        }
+    }
+
+    #[test]
+    fn contacts_and_bolts_of_the_plane_go_with_their_blocks() {
+        let frame = Frame {
+            points: vec![[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]],
+            offsets: vec![0, 3],
+            block_columns: vec![Column::vector("displacement", "m", &[[1.0, 0.0]])],
+            contact_points: vec![[1.5, 0.0, 0.0]],
+            contact_columns: vec![Column::scalar("block_a", "-", vec![0.0])],
+            ..Frame::default()
+        };
+        let moved = shifted(frame, 3.0);
+        assert!((moved.contact_points[0][0] - 3.5).abs() < 1e-12);
+        assert!((moved.points[0][0] - 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn traces_in_the_plane_are_refused() {
+        let options = BlockOptions {
+            cracks: true,
+            ..BlockOptions::default()
+        };
+        let refused = flattened(
+            vec![Frame::default()],
+            Vec::new(),
+            &Manifest::default(),
+            options,
+        );
+        let text = refused.map(|_| ()).unwrap_err().to_string();
+        assert!(text.contains("in the plane"), "{text}");
     }
 }

@@ -29,6 +29,11 @@ impl Body {
         self.start() + turned(p - self.now, -self.rotation)
     }
 
+    /// A direction of the block before it turned.
+    pub(super) fn unturned(&self, direction: Vec3) -> Vec3 {
+        turned(direction, -self.rotation)
+    }
+
     /// Where a point goes when displacement and rotation are multiplied by `factor`.
     pub(super) fn moved(&self, reference: Vec3, factor: f64) -> Vec3 {
         let arm = turned(reference - self.start(), factor * self.rotation);

@@ -135,6 +135,13 @@ pub fn crater(
     options: CraterOptions,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    if let Some(uplift) = options.uplift.filter(|u| !u.is_finite() || *u <= 0.0) {
+        return Err(PlotError::Option {
+            option: "uplift",
+            given: format!("{} m", short(uplift)),
+            wanted: "give what is above zero, for example 40 mm",
+        });
+    }
     let manifest = Manifest::read(folder)?;
     let frame = load_frame(folder, frame)?;
     need_space(&frame, CRATER)?;

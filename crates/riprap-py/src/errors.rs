@@ -74,12 +74,25 @@ pub fn list<'py>(
 
 /// A run that could not be carried out: `OutputError` when results could not be written, else `RunError`.
 pub fn job(py: Python<'_>, error: &JobError) -> PyErr {
-    let name = if error.is_output() {
+    raise(py, job_name(error), &error.to_string(), None)
+}
+
+/// As [`job`], with what is there all the same.
+pub fn job_after(py: Python<'_>, error: &JobError, there: &str) -> PyErr {
+    raise(py, job_name(error), &format!("{error}; {there}"), None)
+}
+
+fn job_name(error: &JobError) -> &'static str {
+    if error.is_output() {
         "OutputError"
     } else {
         "RunError"
-    };
-    raise(py, name, &error.to_string(), None)
+    }
+}
+
+/// A file that could not be written.
+pub fn output(py: Python<'_>, text: &str) -> PyErr {
+    raise(py, "OutputError", text, None)
 }
 
 /// As [`job`], at its place in the scenario where it has one.

@@ -63,7 +63,7 @@ pub fn resume(
 }
 
 /// Works without the interpreter; what a callback raised comes out when the run has been stopped for it.
-fn with_look(
+pub fn with_look(
     py: Python<'_>,
     callback: Option<Py<PyAny>>,
     work: impl FnOnce(

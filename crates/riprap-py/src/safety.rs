@@ -1,19 +1,19 @@
 //! Factors of safety and limits of other numbers.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use riprap::run::drive::Control;
+use riprap::record::folder::Existing;
 use riprap::run::job;
 use riprap::run::safety::{self as factor, Answer, Quantity, Rules, SafetyError, Trial};
 use riprap::scenario::units::{self, Dim};
 
 use crate::errors;
-use crate::runs::existing;
+use crate::runs::{existing, with_look};
 use crate::scene::{Scene, json};
 
 /// Time between two looks for signals.
@@ -37,8 +37,8 @@ pub struct Options {
     threads: usize,
 }
 
-/// Searches for the factor of safety, or the limit of a quantity, and runs the mechanism into `mechanism.run` in `folder`; gives the answer as
-/// JSON, the table as CSV, and both in words.
+/// Searches for the factor of safety, or the limit of a quantity, writes the answer as `safety.json` and `safety.csv` into `folder` and runs
+/// the mechanism into `mechanism.run` there; gives the answer as JSON, the table as CSV, and both in words.
 #[pyfunction]
 pub fn safety(
     py: Python<'_>,
@@ -50,6 +50,8 @@ pub fn safety(
     report: Option<Py<PyAny>>,
 ) -> PyResult<(String, String, String)> {
     let existing = existing(existing_folder)?;
+    // Before the search, which may take hours.
+    vacant(py, &folder, existing)?;
     let prepared = scene.prepare(py, case)?;
     let case = scene.case(case)?;
     let scene = &scene.0;
@@ -128,21 +130,57 @@ pub fn safety(
     }
     let found = found.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
     let (answer, job): (Answer, _) = found.map_err(|wrong| error(py, &wrong))?;
+    let (text, table) = (json(&answer)?, answer.table());
+    // Before the mechanism is run, which takes as long again and may be stopped.
+    std::fs::create_dir_all(&folder).map_err(|e| {
+        let text = format!("could not make {}: {e}", folder.display());
+        errors::output(py, &text)
+    })?;
+    let files = [
+        ("safety.json", format!("{text}\n")),
+        ("safety.csv", table.clone()),
+    ];
+    for (name, text) in files {
+        let written = riprap::record::write_whole(&folder.join(name), text.as_bytes());
+        written.map_err(|e| errors::output(py, &e.to_string()))?;
+    }
+    let kept = format!(
+        "the answer is in {}, without the mechanism",
+        folder.display()
+    );
     let shown = factor::mechanism_job(job, rules, &answer, FRAMES);
-    if let Some(job) = shown.map_err(|wrong| error(py, &wrong))? {
+    if let Some(job) = shown.map_err(|wrong| errors::run(py, &format!("{wrong}; {kept}")))? {
         let target = folder.join("mechanism.run");
-        let ran = py.detach(|| {
-            job::run(job, &target, existing, options.threads, &mut |_| {
-                Control::Continue
-            })
-        });
-        ran.map_err(|wrong| errors::job(py, &wrong))?;
+        let ran = with_look(py, None, |look| {
+            job::run(job, &target, existing, options.threads, look)
+        })?;
+        ran.map_err(|wrong| errors::job_after(py, &wrong, &kept))?;
     }
     let mut words = answer.words();
     if let Some(mechanism) = answer.mechanism_words() {
         words = format!("{words}\n{mechanism}");
     }
-    Ok((json(&answer)?, answer.table(), words))
+    Ok((text, table, words))
+}
+
+/// Refuses a folder with something in it that is not to be replaced.
+fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
+    if folder.exists() && !folder.is_dir() {
+        let text = format!(
+            "{} is a file; the answer needs a folder: choose another name",
+            folder.display()
+        );
+        return Err(errors::run(py, &text));
+    }
+    let occupied = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
+    if occupied && existing == Existing::Refuse {
+        let text = format!(
+            "{} is not empty; choose another folder, or replace what is there with existing=\"replace\"",
+            folder.display()
+        );
+        return Err(errors::run(py, &text));
+    }
+    Ok(())
 }
 
 fn error(py: Python<'_>, wrong: &SafetyError) -> PyErr {

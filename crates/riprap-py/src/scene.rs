@@ -177,13 +177,24 @@ pub fn fields(space: &str) -> PyResult<Vec<(&'static str, &'static str, usize, &
     Ok(kind.fields().iter().map(row).collect())
 }
 
-/// SI value of a quantity with its unit, such as `16 GPa`.
+/// SI value of a quantity with its unit, such as `16 GPa`; with `unit` only of what can be measured in it.
 #[pyfunction]
-pub fn si(quantity: &str) -> PyResult<f64> {
-    units::parse(quantity).map(|(value, _)| value).map_err(|e| {
-        let help = e.help.map_or_else(String::new, |h| format!("; {h}"));
-        PyValueError::new_err(format!("{quantity:?}: {}{help}", e.message))
-    })
+#[pyo3(signature = (quantity, unit=None))]
+pub fn si(quantity: &str, unit: Option<&str>) -> PyResult<f64> {
+    let read = |text: &str| {
+        units::parse(text).map_err(|e| {
+            let help = e.help.map_or_else(String::new, |h| format!("; {h}"));
+            PyValueError::new_err(format!("{text:?}: {}{help}", e.message))
+        })
+    };
+    let (value, dimension) = read(quantity)?;
+    let Some(unit) = unit else { return Ok(value) };
+    if read(&format!("1 {unit}"))?.1 == dimension {
+        return Ok(value);
+    }
+    Err(PyValueError::new_err(format!(
+        "{quantity:?} cannot be measured in {unit}; write for example \"2 {unit}\""
+    )))
 }
 
 /// The first of `hill.run`, `hill-2.run`, ... that is not taken.

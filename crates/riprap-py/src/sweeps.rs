@@ -1,6 +1,6 @@
 //! All cases of a scenario side by side.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
@@ -17,7 +17,7 @@ use crate::scene::Scene;
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Runs all cases into sub-folders of `folder`, `jobs` at a time; `report(case, ended, steps)` is called after each
-/// and stops the rest by returning False. Gives the table as CSV text.
+/// and stops the rest by returning False or raising. Writes the table of what was done as `sweep.csv` and gives it as text.
 #[pyfunction]
 pub fn sweep(
     py: Python<'_>,
@@ -35,12 +35,12 @@ pub fn sweep(
     py.detach(|| {
         std::thread::scope(|scope| {
             let (send, receive) = channel();
-            let stop = &stop;
+            let (stop, folder) = (&stop, &folder);
             scope.spawn(move || {
                 let asked = || stop.load(Ordering::Relaxed);
                 // The receiver lives until all rows are there.
                 let pass_on = |row| drop(send.send(row));
-                sweeps::sweep(scene, &folder, existing, jobs, &asked, pass_on);
+                sweeps::sweep(scene, folder, existing, jobs, &asked, pass_on);
             });
             // This thread stays the interpreter's: signals arrive here.
             loop {
@@ -57,10 +57,23 @@ pub fn sweep(
             }
         });
     });
-    if let Some(raised) = raised {
-        return Err(raised);
+    // What was done is written whatever was raised.
+    let written = written(py, &folder, &rows);
+    match raised {
+        Some(raised) => Err(raised),
+        None => written,
     }
-    let table = sweeps::table(&rows).map_err(|e| PyValueError::new_err(e.to_string()))?;
+}
+
+/// Writes the table.
+fn written(py: Python<'_>, folder: &Path, rows: &[sweeps::Row]) -> PyResult<String> {
+    let table = sweeps::table(rows).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    std::fs::create_dir_all(folder).map_err(|e| {
+        let text = format!("could not make {}: {e}", folder.display());
+        errors::output(py, &text)
+    })?;
+    riprap::record::write_whole(&folder.join("sweep.csv"), &table)
+        .map_err(|e| errors::output(py, &e.to_string()))?;
     Ok(String::from_utf8_lossy(&table).into_owned())
 }
 

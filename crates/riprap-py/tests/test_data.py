@@ -150,6 +150,17 @@ def test_pictures(slide, blast, tmp_path):
         blast.plot("section", normal="w")
 
 
+def test_options_that_cannot_be_are_told(blast):
+    for options in ({"at": "2 s"}, {"window": ("0 s", 0, 5, 3)}):
+        with pytest.raises(ValueError, match="cannot be measured in m"):
+            blast.plot("section", **options)
+    with pytest.raises(ValueError, match="cannot be measured in m"):
+        blast.plot("crater", uplift="2 s")
+    for options in ({"window": (5, 0, 0, 3)}, {"exaggerate": 0}, {"isolines": 10**6}):
+        with pytest.raises(riprap.errors.PlotError, match="cannot be"):
+            blast.plot("section", **options)
+
+
 def test_broken_folders_are_told(slide, tmp_path):
     with pytest.raises(riprap.FolderError, match="no run folder"):
         riprap.RunFolder(tmp_path)

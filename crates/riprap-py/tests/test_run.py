@@ -211,6 +211,39 @@ def test_a_sweep_with_a_wrong_case_runs_nothing(sliding_block, tmp_path):
     assert not (tmp_path / "s").exists()
 
 
+def test_what_a_sweep_has_done_is_kept_when_a_report_raises(sliding_block, tmp_path, monkeypatch):
+    def broken(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("builtins.print", broken)
+    over = {"interfaces.default.friction_angle": ["10 deg", "20 deg", "40 deg"]}
+    with pytest.raises(KeyboardInterrupt):
+        riprap.sweep(sliding_block(time="0.1 s"), tmp_path / "s", over=over, jobs=1, progress=True)
+    rows = (tmp_path / "s/sweep.csv").read_text().splitlines()
+    assert len(rows) == 4 and "finished" in rows[1]
+
+
+def test_a_search_is_not_made_for_a_folder_that_is_taken(sliding_block, tmp_path):
+    """The answer is written before the mechanism is run, and a folder that is not empty is told before the search."""
+    key = "interfaces.default.friction_angle"
+    search = {"quantity": key, "between": ("5 deg", "60 deg"), "width": "10 deg"}
+    block = sliding_block(time="0.01 s")
+    taken = tmp_path / "taken"
+    taken.mkdir()
+    (taken / "thesis.txt").write_text("mine")
+    began = time.monotonic()
+    with pytest.raises(riprap.RunError, match="not empty"):
+        riprap.safety(block, taken, steps=10**9, **search)
+    assert time.monotonic() - began < 5 and len(list(taken.iterdir())) == 1
+    # The mechanism cannot be written: the answer is there all the same.
+    (taken / "thesis.txt").unlink()
+    (taken / "mechanism.run").write_text("a file")
+    with pytest.raises(riprap.RunError, match="the answer is in"):
+        riprap.safety(block, taken, existing="replace", **search)
+    assert json.loads((taken / "safety.json").read_text())["quantity"] == key
+    assert (taken / "safety.csv").read_text()
+
+
 def test_a_factor_of_safety_and_the_limit_of_a_quantity(sliding_block, tmp_path, capsys):
     """A block on a slope slides at tan(friction) = tan(slope), whichever of both is searched for."""
     block = sliding_block(time="0.01 s")

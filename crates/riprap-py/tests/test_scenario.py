@@ -119,6 +119,22 @@ def test_words():
     assert riprap.si("16 GPa") == 16e9
     with pytest.raises(ValueError, match="16 GPx"):
         riprap.si("16 GPx")
+    assert riprap.si("2 mm", "m") == 2e-3
+    with pytest.raises(ValueError, match="cannot be measured in m"):
+        riprap.si("2 s", "m")
+
+
+def test_a_path_may_have_an_equals_sign(sliding_block, tmp_path):
+    folder = tmp_path / "friction_angle=10deg"
+    folder.mkdir()
+    file = riprap.Scenario(sliding_block()).save(folder / "a.toml")
+    riprap.Scenario(sliding_block()).save(folder / "scenario")
+    assert riprap.Scenario(str(file)).file == file
+    assert riprap.Scenario(str(folder / "scenario")).file == folder / "scenario"
+    with pytest.raises(riprap.RiprapError, match="missing.toml"):
+        riprap.Scenario(str(folder / "missing.toml"))
+    with pytest.raises(riprap.ScenarioError, match="<scenario>"):
+        riprap.Scenario("riprap = 1")
     names = {f.name for f in riprap.fields("planar")}
     assert "block.displacement" in names
     assert {f.name for f in riprap.fields("spatial")} != names

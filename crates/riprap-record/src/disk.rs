@@ -158,7 +158,15 @@ impl AppendFile {
     }
 
     /// Opens a file and cuts it back to `length` bytes, which must be the end of a line.
+    #[cfg(test)]
     pub(crate) fn reopen(path: &Path, length: u64) -> Result<Self, OutputError> {
+        let mut file = Self::look(path, length)?;
+        file.cut()?;
+        Ok(file)
+    }
+
+    /// Opens a file to continue it after `length` bytes, which must be the end of a line. It stays as it is until [`AppendFile::cut`].
+    pub(crate) fn look(path: &Path, length: u64) -> Result<Self, OutputError> {
         let bad = |text: String| OutputError {
             path: path.to_owned(),
             source: io::Error::new(io::ErrorKind::InvalidData, text),
@@ -188,13 +196,20 @@ impl AppendFile {
                 )));
             }
         }
-        file.set_len(length).at(path)?;
-        file.seek(SeekFrom::Start(length)).at(path)?;
         Ok(AppendFile {
             path: path.to_owned(),
             file,
             length,
         })
+    }
+
+    /// Cuts the file back to where it is continued.
+    pub(crate) fn cut(&mut self) -> Result<(), OutputError> {
+        self.file.set_len(self.length).at(&self.path)?;
+        self.file
+            .seek(SeekFrom::Start(self.length))
+            .at(&self.path)?;
+        Ok(())
     }
 
     /// Appends one line (without its end). On failure the file is cut back to its last complete line if it lets us.

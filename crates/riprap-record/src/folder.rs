@@ -232,29 +232,39 @@ impl RunFolder {
         }
         let series =
             |name: &str, bytes: u64, columns: u32| -> Result<Option<Series>, OutputError> {
-                let file = path.join(name);
                 if bytes == 0 {
-                    // The run had not begun this file: it will, and then creates it.
-                    remove_if_there(&file)?;
                     return Ok(None);
                 }
                 Ok(Some(Series {
-                    file: AppendFile::reopen(&file, bytes)?,
+                    file: AppendFile::look(&path.join(name), bytes)?,
                     columns: columns as usize,
                 }))
             };
-        let run = RunFolder {
+        let mut run = RunFolder {
             path: path.to_owned(),
             _lock: lock,
             histories: series("histories.csv", marks.histories, marks.history_columns)?,
             energy: series("energy.csv", marks.energy, marks.energy_columns)?,
-            events: AppendFile::reopen(&path.join("events.jsonl"), marks.events)?,
+            events: AppendFile::look(&path.join("events.jsonl"), marks.events)?,
             frames: marks.frames.clone(),
         };
+        let old = frame_files(path)?;
+        // All that may be refused has been looked at: nothing is cut in a folder that is not continued.
+        for (name, series) in [
+            ("histories.csv", &mut run.histories),
+            ("energy.csv", &mut run.energy),
+        ] {
+            match series {
+                Some(series) => series.file.cut()?,
+                // The run had not begun this file: it will, and then creates it.
+                None => remove_if_there(&path.join(name))?,
+            }
+        }
+        run.events.cut()?;
         // The lists first: they must never name a file that is gone.
         run.write_pvd()?;
         let kept = |index: u32| marks.frames.iter().any(|f| f.index == index);
-        for (index, file) in frame_files(path)? {
+        for (index, file) in old {
             if !kept(index) {
                 fs::remove_file(&file).at(&file)?;
             }

@@ -19,6 +19,8 @@
 pub mod answer;
 pub mod contacts;
 pub mod crosses;
+#[cfg(test)]
+mod fixture;
 pub mod motion;
 mod problem;
 pub mod report;

@@ -13,6 +13,7 @@ use riprap_record::table::Table;
 use riprap_record::vtu::{self, Moment, PvdEntry, Wanted};
 use riprap_record::{Column, Ended, Frame, Manifest, Part};
 use std::collections::BTreeMap;
+use std::io::{BufRead as _, BufReader, Read as _};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::SystemTime;
@@ -22,6 +23,10 @@ use crate::shape::{self, Shape};
 
 /// Shapes kept in memory; runs that split blocks have many.
 const SHAPES: usize = 3;
+/// Lines of a file of JSON that are handed out.
+const LINES: usize = 20_000;
+/// Longer lines are none of ours.
+const LONGEST_LINE: u64 = 1 << 20;
 /// Files larger than this are not handed out.
 const LARGEST_FILE: u64 = 256 << 20;
 
@@ -480,13 +485,55 @@ impl Run {
 
     /// Complete lines of an append-only file of JSON, the first ones; lines that are no JSON are left out.
     pub fn lines(&self, name: &str) -> Vec<serde_json::Value> {
-        let bytes = self.file(name).unwrap_or_default();
-        let whole = bytes.iter().rposition(|b| *b == b'\n').unwrap_or(0);
-        bytes[..whole]
-            .split(|b| *b == b'\n')
-            .take(20_000)
-            .filter_map(|line| serde_json::from_slice(line).ok())
-            .collect()
+        let mut lines = Vec::new();
+        // What could be read until something went wrong is shown.
+        let _ = self.each_line(name, &mut |line| {
+            lines.push(line);
+            lines.len() < LINES
+        });
+        lines
+    }
+
+    /// Hands on all complete lines of an append-only file of JSON, however long it is, until told to stop by `false`; lines that are no JSON
+    /// are left out. A file that is not there has none.
+    ///
+    /// # Errors
+    /// A file that cannot be read to its end.
+    pub fn each_line(
+        &self,
+        name: &str,
+        more: &mut dyn FnMut(serde_json::Value) -> bool,
+    ) -> Result<(), Problem> {
+        let Ok(path) = self.inside(name) else {
+            return Ok(());
+        };
+        let unreadable = |e: std::io::Error| {
+            Problem::broken(
+                format!("could not read {} to its end: {e}", path.display()),
+                "Check that it is a file that you may read.",
+            )
+        };
+        let file = riprap_record::open_plain(&path).map_err(unreadable)?;
+        let mut file = BufReader::new(file);
+        let (mut line, mut skipping) = (Vec::new(), false);
+        loop {
+            line.clear();
+            let mut part = file.by_ref().take(LONGEST_LINE);
+            let read = part.read_until(b'\n', &mut line).map_err(unreadable)?;
+            if read == 0 {
+                return Ok(());
+            }
+            let ends = line.last() == Some(&b'\n');
+            // A line that does not end is being written, or is no line of ours.
+            if ends
+                && !skipping
+                && let Ok(value) = serde_json::from_slice(&line)
+                && !more(value)
+            {
+                return Ok(());
+            }
+            skipping = !ends;
+        }
     }
 }
 

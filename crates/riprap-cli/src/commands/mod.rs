@@ -32,6 +32,23 @@ pub fn default_folder(scene: &Path, kind: &str) -> PathBuf {
     PathBuf::from(format!("{stem}.{kind}"))
 }
 
+/// Writes a whole file aside and gives it its name then: what was there is never half overwritten. Pipes and devices are written as they are,
+/// and so is the file that a link leads to.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    if target.exists() && !target.is_file() {
+        return std::fs::write(path, bytes)
+            .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())));
+    }
+    riprap::record::write_whole(&target, bytes).map_err(|error| {
+        Failure::Output(format!(
+            "could not write {}: {}",
+            path.display(),
+            error.source
+        ))
+    })
+}
+
 /// Number of threads the user asked for, or of the machine.
 pub fn threads(how: &How) -> usize {
     how.threads.map_or_else(cores, usize::from)
@@ -106,4 +123,27 @@ pub fn run_folder(path: &Path, verb: &str) -> Result<(), Failure> {
     Err(Failure::Input(format!(
         "{shown} {what}, and `{verb}` takes a run: the folder that `riprap run` made; {next}"
     )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn whole_files_are_replaced_and_links_and_devices_stay() {
+        let dir = tempfile::tempdir().unwrap();
+        let [file, link] = ["a.html", "link.html"].map(|name| dir.path().join(name));
+        write_file(&file, b"one").unwrap();
+        let before = std::fs::File::open(&file).unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_file(&link, b"two").unwrap();
+        assert_eq!(std::fs::read(&file).unwrap(), b"two");
+        assert!(link.is_symlink());
+        // Whoever has the old one open still reads it whole.
+        assert_eq!(std::io::read_to_string(before).unwrap(), "one");
+        write_file(Path::new("/dev/null"), b"three").unwrap();
+        let told = write_file(&dir.path().join("no/a.html"), b"").unwrap_err();
+        assert!(told.to_string().contains("no/a.html"), "{told}");
+    }
 }

@@ -63,6 +63,13 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
             "--against is for histories, and `{what}` shows none; write riprap plot RUN HISTORY --against OTHER"
         )));
     }
+    for option in unsuited(args) {
+        let what = args.what.as_deref().unwrap_or("these pictures");
+        diagnostics::print_line(
+            "note",
+            &format!("--{option} is not for `{what}` and changes nothing there"),
+        );
+    }
     Ok(match (args.what.as_deref(), args.history.as_deref()) {
         (Some("spectrum"), Some(history)) => {
             let out = asked.out(&format!("spectrum_{}", file_name(history)));
@@ -85,6 +92,63 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
         (Some(what), None) => asked.picture(what)?,
         (None, _) => everything(folder, &asked)?,
     })
+}
+
+/// Options that were given and that the picture does not read. Values that are the default ones may not have been given.
+fn unsuited(args: &Plot) -> Vec<&'static str> {
+    const FLAT: &[&str] = &["blocks", "section"];
+    let given: [(&str, bool, &[&str]); 16] = [
+        (
+            "time",
+            !args.time.is_empty(),
+            &[
+                "blocks",
+                "section",
+                "line",
+                "ppv",
+                "crater",
+                "heave",
+                "stereonet",
+                "rose",
+            ],
+        ),
+        (
+            "by",
+            args.by != "displacement",
+            &["blocks", "section", "line"],
+        ),
+        ("log", args.log, FLAT),
+        ("vectors", args.vectors.is_some(), FLAT),
+        ("stress", args.stress, FLAT),
+        ("isolines", args.isolines.is_some(), FLAT),
+        ("cracks", args.cracks, FLAT),
+        ("window", args.window.is_some(), FLAT),
+        ("exaggerate", args.exaggerate.is_some(), FLAT),
+        (
+            "normal",
+            args.normal != Axis::Y,
+            &["blocks", "section", "heave"],
+        ),
+        ("at", args.at.is_some(), FLAT),
+        ("from", args.from.is_some(), &["line"]),
+        (
+            "projection",
+            args.projection != Net::EqualArea,
+            &["stereonet"],
+        ),
+        ("surface", args.surface, &["ppv"]),
+        ("uplift", args.uplift.is_some(), &["crater"]),
+        ("source", args.source.is_some(), &["crater", "heave"]),
+    ];
+    let reads = |pictures: &[&str]| match args.what.as_deref() {
+        Some(what) => pictures.contains(&what),
+        // All but lines and spectra are among all pictures.
+        None => pictures != ["line"],
+    };
+    let unread = given
+        .into_iter()
+        .filter(|(_, given, pictures)| *given && !reads(pictures));
+    unread.map(|(option, _, _)| option).collect()
 }
 
 /// All pictures that suit the run.
@@ -339,5 +403,38 @@ impl From<PlotError> for Failure {
             Fault::Output => Failure::Output(error.to_string()),
             Fault::Folder | Fault::Request => Failure::Input(error.to_string()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_that_do_not_suit_a_picture_are_told() {
+        let told = |words: &str| {
+            let words = ["riprap", "plot", "a.run"]
+                .into_iter()
+                .chain(words.split(' '));
+            let Verb::Plot(args) = Cli::try_parse_from(words).unwrap().verb else {
+                panic!("no plot");
+            };
+            unsuited(&args)
+        };
+        assert_eq!(told("energy --time 1s --log"), ["time", "log"]);
+        assert_eq!(told("slip --by velocity"), ["by"]);
+        assert_eq!(
+            told("rose --projection equal-angle --time 1s"),
+            ["projection"]
+        );
+        assert_eq!(told("ppv --surface --uplift 1mm"), ["uplift"]);
+        assert_eq!(
+            told("line --from 0m,0m --to 1m,0m --isolines 4"),
+            ["isolines"]
+        );
+        assert!(told("blocks --time 1s --by velocity --log --stress --cracks").is_empty());
+        assert!(told("heave --normal x --source a --time 1s").is_empty());
+        assert!(told("--time 1s --log --surface --png").is_empty());
+        assert_eq!(told("--from 0m,0m --to 1m,0m"), ["from"]);
     }
 }

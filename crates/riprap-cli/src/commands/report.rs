@@ -7,7 +7,7 @@ use riprap_view::report::{self, Limits, SETUP, Signature};
 use riprap_view::run::Run;
 
 use crate::args::Report;
-use crate::commands::{plot, run_folder};
+use crate::commands::{plot, run_folder, write_file};
 use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
@@ -39,8 +39,7 @@ pub fn run(args: &Report) -> Result<(), Failure> {
         .output
         .clone()
         .unwrap_or_else(|| default_name(&args.run));
-    std::fs::write(&out, &html)
-        .map_err(|e| Failure::Output(format!("could not write {}: {e}", out.display())))?;
+    write_file(&out, html.as_bytes())?;
     let size = html.len() as f64 / 1e6;
     screen::line(&format!("{}  ({size:.1} MB)", out.display()));
     Ok(())

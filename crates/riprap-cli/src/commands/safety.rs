@@ -11,8 +11,8 @@ use riprap::scenario::units::{self, Dim};
 use crate::args::Safety;
 use crate::commands::plot::{self, quantity};
 use crate::commands::run::target;
-use crate::commands::threads;
 use crate::commands::trials::make_folder;
+use crate::commands::{threads, write_file};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -149,8 +149,7 @@ fn mechanism(
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, format!("{}\n", text.trim_end()))
-        .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())))
+    write_file(path, format!("{}\n", text.trim_end()).as_bytes())
 }
 
 /// `F = 1.2500  failing    moved 12.3 mm (block wedge)  2 450 steps in 0.8 s`.

@@ -9,7 +9,7 @@ use riprap::run::trials::{self, TrialError};
 
 use crate::args::{Bisect, Compare, Sweep};
 use crate::commands::run::target;
-use crate::commands::threads;
+use crate::commands::{threads, write_file};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::numbers::{grouped, ratio};
@@ -48,8 +48,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     );
     let path = folder.join("sweep.csv");
     let table = sweep::table(&rows).map_err(|e| Failure::Output(e.to_string()))?;
-    std::fs::write(&path, &table)
-        .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())))?;
+    write_file(&path, &table)?;
     let tally = sweep::tally(&rows);
     if !args.how.quiet {
         screen::line(&format!(
@@ -200,8 +199,7 @@ pub fn compare(args: &Compare) -> Result<(), Failure> {
     let text = screen::table(&heads, rows);
     screen::print(&text);
     let path = folder.join("compare.txt");
-    std::fs::write(&path, &text)
-        .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())))?;
+    write_file(&path, text.as_bytes())?;
     for side in &sides {
         screen::line(&format!("{}: {}", side.law, side.folder.display()));
         if let Ending::Unstable(why) = &side.outcome.ending {

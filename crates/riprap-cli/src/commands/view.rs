@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use riprap::record::Manifest;
 use riprap::run::job::{self, Live};
-use riprap::run::scene::Scene;
 use riprap_view::{Server, ServerError};
 
 use super::scratch::Scratch;
@@ -65,7 +64,8 @@ fn model(file: &Path, change: &Change, folder: &Path, style: Style) -> Result<Li
 }
 
 /// Writes the model anew whenever the scene has been saved. What is wrong with it is told here and on the page.
-fn watch(file: &Path, change: &Change, folder: &Path, style: Style, mut shown: Live) {
+fn watch(file: &Path, change: &Change, folder: &Path, style: Style, shown: Live) {
+    let mut shown = Some(shown);
     let saved = || std::fs::metadata(file).and_then(|m| m.modified()).ok();
     let mut last = saved();
     loop {
@@ -76,26 +76,8 @@ fn watch(file: &Path, change: &Change, folder: &Path, style: Style, mut shown: L
             continue;
         }
         last = now;
-        // A model that cannot be made must not take the old one away: it is made elsewhere first.
-        let tried = Scene::load(file, &change.set)
-            .map_err(Failure::from)
-            .and_then(|scene| Ok(scene.prepare(&scenes::case(&scene, change)?)?));
-        let failure = match tried {
-            Ok(_) => {
-                // Its folder is in use as long as it lives.
-                drop(shown);
-                match model(file, change, folder, style) {
-                    Ok(live) => {
-                        shown = live;
-                        continue;
-                    }
-                    Err(failure) => {
-                        failure.print(style);
-                        return;
-                    }
-                }
-            }
-            Err(failure) => failure,
+        let Err(failure) = renew(file, change, folder, style, &mut shown) else {
+            continue;
         };
         failure.print(style);
         if let Ok(mut manifest) = Manifest::read(folder) {
@@ -105,6 +87,27 @@ fn watch(file: &Path, change: &Change, folder: &Path, style: Style, mut shown: L
             }
         }
     }
+}
+
+/// Shows the scene as it is saved now. A model that cannot be made does not take the old one away.
+fn renew(
+    file: &Path,
+    change: &Change,
+    folder: &Path,
+    style: Style,
+    shown: &mut Option<Live>,
+) -> Result<(), Failure> {
+    let prepared = scenes::prepare_file(file, change, style, false)?;
+    let scene = prepared.parsed.clone();
+    let of_job = |error| Failure::of_job(error, &scene);
+    let job = prepared.job();
+    let mut tried = job.clone();
+    tried.checks.clear();
+    Live::unrecorded(tried, 1).map_err(of_job)?;
+    // The folder is in use as long as the old one lives. The file is not read again: it may have been saved since.
+    *shown = None;
+    *shown = Some(job::preview(job, folder).map_err(of_job)?);
+    Ok(())
 }
 
 fn serve(runs: &[PathBuf], args: &View) -> Result<(), Failure> {
@@ -139,5 +142,57 @@ impl From<ServerError> for Failure {
             ServerError::Listen { .. } => Failure::Input(format!("{error} (--port)")),
             ServerError::Random(_) | ServerError::Serve(_) => Failure::Output(error.to_string()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BLOCK: &str = r#"
+riprap = 1
+title = "a block"
+[space.planar]
+gravity = ["0 m/s2", "-9.81 m/s2"]
+[materials.rock]
+density = "2600 kg/m3"
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+friction_angle = "30 deg"
+[[blocks]]
+name = "block"
+material = "rock"
+rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
+[[phases]]
+name = "fall"
+until = { time = "1 s" }
+"#;
+
+    #[test]
+    fn a_bad_save_leaves_the_old_model_and_a_good_one_is_shown_after_any_failure() {
+        let dir = tempfile::tempdir().unwrap();
+        let (file, folder) = (dir.path().join("a.toml"), dir.path().join("a"));
+        let change = Change {
+            set: Vec::new(),
+            case: None,
+        };
+        let save = |text: &str| std::fs::write(&file, text).unwrap();
+        let mut shown = None;
+        let mut renewed = || {
+            let done = renew(&file, &change, &folder, Style::Plain, &mut shown);
+            (done.map_err(|e| e.to_string()), shown.is_some())
+        };
+        save(BLOCK);
+        assert_eq!(renewed(), (Ok(()), true));
+        save(&BLOCK.replace("density", "densty"));
+        assert!(matches!(renewed(), (Err(_), true)));
+        assert_eq!(Manifest::read(&folder).unwrap().title, "a block");
+        // A folder that cannot be written is no end either.
+        std::fs::remove_dir_all(&folder).unwrap();
+        std::fs::write(&folder, "in the way").unwrap();
+        save(BLOCK);
+        assert!(matches!(renewed(), (Err(_), false)));
+        std::fs::remove_file(&folder).unwrap();
+        assert_eq!(renewed(), (Ok(()), true));
     }
 }

@@ -256,6 +256,15 @@ fn the_crater_has_the_radius_of_its_dome() {
         text.contains("r/W = ") && text.contains("W = 2.00 m"),
         "{text}"
     );
+    for uplift in [0.0, -0.1, f64::NAN] {
+        let none = CraterOptions {
+            uplift: Some(uplift),
+            ..CraterOptions::default()
+        };
+        let refused = crater(&folder, Which::Last, none, &dir.path().join("n"));
+        let text = refused.unwrap_err().to_string();
+        assert!(text.contains("uplift cannot be"), "{text}");
+    }
     let high = CraterOptions {
         uplift: Some(0.5),
         source: Some("charge"),

@@ -84,7 +84,8 @@ def plot(
         against: history along the x axis of histories, instead of time.
 
     Raises:
-        PlotError: the run has not what the picture needs.
+        PlotError: the run has not what the picture needs, or an option cannot be.
+        ValueError: a place or a length is none.
     """
     folder = run.path if isinstance(run, RunFolder) else Path(run)
     parts = [what, *names[:1], *([by] if what in ("blocks", "section", "line") else [])]
@@ -115,4 +116,4 @@ def plot(
 
 
 def _metres(length: "str | float | None") -> float | None:
-    return _riprap.si(length) if isinstance(length, str) else length
+    return _riprap.si(length, "m") if isinstance(length, str) else length

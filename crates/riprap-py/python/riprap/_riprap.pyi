@@ -128,7 +128,7 @@ def explain(key: str) -> str:
     """What a key of a scenario means, such as ``interfaces.default.friction_angle``."""
 
 def schema() -> str: ...
-def si(quantity: str) -> float:
-    """SI value of a quantity with its unit, such as ``"16 GPa"``."""
+def si(quantity: str, unit: str | None = None) -> float:
+    """SI value of a quantity with its unit, such as ``"16 GPa"``; with ``unit`` only of what can be measured in it."""
 
 def version() -> str: ...

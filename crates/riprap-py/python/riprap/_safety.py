@@ -78,7 +78,8 @@ def safety(
 ) -> Safety:
     """Searches for the factor of safety of a scenario by reduction of strengths, or for the limit of any number of it.
 
-    The answer does not depend on the number of threads, bit for bit.
+    The answer does not depend on the number of threads, bit for bit. It is on the disk before the mechanism is run: Ctrl-C and errors
+    there leave it.
 
     Args:
         source: a scenario, or what makes one.
@@ -95,11 +96,12 @@ def safety(
         steps: steps after which a trial is undecided.
         from_start: run the scenario from its start with reduced strengths in every trial.
         threads: trials at a time; by default as many as there are processors.
-        existing: what to do with ``mechanism.run`` where it is there: ``refuse``, ``replace`` or ``force``.
+        existing: what to do with a folder that is not empty: ``refuse``, ``replace`` or ``force``.
         progress: print a line after each trial.
 
     Raises:
         ScenarioError: the scenario is wrong, or cannot have a value of the range.
+        RunError: the folder is not empty, or the mechanism cannot be run.
         ValueError: there is no strength to reduce, or a range or a width is none.
     """
     if (quantity is None) != (between is None):
@@ -128,8 +130,4 @@ def safety(
     answer, csv, words = _riprap.safety(
         what._scene, case, folder, existing, options, report if progress else None
     )
-    folder.mkdir(parents=True, exist_ok=True)
-    # The same bytes on all systems.
-    (folder / "safety.json").write_text(answer + "\n", encoding="utf-8", newline="")
-    (folder / "safety.csv").write_text(csv, encoding="utf-8", newline="")
     return Safety(folder, json.loads(answer), csv, words)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from os import PathLike, fspath
@@ -50,8 +51,8 @@ class Scenario:
     (``"2600 kg/m3"``). Keys whose value is None are left out; NumPy numbers and arrays stand for numbers and lists.
 
     Args:
-        source: dictionary, path of a ``.toml`` file, or TOML text. A text with a line break or an equals sign is TOML,
-            any other text is a path.
+        source: dictionary, path of a ``.toml`` file, or TOML text. A text with a line break is TOML; of the others
+            those that end in ``.toml`` or are there as a file are paths, and the rest is TOML if it has an equals sign.
         set: keys to change, ``{"interfaces.default.friction_angle": "30 deg"}``, as ``--set`` does.
         folder: folder from which relative paths in the scenario are seen; by default that of the file, or the
             working folder.
@@ -72,7 +73,7 @@ class Scenario:
         changes = [(key, _riprap.to_value(value)) for key, value in (set or {}).items()]
         if isinstance(source, Mapping):
             text: str | None = _riprap.to_toml(dict(source))
-        elif isinstance(source, str) and ("\n" in source or "=" in source):
+        elif isinstance(source, str) and _is_toml(source):
             text = source
         else:
             text = None
@@ -202,6 +203,13 @@ class Scenario:
         from ._sweep import sweep
 
         return sweep(self, out, **options)
+
+
+def _is_toml(text: str) -> bool:
+    """Whether a text is TOML and no path: folders of sweeps have equals signs in their names."""
+    if "\n" in text:
+        return True
+    return "=" in text and not text.endswith(".toml") and not os.path.isfile(text)
 
 
 def scenario(source: "Scenario | Mapping[str, Any] | str | PathLike[str]") -> Scenario:

@@ -77,6 +77,8 @@ def sweep(
 ) -> Sweep:
     """Runs all cases of a scenario side by side, each on one thread and into its own sub-folder.
 
+    After Ctrl-C too ``sweep.csv`` has a row for each case, with what was done.
+
     Args:
         source: a scenario, or what makes one.
         out: the folder; by default ``NAME.sweep`` in the working folder.
@@ -103,6 +105,4 @@ def sweep(
 
     jobs = jobs if jobs is not None else (os.cpu_count() or 1)
     text = _riprap.sweep(what._scene, folder, existing, max(jobs, 1), report if progress else None)
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "sweep.csv").write_text(text, encoding="utf-8", newline="")
     return Sweep(folder, text)

@@ -116,12 +116,26 @@ fn changed_folders_are_not_continued() {
         Err(FolderError::FrameMissing { .. })
     ));
     fs::write(&frame, bytes).unwrap();
+    // A refused one stays as it is: with rows after the checkpoint, and a file that was not begun at it.
     fs::write(path.join("energy.csv"), "step,time [s]\n").unwrap();
-    let error = RunFolder::reopen(&path, &marks).unwrap_err().to_string();
-    assert!(
-        error.contains("energy.csv") && error.contains("cut or replaced"),
-        "{error}"
-    );
+    let mut csv = fs::OpenOptions::new()
+        .append(true)
+        .open(path.join("histories.csv"))
+        .unwrap();
+    io::Write::write_all(&mut csv, b"8,0.008,0.1,\n").unwrap();
+    let before = snapshot(&path);
+    let not_begun = Marks {
+        histories: 0,
+        ..marks.clone()
+    };
+    for marks in [&marks, &not_begun] {
+        let error = RunFolder::reopen(&path, marks).unwrap_err().to_string();
+        assert!(
+            error.contains("energy.csv") && error.contains("cut or replaced"),
+            "{error}"
+        );
+        assert!(snapshot(&path) == before, "something was cut");
+    }
     assert!(RunFolder::reopen(&dir.path().join("none"), &marks).is_err());
 }
 

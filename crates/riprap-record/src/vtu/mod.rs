@@ -117,8 +117,8 @@ fn solids(file: &Vtu) -> Result<Option<Solids>, String> {
                 let corners = rest.as_slice().get(..count).ok_or_else(bad)?;
                 // Over the whole file there, from the first of the cell here.
                 for c in corners {
-                    out.corners
-                        .push(u32::try_from(c - first).map_err(|_| bad())?);
+                    let c = c.checked_sub(first).ok_or_else(bad)?;
+                    out.corners.push(u32::try_from(c).map_err(|_| bad())?);
                 }
                 out.ends.push(out.corners.len() as u32);
                 rest = rest.as_slice()[count..].iter();
@@ -129,4 +129,23 @@ fn solids(file: &Vtu) -> Result<Option<Solids>, String> {
         first = i64::from(*end);
     }
     Ok(Some(out))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn damaged_corners_of_faces_are_an_error() {
+        for corner in [i64::MIN, -1, i64::MAX] {
+            let file = Vtu {
+                dimension: 3,
+                offsets: vec![4, 8],
+                face_ends: vec![-1, 3],
+                faces: vec![1, 1, corner],
+                ..Vtu::default()
+            };
+            assert!(solids(&file).is_err(), "{corner}");
+        }
+    }
 }

@@ -38,11 +38,27 @@ pub fn pvd_entry(entry: &PvdEntry) -> String {
     )
 }
 
-/// Reads a `.pvd` of ours.
+/// A list that is damaged each of so many times is damaged.
+const READS: usize = 5;
+
+/// Reads a `.pvd` of ours. One that a run is adding to may be read half written: it is read again then.
 ///
 /// # Errors
 /// Missing, foreign or damaged files.
 pub fn read_pvd(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
+    let mut read = read_pvd_once(path);
+    for _ in 1..READS {
+        match read {
+            Err(ReadError::Damaged { .. } | ReadError::Foreign { .. }) => {
+                read = read_pvd_once(path);
+            }
+            Ok(_) | Err(_) => break,
+        }
+    }
+    read
+}
+
+fn read_pvd_once(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
     let text = crate::read_plain_text(path).map_err(|source| ReadError::Read {
         path: path.to_owned(),
         source,
@@ -70,4 +86,33 @@ pub fn read_pvd(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
             }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::disk::insert_before_end;
+
+    #[test]
+    fn a_list_that_a_run_adds_to_can_be_read_at_any_time() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("run.pvd");
+        std::fs::write(&path, write_pvd(&[])).unwrap();
+        let count = 600;
+        std::thread::scope(|scope| {
+            let writer = scope.spawn(|| {
+                for k in 0..count {
+                    let entry = PvdEntry {
+                        time: f64::from(k),
+                        file: format!("frames/frame_{k:06}.vtu"),
+                    };
+                    assert!(insert_before_end(&path, &pvd_entry(&entry), PVD_END).unwrap());
+                }
+            });
+            while !writer.is_finished() {
+                read_pvd(&path).unwrap();
+            }
+        });
+        assert_eq!(read_pvd(&path).unwrap().len(), count as usize);
+    }
 }

@@ -161,32 +161,29 @@ impl Book {
     fn motion(&mut self, run: &Run, limits: Limits) -> Result<Vec<usize>, Problem> {
         let count = run.frames()?.len();
         let mut chosen = spread(count, limits.frames);
-        let mut sound = Vec::new();
+        let mut sound;
         // Too large with all frames: half of them, and so on.
         loop {
-            *self = Book::default();
-            sound.clear();
-            for &k in &chosen {
-                let n = sound.len();
-                let done = self
-                    .ask(run, &format!("frame/{k}"), None, &format!("frame/{n}"))
-                    .and_then(|()| {
-                        self.ask(run, &format!("shape/{k}"), None, &format!("shape/{n}"))
-                    });
-                match done {
-                    Ok(()) => sound.push(k),
-                    Err(problem) => self
-                        .notes
-                        .push(format!("frame {} is left out: {problem}", k + 1)),
-                }
-                if self.bytes > limits.bytes {
-                    break;
-                }
-            }
-            if self.bytes <= limits.bytes || chosen.len() < 2 {
+            sound = self.moved(run, &chosen, limits);
+            if self.bytes <= limits.bytes || chosen.len() <= 2 {
                 break;
             }
             chosen = spread(count, chosen.len() / 2);
+        }
+        if self.bytes > limits.bytes && chosen.len() == 2 {
+            // One is wanted whatever it takes: the last, or the first where the last is damaged.
+            let [first, last] = [chosen[0], chosen[1]];
+            sound = self.moved(run, &[last], limits);
+            if sound.is_empty() {
+                let damaged = std::mem::take(&mut self.notes);
+                sound = self.moved(run, &[first], limits);
+                self.notes.extend(damaged);
+            }
+            self.notes.push(format!(
+                "The replay has one frame of {count} only and shows no motion: two frames would take more than {} MiB. \
+                 Look at the motion with `riprap view`.",
+                limits.bytes >> 20
+            ));
         }
         if sound.is_empty() {
             return Err(Problem::missing(
@@ -195,6 +192,28 @@ impl Book {
             ));
         }
         Ok(sound)
+    }
+
+    /// Begins anew with motion and shapes of the chosen frames, until they are too large; the sound ones among them.
+    fn moved(&mut self, run: &Run, chosen: &[usize], limits: Limits) -> Vec<usize> {
+        *self = Book::default();
+        let mut sound = Vec::new();
+        for &k in chosen {
+            let n = sound.len();
+            let done = self
+                .ask(run, &format!("frame/{k}"), None, &format!("frame/{n}"))
+                .and_then(|()| self.ask(run, &format!("shape/{k}"), None, &format!("shape/{n}")));
+            match done {
+                Ok(()) => sound.push(k),
+                Err(problem) => self
+                    .notes
+                    .push(format!("frame {} is left out: {problem}", k + 1)),
+            }
+            if self.bytes > limits.bytes {
+                break;
+            }
+        }
+        sound
     }
 
     /// Adds an answer of all frames if there is room for it; whether there was. What one frame lacks is missing there.
@@ -304,6 +323,30 @@ fn thinned(run: &Run, name: &str) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixture;
+
+    #[test]
+    fn frames_that_are_too_large_together_leave_one_with_a_note() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("large.run");
+        for (frames, damaged) in [(1, None), (2, None), (5, None), (5, Some(5))] {
+            let _ = std::fs::remove_dir_all(&path);
+            fixture::write_run(&path, frames);
+            if let Some(k) = damaged {
+                std::fs::write(path.join(riprap_record::folder::block_file(k)), "no").unwrap();
+            }
+            let limits = Limits {
+                frames: 2,
+                bytes: 1,
+            };
+            let mut book = Book::default();
+            assert_eq!(book.fill(&Run::new(&path), limits).unwrap(), 1);
+            let told = book.notes.iter().any(|n| n.contains("shows no motion"));
+            assert_eq!(told, frames > 1, "{:?}", book.notes);
+            let left_out = book.notes.iter().any(|n| n.contains("frame 5 is left out"));
+            assert_eq!(left_out, damaged.is_some(), "{:?}", book.notes);
+        }
+    }
 
     #[test]
     fn frames_are_spread_evenly() {

@@ -206,18 +206,18 @@ pub(super) fn works(out: &mut String, m: &Manifest) {
 }
 
 pub(super) fn events(out: &mut String, run: &Run) {
-    let lines = run.lines("events.jsonl");
-    if lines.is_empty() {
-        return;
-    }
     let mut counts: std::collections::BTreeMap<String, (usize, f64, f64)> = Default::default();
-    for line in &lines {
+    let read = run.each_line("events.jsonl", &mut |line| {
         let time = line["time"].as_f64().unwrap_or(f64::NAN);
         let entry = counts
-            .entry(text_of(line, "event"))
+            .entry(text_of(&line, "event"))
             .or_insert((0, time, time));
         entry.0 += 1;
         entry.2 = time;
+        true
+    });
+    if counts.is_empty() && read.is_ok() {
+        return;
     }
     out.push_str("<h2>Events</h2>\n<table class=\"grid\"><tr><th>event</th><th>how often</th><th>first [s]</th><th>last [s]</th></tr>\n");
     for (event, (count, first, last)) in counts {
@@ -230,6 +230,14 @@ pub(super) fn events(out: &mut String, run: &Run) {
         );
     }
     out.push_str("</table>\n");
+    if let Err(problem) = read {
+        let _ = writeln!(
+            out,
+            "<p class=\"warning\">There may be more: {} {}</p>",
+            escape(&problem.what),
+            escape(&problem.hint)
+        );
+    }
 }
 
 pub(super) fn scene(out: &mut String, run: &Run, manifest: &Manifest) {
@@ -281,4 +289,46 @@ pub(super) fn provenance(out: &mut String, m: &Manifest) {
         out.push_str("</table>\n");
     }
     out.push_str("<p><small>Equal input hashes mean the same scene and files; equal state hashes mean the same final state, bit for bit, on any number of threads.</small></p>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixture;
+    use std::io::Write as _;
+
+    #[test]
+    fn events_are_counted_over_the_whole_file() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("long.run");
+        fixture::write_run(&path, 1);
+        let file = std::fs::File::create(path.join("events.jsonl")).unwrap();
+        let mut file = std::io::BufWriter::new(file);
+        for k in 0..30_000 {
+            writeln!(file, "{{\"event\":\"contact_broken\",\"time\":{k}}}").unwrap();
+            if k == 10 {
+                // No line of ours, whole and longer than any.
+                writeln!(file, "nonsense").unwrap();
+                writeln!(file, "{}", "[".repeat(3 << 20)).unwrap();
+            }
+        }
+        // Being written.
+        write!(file, "{{\"event\":\"contact_broken\",\"time\":1e9}}").unwrap();
+        drop(file);
+        let (run, mut out) = (Run::new(&path), String::new());
+        events(&mut out, &run);
+        assert!(
+            out.contains("<td>contact broken</td><td>30000</td><td>0</td><td>29999</td>"),
+            "{out}"
+        );
+        assert_eq!(run.lines("events.jsonl").len(), 20_000);
+        std::fs::remove_file(path.join("events.jsonl")).unwrap();
+        let mut none = String::new();
+        events(&mut none, &run);
+        assert!(none.is_empty());
+        // What cannot be read is told.
+        std::fs::create_dir(path.join("events.jsonl")).unwrap();
+        events(&mut none, &run);
+        assert!(none.contains("not a plain file"), "{none}");
+    }
 }
