@@ -12,6 +12,8 @@
 //! Random numbers come from one seeded generator and elementary functions from `libm`, so the same
 //! input gives the same bits on every machine.
 
+// What no other crate can name does not look as if it could be.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 

@@ -22,7 +22,7 @@ use crate::laws::{coulomb, potential as closed};
 use crate::ledger::Works;
 
 /// What the pair kernels read.
-pub struct Context<'a> {
+pub(crate) struct Context<'a> {
     /// Body geometry.
     pub shapes: &'a Shapes,
     /// Edges at the present angles.
@@ -56,7 +56,7 @@ impl<'a> Context<'a> {
 
 /// Relative placement and motion of a pair.
 #[derive(Clone, Copy, Debug)]
-pub struct Relative {
+pub(crate) struct Relative {
     /// Centroid of i minus centroid of j, m.
     pub shift: Vec2,
     /// Velocity of i's centroid minus that of j's, m/s.
@@ -70,7 +70,7 @@ pub struct Relative {
 impl Relative {
     /// Of blocks i and j.
     #[must_use]
-    pub fn of(bodies: &[Body], i: u32, j: u32) -> Self {
+    pub(crate) fn of(bodies: &[Body], i: u32, j: u32) -> Self {
         let (i, j) = (&bodies[i as usize], &bodies[j as usize]);
         Self {
             shift: i.position - j.position,
@@ -81,19 +81,19 @@ impl Relative {
     }
 
     /// Velocity of i relative to j at a point `x` from i's centroid, m/s.
-    pub fn at(&self, x: Vec2) -> Vec2 {
+    pub(crate) fn at(&self, x: Vec2) -> Vec2 {
         self.velocity + self.spin_i * x.perp() - self.spin_j * (x + self.shift).perp()
     }
 
     /// Power of a wrench, W/m.
-    pub fn power_of(&self, w: &Wrench) -> f64 {
+    pub(crate) fn power_of(&self, w: &Wrench) -> f64 {
         w.power(self.velocity, self.spin_i, self.spin_j)
     }
 }
 
 /// Geometry of a region in force units, ready for the law.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Pressed {
+pub(crate) struct Pressed {
     /// Elastic normal wrench.
     pub normal: Wrench,
     /// Centre of pressure from i's centroid, m.
@@ -107,7 +107,7 @@ pub struct Pressed {
 }
 
 /// Forces of the convex pairs in one chunk.
-pub fn convex_chunk(
+pub(crate) fn convex_chunk(
     context: &Context<'_>,
     candidates: &[Candidate],
     states: &mut [PairState],
@@ -138,7 +138,7 @@ pub fn convex_chunk(
 
 /// Pressure resultant of two convex blocks; `None` when they do not touch.
 #[inline]
-pub fn press_convex(
+pub(crate) fn press_convex(
     context: &Context<'_>,
     candidate: &Candidate,
     relative: &Relative,
@@ -166,7 +166,7 @@ pub fn press_convex(
 }
 
 /// Forces of the general pairs in one group.
-pub fn general_chunk(
+pub(crate) fn general_chunk(
     context: &Context<'_>,
     candidates: &[Candidate],
     states: &mut [GeneralState],
@@ -245,7 +245,7 @@ fn cut(
 }
 
 /// Pressure resultants of all regions of a pair, with the bits of their edges.
-pub fn press_general(
+pub(crate) fn press_general(
     context: &Context<'_>,
     candidate: &Candidate,
     relative: &Relative,
@@ -470,7 +470,7 @@ fn renew(law: &ContactLaw, contact: &mut Contact, before: f64, slip: f64, length
 }
 
 /// Elastic energy of a shear spring, J/m.
-pub fn shear_energy(law: &ContactLaw, contact: &Contact) -> f64 {
+pub(crate) fn shear_energy(law: &ContactLaw, contact: &Contact) -> f64 {
     if contact.shear == 0.0 {
         0.0
     } else {

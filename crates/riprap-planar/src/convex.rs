@@ -53,7 +53,7 @@ impl Turned {
 
 /// What the geometry of a contact region gives to the law.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Overlap {
+pub(crate) struct Overlap {
     /// Pressure resultant on the first block over `kn / 2`, m².
     pub force: Vec2,
     /// Moment of the same about the first block's centroid, m³.
@@ -70,7 +70,7 @@ pub struct Overlap {
 
 /// One side of a pair: the block's edges and which of them matter.
 #[derive(Clone, Copy)]
-pub struct Side<'a> {
+pub(crate) struct Side<'a> {
     /// Edges at the present angle.
     pub turned: &'a [Turned],
     /// Edges that can reach the other block.
@@ -80,11 +80,11 @@ pub struct Side<'a> {
 }
 
 /// Most nearest edges the kernel takes; longer lists take the general road.
-pub const MAX_NEAREST: usize = 8;
+pub(crate) const MAX_NEAREST: usize = 8;
 
 /// Overlap of blocks i and j; `shift` is the centroid of i minus the centroid of j, m.
 #[must_use]
-pub fn overlap(i: Side<'_>, j: Side<'_>, shift: Vec2) -> Overlap {
+pub(crate) fn overlap(i: Side<'_>, j: Side<'_>, shift: Vec2) -> Overlap {
     let on_i = pieces(i, j, shift);
     let on_j = pieces(j, i, -shift);
     // j's pieces push i the other way, at the same points, seen from i's centroid.

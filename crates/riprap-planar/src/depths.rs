@@ -10,7 +10,7 @@ use super::convex::Side;
 
 /// Integrals of the depth over a piece, parameter `s` 0..1 along it.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Depths {
+pub(crate) struct Depths {
     /// Integral of the depth, m.
     pub integral: f64,
     /// Integral of `s` times the depth, m.
@@ -92,7 +92,7 @@ fn feature(block: Side<'_>, m: u16, p: Vec2, q: Vec2, s: f64) -> Feature {
 
 /// Depth integrals of the piece `p q` (relative to the centroid of `block`) below `block`'s listed
 /// edges. `kinks` is scratch.
-pub fn along(block: Side<'_>, p: Vec2, q: Vec2, kinks: &mut Vec<f64>) -> Depths {
+pub(crate) fn along(block: Side<'_>, p: Vec2, q: Vec2, kinks: &mut Vec<f64>) -> Depths {
     kinks.clear();
     kinks.extend([0.0, 1.0]);
     let mut add = |s: f64| {

@@ -16,7 +16,7 @@ use super::pieces::{self, Piece};
 /// `int (phi_i + phi_j) dA` over the overlap of two blocks, m³; `shift` is the centroid of i minus
 /// that of j.
 #[must_use]
-pub fn overlap_potential(i: Side<'_>, j: Side<'_>, shift: Vec2, convex: [bool; 2]) -> f64 {
+pub(crate) fn overlap_potential(i: Side<'_>, j: Side<'_>, shift: Vec2, convex: [bool; 2]) -> f64 {
     let (mut pieces, mut cuts) = (Vec::new(), Vec::new());
     pieces::find(i, j, shift, &mut pieces, &mut cuts);
     outlines(&pieces)

@@ -32,7 +32,7 @@ struct Borne {
 
 /// Lets found contact take over from the joints that have given way. To be called once after each
 /// move: the forces at the end of the move are then those of found contact alone.
-pub fn hand_over(world: &mut World, scratch: &mut Scratch) {
+pub(crate) fn hand_over(world: &mut World, scratch: &mut Scratch) {
     let borne = close(world);
     if borne.is_empty() {
         return;
@@ -161,7 +161,7 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
 
 /// Normal force beyond the elastic one that a contact has taken over, N/m: it fades with slip and
 /// never pulls in sum. 0 for ordinary contacts.
-pub fn offset(contact: &mut Contact, elastic: f64, slip: f64) -> f64 {
+pub(crate) fn offset(contact: &mut Contact, elastic: f64, slip: f64) -> f64 {
     if contact.offset == 0.0 {
         return 0.0;
     }

@@ -12,7 +12,7 @@ const HEAP: f64 = 0.05;
 
 /// Mean slope of both flanks of a heap made of the given blocks, rad; 0 without living blocks. Heaps that stand apart, by more
 /// than the width of the widest block, are measured one by one: the mean of their angles, weighted by mass.
-pub fn repose_angle(view: &View<'_>, of: &[u32]) -> f64 {
+pub(crate) fn repose_angle(view: &View<'_>, of: &[u32]) -> f64 {
     let scratch = view.scratch;
     let mut outlines = Vec::new();
     for &b in of.iter().filter(|&&b| view.world.alive[b as usize]) {

@@ -17,7 +17,7 @@ pub struct Applied {
 }
 
 /// Sums all loads at the world's present time into `applied` (one entry per block).
-pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
+pub(crate) fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
     applied.fill(Applied::default());
     each(world, shapes, |_, b, load| {
         let slot = &mut applied[b];
@@ -27,7 +27,7 @@ pub fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
 }
 
 /// Hands over every load at the world's present time with each block that it acts on.
-pub fn each(world: &World, shapes: &Shapes, mut put: impl FnMut(&Load, usize, Applied)) {
+pub(crate) fn each(world: &World, shapes: &Shapes, mut put: impl FnMut(&Load, usize, Applied)) {
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
         // What was released by and by is gone.
@@ -123,7 +123,7 @@ impl EdgeTraction {
 
 /// Hands over block, arm from its centroid (m) and force (N/m) of all loads at points and edges. The variation along an edge is a
 /// pair of its own, the edge with a twelfth of the change: `sum arm (x) force` is then the integral over the edge.
-pub fn pushes(world: &World, shapes: &Shapes, put: &mut dyn FnMut(usize, Vec2, Vec2)) {
+pub(crate) fn pushes(world: &World, shapes: &Shapes, put: &mut dyn FnMut(usize, Vec2, Vec2)) {
     for load in &world.setup.loads {
         let factor = load.time.at(world.time);
         let there = load.blocks.iter().map(|b| *b as usize);

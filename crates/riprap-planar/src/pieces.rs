@@ -10,11 +10,11 @@ use riprap_geom::Vec2;
 use super::convex::Side;
 
 /// Distances below this, over the length of an edge, are round-off of positions.
-pub const TOUCH: f64 = 1e-10;
+pub(crate) const TOUCH: f64 = 1e-10;
 
 /// A part of an edge that lies inside the other block.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Piece {
+pub(crate) struct Piece {
     /// Whether the edge belongs to the second block.
     pub second: bool,
     /// The edge.
@@ -37,7 +37,7 @@ pub struct Piece {
 
 /// Where a point is relative to a block, by the nearest feature of its boundary.
 #[derive(Clone, Copy, Debug)]
-pub struct Nearest {
+pub(crate) struct Nearest {
     /// Distance from the boundary, positive inside, m.
     pub depth: f64,
     /// The nearest edge.
@@ -48,7 +48,7 @@ pub struct Nearest {
 
 /// Nearest feature of the listed edges to `x` (relative to the block's centroid).
 #[must_use]
-pub fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
+pub(crate) fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
     let n = block.turned.len();
     let mut best = Nearest {
         depth: f64::NEG_INFINITY,
@@ -94,7 +94,7 @@ fn corner(block: Side<'_>, m: usize, x: Vec2) -> (f64, f64) {
 
 /// Finds all pieces of both boundaries; `shift` is the centroid of i minus that of j. `cuts` is
 /// scratch. The pieces come in a fixed order: edges of i, then edges of j, along each edge.
-pub fn find(
+pub(crate) fn find(
     i: Side<'_>,
     j: Side<'_>,
     shift: Vec2,
@@ -180,7 +180,7 @@ fn collect(
 /// ends where the other begins, or when the middle of one faces the other across the overlap. The last
 /// two hold where sides of the two blocks lie on one line: there round-off decides whether the short
 /// pieces that lead from one face to the other are found, and what cuts them.
-pub fn regions(pieces: &mut [Piece], i: Side<'_>, j: Side<'_>) -> usize {
+pub(crate) fn regions(pieces: &mut [Piece], i: Side<'_>, j: Side<'_>) -> usize {
     for (k, piece) in pieces.iter_mut().enumerate() {
         piece.region = k as u16;
     }

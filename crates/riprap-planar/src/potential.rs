@@ -29,7 +29,7 @@ const ALIGNED: f64 = 0.999_847_695_156_391_3;
 
 /// The parts of one piece with a linear potential: one, or two around its middle.
 #[derive(Clone, Copy, Debug)]
-pub struct Linear {
+pub(crate) struct Linear {
     /// Start, relative to the first block's centroid, m.
     pub p: Vec2,
     /// End.
@@ -42,7 +42,7 @@ pub struct Linear {
 
 /// What the potentials of one region rest on.
 #[derive(Clone, Debug, Default)]
-pub struct Local {
+pub(crate) struct Local {
     /// Local edges of the first and of the second block, ascending.
     edges: [Vec<u16>; 2],
     /// Corners of each block inside the other (scratch).
@@ -54,7 +54,14 @@ pub struct Local {
 impl Local {
     /// Looks at the pieces of region `number` between blocks i and j; `shift` is the centroid of i minus
     /// that of j, m.
-    pub fn look(&mut self, pieces: &[Piece], number: u16, i: Side<'_>, j: Side<'_>, shift: Vec2) {
+    pub(crate) fn look(
+        &mut self,
+        pieces: &[Piece],
+        number: u16,
+        i: Side<'_>,
+        j: Side<'_>,
+        shift: Vec2,
+    ) {
         for list in self.edges.iter_mut().chain(&mut self.corners) {
             list.clear();
         }
@@ -101,7 +108,7 @@ impl Local {
     /// Splits `piece` of `own` into parts with linear potential; `other` is the block it is inside of,
     /// `shift` the centroid of `own` minus that of `other`, m.
     #[must_use]
-    pub fn parts(
+    pub(crate) fn parts(
         &self,
         piece: &Piece,
         own: Side<'_>,

@@ -69,7 +69,7 @@ pub struct Candidates {
 
 /// Whether a block's translation is prescribed in both directions.
 #[must_use]
-pub fn is_driven(motion: Option<&Motion>) -> bool {
+pub(crate) fn is_driven(motion: Option<&Motion>) -> bool {
     motion.is_some_and(|m| m.targets()[..2].iter().all(|t| !t.is_free()))
 }
 
@@ -80,7 +80,7 @@ fn is_fixed(motion: Option<&Motion>) -> bool {
 
 /// Whether all three freedoms of a block are prescribed.
 #[must_use]
-pub fn is_held(motion: Option<&Motion>) -> bool {
+pub(crate) fn is_held(motion: Option<&Motion>) -> bool {
     motion.is_some_and(|m| m.targets().iter().all(|t| !t.is_free()))
 }
 
@@ -132,7 +132,7 @@ fn place(edges: &[Edge], pose: (Vec2, f64), origin: Vec2) -> Placed {
 }
 
 /// Builds the list from `world.search_pose` and moves the contact states over to it.
-pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) {
+pub(crate) fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) {
     candidates.margin = margins(world, shapes);
     candidates.reach.clone_from(&shapes.inradius);
     candidates.convex.clear();
@@ -156,7 +156,7 @@ pub fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candidates) 
 
 /// Pairs of living blocks that are near each other at the search poses, sorted, held ones too.
 #[must_use]
-pub fn near_pairs(world: &World, shapes: &Shapes) -> Vec<(u32, u32)> {
+pub(crate) fn near_pairs(world: &World, shapes: &Shapes) -> Vec<(u32, u32)> {
     close_pairs(
         &boxes(world, shapes, &margins(world, shapes)),
         &world.alive,
@@ -364,7 +364,7 @@ fn add_pair(
 
 /// Row of the interface table for two blocks.
 #[must_use]
-pub fn row_of(setup: &Setup, a: usize, b: usize) -> u16 {
+pub(crate) fn row_of(setup: &Setup, a: usize, b: usize) -> u16 {
     let (ma, mb) = (
         setup.blocks[a].material as usize,
         setup.blocks[b].material as usize,
@@ -432,7 +432,7 @@ fn nearest_edges(wall: &Placed, convex: bool, region: &Box2, gap: f64, list: &mu
 
 /// Distance of `x` from the segment `p q`.
 #[must_use]
-pub fn segment_distance(p: Vec2, q: Vec2, x: Vec2) -> f64 {
+pub(crate) fn segment_distance(p: Vec2, q: Vec2, x: Vec2) -> f64 {
     let d = q - p;
     let t = ((x - p).dot(d) / d.dot(d)).clamp(0.0, 1.0);
     (x - p - t * d).length()

@@ -5,7 +5,7 @@
 //! both sides at their own places, so that momentum is kept. Open faces carry the pressure of the table where they are now.
 
 mod network;
-pub mod state;
+pub(crate) mod state;
 
 use riprap_geom::Vec2;
 

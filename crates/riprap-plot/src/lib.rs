@@ -3,6 +3,8 @@
 //! `out` decides what is written: `a.svg` the SVG, `a.png` the PNG, `a` both; the numbers go into `a_data.csv` in
 //! each case. Every function returns the files it wrote.
 
+// What no other crate can name does not look as if it could be.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 #![allow(
     clippy::disallowed_methods,
     reason = "pictures only: no result depends on the functions of the platform here"

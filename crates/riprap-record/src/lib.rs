@@ -16,6 +16,8 @@
 //! Invariant: whatever moment the process dies, each file is either the last complete version (written
 //! aside, synced and renamed) or an append-only file of which all but the last line is complete.
 
+// What no other crate can name does not look as if it could be.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 

@@ -12,6 +12,8 @@
 //! validation, `riprap explain KEY` and the reference page. Values keep their place in the file.
 //! Geometry, mechanics and files that a scenario names are the business of `model`.
 
+// What no other crate can name does not look as if it could be.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 

@@ -17,11 +17,11 @@ use super::units;
 use super::{rules, validate};
 
 /// Largest scenario file accepted, bytes. Generators and CSV files keep scenarios short.
-pub const MAX_SIZE: u64 = 16 << 20;
+pub(crate) const MAX_SIZE: u64 = 16 << 20;
 
 /// Most brackets, commas, equals signs and line ends in a scenario: each costs the parser some
 /// fifty bytes of memory.
-pub const MAX_MARKS: usize = 6_000_000;
+pub(crate) const MAX_MARKS: usize = 6_000_000;
 
 /// A scenario that follows the language: every quantity has its dimension and range, every name
 /// stands for something. Geometry and physics are checked when the model is built.
@@ -77,7 +77,7 @@ pub fn parse_with(source: Source, known: Vec<Diagnostic>) -> Result<Parsed, Diag
 ///
 /// # Errors
 /// No such file, a folder, too large, or not UTF-8 text.
-pub fn read(path: &Path) -> Result<Source, Diagnostics> {
+pub(crate) fn read(path: &Path) -> Result<Source, Diagnostics> {
     let name = path.display().to_string();
     let fail =
         |diagnostic: Diagnostic| Diagnostics::new(Source::new(name.clone(), ""), vec![diagnostic]);

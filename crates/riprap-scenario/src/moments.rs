@@ -9,7 +9,7 @@ use super::units::{self, Dim, UnitError};
 ///
 /// # Errors
 /// Anything else; a time that is not greater than zero.
-pub fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
+pub(crate) fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
     let help =
         "write a time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"";
     let wrong = |message: &str| UnitError {
@@ -48,7 +48,7 @@ pub fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
 ///
 /// # Errors
 /// Anything else; a length that is not greater than zero.
-pub fn read_period(raw: &Raw, bare_is_si: bool) -> Result<Option<f64>, UnitError> {
+pub(crate) fn read_period(raw: &Raw, bare_is_si: bool) -> Result<Option<f64>, UnitError> {
     let wrong = |message: &str| UnitError {
         message: message.to_owned(),
         help: Some("write a length (\"32 m\") or \"none\"".to_owned()),

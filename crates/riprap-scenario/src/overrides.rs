@@ -11,7 +11,7 @@ use super::path::{resolve, split};
 use super::values::short;
 
 /// Most cases that one scenario may expand to.
-pub const MAX_CASES: usize = 1000;
+pub(crate) const MAX_CASES: usize = 1000;
 
 /// Longest value of `--set`, bytes.
 const MAX_VALUE: usize = 100_000;

@@ -13,7 +13,7 @@ const MAX_LENGTH: usize = 500;
 
 /// A key that leads nowhere.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PathError {
+pub(crate) struct PathError {
     /// What is wrong.
     pub message: String,
     /// What there is instead.
@@ -30,7 +30,7 @@ pub(super) struct Place<'a, 'i> {
 }
 
 /// Words of a key; a word in double quotes may contain dots.
-pub fn split(path: &str) -> Result<Vec<String>, PathError> {
+pub(crate) fn split(path: &str) -> Result<Vec<String>, PathError> {
     let wrong = |message: &str| PathError {
         message: format!("`{}` {message}", short(path)),
         help: Some("write a key with dots, for example `materials.rock.density`".to_owned()),

@@ -285,7 +285,7 @@ pub(crate) struct TableSchema {
 }
 
 impl TableSchema {
-    pub fn new(meaning: &str, change_of: Option<&str>) -> Self {
+    pub(crate) fn new(meaning: &str, change_of: Option<&str>) -> Self {
         let mut head = Map::new();
         head.insert("description".to_owned(), json!(meaning));
         head.insert("type".to_owned(), json!("object"));
@@ -300,7 +300,7 @@ impl TableSchema {
         }
     }
 
-    pub fn key(&mut self, key: KeySchema) {
+    pub(crate) fn key(&mut self, key: KeySchema) {
         let mut schema = key.schema.to_value();
         if let Some(object) = schema.as_object_mut() {
             let text = format!("{}{}", key.meaning, key.default);
@@ -326,7 +326,7 @@ impl TableSchema {
         }
     }
 
-    pub fn finish(mut self) -> Schema {
+    pub(crate) fn finish(mut self) -> Schema {
         self.head
             .insert("properties".to_owned(), Value::Object(self.keys));
         if !self.required.is_empty() {

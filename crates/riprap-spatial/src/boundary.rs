@@ -14,7 +14,7 @@ use super::build::error::BuildError;
 use super::patch::Poses;
 use super::push::traction::{Spot, traction};
 use super::setup::{Boundary, BoundaryKind, FaceSet};
-pub use super::state::face::{Face, HalfBlock, Overruled};
+pub(crate) use super::state::face::{Face, HalfBlock, Overruled};
 use super::state::push::Wrench;
 use super::world::{SolidClass, World};
 use crate::accounts::Account;
@@ -126,7 +126,7 @@ fn is_on(set: &FaceSet, face: &Face, centre: Vec3, tolerance: f64) -> bool {
 
 /// What acts on a face, by the account it is booked on.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct FaceForces {
+pub(crate) struct FaceForces {
     /// Springs: held, moved and viscous faces.
     pub spring: Wrench,
     /// Tractions with a given value.
@@ -137,7 +137,7 @@ pub struct FaceForces {
 
 /// Dashpots on one block: force and moment are minus this matrix times velocity and spin.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Dashpots {
+pub(crate) struct Dashpots {
     matrix: [[f64; 6]; 6],
 }
 
@@ -161,7 +161,7 @@ impl Dashpots {
     /// Mean of the velocities and spins before and after the coming kick over `span` (s):
     /// `(M + span C / 2) dv = span (F - C v)`.
     #[must_use]
-    pub fn mean(
+    pub(crate) fn mean(
         &self,
         solid: &SolidClass,
         velocity: [Vec3; 2],
@@ -189,7 +189,7 @@ impl Dashpots {
 
     /// What they do to a block in a kick with these mean rates.
     #[must_use]
-    pub fn push(&self, mean: &[f64; 6]) -> Wrench {
+    pub(crate) fn push(&self, mean: &[f64; 6]) -> Wrench {
         let t = self.times(mean);
         Wrench {
             force: -Vec3::new(t[0], t[1], t[2]),
@@ -233,7 +233,7 @@ struct PointMotion {
 
 /// Context of the boundary stage.
 #[derive(Clone, Copy)]
-pub struct Context<'a> {
+pub(crate) struct Context<'a> {
     /// Poses of the blocks.
     pub poses: Poses<'a>,
     /// Conditions.
@@ -253,7 +253,7 @@ pub struct Context<'a> {
 impl<'a> Context<'a> {
     /// Context of the present time of a world.
     #[must_use]
-    pub fn new(world: &'a World) -> Self {
+    pub(crate) fn new(world: &'a World) -> Self {
         Self {
             poses: Poses {
                 bodies: &world.bodies,
@@ -270,7 +270,7 @@ impl<'a> Context<'a> {
 
     /// Moves the anchors of a face on to the present time and finds what acts on its block; books the works of
     /// anchors. Dashpots without springs are added to `dashpots`.
-    pub fn act(
+    pub(crate) fn act(
         &self,
         face: &mut Face,
         works: &mut Works,
@@ -323,7 +323,7 @@ impl<'a> Context<'a> {
 
     /// Dashpots without springs on a face.
     #[must_use]
-    pub fn dashpots(&self, face: &Face) -> Option<Dashpots> {
+    pub(crate) fn dashpots(&self, face: &Face) -> Option<Dashpots> {
         let boundary = &self.boundaries[usize::from(face.boundary?)];
         let BoundaryKind::Viscous { half_cell: false } = boundary.kind else {
             return None;
@@ -382,7 +382,7 @@ impl<'a> Context<'a> {
 
     /// Energy in the springs of a face, J.
     #[must_use]
-    pub fn stored(&self, face: &Face) -> f64 {
+    pub(crate) fn stored(&self, face: &Face) -> f64 {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return 0.0;
         };
@@ -398,7 +398,7 @@ impl<'a> Context<'a> {
     /// Sum of the dyads of arm and force over the points of a face, N m; dashpots without springs, which follow
     /// from the kick, are left out.
     #[must_use]
-    pub fn dyad(&self, face: &Face) -> Mat3 {
+    pub(crate) fn dyad(&self, face: &Face) -> Mat3 {
         let Some(boundary) = face.boundary.map(|k| &self.boundaries[k as usize]) else {
             return Mat3::ZERO;
         };

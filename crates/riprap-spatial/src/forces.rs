@@ -23,7 +23,7 @@ use crate::exec::Divide;
 
 /// What all tiles read.
 #[derive(Clone, Copy)]
-pub struct Shared<'a> {
+pub(crate) struct Shared<'a> {
     /// Poses of the blocks.
     pub poses: Poses<'a>,
     /// Laws.
@@ -56,7 +56,7 @@ impl Shared<'_> {
     /// Constants of the class of a lane of a packet; lanes beyond its count repeat the first.
     #[inline(always)]
     #[must_use]
-    pub fn wide_of(&self, packet: &Packet, lane: usize) -> &Wide {
+    pub(crate) fn wide_of(&self, packet: &Packet, lane: usize) -> &Wide {
         let count = usize::from(packet.count);
         let lane = if lane < count { lane } else { 0 };
         &self.wide[self.class[packet.first as usize + lane] as usize]
@@ -64,7 +64,7 @@ impl Shared<'_> {
 }
 
 /// Lists of patches that tiles own parts of.
-pub struct Memory<'a> {
+pub(crate) struct Memory<'a> {
     /// See [`super::world::Patches`].
     pub flags: &'a mut [u16],
     /// See [`super::world::Patches`].
@@ -103,7 +103,7 @@ impl<'a> Memory<'a> {
     }
 
     /// Memory of patch number `at` of this part.
-    pub fn state(&mut self, at: usize) -> State<'_> {
+    pub(crate) fn state(&mut self, at: usize) -> State<'_> {
         State {
             flags: &mut self.flags[at],
             slip: self.slip.get_mut(at),
@@ -115,7 +115,7 @@ impl<'a> Memory<'a> {
 }
 
 /// Piece of work of the first pass.
-pub struct First<'a> {
+pub(crate) struct First<'a> {
     /// How the model is cut.
     pub tiles: &'a [Tile],
     /// Memory of the patches.
@@ -158,7 +158,7 @@ impl Divide for First<'_> {
 }
 
 /// Does the patches of one tile.
-pub fn tile(shared: &Shared, work: First) {
+pub(crate) fn tile(shared: &Shared, work: First) {
     shared.width.run(
         #[inline(always)]
         || packets(shared, work),

@@ -324,7 +324,7 @@ impl World {
 /// rotational energy is conserved to round-off (Austin, Krishnaprasad & Wang 1993, J. Comput. Phys. 107,
 /// 105-117).
 #[must_use]
-pub fn turn(
+pub(crate) fn turn(
     attitude: riprap_geom::Quat,
     momentum: Vec3,
     inverse: &Mat3,

@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 
 /// A box with faces normal to the axes.
 #[derive(Clone, Copy, Debug)]
-pub struct Cell {
+pub(crate) struct Cell {
     /// Index of the block.
     pub block: u32,
     /// Centre, m.
@@ -28,7 +28,7 @@ impl Cell {
 
 /// A rectangle normal to an axis, in the coordinates of the next two axes (b, c), m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rectangle {
+pub(crate) struct Rectangle {
     /// Lowest corner.
     pub min: [f64; 2],
     /// Highest corner.
@@ -53,20 +53,20 @@ impl Rectangle {
 
     /// Centre, m.
     #[must_use]
-    pub fn centre(&self) -> [f64; 2] {
+    pub(crate) fn centre(&self) -> [f64; 2] {
         [0, 1].map(|k| 0.5 * (self.min[k] + self.max[k]))
     }
 
     /// Edge lengths, m.
     #[must_use]
-    pub fn size(&self) -> [f64; 2] {
+    pub(crate) fn size(&self) -> [f64; 2] {
         [0, 1].map(|k| self.max[k] - self.min[k])
     }
 }
 
 /// A rectangle that two cells share; the first lies on the lower side.
 #[derive(Clone, Copy, Debug)]
-pub struct Shared {
+pub(crate) struct Shared {
     /// Position in the list of cells, lower side.
     pub low: usize,
     /// Position in the list of cells, upper side.
@@ -79,7 +79,7 @@ pub struct Shared {
 
 /// A part of a face that nobody shares.
 #[derive(Clone, Copy, Debug)]
-pub struct Free {
+pub(crate) struct Free {
     /// Position in the list of cells.
     pub cell: usize,
     /// Axis of the normal.
@@ -93,7 +93,7 @@ pub struct Free {
 /// Finds all shared rectangles and free parts of faces; `tolerance` (m) is the largest gap between
 /// faces that touch.
 #[must_use]
-pub fn meet(
+pub(crate) fn meet(
     cells: &[Cell],
     periodic: [Option<f64>; 3],
     tolerance: f64,

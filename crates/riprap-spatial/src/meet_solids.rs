@@ -38,7 +38,7 @@ struct Side {
 /// Finds all shared polygons and free parts of the faces of the blocks `chosen`, whose centroids are
 /// `reference`; `tolerance` (m) is the largest gap between faces that touch.
 #[must_use]
-pub fn meet_solids(
+pub(crate) fn meet_solids(
     blocks: &[BlockSpec],
     chosen: &[u32],
     reference: &[Vec3],
@@ -64,7 +64,7 @@ pub fn meet_solids(
 
 /// The shared polygons alone, in a model that is not periodic: blocks, and corners anticlockwise seen from the side of the second one (m).
 #[must_use]
-pub fn outlines(
+pub(crate) fn outlines(
     blocks: &[BlockSpec],
     chosen: &[u32],
     tolerance: f64,
@@ -200,7 +200,7 @@ fn touch([a, b]: [&Side; 2], tolerance: f64) -> Option<face_overlap::Overlap> {
 
 /// Whether a face of one solid and a face of another lie back to back, nowhere farther apart than `gap` (m), and share a part.
 #[must_use]
-pub fn share_face(a: &Polyhedron, b: &Polyhedron, gap: f64) -> bool {
+pub(crate) fn share_face(a: &Polyhedron, b: &Polyhedron, gap: f64) -> bool {
     let whole = |solid: &Polyhedron, face: usize| {
         let outline = solid.outline(face);
         let (normal, offset) = solid.plane(face);

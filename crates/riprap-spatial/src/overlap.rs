@@ -139,7 +139,7 @@ fn cells(world: &World, chosen: &[u32]) -> Option<Vec<Cell>> {
 
 /// Axis frame: normal along `axis`, b and c the next two axes.
 #[must_use]
-pub fn axis_frame(axis: usize) -> [Vec3; 3] {
+pub(crate) fn axis_frame(axis: usize) -> [Vec3; 3] {
     [0, 1, 2].map(|k| Vec3::AXES[(axis + k) % 3])
 }
 

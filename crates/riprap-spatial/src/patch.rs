@@ -59,7 +59,7 @@ pub struct Points {
 
 /// What kinematics reads.
 #[derive(Clone, Copy)]
-pub struct Poses<'a> {
+pub(crate) struct Poses<'a> {
     /// Displacements and velocities.
     pub bodies: &'a Bodies,
     /// Attitudes of the blocks with finite rotations.
@@ -69,7 +69,7 @@ pub struct Poses<'a> {
 impl Poses<'_> {
     /// Turns the frame of the start into the present one.
     #[must_use]
-    pub fn attitude(&self, b: usize) -> Quat {
+    pub(crate) fn attitude(&self, b: usize) -> Quat {
         match &self.turned[b] {
             Some(turned) => turned.attitude,
             None => rotation(self.bodies.rotation(b)),
@@ -78,7 +78,7 @@ impl Poses<'_> {
 
     /// Points of a patch, with finite rotations or with small ones.
     #[must_use]
-    pub fn points(&self, class: &PatchClass, ends: [u32; 2], finite: bool) -> Points {
+    pub(crate) fn points(&self, class: &PatchClass, ends: [u32; 2], finite: bool) -> Points {
         if finite {
             self.finite_points(class, ends)
         } else {
@@ -145,14 +145,14 @@ impl Poses<'_> {
 
 /// Place of point `p` relative to the patch centre at the start, m.
 #[must_use]
-pub fn place(class: &PatchClass, p: usize) -> Vec3 {
+pub(crate) fn place(class: &PatchClass, p: usize) -> Vec3 {
     SIGNS[0][p] * class.half_spacing[0] * class.frame[1]
         + SIGNS[1][p] * class.half_spacing[1] * class.frame[2]
 }
 
 /// Rotation of a rotation vector.
 #[must_use]
-pub fn rotation(vector: Vec3) -> Quat {
+pub(crate) fn rotation(vector: Vec3) -> Quat {
     let half = 0.5 * vector.length();
     let (s, c) = libm::sincos(half);
     // From 1e-9 down the sine is its angle to the last bit.
@@ -163,7 +163,7 @@ pub fn rotation(vector: Vec3) -> Quat {
 
 /// Rotation vector of a rotation, length at most pi.
 #[must_use]
-pub fn rotation_vector(q: Quat) -> Vec3 {
+pub(crate) fn rotation_vector(q: Quat) -> Vec3 {
     // `q` and `-q` are one rotation; that with a positive `w` is the shorter way round.
     let q = if q.w < 0.0 { -q } else { q };
     let v = Vec3::new(q.x, q.y, q.z);
@@ -223,7 +223,7 @@ impl Points {
 
 /// Traction at the points at zero displacement: in-situ stress, linear over the patch.
 #[must_use]
-pub fn start(class: &PatchClass, prestress: Option<&Vec3>) -> [Traction; 4] {
+pub(crate) fn start(class: &PatchClass, prestress: Option<&Vec3>) -> [Traction; 4] {
     let Some(centre) = prestress else {
         return [[0.0; 3]; 4];
     };
@@ -238,7 +238,7 @@ pub fn start(class: &PatchClass, prestress: Option<&Vec3>) -> [Traction; 4] {
 }
 
 /// Memory of one patch, taken out of the lists and put back.
-pub struct State<'a> {
+pub(crate) struct State<'a> {
     /// Bits of [`flag`].
     pub flags: &'a mut u16,
     /// Slip of the points, where the model has any.
@@ -253,7 +253,7 @@ pub struct State<'a> {
 
 /// Memories of the four points from the lists of a patch.
 #[must_use]
-pub fn memories(
+pub(crate) fn memories(
     flags: u16,
     slip: Option<&[[f64; 4]; 2]>,
     normal_offset: Option<&[f64; 4]>,
@@ -275,7 +275,7 @@ pub fn memories(
 impl State<'_> {
     /// Memories of the four points.
     #[must_use]
-    pub fn read(&self) -> [Memory; 4] {
+    pub(crate) fn read(&self) -> [Memory; 4] {
         memories(
             *self.flags,
             self.slip.as_deref(),
@@ -286,7 +286,7 @@ impl State<'_> {
     }
 
     /// Stores the memories.
-    pub fn write(&mut self, memories: &[Memory; 4]) {
+    pub(crate) fn write(&mut self, memories: &[Memory; 4]) {
         // Bits of the patch as a whole (`FINITE`, `OFFSET`) are not the law's.
         let mut flags = *self.flags & !(flag::BROKEN | flag::OPEN | flag::SLIDING);
         for (p, m) in memories.iter().enumerate() {
@@ -321,7 +321,7 @@ impl State<'_> {
 /// Tractions at the points of a patch, after its law has seen the motion of the last `elapsed` seconds; with
 /// `frozen` memory the law is not asked.
 #[must_use]
-pub fn respond(
+pub(crate) fn respond(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
@@ -383,7 +383,7 @@ pub fn respond(
 
 /// Tractions at the points with the memory they have.
 #[must_use]
-pub fn carried(
+pub(crate) fn carried(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
@@ -406,7 +406,7 @@ pub fn carried(
 
 /// Openings of the points (m), where the law is not plain.
 #[must_use]
-pub fn openings(
+pub(crate) fn openings(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
@@ -423,7 +423,7 @@ pub fn openings(
 
 /// Energy per area in the normal and in the shear spring of the points with the memory they have, J/m².
 #[must_use]
-pub fn stored(
+pub(crate) fn stored(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
@@ -446,7 +446,7 @@ pub fn stored(
 /// Dashpot tractions at the closed points: `beta` (s) times spring times relative velocity, along the patch where its law has
 /// them.
 #[must_use]
-pub fn dashpots(
+pub(crate) fn dashpots(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
@@ -482,7 +482,7 @@ pub fn dashpots(
 /// It slides where spring and dashpot together would pass its strength. It opens where its blocks part and it has neither pressure nor
 /// tensile strength.
 #[must_use]
-pub fn starts_moving(
+pub(crate) fn starts_moving(
     joint: &JointLaw,
     class: &PatchClass,
     points: &Points,
@@ -524,13 +524,13 @@ pub fn starts_moving(
 
 /// Law of a class.
 #[must_use]
-pub fn joint<'a>(interfaces: &'a [InterfaceLaw], class: &PatchClass) -> &'a JointLaw {
+pub(crate) fn joint<'a>(interfaces: &'a [InterfaceLaw], class: &PatchClass) -> &'a JointLaw {
     &interfaces[class.row as usize].joint
 }
 
 /// Inertia tensor of a turned block, kg m².
 #[must_use]
-pub fn turned_inertia(inertia: &Mat3, attitude: Quat) -> Mat3 {
+pub(crate) fn turned_inertia(inertia: &Mat3, attitude: Quat) -> Mat3 {
     let r = Mat3::from_quat(attitude);
     r * *inertia * r.transpose()
 }

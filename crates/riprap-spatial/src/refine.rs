@@ -17,13 +17,13 @@ use super::divisible::Divisible;
 use super::meet_solids::share_face;
 use super::region::{Bins, Bounds, Extent, TOUCH};
 use super::setup::{BlockSpec, Refinement, Region, Setup};
-pub use super::state::lineage::Origin;
-pub use follow::follow;
+pub(crate) use super::state::lineage::Origin;
+pub(crate) use follow::follow;
 
 /// Most levels below the blocks as given: with more, the smallest edges come near the round-off of coordinates.
-pub const MAX_LEVELS: u8 = 16;
+pub(crate) const MAX_LEVELS: u8 = 16;
 /// Most blocks that splitting may make.
-pub const MAX_BLOCKS: usize = 100_000_000;
+pub(crate) const MAX_BLOCKS: usize = 100_000_000;
 
 /// Why blocks cannot be split.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -51,7 +51,7 @@ pub enum RefineError {
 
 /// Name of block `b`: `rock.17/3` is octant 3 of `rock.17`.
 #[must_use]
-pub fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {
+pub(crate) fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {
     let spec = setup.blocks[b].name;
     let mut text = setup
         .names
@@ -75,7 +75,7 @@ pub fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {
 
 /// Blocks as a forest of octrees; finds neighbours and keeps the balance.
 #[derive(Debug)]
-pub struct Forest {
+pub(crate) struct Forest {
     cells: Vec<Cell>,
     leaning: Vec<Parallelepiped>,
     whole: Vec<Extent>,
@@ -107,7 +107,7 @@ enum Kind {
 impl Forest {
     /// The blocks of a model; `alive` is false for blocks that were split or removed.
     #[must_use]
-    pub fn new(setup: &Setup, lineage: &[Origin], alive: &[bool]) -> Self {
+    pub(crate) fn new(setup: &Setup, lineage: &[Origin], alive: &[bool]) -> Self {
         let (mut leaning, mut whole) = (Vec::new(), Vec::new());
         let mut deforms = vec![false; setup.blocks.len()];
         for &b in setup.deform.sets.iter().flat_map(|set| &set.blocks) {
@@ -164,7 +164,7 @@ impl Forest {
     }
 
     /// Leaves a block whole and out of the balance.
-    pub fn keep_whole(&mut self, b: u32) {
+    pub(crate) fn keep_whole(&mut self, b: u32) {
         if matches!(self.cells[b as usize].kind, Kind::Whole(_)) {
             return;
         }
@@ -194,13 +194,13 @@ impl Forest {
     /// Parents in the order of splitting; the children of the `k`-th are the blocks `8 k` to `8 k + 7` after the
     /// blocks that existed before.
     #[must_use]
-    pub fn into_splits(self) -> Vec<u32> {
+    pub(crate) fn into_splits(self) -> Vec<u32> {
         self.splits
     }
 
     /// Living blocks below `levels` that touch the region, ascending.
     #[must_use]
-    pub fn touching(&self, region: &Region, levels: u8) -> Vec<u32> {
+    pub(crate) fn touching(&self, region: &Region, levels: u8) -> Vec<u32> {
         self.leaves()
             .filter(|&b| {
                 let cell = &self.cells[b as usize];
@@ -210,7 +210,7 @@ impl Forest {
     }
 
     /// Living blocks, ascending.
-    pub fn leaves(&self) -> impl Iterator<Item = u32> + '_ {
+    pub(crate) fn leaves(&self) -> impl Iterator<Item = u32> + '_ {
         (0..self.cells.len() as u32).filter(|&b| self.cells[b as usize].alive)
     }
 
@@ -231,7 +231,7 @@ impl Forest {
     ///
     /// # Errors
     /// As `refine`: the block cannot be divided, or there would be too many.
-    pub fn split(&mut self, b: u32) -> Result<(), Option<u32>> {
+    pub(crate) fn split(&mut self, b: u32) -> Result<(), Option<u32>> {
         let cell = self.cells[b as usize];
         if !cell.alive {
             return Ok(());
@@ -276,7 +276,7 @@ impl Forest {
     }
 
     /// Living blocks that share part of a face with block `b`, ascending.
-    pub fn face_neighbours(&mut self, b: u32) -> Vec<u32> {
+    pub(crate) fn face_neighbours(&mut self, b: u32) -> Vec<u32> {
         let own = self.cells[b as usize];
         let mut neighbours = Vec::new();
         let mut roots = std::mem::take(&mut self.found);
@@ -361,7 +361,7 @@ fn images(periodic: [Option<f64>; 3]) -> Vec<Vec3> {
 ///
 /// # Errors
 /// Polyhedra in a region, too many levels or blocks.
-pub fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> {
+pub(crate) fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> {
     let mut lineage = vec![Origin::GIVEN; setup.blocks.len()];
     let alive = vec![true; setup.blocks.len()];
     let asked: Vec<Refinement> = setup
@@ -392,7 +392,7 @@ pub fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> {
 
 /// The error of a forest in words.
 #[must_use]
-pub fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> RefineError {
+pub(crate) fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> RefineError {
     match block {
         None => RefineError::TooMany,
         Some(b) => RefineError::Indivisible {
@@ -402,7 +402,7 @@ pub fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> RefineError
 }
 
 /// Appends the children of the split blocks; they move with the rigid motion of their parent at the start.
-pub fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, splits: &[u32]) {
+pub(crate) fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, splits: &[u32]) {
     for &parent in splits {
         let spec = setup.blocks[parent as usize].clone();
         let Some(whole) = Divisible::of(&spec.shape) else {

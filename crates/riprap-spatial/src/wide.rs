@@ -36,7 +36,7 @@ use crate::laws::mohr_coulomb::shear_limit;
 
 /// What the wide kernel needs of a class.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Wide {
+pub(crate) struct Wide {
     /// Arms of i and j (x, y, z), m.
     arms: [[f64; 3]; 2],
     /// Area times stiffness along x, y, z, N/m.
@@ -70,7 +70,7 @@ pub struct Wide {
 impl Wide {
     /// Constants of a class; meaningless for one that is not normal to an axis.
     #[must_use]
-    pub fn new(class: &PatchClass, joint: &JointLaw) -> Self {
+    pub(crate) fn new(class: &PatchClass, joint: &JointLaw) -> Self {
         let strength = joint.strength.as_ref();
         let axis = usize::from(class.axis % 3);
         // Component k of space is component (k - axis) mod 3 of n, b, c, which are the axes in turn.
@@ -112,7 +112,7 @@ impl Wide {
 }
 
 /// Where the lanes of a packet find their blocks.
-pub enum Places {
+pub(crate) enum Places {
     /// From these on, side by side.
     Runs([usize; 2]),
     /// One by one; lanes beyond the count repeat the first.
@@ -123,7 +123,7 @@ impl Places {
     /// Those of a packet.
     #[inline(always)]
     #[must_use]
-    pub fn of(shared: &Shared, packet: &Packet) -> Self {
+    pub(crate) fn of(shared: &Shared, packet: &Packet) -> Self {
         let (first, count) = (packet.first as usize, usize::from(packet.count));
         let ends = &shared.ends[first..first + count];
         if packet.runs {
@@ -141,19 +141,19 @@ impl Places {
 
 /// Force on block i (N) and moment about the centre (N m) of every lane, along x, y, z.
 #[derive(Clone, Copy, Default)]
-pub struct Force {
+pub(crate) struct Force {
     force: Vectors,
     moment: Vectors,
 }
 
 /// Forces of the springs and of the dashpots of a packet.
 #[derive(Clone, Copy, Default)]
-pub struct Response(pub [Force; 2]);
+pub(crate) struct Response(pub [Force; 2]);
 
 impl Response {
     /// Takes the lanes `chosen` over from another.
     #[inline(always)]
-    pub fn take(&mut self, chosen: u8, other: &Self) {
+    pub(crate) fn take(&mut self, chosen: u8, other: &Self) {
         for (own, other) in self.0.iter_mut().zip(&other.0) {
             for k in 0..3 {
                 for lane in 0..LANES {
@@ -169,7 +169,7 @@ impl Response {
 
 /// What a packet adds to both blocks of each lane: forces (x, y, z), N, then moments about the centroids, N m.
 #[derive(Clone, Copy, Default)]
-pub struct Shares {
+pub(crate) struct Shares {
     on: [[Lanes; 6]; 2],
 }
 
@@ -177,7 +177,7 @@ impl Shares {
     /// Of forces and moments at the centres of the patches.
     #[inline(always)]
     #[must_use]
-    pub fn new(class: &Class, at: &Force) -> Self {
+    pub(crate) fn new(class: &Class, at: &Force) -> Self {
         let [x, y, z] = at.force;
         let [a, b, c] = plus(&cross(&class.arms[0], &at.force), &at.moment);
         let [d, e, f] = plus(&cross(&class.arms[1], &at.force), &at.moment);
@@ -188,7 +188,7 @@ impl Shares {
 
     /// Sets one lane.
     #[inline(always)]
-    pub fn set(&mut self, lane: usize, resultant: &Resultant) {
+    pub(crate) fn set(&mut self, lane: usize, resultant: &Resultant) {
         let [i, j] = &mut self.on;
         for k in 0..3 {
             i[k].0[lane] = resultant.force[k];
@@ -200,7 +200,7 @@ impl Shares {
 }
 
 /// Sums that packets add to.
-pub struct Targets<'a, 'b> {
+pub(crate) struct Targets<'a, 'b> {
     /// Sums of the tile's blocks: elastic, dashpots.
     pub net: &'b mut [Part<'a>; 2],
     /// Slots of its patches that have some.
@@ -214,7 +214,7 @@ pub struct Targets<'a, 'b> {
 impl Targets<'_, '_> {
     /// Adds to both blocks of each lane, as if patch after patch were added.
     #[inline(always)]
-    pub fn add(&mut self, kind: usize, packet: &Packet, places: &Places, shares: &Shares) {
+    pub(crate) fn add(&mut self, kind: usize, packet: &Packet, places: &Places, shares: &Shares) {
         let (base, count) = (self.base, usize::from(packet.count));
         let net = &mut self.net[kind].0;
         let slots = &mut self.slots[kind].0;
@@ -322,7 +322,12 @@ fn add_pairs(
 
 /// Forces of the springs of a packet as if all were elastic, and the bits of the patches that may not be.
 #[inline(always)]
-pub fn springs(shared: &Shared, packet: &Packet, places: &Places, class: &Class) -> (Force, u8) {
+pub(crate) fn springs(
+    shared: &Shared,
+    packet: &Packet,
+    places: &Places,
+    class: &Class,
+) -> (Force, u8) {
     let bodies = shared.poses.bodies;
     let (d, w) = relative(&bodies.displacement, places, &class.arms);
     let mut force = times(&class.stiffness, &d);
@@ -342,7 +347,7 @@ pub fn springs(shared: &Shared, packet: &Packet, places: &Places, class: &Class)
 
 /// Forces of the dashpots of a packet where all patches are elastic.
 #[inline(always)]
-pub fn dashpots(shared: &Shared, places: &Places, class: &Class) -> Force {
+pub(crate) fn dashpots(shared: &Shared, places: &Places, class: &Class) -> Force {
     let (v, spin) = relative(&shared.poses.bodies.velocity, places, &class.arms);
     let beta = class.beta + Lanes::all(shared.stiffness_damping);
     Force {
@@ -386,7 +391,7 @@ fn in_situ(shared: &Shared, packet: &Packet) -> Vectors {
 /// and fracture, J (zero in the other lanes). Their law and their memory must be those that [`Wide::plain`] and the flags
 /// allow; the packet's memory begins at `at`.
 #[inline(always)]
-pub fn points(
+pub(crate) fn points(
     shared: &Shared,
     packet: &Packet,
     chosen: u8,
@@ -612,7 +617,7 @@ impl PlainState {
 }
 
 /// Constants of the classes, lane by lane.
-pub struct Class {
+pub(crate) struct Class {
     arms: [Vectors; 2],
     stiffness: Vectors,
     turning: Vectors,
@@ -629,7 +634,7 @@ impl Class {
     /// Those of a packet.
     #[inline(always)]
     #[must_use]
-    pub fn load(shared: &Shared, packet: &Packet) -> Self {
+    pub(crate) fn load(shared: &Shared, packet: &Packet) -> Self {
         let wide = shared.wide;
         let first = packet.first as usize;
         let count = usize::from(packet.count);

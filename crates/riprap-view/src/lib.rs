@@ -11,6 +11,8 @@
 //! - [`report`]: the same page with its answers in one file;
 //! - [`server`]: HTTP on the loopback address.
 
+// What no other crate can name does not look as if it could be.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 #![allow(
     clippy::disallowed_methods,
     reason = "pictures only: no result depends on the functions of the platform here"

@@ -7,6 +7,8 @@
 //! [`plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
 //! checks and checkpoints are [`run::job`]. [`prelude`] brings what nearly every program needs. Features: `scenario` (the language, and all that runs scene files) and `plot`.
 
+// What no other crate can name does not look as if it could be.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 

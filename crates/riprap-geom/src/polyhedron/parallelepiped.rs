@@ -5,7 +5,7 @@ use crate::Vec3;
 
 /// A corner farther than this, times the size, from where three pairs of parallel faces would have it makes a solid no
 /// parallelepiped.
-pub const SKEW: f64 = 1e-10;
+pub(super) const SKEW: f64 = 1e-10;
 
 /// A parallelepiped: all points `centre + x half[0] + y half[1] + z half[2]` with x, y and z from -1 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -55,7 +55,7 @@ pub(super) fn instead(schema: &'static Value) -> Option<&'static str> {
 }
 
 /// The JSON schema as a value.
-pub fn schema() -> &'static Value {
+pub(crate) fn schema() -> &'static Value {
     &SCHEMA
 }
 
@@ -76,7 +76,7 @@ pub(super) struct Node {
 
 /// A key as [`Node::each_key`] finds it.
 #[derive(Clone, Copy)]
-pub struct FoundKey {
+pub(crate) struct FoundKey {
     /// Schema of its value.
     pub value: &'static Value,
     /// Schema that has its text.
@@ -87,7 +87,7 @@ pub struct FoundKey {
 
 impl Node {
     /// Schema of the whole file.
-    pub fn root() -> Self {
+    pub(crate) fn root() -> Self {
         Node {
             value: schema(),
             type_name: None,
@@ -95,7 +95,7 @@ impl Node {
     }
 
     /// Follows references and strips "or null".
-    pub fn resolve(value: &'static Value) -> Self {
+    pub(crate) fn resolve(value: &'static Value) -> Self {
         let mut node = Node {
             value,
             type_name: None,
@@ -124,12 +124,12 @@ impl Node {
     }
 
     /// The kind of quantity expected here.
-    pub fn kind(self) -> Option<&'static KindInfo> {
+    pub(crate) fn kind(self) -> Option<&'static KindInfo> {
         KindInfo::named(self.type_name?)
     }
 
     /// The schema of a key of a table with fixed keys.
-    pub fn properties(self) -> impl Iterator<Item = (&'static str, &'static Value)> + Clone {
+    pub(crate) fn properties(self) -> impl Iterator<Item = (&'static str, &'static Value)> + Clone {
         self.value
             .get("properties")
             .and_then(Value::as_object)
@@ -139,7 +139,7 @@ impl Node {
     }
 
     /// The schema of the values of a table with free keys.
-    pub fn free_values(self) -> Option<&'static Value> {
+    pub(crate) fn free_values(self) -> Option<&'static Value> {
         match self.value.get("additionalProperties") {
             None | Some(Value::Bool(false)) => None,
             Some(schema) => Some(schema),
@@ -148,7 +148,7 @@ impl Node {
 
     /// Calls `found` for each key that stands right below this node, with its path below `path`, and goes on into those of its
     /// alternatives that `enters` names.
-    pub fn each_key(
+    pub(crate) fn each_key(
         self,
         path: &str,
         enters: &impl Fn(Node) -> bool,
@@ -190,7 +190,7 @@ impl Node {
     }
 
     /// Keys that must be there.
-    pub fn required(self) -> impl Iterator<Item = &'static str> {
+    pub(crate) fn required(self) -> impl Iterator<Item = &'static str> {
         self.value
             .get("required")
             .and_then(Value::as_array)
@@ -200,7 +200,7 @@ impl Node {
     }
 
     /// Variants that are tables of one key: (key, schema of its value, description).
-    pub fn variants(self) -> Vec<(&'static str, &'static Value, &'static Value)> {
+    pub(crate) fn variants(self) -> Vec<(&'static str, &'static Value, &'static Value)> {
         let alternatives = self.value.get("oneOf").and_then(Value::as_array);
         alternatives
             .into_iter()
@@ -213,7 +213,7 @@ impl Node {
     }
 
     /// Words that may stand here: (word, description).
-    pub fn words(self) -> Vec<(&'static str, &'static str)> {
+    pub(crate) fn words(self) -> Vec<(&'static str, &'static str)> {
         if let Some(words) = self.value.get("enum").and_then(Value::as_array) {
             return words
                 .iter()
@@ -238,7 +238,7 @@ impl Node {
     }
 
     /// Alternatives of different types; empty if there is only one.
-    pub fn alternatives(self) -> Vec<Node> {
+    pub(crate) fn alternatives(self) -> Vec<Node> {
         let alternatives = self.value.get("anyOf").and_then(Value::as_array);
         alternatives
             .into_iter()
@@ -248,7 +248,7 @@ impl Node {
     }
 
     /// The alternative in which a word leads on; itself if there are none.
-    pub fn towards(self, word: &str) -> Node {
+    pub(crate) fn towards(self, word: &str) -> Node {
         let leads = |node: &Node| {
             let known = node.properties().any(|(key, _)| key == word)
                 || node.variants().iter().any(|(key, _, _)| *key == word);
@@ -258,7 +258,7 @@ impl Node {
     }
 
     /// Schema of the entries of a list, also where a list is only one alternative.
-    pub fn items(self) -> Option<&'static Value> {
+    pub(crate) fn items(self) -> Option<&'static Value> {
         self.value.get("items").or_else(|| {
             let lists = self.alternatives();
             lists.into_iter().find_map(|node| node.value.get("items"))
@@ -266,12 +266,12 @@ impl Node {
     }
 
     /// Kind of a single value where that is one alternative.
-    pub fn single(self) -> Option<&'static KindInfo> {
+    pub(crate) fn single(self) -> Option<&'static KindInfo> {
         self.alternatives().into_iter().find_map(Node::kind)
     }
 
     /// Whether a JSON type is allowed.
-    pub fn allows(self, json_type: &str) -> bool {
+    pub(crate) fn allows(self, json_type: &str) -> bool {
         match self.value.get("type") {
             Some(Value::String(only)) => only == json_type,
             Some(Value::Array(types)) => types.iter().any(|one| one == json_type),

@@ -13,7 +13,7 @@ use crate::state::workspace::{Dashpot, KickSums};
 
 /// What is the same for all nodes, and lists by node.
 #[derive(Clone, Copy)]
-pub struct Kick<'a> {
+pub(crate) struct Kick<'a> {
     /// m/s².
     pub gravity: Vec3,
     /// Damping.
@@ -73,7 +73,7 @@ pub(crate) struct Held {
 impl Kick<'_> {
     /// Turns the forces (N) of bodies and bonds on the nodes `first` and following into net forces, finds their velocity
     /// changes (m/s), and adds to the sums.
-    pub fn run(
+    pub(crate) fn run(
         &self,
         first: usize,
         net: &mut [[f64; 3]],

@@ -26,9 +26,9 @@ use super::planes::Planes;
 use crate::lanes::Lanes;
 
 /// Lanes of a register.
-pub const LANES: usize = 8;
+pub(super) const LANES: usize = 8;
 /// Most planes of a pair.
-pub const PLANES: usize = 32;
+pub(super) const PLANES: usize = 32;
 
 /// What a cut leaves: where each corner comes from (0 to 7: a corner, 8 to 15: the crossing of an edge), and how many there are.
 #[derive(Clone, Copy)]
@@ -171,7 +171,7 @@ impl Corners {
 /// Makes piece (f, g) in the plane of `frame` from a square with half the side `square` (m); whether anything is left, `None` where
 /// the plain form must do it. `spared` has a bit for each plane that does not cut.
 #[target_feature(enable = "avx512f,avx512dq")]
-pub fn make(
+pub(super) fn make(
     lines: &mut Lines,
     planes: &Planes,
     frame: &Frame,
@@ -213,7 +213,7 @@ pub fn make(
 
 /// What cuts a piece, in the coordinates of its frame: `a s + b t <= c` for each plane.
 #[derive(Clone, Debug)]
-pub struct Lines {
+pub(super) struct Lines {
     a: [f64; PLANES],
     b: [f64; PLANES],
     c: [f64; PLANES],

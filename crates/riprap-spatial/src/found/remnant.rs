@@ -3,7 +3,7 @@
 /// A convex polygon of which nothing is known but how far its corners lie beyond each of a set of planes. That is enough to cut it:
 /// the distances of a crossing are between those of the two corners.
 #[derive(Clone, Debug, Default)]
-pub struct Remnant {
+pub(super) struct Remnant {
     planes: usize,
     /// How far each corner is beyond each plane, m: corner by corner.
     beyond: Vec<f64>,
@@ -12,7 +12,7 @@ pub struct Remnant {
 
 impl Remnant {
     /// A face with so many corners, before so many planes.
-    pub fn begin(&mut self, planes: usize, corners: usize) {
+    pub(super) fn begin(&mut self, planes: usize, corners: usize) {
         self.planes = planes;
         self.beyond.clear();
         self.beyond.resize(planes * corners, 0.0);
@@ -20,13 +20,13 @@ impl Remnant {
 
     /// Says how far a corner lies beyond planes from `plane` on, m.
     #[inline]
-    pub fn set(&mut self, corner: usize, plane: usize, beyond: &[f64]) {
+    pub(super) fn set(&mut self, corner: usize, plane: usize, beyond: &[f64]) {
         let first = corner * self.planes + plane;
         self.beyond[first..first + beyond.len()].copy_from_slice(beyond);
     }
 
     /// Whether anything lies inside all planes, each moved outward by `slack` (m).
-    pub fn is_left(&mut self, slack: f64) -> bool {
+    pub(super) fn is_left(&mut self, slack: f64) -> bool {
         (0..self.planes).all(|plane| self.cut(plane, slack))
     }
 

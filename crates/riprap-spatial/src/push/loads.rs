@@ -17,7 +17,7 @@ pub(crate) enum Pushed {
 }
 
 /// Pushes blocks with all loads at the world's present time.
-pub fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
+pub(crate) fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
     let nodes = world.deform.as_deref().map_or(0, |d| d.nodes.len());
     each(world, work, |_, pushed| match pushed {
         Pushed::Block(b, push) => {

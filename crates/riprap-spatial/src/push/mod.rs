@@ -13,12 +13,12 @@
 //! Rigid blocks that somebody may push are never done in rows: [`World::pushed`] names them when the pieces are laid
 //! out (`Tiles::make_rows`), and only those are cleared. A writer that can push other blocks names them there.
 
-pub mod cavity;
-pub mod loads;
-pub mod seepage;
-pub mod surface;
-pub mod traction;
-pub mod water;
+pub(crate) mod cavity;
+pub(crate) mod loads;
+pub(crate) mod seepage;
+pub(crate) mod surface;
+pub(crate) mod traction;
+pub(crate) mod water;
 
 use super::state::bolts::Bolt;
 use super::state::push::Wrench;

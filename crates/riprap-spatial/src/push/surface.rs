@@ -13,7 +13,7 @@ use crate::state::world::World;
 ///
 /// Nodes lie on the face itself, so there is no half block in between as with rigid blocks.
 #[must_use]
-pub fn dashpots(setup: &Setup, deform: &Deform) -> Vec<Dashpot> {
+pub(crate) fn dashpots(setup: &Setup, deform: &Deform) -> Vec<Dashpot> {
     let mut found: Vec<Dashpot> = Vec::new();
     each_dashpot(setup, deform, |_, dashpot| found.push(dashpot));
     // The order of equal nodes stays that of the surfaces.
@@ -52,7 +52,7 @@ pub(crate) fn each_dashpot(setup: &Setup, deform: &Deform, mut put: impl FnMut(u
 }
 
 /// Pushes the nodes of faces with a condition with the given tractions.
-pub fn apply(world: &World, deform: &Deform, loads: &mut Account) {
+pub(crate) fn apply(world: &World, deform: &Deform, loads: &mut Account) {
     each(world, deform, |_, node, force| {
         loads.need_nodes(deform.nodes.len());
         loads.on_node(node, force);
@@ -95,7 +95,7 @@ fn at_node(world: &World, deform: &Deform, surface: &Surface, k: usize) -> Vec3 
 
 /// Sum of the tractions on a surface, N.
 #[must_use]
-pub fn total(world: &World, deform: &Deform, surface: &Surface) -> Vec3 {
+pub(crate) fn total(world: &World, deform: &Deform, surface: &Surface) -> Vec3 {
     let nodes = surface.nodes.iter().enumerate();
     nodes
         .map(|(k, (_, area))| *area * at_node(world, deform, surface, k))

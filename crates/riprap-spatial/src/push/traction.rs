@@ -6,7 +6,7 @@ use crate::setup::{Boundary, BoundaryKind, InSitu};
 
 /// A point of a face.
 #[derive(Clone, Copy, Debug)]
-pub struct Spot {
+pub(crate) struct Spot {
     /// Unit outward normal at the start.
     pub start: Vec3,
     /// Unit outward normal along which pressures act now.
@@ -19,7 +19,12 @@ pub struct Spot {
 
 /// Traction (Pa) that a condition gives at a point of a face at time `time` (s), that of the stress at the start included.
 #[must_use]
-pub fn traction(boundary: &Boundary, in_situ: Option<&InSitu>, spot: &Spot, time: f64) -> Vec3 {
+pub(crate) fn traction(
+    boundary: &Boundary,
+    in_situ: Option<&InSitu>,
+    spot: &Spot,
+    time: f64,
+) -> Vec3 {
     let start = match (boundary.in_situ, in_situ) {
         (true, Some(in_situ)) => in_situ.at(spot.stress_at) * spot.start,
         (true, None) | (false, _) => Vec3::ZERO,

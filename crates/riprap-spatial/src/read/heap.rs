@@ -63,7 +63,7 @@ fn height([a, b, c]: [Vec3; 3], at: Vec2) -> Option<f64> {
 
 /// Slope of the surface of a heap made of the given blocks, rad; 0 without blocks. Heaps that stand apart, by more than the width of
 /// the widest block, are measured one by one: the mean of their angles, weighted by mass.
-pub fn repose_angle(view: &View<'_>, of: impl Iterator<Item = usize>) -> f64 {
+pub(super) fn repose_angle(view: &View<'_>, of: impl Iterator<Item = usize>) -> f64 {
     let up = view.up();
     let across = up.any_orthonormal_vector();
     let axes = [across, up.cross(across), up];

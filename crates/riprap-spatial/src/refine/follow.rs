@@ -8,7 +8,7 @@ use crate::state::lineage::Origin;
 ///
 /// A force at a point goes to the child that holds the point, a force at the centroid and a moment to all eight in
 /// equal parts.
-pub fn follow(setup: &mut Setup, lineage: &[Origin], splits: &[u32]) {
+pub(crate) fn follow(setup: &mut Setup, lineage: &[Origin], splits: &[u32]) {
     if splits.is_empty() {
         return;
     }

@@ -64,7 +64,7 @@ impl Pin {
 /// Present chord (m) from one pin to another, and by how much it is longer than when the bolt was installed, m.
 #[inline]
 #[must_use]
-pub fn chord(from: &Pin, to: &Pin, freedoms: &Freedoms) -> (Vec3, f64) {
+pub(crate) fn chord(from: &Pin, to: &Pin, freedoms: &Freedoms) -> (Vec3, f64) {
     let moved = to.displacement(freedoms) - from.displacement(freedoms);
     bolt::chord(to.place - from.place, moved, Vec3::dot)
 }

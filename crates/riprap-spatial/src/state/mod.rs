@@ -3,24 +3,24 @@
 //! Nothing here acts. Forces, motion, edits and readings stand in the workspaces above, which use this one and not each other's
 //! insides; this one uses the setup, the laws, geometry and the ledger only.
 
-pub mod bodies;
-pub mod bolts;
-pub mod cavity;
-pub mod cutting;
+pub(crate) mod bodies;
+pub(crate) mod bolts;
+pub(crate) mod cavity;
+pub(crate) mod cutting;
 pub mod deform;
-pub mod deformable;
-pub mod event;
-pub mod face;
-pub mod found;
+pub(crate) mod deformable;
+pub(crate) mod event;
+pub(crate) mod face;
+pub(crate) mod found;
 mod hash;
 pub mod hold;
-pub mod interface;
-pub mod lineage;
-pub mod patches;
-pub mod push;
-pub mod relax;
-pub mod scratch;
-pub mod seepage;
+pub(crate) mod interface;
+pub(crate) mod lineage;
+pub(crate) mod patches;
+pub(crate) mod push;
+pub(crate) mod relax;
+pub(crate) mod scratch;
+pub(crate) mod seepage;
 pub mod sums;
-pub mod workspace;
+pub(crate) mod workspace;
 pub mod world;

@@ -73,7 +73,7 @@ pub(crate) struct FaceEntry {
 
 /// Energy that left the patches of one group, J.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Lost {
+pub(crate) struct Lost {
     /// By friction.
     pub friction: f64,
     /// By fracture.
@@ -82,7 +82,7 @@ pub struct Lost {
 
 impl Lost {
     /// Adds another.
-    pub fn add(&mut self, other: &Self) {
+    pub(crate) fn add(&mut self, other: &Self) {
         self.friction += other.friction;
         self.fracture += other.fracture;
     }

@@ -10,9 +10,9 @@ use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness};
 use crate::ledger::Works;
 
 /// Bodies per piece of work; sums run over a piece and then over a fixed tree of pieces.
-pub const BODIES: usize = 64;
+pub(crate) const BODIES: usize = 64;
 /// Facets per piece of work, likewise.
-pub const FACETS: usize = 64;
+pub(crate) const FACETS: usize = 64;
 
 /// Shape, elements and masses of congruent bodies of one material.
 #[derive(Debug)]
@@ -114,7 +114,7 @@ impl Workspace {
 
 /// Start stress of body number `k` in a list that is shorter or empty where bodies have none.
 #[must_use]
-pub fn start_of(starts: &[StartStress], k: usize) -> &StartStress {
+pub(crate) fn start_of(starts: &[StartStress], k: usize) -> &StartStress {
     static NONE: StartStress = StartStress::none();
     starts.get(k).unwrap_or(&NONE)
 }
@@ -146,7 +146,7 @@ pub struct Dashpot {
 
 /// Dissipation of one piece of facets, J.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct BondWorks {
+pub(crate) struct BondWorks {
     /// What the sliders and softening have taken.
     pub works: Works,
     /// Whether a point has broken.
@@ -155,7 +155,7 @@ pub struct BondWorks {
 
 /// Sums over the nodes of a piece of work.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct KickSums {
+pub(crate) struct KickSums {
     /// Works of the half step before the present time.
     pub arrival: Works,
     /// Works of the half step after it.

@@ -21,7 +21,7 @@ impl State {
 }
 
 /// A value in a unit, with the digits that a width makes meaningful.
-pub fn in_unit(shown: &Shown, value: f64, width: f64) -> String {
+pub(super) fn in_unit(shown: &Shown, value: f64, width: f64) -> String {
     shown.text(value, digits_for(width / value.abs()))
 }
 

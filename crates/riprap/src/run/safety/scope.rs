@@ -14,7 +14,7 @@ use crate::plan::Plan;
 use crate::setup::Setup;
 
 /// A model whose reduced strengths stand in rows of their own.
-pub struct Scope {
+pub(super) struct Scope {
     /// What it is built from.
     pub setup: Setup,
     /// Its phases.
@@ -52,7 +52,7 @@ struct Single {
 ///
 /// # Errors
 /// Names of nothing; nothing that has a strength.
-pub fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, SafetyError> {
+pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, SafetyError> {
     let laws = Laws::of(setup);
     known(
         "interface",

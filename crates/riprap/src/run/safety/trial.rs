@@ -19,7 +19,7 @@ const FAR: f64 = 0.1;
 const SHARE: f64 = 0.5;
 
 /// What a trial leaves.
-pub struct Done {
+pub(super) struct Done {
     /// As it is told.
     pub trial: Trial,
     /// The state, where it is stable.
@@ -31,7 +31,7 @@ pub struct Done {
 }
 
 /// Makes trials.
-pub struct Maker<'a> {
+pub(super) struct Maker<'a> {
     /// Rules of the search.
     pub rules: &'a Rules,
     /// Rows of the interface table whose strength is reduced.
@@ -52,11 +52,11 @@ struct Before {
 }
 
 /// A trial that was broken off because nobody needs it.
-pub type Made = Result<Option<Done>, SafetyError>;
+pub(super) type Made = Result<Option<Done>, SafetyError>;
 
 impl Maker<'_> {
     /// A trial of a model from its start; `changed` says that it is not the scene as it stands.
-    pub fn anew(
+    pub(super) fn anew(
         &self,
         (setup, plan): (Setup, Plan),
         value: f64,
@@ -105,7 +105,7 @@ impl Maker<'_> {
     }
 
     /// A trial that goes on from `state` with strengths divided by `by`, to those of `value`.
-    pub fn weaker(
+    pub(super) fn weaker(
         &self,
         state: &Snapshot,
         plan: &Plan,

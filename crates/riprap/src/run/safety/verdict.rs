@@ -30,7 +30,7 @@ pub enum Mechanism {
 }
 
 /// One look at a trial.
-pub struct Look {
+pub(super) struct Look {
     /// Steps since the trial began.
     steps: u64,
     /// Kinetic energy, J or J/m.
@@ -41,7 +41,7 @@ pub struct Look {
 
 impl Look {
     /// At the present, prepared state; the trial began at step `begin`.
-    pub fn of(simulation: &Simulation, begin: u64) -> Self {
+    pub(super) fn of(simulation: &Simulation, begin: u64) -> Self {
         let view = simulation.view();
         Self {
             steps: simulation.steps() - begin,
@@ -52,7 +52,7 @@ impl Look {
 }
 
 /// What has been seen of a trial.
-pub struct Watch {
+pub(super) struct Watch {
     moved: Option<f64>,
     looks: Vec<(u64, f64)>,
     movements: Vec<Movement>,
@@ -62,7 +62,7 @@ pub struct Watch {
 
 impl Watch {
     /// Nothing yet; `moved` as in the rules, m.
-    pub fn new(moved: Option<f64>) -> Self {
+    pub(super) fn new(moved: Option<f64>) -> Self {
         Self {
             moved,
             looks: Vec::new(),
@@ -72,7 +72,7 @@ impl Watch {
     }
 
     /// Nothing yet, of blocks that have moved before: what counts is how far they come from there.
-    pub fn from(moved: Option<f64>, before: &Look) -> Self {
+    pub(super) fn from(moved: Option<f64>, before: &Look) -> Self {
         let all = before.movements.iter();
         Self {
             base: all.map(|m| (m.block, m.shift)).collect(),
@@ -81,7 +81,7 @@ impl Watch {
     }
 
     /// Adds a look.
-    pub fn look(&mut self, look: Look) {
+    pub(super) fn look(&mut self, look: Look) {
         self.looks.push((look.steps, look.kinetic));
         self.movements = look.movements;
         // Both lists are in the order of the blocks.
@@ -102,7 +102,7 @@ impl Watch {
     }
 
     /// The block that has come farthest, and how far, m.
-    pub fn farthest(&self) -> Option<(f64, u32)> {
+    pub(super) fn farthest(&self) -> Option<(f64, u32)> {
         let all = self.movements.iter().map(|m| (length(m.shift), m.block));
         all.fold(None, |far, one| {
             if far.is_none_or(|far: (f64, u32)| one.0 > far.0) {
@@ -114,7 +114,7 @@ impl Watch {
     }
 
     /// Whether it has moved far enough to be asked; with a share, farther than that share of the size of the middle one of the blocks.
-    pub fn has_moved(&self, share: Option<f64>) -> bool {
+    pub(super) fn has_moved(&self, share: Option<f64>) -> bool {
         let of_size = |share: f64| {
             let mut sizes: Vec<f64> = self.movements.iter().map(|m| m.size).collect();
             sizes.sort_by(f64::total_cmp);
@@ -129,12 +129,12 @@ impl Watch {
     }
 
     /// Whether it moves on and on.
-    pub fn is_failing(&self) -> bool {
+    pub(super) fn is_failing(&self) -> bool {
         self.looks.len() >= FEWEST && self.has_moved(None) && grows(&self.looks)
     }
 
     /// What it is when it ends without balance: failing if it was at its end, else undecided.
-    pub fn stopped(&self) -> State {
+    pub(super) fn stopped(&self) -> State {
         if self.is_failing() {
             State::Failing
         } else {
@@ -143,7 +143,7 @@ impl Watch {
     }
 
     /// Blocks of the mechanism, the farthest first.
-    pub fn moving(&self) -> Vec<Movement> {
+    pub(super) fn moving(&self) -> Vec<Movement> {
         let far = self.farthest().map_or(0.0, |(far, _)| far);
         let mut moving: Vec<Movement> = self
             .movements
@@ -178,12 +178,12 @@ fn grows(looks: &[(u64, f64)]) -> bool {
 }
 
 /// Length of a vector.
-pub fn length(v: [f64; 3]) -> f64 {
+pub(super) fn length(v: [f64; 3]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// How the blocks of a mechanism move; `None` without any.
-pub fn mechanism(moving: &[Movement]) -> Option<Mechanism> {
+pub(super) fn mechanism(moving: &[Movement]) -> Option<Mechanism> {
     if moving.is_empty() {
         return None;
     }
