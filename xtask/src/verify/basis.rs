@@ -9,12 +9,16 @@ use super::table::scenes;
 type Concerns = fn(&str) -> bool;
 
 /// How a *Numerics* entry begins that does not concern all scenes, and the scenes that it concerns.
-const SCOPES: [(&str, Concerns); 10] = [
+const SCOPES: [(&str, Concerns); 11] = [
     ("In the plane:", |scene| !in_space(scene)),
     // Blocks with some freedoms prescribed and others not.
     ("Partly held blocks in the plane:", |scene| {
         let moved = scene.contains("motion.velocity.") && !scene.contains("motion.velocity.y");
         !in_space(scene) && (moved || scene.contains("fixed = { "))
+    }),
+    // Blocks between joints in the plane, of which slivers are merged.
+    ("Slivers in the plane:", |scene| {
+        !in_space(scene) && scene.contains("smallest_edge") && !scene.contains("voronoi")
     }),
     ("In space:", in_space),
     ("Found contact in space:", |scene| {
@@ -151,7 +155,7 @@ mod tests {
 
     #[test]
     fn an_entry_can_concern_some_scenes_only() {
-        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Joints in space that give way: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- Partly held blocks in the plane: d\n- e\n";
+        let text = "### Numerics\n- In the plane: a\n- In space: b\n- Found contact in space: c\n- Rigid joints in space: c\n- Joints in space that give way: c\n- Terrain in space: c\n- Seepage: d\n- Water: d\n- Partly held blocks in the plane: d\n- Slivers in the plane: d\n- e\n";
         let space = "[space.spatial]\n";
         assert_eq!(numerics(text, "[space.planar]"), 2);
         assert_eq!(numerics(text, "[space.planar]\nwater.seepage = {}"), 3);
@@ -159,6 +163,9 @@ mod tests {
         let held = "[space.planar]\nfixed = { y = false }\n";
         assert_eq!(numerics(text, held), 3);
         assert_eq!(numerics(text, "[space.planar]\nfixed = {}\n"), 2);
+        let cut = "[space.planar]\nsmallest_edge = 1\n";
+        assert_eq!(numerics(text, cut), 3);
+        assert_eq!(numerics(text, &format!("{cut}voronoi = {{}}")), 2);
         let moved = "[space.planar]\nmotion.velocity.x.constant = 0\n";
         assert_eq!(numerics(text, moved), 3);
         assert_eq!(
