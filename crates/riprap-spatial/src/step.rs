@@ -57,11 +57,13 @@ pub fn evaluate(
     stage(scratch, "kinematics", |scratch| change_over(world, scratch));
     // Before the search: a pair that its joint lets go must meet in this evaluation,
     // or its force would be missing for a step.
-    contacts::give_way(world, scratch);
-    deform::contact::part(world, scratch);
-    let meet = contacts::refresh(world, scratch);
-    contacts::terrain::prepare(world, scratch);
-    let deformable = deform::contact::refresh(world, scratch);
+    let [meet, deformable] = stage(scratch, "search", |scratch| {
+        contacts::give_way(world, scratch);
+        deform::contact::part(world, scratch);
+        let meet = contacts::refresh(world, scratch);
+        contacts::terrain::prepare(world, scratch);
+        [meet, deform::contact::refresh(world, scratch)]
+    });
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
     });
