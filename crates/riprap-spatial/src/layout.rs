@@ -62,7 +62,7 @@ impl Scratch {
     /// Lays out anew what depends on which patches there are, and on faces: some have come or gone (the lists are in order already) and nothing
     /// else has changed. Bits are those of [`Scratch::invalidate`]. Sums, laws of old classes and deformable blocks stay, and so do the pushes of a step under way.
     pub(crate) fn relay_patches(&mut self, world: &World) {
-        let cut = self.cut.unwrap_or_else(|| Cut::of(world.alive.len()));
+        let cut = self.cut_of(world.alive.len());
         self.tiles = Tiles::new(world, cut);
         let drag_slots = if self.drag.is_empty() {
             0
@@ -98,10 +98,16 @@ impl Scratch {
         self.rebuild(world, Vec::new());
     }
 
+    /// How a model of so many blocks is cut: as it was asked for, or as suits the threads.
+    fn cut_of(&self, blocks: usize) -> Cut {
+        let threads = self.exec.threads();
+        self.cut.unwrap_or_else(|| Cut::of(blocks, threads))
+    }
+
     /// Lays everything out; `classes` of deformable blocks, the first ones, are taken over.
     fn rebuild(&mut self, world: &World, classes: Vec<BlockClass>) {
         let blocks = world.alive.len();
-        self.tiles = Tiles::new(world, self.cut.unwrap_or_else(|| Cut::of(blocks)));
+        self.tiles = Tiles::new(world, self.cut_of(blocks));
         let groups = self.tiles.groups();
         self.net = Sums::zeros(blocks);
         self.drag = Sums::default();

@@ -36,9 +36,9 @@ use super::world::{PatchClass, Patches, World};
 /// (a lattice of 262,144 blocks takes a fifth more time with 2048).
 const LARGEST_PIECE: usize = 16384;
 
-/// Pieces that a model should have, several for each thread, unless they get larger than that. More of them would send more
-/// patches through slots.
+/// Fewest pieces that a model should have, and pieces for each thread: more of them would send more patches through slots.
 const PIECES: usize = 16;
+const PIECES_A_THREAD: usize = 4;
 
 /// Group of a block.
 #[inline]
@@ -57,10 +57,11 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// The cut that suits a model of so many blocks.
+    /// The cut that suits a model of so many blocks on so many threads.
     #[must_use]
-    pub fn of(blocks: usize) -> Self {
-        let piece = blocks.div_ceil(PIECES).next_multiple_of(GROUP);
+    pub fn of(blocks: usize, threads: usize) -> Self {
+        let pieces = PIECES.max(PIECES_A_THREAD * threads);
+        let piece = blocks.div_ceil(pieces).next_multiple_of(GROUP);
         Self {
             piece: piece.clamp(GROUP, LARGEST_PIECE),
             packet: LANES,

@@ -29,6 +29,7 @@ mod remnant;
 pub mod ridges;
 pub mod search;
 pub mod shape;
+pub(crate) mod springs;
 pub mod sums;
 pub mod surface;
 pub mod terrain;

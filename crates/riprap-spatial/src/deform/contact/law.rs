@@ -14,7 +14,7 @@ use riprap_geom::Vec3;
 
 use crate::found::ContactLaw;
 use crate::found::cells::{Member, Spot};
-use crate::found::friction::{shrunk, turned};
+use crate::found::springs::{shrunk, turned};
 use crate::found::tetra::Piece;
 use crate::laws::mohr_coulomb::shear_limit;
 use crate::state::bodies::Bodies;
