@@ -150,20 +150,23 @@ impl<'a> Freedoms<'a> {
     }
 
     /// Displacement of a point, m.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn displacement(&self, anchor: &Anchor) -> Vec3 {
         match anchor {
             Anchor::Nodes { nodes, weights } => weighted(self.displacement, nodes, weights),
-            Anchor::Block { block, arm } => {
-                let b = *block as usize;
-                let turning = match &self.turned[b] {
-                    Some(turned) => turned.attitude * *arm - *arm,
-                    None => self.bodies.rotation(b).cross(*arm),
-                };
-                self.bodies.displacement(b) + turning
-            }
+            Anchor::Block { block, arm } => self.displacement_on_block(*block as usize, *arm),
         }
+    }
+
+    // A call of its own, so that the loops over the points of bonds, nearly all on nodes, take in the rest.
+    #[inline(never)]
+    fn displacement_on_block(&self, b: usize, arm: Vec3) -> Vec3 {
+        let turning = match &self.turned[b] {
+            Some(turned) => turned.attitude * arm - arm,
+            None => self.bodies.rotation(b).cross(arm),
+        };
+        self.bodies.displacement(b) + turning
     }
 
     /// Velocity of a point half a step ago, m/s.
@@ -181,7 +184,7 @@ impl<'a> Freedoms<'a> {
     }
 
     /// Displacement of the second point less that of the first, m.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn jump(&self, [a, b]: &[Anchor; 2]) -> Vec3 {
         self.displacement(b) - self.displacement(a)
@@ -236,14 +239,21 @@ impl<'a> Freedoms<'a> {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn weighted(lists: &[[f64; 3]], nodes: &[u32; 3], weights: &[f64; 3]) -> Vec3 {
+    let [i, j, k] = *nodes;
+    let a = &lists[i as usize];
     if *weights == [1.0, 0.0, 0.0] {
-        return Vec3::from_array(lists[nodes[0] as usize]);
+        return Vec3::from_array(*a);
     }
-    let [a, b, c] = nodes.map(|n| lists[n as usize]);
+    let (b, c) = (&lists[j as usize], &lists[k as usize]);
     let [p, q, r] = *weights;
-    Vec3::from_array([0, 1, 2].map(|k| p * a[k] + q * b[k] + r * c[k]))
+    // Written out: `map` of arrays became a call in the loop over the points of bonds.
+    Vec3::new(
+        p * a[0] + q * b[0] + r * c[0],
+        p * a[1] + q * b[1] + r * c[1],
+        p * a[2] + q * b[2] + r * c[2],
+    )
 }
 
 #[cfg(test)]
