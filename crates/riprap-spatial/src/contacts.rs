@@ -483,7 +483,7 @@ fn incidence(world: &World, desk: &mut Desk) {
         }
     }
     desk.first_pair = counts;
-    desk.acting = vec![Acting::default(); world.alive.len()];
+    desk.acting = vec![Acting::default(); desk.blocks.len()];
 }
 
 /// Largest step that found contacts allow, s: stability of those that can touch, and no step in which two blocks could pass through

@@ -17,7 +17,7 @@
 use riprap_geom::Vec3;
 
 use super::boundary;
-use super::found::desk::Acting as Found;
+use super::found::desk::OnBlocks;
 use super::kick::{Acting, Kick, Moving};
 use super::lanes::{LANES, Lanes, Width};
 use super::patch::Poses;
@@ -92,7 +92,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         tiles: &scratch.tiles,
         slots: &scratch.slots,
         pushes: &scratch.pushes,
-        found: &scratch.desk.acting,
+        found: scratch.desk.exerted_on_blocks(world.has_terrain()),
         plain: scratch.plain(),
         width: scratch.width,
     };
@@ -131,8 +131,8 @@ struct Gathering<'a> {
     tiles: &'a Tiles,
     slots: &'a [Sums; 2],
     pushes: &'a Pushes,
-    /// What found contacts do to each block; empty without any.
-    found: &'a [Found],
+    /// What found contacts and terrain do to each block.
+    found: OnBlocks<'a>,
     /// Whether blocks in rows need nothing but gravity and water.
     plain: bool,
     width: Width,
@@ -369,8 +369,8 @@ impl Gathering<'_> {
             weight + load.force + other.force,
             load.moment + other.moment,
         );
-        let found = self.found.get(b);
-        if let Some(found) = found {
+        let found = self.found.of(b);
+        if let Some(found) = &found {
             for share in [&found.elastic, &found.spring] {
                 net[0].add(b - base, share.force, share.moment);
             }
@@ -406,7 +406,7 @@ impl Gathering<'_> {
         let change = self
             .kick
             .works(b, &moving, &acting, loads, arrival, departure);
-        if let Some(found) = found {
+        if let Some(found) = &found {
             let [before, after] = self.kick.half;
             let power = |v: Vec3, w: Vec3| found.elastic.force.dot(v) + found.elastic.moment.dot(w);
             // What the pressure stores is what has been done against it, hence the sign.

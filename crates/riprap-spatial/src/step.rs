@@ -86,7 +86,7 @@ pub fn evaluate(
     }
     if world.has_terrain() {
         stage(scratch, "terrain", |scratch| {
-            contacts::terrain::act(world, scratch, meet);
+            contacts::terrain::act(world, scratch);
         });
     }
     // Only now is it known how deep blocks lie in each other, whose energy is part of that of the start.

@@ -366,7 +366,6 @@ impl Evaluation<'_> {
 fn sum(desk: &mut Desk, exec: &Exec) {
     let Desk {
         acting,
-        place,
         first_pair,
         incidence,
         slots,
@@ -374,12 +373,9 @@ fn sum(desk: &mut Desk, exec: &Exec) {
         ..
     } = desk;
     exec.chunks(acting, |first, chunk| {
-        for (at, acting) in place[first..].iter().zip(chunk) {
-            if *at == u32::MAX {
-                continue;
-            }
+        for (ends, acting) in first_pair[first..].windows(2).zip(chunk) {
             *acting = Acting::default();
-            let pairs = first_pair[*at as usize] as usize..first_pair[*at as usize + 1] as usize;
+            let pairs = ends[0] as usize..ends[1] as usize;
             for &(k, second) in &incidence[pairs] {
                 let k = k as usize;
                 if let Some(by) = exerted(groups, &slots[k], k) {

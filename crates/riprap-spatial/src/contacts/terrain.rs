@@ -41,24 +41,15 @@ impl World {
     }
 }
 
-/// What terrain does to all blocks, added to what found contacts do; `met` says whether those were found in this step.
-pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
+/// Finds what terrain does to all blocks.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let n = world.alive.len();
     let Desk {
         shapes,
         glued,
-        acting,
-        place,
         terrain: desk,
         ..
     } = &mut scratch.desk;
-    acting.resize(n, Acting::default());
-    // Blocks without pairs still have what terrain did to them before.
-    for (b, acting) in acting.iter_mut().enumerate() {
-        if !met || place.get(b).is_none_or(|place| *place == u32::MAX) {
-            *acting = Acting::default();
-        }
-    }
     world.found.terrain.resize_with(n, OnTerrain::default);
     desk.exerted.resize(n, Acting::default());
     desk.workspaces
@@ -101,11 +92,6 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, met: bool) {
     for &b in desk.workspaces.iter().flat_map(|workspace| &workspace.left) {
         let event = world.event(EditKind::LeftTerrain, b);
         world.events.push(event);
-    }
-    for (acting, exerted) in acting.iter_mut().zip(&desk.exerted) {
-        acting.elastic.plus(&exerted.elastic);
-        acting.spring.plus(&exerted.spring);
-        acting.drag.plus(&exerted.drag);
     }
     let limit = longest_step(world, &scratch.desk);
     world.found.longest_step = world.found.longest_step.map(|step| step.min(limit));

@@ -61,7 +61,7 @@ pub struct Desk {
     pub incidence: Vec<(u32, bool)>,
     /// Where the pairs of each of `blocks` begin; one entry more.
     pub first_pair: Vec<u32>,
-    /// What acts on each block of the model; empty without pairs.
+    /// What their pairs do to each of `blocks`.
     pub acting: Vec<Acting>,
     /// Workspace of each piece of the pairs.
     pub workspaces: Vec<Workspace>,
@@ -106,6 +106,15 @@ impl Desk {
         let class = class as usize;
         let glued = self.glued.get(class);
         glued.map_or(self.shapes[class].inradius, |glued| glued.inradius)
+    }
+
+    /// What acts on the blocks of the model; `terrain`: whether there is any.
+    pub(crate) fn exerted_on_blocks(&self, terrain: bool) -> OnBlocks<'_> {
+        OnBlocks {
+            place: &self.place,
+            acting: &self.acting,
+            terrain: if terrain { &self.terrain.exerted } else { &[] },
+        }
     }
 
     /// What pair `k` exerts, if it does.
@@ -356,6 +365,33 @@ pub struct Acting {
     pub spring: Share,
     /// Dashpots.
     pub drag: Share,
+}
+
+/// What found contacts and terrain do to the blocks of a model.
+pub(crate) struct OnBlocks<'a> {
+    /// Place in `acting`, per block; empty where nothing is looked for.
+    place: &'a [u32],
+    acting: &'a [Acting],
+    /// Per block; empty without terrain.
+    terrain: &'a [Acting],
+}
+
+impl OnBlocks<'_> {
+    /// What they do to a block, nil where none is near; `None` where nothing is looked for.
+    pub(crate) fn of(&self, b: usize) -> Option<Acting> {
+        let (place, terrain) = (self.place.get(b), self.terrain.get(b));
+        if place.is_none() && terrain.is_none() {
+            return None;
+        }
+        let pairs = place.and_then(|at| self.acting.get(*at as usize));
+        let mut all = pairs.copied().unwrap_or_default();
+        if let Some(terrain) = terrain {
+            all.elastic.plus(&terrain.elastic);
+            all.spring.plus(&terrain.spring);
+            all.drag.plus(&terrain.drag);
+        }
+        Some(all)
+    }
 }
 
 /// Workspace of pairs with blocks of glued parts.
