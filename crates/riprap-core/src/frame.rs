@@ -36,22 +36,22 @@ impl Column {
     }
 
     /// One vector per item.
-    pub fn vector(name: &str, unit: &str, data: &[[f64; 2]]) -> Self {
+    pub fn vector(name: &str, unit: &str, data: impl Into<Vec<[f64; 2]>>) -> Self {
         Column {
             name: name.to_owned(),
             unit: unit.to_owned(),
             components: 2,
-            data: data.as_flattened().to_vec(),
+            data: data.into().into_flattened(),
         }
     }
 
     /// One vector in space per item.
-    pub fn vector3(name: &str, unit: &str, data: &[[f64; 3]]) -> Self {
+    pub fn vector3(name: &str, unit: &str, data: impl Into<Vec<[f64; 3]>>) -> Self {
         Column {
             name: name.to_owned(),
             unit: unit.to_owned(),
             components: 3,
-            data: data.as_flattened().to_vec(),
+            data: data.into().into_flattened(),
         }
     }
 

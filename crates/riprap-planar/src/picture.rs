@@ -43,7 +43,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     };
     let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec2| {
         let data: Vec<[f64; 2]> = living.iter().map(|&b| get(b).into()).collect();
-        Column::vector(name, unit, &data)
+        Column::vector(name, unit, data)
     };
     let (slice, unit) = forces(view);
     frame.block_columns = vec![
@@ -85,7 +85,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             frame.contact_columns.push(column);
             let flow = |r: &Row| slice * world.seepage_flow(between(r), r.place);
             let flows: Vec<[f64; 2]> = rows.iter().map(|r| flow(r).into()).collect();
-            let column = Column::vector(SEEPAGE_FLOW, unit, &flows);
+            let column = Column::vector(SEEPAGE_FLOW, unit, flows);
             frame.contact_columns.push(column);
         }
     }
@@ -200,7 +200,7 @@ fn contact_columns(rows: &[Row], slice: f64, unit: &str) -> Vec<Column> {
     vec![
         column("block_a", "-", &|r| f64::from(r.blocks[0])),
         column("block_b", "-", &|r| f64::from(r.blocks[1])),
-        Column::vector("force_on_a", unit, &forces),
+        Column::vector("force_on_a", unit, forces),
         column("normal_force", unit, &|r| slice * r.normal),
         column("shear_force", unit, &|r| slice * r.shear),
         column("length", "m", &|r| r.length),

@@ -225,7 +225,7 @@ mod tests {
             block_columns: vec![Column::vector(
                 "displacement",
                 "m",
-                &[[0.0, 0.0], [10.0, 0.0]],
+                [[0.0, 0.0], [10.0, 0.0]],
             )],
             ..Frame::default()
         };

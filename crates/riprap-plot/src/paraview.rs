@@ -147,6 +147,7 @@ fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use riprap_record::exec::Exec;
     use riprap_record::folder::{Existing, RunFolder};
     use riprap_testkit::{sample, solid_sample};
 
@@ -169,13 +170,13 @@ mod tests {
                 Err(PlotError::NoFrames { .. })
             ));
             let by = frame.block_columns[0].name.clone();
-            run.frame(&frame).unwrap();
+            run.frame(&frame, &Exec::serial()).unwrap();
             let path = write(&folder, View { by: &by, ..view }).unwrap();
             let text = std::fs::read_to_string(path).unwrap();
             assert!(text.contains(planar) && text.contains("EXAGGERATION = 10.0"));
             assert!(text.contains("BY_STEP = False") && text.contains("CRACKED = False"));
             // A second frame at the same time: frames are counted.
-            run.frame(&frame).unwrap();
+            run.frame(&frame, &Exec::serial()).unwrap();
             let path = write(&folder, View { by: &by, ..view }).unwrap();
             let text = std::fs::read_to_string(path).unwrap();
             let said = format!(

@@ -311,7 +311,7 @@ fn picked(column: &Column, kept: &[usize], [h, v]: [usize; 2]) -> Column {
         .iter()
         .map(|&i| [column.data[3 * i + h], column.data[3 * i + v]])
         .collect();
-    Column::vector(&column.name, &column.unit, &data)
+    Column::vector(&column.name, &column.unit, data)
 }
 
 /// A frame in the plane with displacements and rotations multiplied; contacts and bolts go with their blocks.
@@ -362,7 +362,7 @@ mod tests {
                 Column::vector3(
                     "normal",
                     "-",
-                    &[
+                    [
                         [1.0, 0.0, 0.0],
                         [1.0, 0.0, 0.0],
                         [0.0, 1.0, 0.0],
@@ -402,8 +402,8 @@ mod tests {
                 Column::scalar("block_a", "-", vec![7.0]),
                 Column::scalar("broken_points", "-", vec![4.0]),
                 Column::scalar("area", "m2", vec![1.0]),
-                Column::vector3("normal", "-", &[[1.0, 0.0, 0.0]]),
-                Column::vector3(SEEPAGE_FLOW, "m3/s", &[[0.0, 0.0, 1.0]]),
+                Column::vector3("normal", "-", [[1.0, 0.0, 0.0]]),
+                Column::vector3(SEEPAGE_FLOW, "m3/s", [[0.0, 0.0, 1.0]]),
             ],
             offsets: vec![0, 0],
             block_columns: vec![Column::scalar("block", "-", vec![7.0])],
@@ -439,7 +439,7 @@ mod tests {
         let frame = Frame {
             points: vec![[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]],
             offsets: vec![0, 3],
-            block_columns: vec![Column::vector("displacement", "m", &[[1.0, 0.0]])],
+            block_columns: vec![Column::vector("displacement", "m", [[1.0, 0.0]])],
             contact_points: vec![[1.5, 0.0, 0.0]],
             contact_columns: vec![Column::scalar("block_a", "-", vec![0.0])],
             ..Frame::default()

@@ -4,6 +4,7 @@ mod blast;
 mod shapes;
 
 use super::*;
+use riprap_record::exec::Exec;
 use riprap_record::folder::{Existing, RunFolder};
 use riprap_record::frame::Frame;
 use riprap_record::table::Table;
@@ -27,11 +28,14 @@ fn run(dir: &Path) -> PathBuf {
             .unwrap();
         run.energy_row(u64::from(i), t, &[5e6 * t, 0.0, 1e-9])
             .unwrap();
-        run.frame(&Frame {
-            time: t,
-            step: u64::from(i),
-            ..sample()
-        })
+        run.frame(
+            &Frame {
+                time: t,
+                step: u64::from(i),
+                ..sample()
+            },
+            &Exec::serial(),
+        )
         .unwrap();
     }
     path
@@ -282,7 +286,7 @@ fn arrows_of_flow_begin_at_joints() {
         ..Frame::default()
     };
     let flows = [[0.0, 2e-6], [1e-6, 0.0]];
-    let column = riprap_record::frame::Column::vector("seepage_flow", "m2/s", &flows);
+    let column = riprap_record::frame::Column::vector("seepage_flow", "m2/s", flows);
     frame.contact_columns = vec![column];
     let longest = arrows::longest(std::slice::from_ref(&frame), Some(Vectors::Flow));
     assert_eq!(longest, 2e-6);
@@ -314,7 +318,7 @@ fn one_block_that_flies_off_does_not_shorten_the_other_arrows() {
         frame.offsets.push(frame.points.len() as u32);
     }
     frame.block_columns = vec![riprap_record::frame::Column::vector(
-        "velocity", "m/s", &speeds,
+        "velocity", "m/s", speeds,
     )];
     let frames = [frame];
     let longest = arrows::longest(&frames, Some(Vectors::Velocity));

@@ -11,6 +11,7 @@ use super::frame::Frame;
 use super::manifest::{Manifest, ManifestError};
 use super::names::Names;
 use super::vtu;
+use riprap_core::exec::Exec;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io;
@@ -399,28 +400,28 @@ impl RunFolder {
         names.write(&self.path)
     }
 
-    /// Writes a frame (two `.vtu` files) and then names it in the two `.pvd` files.
+    /// Writes a frame (two `.vtu` files), compressed by the threads of `exec`, and then names it in the two `.pvd` files.
     ///
     /// # Errors
     /// The disk, or a frame whose parts do not fit together.
-    pub fn frame(&mut self, frame: &Frame) -> Result<&FrameEntry, OutputError> {
+    pub fn frame(&mut self, frame: &Frame, exec: &Exec) -> Result<&FrameEntry, OutputError> {
         let index = self.frames.last().map_or(1, |f| f.index + 1);
         let (blocks, contacts) = (
             self.path.join(block_file(index)),
             self.path.join(contact_file(index)),
         );
-        write_whole(&blocks, &vtu::blocks(frame).at(&blocks)?)?;
-        write_whole(&contacts, &vtu::contacts(frame).at(&contacts)?)?;
+        write_whole(&blocks, &vtu::blocks(frame, exec).at(&blocks)?)?;
+        write_whole(&contacts, &vtu::contacts(frame, exec).at(&contacts)?)?;
         let cracks = self.path.join(crack_file(index));
-        if let Some(bytes) = vtu::cracks(frame).at(&cracks)? {
+        if let Some(bytes) = vtu::cracks(frame, exec).at(&cracks)? {
             write_whole(&cracks, &bytes)?;
         }
         let bolts = self.path.join(bolt_file(index));
-        if let Some(bytes) = vtu::bolts(frame).at(&bolts)? {
+        if let Some(bytes) = vtu::bolts(frame, exec).at(&bolts)? {
             write_whole(&bolts, &bytes)?;
         }
         let tetrahedra = self.path.join(tetrahedron_file(index));
-        if let Some(bytes) = vtu::tetrahedra(frame).at(&tetrahedra)? {
+        if let Some(bytes) = vtu::tetrahedra(frame, exec).at(&tetrahedra)? {
             write_whole(&tetrahedra, &bytes)?;
         }
         self.frames.push(FrameEntry {

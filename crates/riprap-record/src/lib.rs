@@ -31,7 +31,7 @@ pub mod vtu;
 
 mod disk;
 
-pub use riprap_core::{field, frame};
+pub use riprap_core::{exec, field, frame};
 
 pub use disk::{OutputError, open_plain, read_plain, read_plain_text, write_whole};
 pub use field::{FieldError, FieldInfo, Part, Shape, Site};

@@ -1,5 +1,6 @@
 //! Runs for tests.
 
+use riprap_record::exec::Exec;
 use riprap_record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
 use std::path::Path;
 
@@ -20,11 +21,11 @@ pub(crate) fn write_run(path: &Path, frames: usize) {
             offsets: vec![0, 3],
             block_columns: vec![
                 Column::scalar("block", "-", vec![0.0]),
-                Column::vector("displacement", "m", &[[shift, 0.0]]),
+                Column::vector("displacement", "m", [[shift, 0.0]]),
             ],
             ..Frame::default()
         };
-        run.frame(&frame).unwrap();
+        run.frame(&frame, &Exec::serial()).unwrap();
     }
     manifest.ended = Ended::Finished;
     run.write_manifest(&manifest).unwrap();

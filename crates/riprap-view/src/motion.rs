@@ -187,8 +187,8 @@ mod tests {
             }),
             block_columns: vec![
                 Column::scalar("block", "-", vec![3.0, 5.0]),
-                Column::vector3("displacement", "m", &[[0.0; 3], shift.to_array()]),
-                Column::vector3("rotation", "rad", &[[0.0; 3], turn.to_array()]),
+                Column::vector3("displacement", "m", [[0.0; 3], shift.to_array()]),
+                Column::vector3("rotation", "rad", [[0.0; 3], turn.to_array()]),
             ],
             ..Frame::default()
         }

@@ -1,5 +1,6 @@
 //! The server as a browser, a stranger and a person with a broken folder meet it.
 
+use riprap_record::exec::Exec;
 use riprap_record::frame::{BRICK, Solids};
 use riprap_record::names::Names;
 use riprap_record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
@@ -39,14 +40,14 @@ fn row(bricks: usize, k: usize) -> Frame {
     });
     frame.block_columns = vec![
         Column::scalar("block", "-", (0..bricks).map(|b| b as f64).collect()),
-        Column::vector3("displacement", "m", &shifts),
+        Column::vector3("displacement", "m", shifts),
     ];
     frame.contact_points = vec![[1000.5, 0.0, 0.0]];
     frame.contact_columns = vec![
         Column::scalar("block_a", "-", vec![0.0]),
         Column::scalar("block_b", "-", vec![1.0]),
         Column::scalar("broken_points", "-", vec![2.0]),
-        Column::vector3("force_on_a", "N", &[[5.0, 0.0, 0.0]]),
+        Column::vector3("force_on_a", "N", [[5.0, 0.0, 0.0]]),
     ];
     frame
 }
@@ -62,7 +63,7 @@ fn write_run(path: &Path, frames: usize) {
         .unwrap();
     run.begin_histories(&[("slip", "m")]).unwrap();
     for k in 0..frames {
-        run.frame(&row(4, k)).unwrap();
+        run.frame(&row(4, k), &Exec::serial()).unwrap();
         run.history_row(10 * k as u64, 1e-3 * k as f64, &[Some(0.5)])
             .unwrap();
     }

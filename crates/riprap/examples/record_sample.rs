@@ -9,6 +9,7 @@
     reason = "no result of a model: inputs of a timing"
 )]
 
+use riprap::exec::Exec;
 use riprap::plot::{self, BlockOptions, Labels, Line, Which};
 use riprap::record::table::Table;
 use riprap::record::{Column, Ended, Existing, Frame, Manifest, RunFolder};
@@ -86,11 +87,11 @@ fn frame(step: u64, time: f64, blocks: usize) -> Frame {
         .map(|p| [1e4 * (1.0 + p[0]), -2e3 * time])
         .collect();
     frame.block_columns = vec![
-        Column::vector("displacement", "m", &moves),
-        Column::vector("velocity", "m/s", &speeds),
+        Column::vector("displacement", "m", moves),
+        Column::vector("velocity", "m/s", speeds),
         Column::scalar("rotation", "rad", turns),
     ];
-    frame.contact_columns = vec![Column::vector("force", "N/m", &force)];
+    frame.contact_columns = vec![Column::vector("force", "N/m", force)];
     frame
 }
 
@@ -142,7 +143,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         if step % 500 == 0 {
             let f = frame(step, t, 13);
-            run.frame(&f)?;
+            run.frame(&f, &Exec::serial())?;
             let areas: Vec<f64> = (0..f.blocks()).map(|i| area(f.outline(i))).collect();
             let largest = |c: &Column| {
                 c.numbers(riprap::record::Part::Whole)

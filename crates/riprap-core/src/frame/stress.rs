@@ -54,8 +54,8 @@ pub fn in_space(stresses: &[Mat3]) -> [Column; 2] {
         stresses.iter().map(shear).collect(),
     ];
     [
-        Column::vector3(NORMAL, "Pa", &normal),
-        Column::vector3(SHEAR, "Pa", &shear),
+        Column::vector3(NORMAL, "Pa", normal),
+        Column::vector3(SHEAR, "Pa", shear),
     ]
 }
 
@@ -64,7 +64,7 @@ pub fn in_space(stresses: &[Mat3]) -> [Column; 2] {
 pub fn in_plane(stresses: &[[f64; 3]]) -> [Column; 2] {
     let normal: Vec<[f64; 2]> = stresses.iter().map(|s| [s[0], s[1]]).collect();
     [
-        Column::vector(NORMAL, "Pa", &normal),
+        Column::vector(NORMAL, "Pa", normal),
         Column::scalar(SHEAR, "Pa", stresses.iter().map(|s| s[2]).collect()),
     ]
 }

@@ -2,6 +2,7 @@
 
 use super::svg;
 use crate::*;
+use riprap_record::exec::Exec;
 use riprap_record::folder::{Existing, RunFolder};
 use riprap_record::frame::{BRICK, Column, Frame, Solids};
 use riprap_record::manifest::{Manifest, Place, Source};
@@ -91,9 +92,9 @@ fn frame(time: f64, step: u64) -> Frame {
     f.block_columns = vec![
         Column::scalar("block", "-", (0..blocks).map(|i| i as f64).collect()),
         Column::scalar("level", "-", level),
-        Column::vector3("displacement", "m", &u),
-        Column::vector3("rotation", "rad", &vec![[0.0; 3]; blocks]),
-        Column::vector3("velocity", "m/s", &v),
+        Column::vector3("displacement", "m", u),
+        Column::vector3("rotation", "rad", vec![[0.0; 3]; blocks]),
+        Column::vector3("velocity", "m/s", v),
         Column::scalar("peak_speed", "m/s", ppv),
         Column::scalar("surface", "-", top),
     ];
@@ -118,8 +119,11 @@ pub(super) fn blast(dir: &Path) -> PathBuf {
     };
     let mut run = RunFolder::create(&path, Existing::Refuse, &manifest).unwrap();
     for k in 1..=8u32 {
-        run.frame(&frame(2.5e-3 * f64::from(k), u64::from(k) * 100))
-            .unwrap();
+        run.frame(
+            &frame(2.5e-3 * f64::from(k), u64::from(k) * 100),
+            &Exec::serial(),
+        )
+        .unwrap();
     }
     run.begin_histories(&[
         ("charge.pressure", "Pa"),

@@ -3,6 +3,7 @@
 use super::svg;
 use crate::*;
 use riprap_geom::Vec3;
+use riprap_record::exec::Exec;
 use riprap_record::folder::{Existing, RunFolder};
 use riprap_record::frame::{BRICK, Column, Frame, Solids, Surfaces};
 use riprap_record::manifest::Manifest;
@@ -18,7 +19,7 @@ fn folder(dir: &Path, frames: &[Frame]) -> (RunFolder, PathBuf) {
     };
     let mut run = RunFolder::create(&path, Existing::Refuse, &manifest).unwrap();
     for frame in frames {
-        run.frame(frame).unwrap();
+        run.frame(frame, &Exec::serial()).unwrap();
     }
     (run, path)
 }
@@ -171,7 +172,7 @@ fn tensors_are_drawn_by_component_only() {
     frame.block_columns.push(Column::vector(
         "stress_normal",
         "Pa",
-        &[[-1e6, -2e6], [3e6, 4e6]],
+        [[-1e6, -2e6], [3e6, 4e6]],
     ));
     let (_, path) = folder(dir.path(), &[frame]);
     let out = dir.path().join("b");

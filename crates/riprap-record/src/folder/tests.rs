@@ -43,11 +43,14 @@ fn steps(run: &mut RunFolder, range: std::ops::Range<u64>) {
         if step % 3 == 0 {
             run.event(&serde_json::json!({"step": step, "event": "contact broken"}))
                 .unwrap();
-            run.frame(&Frame {
-                step,
-                time,
-                ..sample()
-            })
+            run.frame(
+                &Frame {
+                    step,
+                    time,
+                    ..sample()
+                },
+                &Exec::serial(),
+            )
             .unwrap();
         }
         if step % 4 == 0 {
@@ -218,7 +221,7 @@ fn what_was_begun_and_not_computed_is_no_hindrance() {
         ("row", |_, run| run.history_row(0, 0.0, &[None]).unwrap()),
         ("event", |_, run| run.event(&1).unwrap()),
         ("frame", |_, run| {
-            run.frame(&sample()).unwrap();
+            run.frame(&sample(), &Exec::serial()).unwrap();
         }),
         ("checkpoint", |_, run| {
             run.checkpoint("test", 0, &0).unwrap();

@@ -59,13 +59,14 @@ pub fn read_moment(path: &Path) -> Result<Moment, ReadError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exec::Exec;
     use riprap_testkit::sample;
 
     #[test]
     fn the_moment_stands_at_the_head() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("frame.vtu");
-        let bytes = super::super::blocks(&sample()).unwrap();
+        let bytes = super::super::blocks(&sample(), &Exec::serial()).unwrap();
         std::fs::write(&path, &bytes).unwrap();
         let moment = read_moment(&path).unwrap();
         assert_eq!((moment.time, moment.step), (0.125, 120));

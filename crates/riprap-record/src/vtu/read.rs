@@ -280,10 +280,10 @@ pub(super) fn array(
             let column = if t.attribute("NumberOfComponents").as_deref() == Some("3") {
                 let vectors = triples(&values, items, &name)?;
                 if out.dimension == 3 {
-                    Column::vector3(&name, &unit, &vectors)
+                    Column::vector3(&name, &unit, vectors)
                 } else {
                     let flat: Vec<[f64; 2]> = vectors.iter().map(|v| [v[0], v[1]]).collect();
-                    Column::vector(&name, &unit, &flat)
+                    Column::vector(&name, &unit, flat)
                 }
             } else if values.len() == items {
                 Column::scalar(&name, &unit, values)

@@ -33,6 +33,12 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         ends: vec![0],
         corners: Vec::new(),
     };
+    let corners = living.iter().map(|&b| match &world.setup.blocks[b].shape {
+        Shape::Polyhedron(solid) => solid.vertices.len(),
+        // Few are glued, and terrain is rare.
+        Shape::Brick { .. } | Shape::Glued(_) | Shape::Terrain(_) => BRICK.len(),
+    });
+    frame.points.reserve(corners.sum());
     for &b in &living {
         put_block(view, b, &mut frame, &mut solids);
     }
@@ -67,7 +73,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             frame.contact_columns.push(rates);
             frame
                 .contact_columns
-                .push(Column::vector3(SEEPAGE_FLOW, "m2/s", &flows));
+                .push(Column::vector3(SEEPAGE_FLOW, "m2/s", flows));
         }
     }
     frame.cracks = crate::read::cracks::surfaces(view);
@@ -145,16 +151,19 @@ fn put_faces(solid: &Solid, solids: &mut Solids) {
 
 fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
     let world = view.world;
-    let stresses = view.stresses();
+    let stresses: Vec<Mat3> = {
+        let all = view.stresses();
+        living.iter().map(|&b| all[b]).collect()
+    };
     let surface = view.surface();
     let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
         Column::scalar(name, unit, living.iter().map(|&b| get(b)).collect())
     };
     let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec3| {
         let data: Vec<[f64; 3]> = living.iter().map(|&b| get(b).to_array()).collect();
-        Column::vector3(name, unit, &data)
+        Column::vector3(name, unit, data)
     };
-    let ends: Vec<[f64; 3]> = living.iter().map(|&b| principal(&stresses[b])).collect();
+    let ends: Vec<[f64; 3]> = stresses.iter().map(principal).collect();
     let broken = broken_shares(view);
     let mut columns = vec![
         scalar("block", "-", &|b| b as f64),
@@ -187,7 +196,6 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
             f64::from(u8::from(world.motion[b].is_some()))
         }),
     ];
-    let stresses: Vec<Mat3> = living.iter().map(|&b| stresses[b]).collect();
     columns.extend(stress::in_space(&stresses));
     columns
 }
@@ -347,14 +355,14 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
     frame.contact_columns = vec![
         column("block_a", "-", &|k| f64::from(list.ends[chosen[k]][0])),
         column("block_b", "-", &|k| f64::from(list.ends[chosen[k]][1])),
-        Column::vector3("force_on_a", "N", &forces),
+        Column::vector3("force_on_a", "N", forces),
         column("normal_stress", "Pa", &|k| means[k][0]),
         column("shear_stress", "Pa", &|k| means[k][1]),
         column("area", "m2", &|k| view.patch_class(chosen[k]).area),
         column("broken_points", "-", &|k| bits(k, flag::BROKEN)),
         column("open_points", "-", &|k| bits(k, flag::OPEN)),
         column("sliding_points", "-", &|k| bits(k, flag::SLIDING)),
-        Column::vector3("normal", "-", &normals),
+        Column::vector3("normal", "-", normals),
         column("failed_area", "m2", &|k| {
             0.25 * bits(k, flag::BROKEN) * view.patch_class(chosen[k]).area
         }),

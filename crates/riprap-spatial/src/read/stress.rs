@@ -6,6 +6,13 @@ use crate::boundary;
 use crate::patch;
 use crate::read::view::View;
 
+/// Patches whose dyads are found before they are added.
+const AT_ONCE: usize = 1 << 12;
+
+fn outer(r: Vec3, f: Vec3) -> Mat3 {
+    Mat3::from_cols(f.x * r, f.y * r, f.z * r)
+}
+
 impl View<'_> {
     /// Average stress of every block, Pa, tension-positive: of a deformable one over its elements, of a rigid one `(1/V) sum r (x) f`
     /// over patches, found contacts, terrain, boundary faces, bolts and walls of cavities, symmetrised. Where water stands it is the
@@ -37,28 +44,49 @@ impl View<'_> {
         }
     }
 
+    /// `r (x) f` of each point of patch `p` on its blocks.
+    fn patch_dyads(&self, p: usize, [i, j]: [usize; 2]) -> [[Mat3; 2]; 4] {
+        let class = self.patch_class(p);
+        let points = self.patch_points(p);
+        let e = points.frame;
+        let tractions = self.tractions(p, &points);
+        std::array::from_fn(|q| {
+            let t = tractions[q];
+            let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);
+            let offset = patch::place(class, q);
+            [
+                outer(self.turned(i, class.arms[0] + offset), force),
+                outer(self.turned(j, class.arms[1] + offset), -force),
+            ]
+        })
+    }
+
     /// Hands over `r (x) f` of all that acts on the outlines of the wanted blocks, r from their centroids.
-    fn dyads(&self, wanted: &dyn Fn(usize) -> bool, put: &mut dyn FnMut(usize, Mat3)) {
+    fn dyads(&self, wanted: &(dyn Fn(usize) -> bool + Sync), put: &mut dyn FnMut(usize, Mat3)) {
         let world = self.world;
-        let outer = |r: Vec3, f: Vec3| Mat3::from_cols(f.x * r, f.y * r, f.z * r);
         let mut put = |b: usize, dyad: Mat3| {
             if wanted(b) {
                 put(b, dyad);
             }
         };
-        for p in 0..world.patches.len() {
-            let [i, j] = world.patches.ends[p].map(|b| b as usize);
-            if !wanted(i) && !wanted(j) {
-                continue;
-            }
-            let class = self.patch_class(p);
-            let points = self.patch_points(p);
-            for (q, t) in self.tractions(p, &points).iter().enumerate() {
-                let e = points.frame;
-                let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);
-                let offset = patch::place(class, q);
-                put(i, outer(self.turned(i, class.arms[0] + offset), force));
-                put(j, outer(self.turned(j, class.arms[1] + offset), -force));
+        // By all threads what a patch does, by one in the order of the patches where it goes; so many at a time that they stay in a cache.
+        let count = world.patches.len();
+        for first in (0..count).step_by(AT_ONCE) {
+            let these = count.min(first + AT_ONCE) - first;
+            let chunks = self.scratch.exec.chunked(these, |chunk| {
+                let of_patch = |p: usize| {
+                    let p = first + p;
+                    let ends = world.patches.ends[p].map(|b| b as usize);
+                    let asked = ends.iter().any(|b| wanted(*b));
+                    asked.then(|| (ends, self.patch_dyads(p, ends)))
+                };
+                chunk.filter_map(of_patch).collect::<Vec<_>>()
+            });
+            for ([i, j], dyads) in chunks.into_iter().flatten() {
+                for [on_i, on_j] in dyads {
+                    put(i, on_i);
+                    put(j, on_j);
+                }
             }
         }
         for contact in self.contacts() {

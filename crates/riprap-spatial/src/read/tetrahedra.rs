@@ -41,11 +41,11 @@ pub fn tetrahedra(view: &View<'_>) -> Option<Surfaces> {
     }
     out.columns = vec![
         Column::scalar("block", "-", blocks),
-        Column::vector3("stress_normal", "Pa", &normal),
-        Column::vector3("stress_shear", "Pa", &shear),
-        Column::vector3("principal_stress", "Pa", &main),
-        Column::vector3("strain_normal", "-", &stretch),
-        Column::vector3("strain_shear", "-", &slide),
+        Column::vector3("stress_normal", "Pa", normal),
+        Column::vector3("stress_shear", "Pa", shear),
+        Column::vector3("principal_stress", "Pa", main),
+        Column::vector3("strain_normal", "-", stretch),
+        Column::vector3("strain_shear", "-", slide),
     ];
     Some(out)
 }

@@ -217,7 +217,7 @@ impl Recorder {
             if self.tetrahedra {
                 picture.tetrahedra = view.tetrahedra();
             }
-            self.folder.frame(&picture)?;
+            self.folder.frame(&picture, view.exec())?;
             self.last_frame = Some(step);
         }
         Ok(())

@@ -2,6 +2,7 @@
 
 use super::super::{PvdEntry, blocks, contacts, read_blocks, read_frame, read_pvd, write_pvd};
 use super::*;
+use crate::exec::Exec;
 use crate::frame::Frame;
 use proptest::prelude::*;
 use riprap_testkit::{sample, solid_sample};
@@ -19,24 +20,37 @@ fn frame_round_trip() {
     odd.block_columns[0].name = "a<b & \"c\"".to_owned();
     odd.time = 1e-300;
     for frame in [sample(), Frame::default(), odd, solid_sample()] {
-        std::fs::write(&b, blocks(&frame).unwrap()).unwrap();
-        std::fs::write(&c, contacts(&frame).unwrap()).unwrap();
+        std::fs::write(&b, blocks(&frame, &Exec::serial()).unwrap()).unwrap();
+        std::fs::write(&c, contacts(&frame, &Exec::serial()).unwrap()).unwrap();
         assert_eq!(read_frame(&b, Some(&c)).unwrap(), frame);
     }
 }
 
 #[test]
-fn several_zlib_blocks() {
-    let n = 5000u32;
+fn many_zlib_blocks_are_the_same_for_any_number_of_threads() {
+    // 550 kB of points, of which hardly anything is alike: several runs of blocks.
+    let n = 23_000u32;
+    let noise = |i: u32| {
+        f64::from_bits(
+            0x3ff0_0000_0000_0000 | (u64::from(i).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 12),
+        )
+    };
     let frame = Frame {
         offsets: (0..=n).map(|i| 3 * i).collect(),
-        points: (0..3 * n)
-            .map(|i| [f64::from(i).sin(), f64::from(i).cos(), 0.0])
-            .collect(),
-        block_columns: vec![Column::scalar("id", "-", (0..n).map(f64::from).collect())],
+        points: (0..3 * n).map(|i| [noise(i), noise(i + 7), 0.0]).collect(),
+        block_columns: vec![
+            Column::scalar("id", "-", (0..n).map(f64::from).collect()),
+            Column::vector(
+                "flat",
+                "m",
+                (0..n).map(|i| [noise(i), -1.0]).collect::<Vec<_>>(),
+            ),
+        ],
         ..Frame::default()
     };
-    let v = parsed(&blocks(&frame).unwrap()).unwrap();
+    let bytes = blocks(&frame, &Exec::serial()).unwrap();
+    assert!(bytes == blocks(&frame, &Exec::new(3).unwrap()).unwrap());
+    let v = parsed(&bytes).unwrap();
     assert_eq!(v.points, frame.points);
     assert_eq!(v.cell_columns, frame.block_columns);
 }
@@ -45,7 +59,7 @@ fn several_zlib_blocks() {
 fn every_truncation_is_told_and_no_flip_panics() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("solid.vtu");
-    let bytes = blocks(&solid_sample()).unwrap();
+    let bytes = blocks(&solid_sample(), &Exec::serial()).unwrap();
     for n in 0..bytes.len() {
         let mut bad = bytes.clone();
         bad[n] ^= 1 << (n % 8);
@@ -54,7 +68,7 @@ fn every_truncation_is_told_and_no_flip_panics() {
             let _ = read_frame(&path, None);
         }
     }
-    let bytes = blocks(&sample()).unwrap();
+    let bytes = blocks(&sample(), &Exec::serial()).unwrap();
     for n in 0..bytes.len() {
         assert!(parsed(&bytes[..n]).is_err(), "{n}");
         for bit in 0..8 {
@@ -67,7 +81,7 @@ fn every_truncation_is_told_and_no_flip_panics() {
 
 #[test]
 fn messages_name_the_file_and_the_fault() {
-    let bytes = blocks(&sample()).unwrap();
+    let bytes = blocks(&sample(), &Exec::serial()).unwrap();
     let cut = parsed(&bytes[..bytes.len() - 3]).unwrap_err().to_string();
     assert!(
         cut.contains("x.vtu is damaged") && cut.contains("cut off"),
@@ -87,7 +101,7 @@ fn messages_name_the_file_and_the_fault() {
 fn a_frame_that_does_not_fit_is_refused() {
     let mut f = sample();
     f.block_columns[0].data.pop();
-    assert!(blocks(&f).is_err());
+    assert!(blocks(&f, &Exec::serial()).is_err());
 }
 
 #[test]
@@ -116,7 +130,7 @@ fn pvd_round_trip() {
 /// Golden file: the bytes of the head are part of the contract with ParaView.
 #[test]
 fn golden_head() {
-    let bytes = blocks(&sample()).unwrap();
+    let bytes = blocks(&sample(), &Exec::serial()).unwrap();
     let at = bytes.windows(2).position(|w| w == b"\n_").unwrap();
     let head = str::from_utf8(&bytes[..at]).unwrap();
     let expected = include_str!("../golden_head.xml");
@@ -130,7 +144,7 @@ proptest! {
         data in proptest::collection::vec(any::<u8>(), 0..200),
         real in 0usize..3,
     ) {
-        let good = blocks(&sample()).unwrap();
+        let good = blocks(&sample(), &Exec::serial()).unwrap();
         let at = good.windows(2).position(|w| w == b"\n_").unwrap() + 2;
         let mut bytes = if real == 0 { head.into_bytes() } else { good[..at].to_vec() };
         bytes.extend(data);
@@ -146,7 +160,7 @@ fn only_what_is_wanted_is_unpacked() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("b.vtu");
     let whole = solid_sample();
-    std::fs::write(&path, blocks(&whole).unwrap()).unwrap();
+    std::fs::write(&path, blocks(&whole, &Exec::serial()).unwrap()).unwrap();
     let level = Wanted {
         geometry: false,
         column: &|name| name == "level",
@@ -180,7 +194,7 @@ fn counts_bound_what_is_unpacked() {
         points: vec![[0.0; 3]; 3 * n as usize],
         ..Frame::default()
     };
-    let bytes = blocks(&frame).unwrap();
+    let bytes = blocks(&frame, &Exec::serial()).unwrap();
     let said = |bytes: &[u8]| parsed(bytes).unwrap_err().to_string();
     let huge = said(&claiming(&bytes, "NumberOfPoints", 400_000_000));
     assert!(huge.contains("which a file of"), "{huge}");

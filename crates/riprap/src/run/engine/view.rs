@@ -2,6 +2,7 @@
 
 use super::{Kind, Who, notes};
 use crate::accounts::{Account, Condition};
+use crate::exec::Exec;
 use crate::ledger::Balance;
 use crate::record::conditions::Conditions;
 use crate::record::field::Site;
@@ -477,6 +478,14 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => planar::conditions::conditions(v, first),
             Self::Spatial(v) => spatial::read::conditions::conditions(v, first),
+        }
+    }
+
+    /// The threads of the engine.
+    pub(crate) fn exec(&self) -> &'a Exec {
+        match self {
+            Self::Planar(v) => &v.scratch.exec,
+            Self::Spatial(v) => &v.scratch.exec,
         }
     }
 
