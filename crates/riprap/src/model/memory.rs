@@ -19,9 +19,9 @@ const DEFORMABLE: f64 = 4000.0;
 /// Of each corner of a deformable block that is no brick: its tetrahedra are its own, no other block shares them.
 const OWN_CORNER: f64 = 2800.0;
 const BOND: f64 = 1700.0;
-/// In the plane of each corner, of each contact with those that are only near.
-const FLAT_CORNER: f64 = 400.0;
-const FLAT_CONTACT: f64 = 2500.0;
+/// In the plane of each corner, of each pair that is near.
+const FLAT_CORNER: f64 = 350.0;
+const FLAT_NEAR: f64 = 600.0;
 /// What writing a picture or a checkpoint takes for a while: bytes of a rigid and of a deformable block, and the most that stays.
 const WRITTEN: [f64; 2] = [1200.0, 3000.0];
 const WRITTEN_MOST: f64 = 25e6;
@@ -51,8 +51,8 @@ pub(crate) struct Parts {
     pub flat: usize,
     /// Corners of those.
     pub flat_corners: usize,
-    /// Contacts of those.
-    pub flat_contacts: usize,
+    /// Pairs of those near each other.
+    pub flat_near: usize,
 }
 
 /// Most memory that a run will hold at a time, B. `blocks` that are split while it runs, and pairs that come near, are not in it.
@@ -60,7 +60,7 @@ pub(crate) struct Parts {
 /// Told and measured (MB, peak of `riprap run` on 2 threads): bricks in a lattice 8,000: 42 and 42, 64,000: 141 and 152, 512,000: 813 and
 /// 814; random cells 1,331: 51 and 48, 8,000: 208 and 211; polyhedra poured 5,005: 119 and 108; dry wall of 4,801: 67 and 67; deformable bricks
 /// 8,000: 114 and 123, 27,000: 285 and 268; deformable random cells 512: 61 and 60, 2,197: 208 and 209; deformable tetrahedra of a mesh 105,456:
-/// 2000 and 1561; slope in the plane of 12,521: 88 and 87.
+/// 2000 and 1561; slope in the plane of 12,581: 93 and 99, wall of 10,001: 64 and 68, of 100,001: 362 and 315.
 pub(crate) fn expected(parts: &Parts) -> f64 {
     let n = |count: usize| count as f64;
     let rigid = parts.bricks + parts.solids + parts.flat;
@@ -82,7 +82,7 @@ pub(crate) fn expected(parts: &Parts) -> f64 {
         + OWN_CORNER * n(parts.deformable_corners)
         + BOND * n(parts.bonds)
         + FLAT_CORNER * n(parts.flat_corners)
-        + FLAT_CONTACT * n(parts.flat_contacts)
+        + FLAT_NEAR * n(parts.flat_near)
 }
 
 impl Builder<'_> {
@@ -180,10 +180,10 @@ mod tests {
             bonds,
             ..Parts::default()
         };
-        let flat = |flat, flat_corners, flat_contacts| Parts {
+        let flat = |flat, flat_corners, flat_near| Parts {
             flat,
             flat_corners,
-            flat_contacts,
+            flat_near,
             ..Parts::default()
         };
         let wall = Parts {
@@ -202,8 +202,13 @@ mod tests {
             (deformable(1000, 2700), 34.0),
             (deformable(8000, 22_800), 123.0),
             (deformable(27_000, 78_300), 268.0),
-            (flat(973, 3894, 1424), 24.0),
-            (flat(3545, 14_188, 5350), 39.0),
+            (flat(973, 3894, 4799), 24.0),
+            (flat(3548, 14_200, 18_327), 39.0),
+            (flat(12_581, 50_414, 66_722), 98.7),
+            (flat(1001, 4004, 2911), 22.0),
+            (flat(10_001, 40_004, 29_461), 68.4),
+            (flat(100_001, 400_004, 294_961), 315.0),
+            (flat(20_003, 110_061, 2), 73.8),
         ] {
             let told = 1e-6 * expected(&parts);
             let ratio = told / measured;

@@ -396,7 +396,8 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
             return Parts {
                 flat: setup.blocks.len(),
                 flat_corners: setup.blocks.iter().map(|b| b.vertices.len()).sum(),
-                flat_contacts: contacts,
+                flat_near: (view.planar())
+                    .map_or(0, |v| v.world.pairs.len() + v.world.general.len()),
                 ..Parts::default()
             };
         }
