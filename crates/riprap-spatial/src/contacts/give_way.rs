@@ -51,15 +51,21 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
     if !world.setup.found_contacts || !look {
         return;
     }
+    let (seen, known) = (&*world, &*scratch);
+    // Each patch by itself: what fails here changes nothing of another.
+    let goes = |p: usize| {
+        let fails = is_folded(seen, p) || is_torn(seen, p);
+        (fails || (is_loose(seen, p) && is_past(seen, known, p))).then_some((p, fails))
+    };
+    let chunks = known.exec.chunked(seen.patches.len(), |chunk| {
+        chunk.filter_map(goes).collect::<Vec<_>>()
+    });
     let mut pairs = Vec::new();
-    for p in 0..world.patches.len() {
-        let ends = is_folded(world, p) || is_torn(world, p);
-        if ends {
+    for (p, fails) in chunks.into_iter().flatten() {
+        if fails {
             fail(world, scratch, p);
         }
-        if ends || (is_loose(world, p) && is_past(world, scratch, p)) {
-            pairs.push(sorted(world.patches.ends[p]));
-        }
+        pairs.push(sorted(world.patches.ends[p]));
     }
     if pairs.is_empty() {
         return;

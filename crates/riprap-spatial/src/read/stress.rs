@@ -20,7 +20,7 @@ impl View<'_> {
     #[must_use]
     pub fn stresses(&self) -> Vec<Mat3> {
         let mut sum = vec![Mat3::ZERO; self.world.alive.len()];
-        self.dyads(&|_| true, &mut |b, dyad| sum[b] += dyad);
+        self.dyads(None, &mut |b, dyad| sum[b] += dyad);
         for (b, s) in sum.iter_mut().enumerate() {
             *s = self.average(b, *s);
         }
@@ -32,7 +32,7 @@ impl View<'_> {
     pub fn stress(&self, block: usize) -> Mat3 {
         let mut sum = Mat3::ZERO;
         if self.deformable(block).is_none() {
-            self.dyads(&|b| b == block, &mut |_, dyad| sum += dyad);
+            self.dyads(Some(block), &mut |_, dyad| sum += dyad);
         }
         self.average(block, sum)
     }
@@ -50,20 +50,20 @@ impl View<'_> {
         let points = self.patch_points(p);
         let e = points.frame;
         let tractions = self.tractions(p, &points);
-        std::array::from_fn(|q| {
-            let t = tractions[q];
+        let mut dyads = [[Mat3::ZERO; 2]; 4];
+        for (q, (on, t)) in dyads.iter_mut().zip(&tractions).enumerate() {
             let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);
             let offset = patch::place(class, q);
-            [
-                outer(self.turned(i, class.arms[0] + offset), force),
-                outer(self.turned(j, class.arms[1] + offset), -force),
-            ]
-        })
+            on[0] = outer(self.turned(i, class.arms[0] + offset), force);
+            on[1] = outer(self.turned(j, class.arms[1] + offset), -force);
+        }
+        dyads
     }
 
-    /// Hands over `r (x) f` of all that acts on the outlines of the wanted blocks, r from their centroids.
-    fn dyads(&self, wanted: &(dyn Fn(usize) -> bool + Sync), put: &mut dyn FnMut(usize, Mat3)) {
+    /// Hands over `r (x) f` of all that acts on the outline of a block, or of all blocks, r from their centroids.
+    fn dyads(&self, only: Option<usize>, put: &mut dyn FnMut(usize, Mat3)) {
         let world = self.world;
+        let wanted = |b: usize| only.is_none_or(|only| only == b);
         let mut put = |b: usize, dyad: Mat3| {
             if wanted(b) {
                 put(b, dyad);
@@ -74,13 +74,15 @@ impl View<'_> {
         for first in (0..count).step_by(AT_ONCE) {
             let these = count.min(first + AT_ONCE) - first;
             let chunks = self.scratch.exec.chunked(these, |chunk| {
-                let of_patch = |p: usize| {
-                    let p = first + p;
+                let room = if only.is_none() { chunk.len() } else { 0 };
+                let mut found = Vec::with_capacity(room);
+                for p in chunk.start + first..chunk.end + first {
                     let ends = world.patches.ends[p].map(|b| b as usize);
-                    let asked = ends.iter().any(|b| wanted(*b));
-                    asked.then(|| (ends, self.patch_dyads(p, ends)))
-                };
-                chunk.filter_map(of_patch).collect::<Vec<_>>()
+                    if ends.iter().any(|b| wanted(*b)) {
+                        found.push((ends, self.patch_dyads(p, ends)));
+                    }
+                }
+                found
             });
             for ([i, j], dyads) in chunks.into_iter().flatten() {
                 for [on_i, on_j] in dyads {
