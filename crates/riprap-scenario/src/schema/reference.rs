@@ -213,10 +213,15 @@ impl Page {
         }
         let alternatives = node.alternatives();
         if !alternatives.is_empty() {
-            let texts: Vec<String> = alternatives
+            let mut texts: Vec<String> = alternatives
                 .into_iter()
                 .map(|one| self.takes(one))
                 .collect();
+            // Its keys follow; beside words it has to be said that there are some.
+            texts
+                .iter_mut()
+                .filter(|text| text.is_empty())
+                .for_each(|text| "keys".clone_into(text));
             return texts.join(" or ");
         }
         let words = node.words();
@@ -392,6 +397,15 @@ mod tests {
                 key.path
             );
         }
+    }
+
+    #[test]
+    fn nothing_is_said_to_take_nothing() {
+        let page = markdown();
+        for gap in [" or )", "(or ", " or or ", "(;", "; )"] {
+            assert!(!page.contains(gap), "{gap}");
+        }
+        assert!(page.contains("`decoupled` or keys)"));
     }
 
     /// A page that says everything once is short enough to be read.
