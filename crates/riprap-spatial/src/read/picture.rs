@@ -156,12 +156,19 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
         living.iter().map(|&b| all[b]).collect()
     };
     let surface = view.surface();
-    let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
-        Column::scalar(name, unit, living.iter().map(|&b| get(b)).collect())
+    let exec = &view.scratch.exec;
+    let scalar = |name: &str, unit: &str, get: &(dyn Fn(usize) -> f64 + Sync)| {
+        let chunks = exec.chunked(living.len(), |chunk| {
+            living[chunk].iter().map(|&b| get(b)).collect::<Vec<_>>()
+        });
+        Column::scalar(name, unit, chunks.concat())
     };
-    let vector = |name: &str, unit: &str, get: &dyn Fn(usize) -> Vec3| {
-        let data: Vec<[f64; 3]> = living.iter().map(|&b| get(b).to_array()).collect();
-        Column::vector3(name, unit, data)
+    let vector = |name: &str, unit: &str, get: &(dyn Fn(usize) -> Vec3 + Sync)| {
+        let chunks = exec.chunked(living.len(), |chunk| {
+            let vectors = living[chunk].iter().map(|&b| get(b).to_array());
+            vectors.collect::<Vec<_>>()
+        });
+        Column::vector3(name, unit, chunks.concat())
     };
     let ends: Vec<[f64; 3]> = stresses.iter().map(principal).collect();
     let broken = broken_shares(view);
