@@ -6,7 +6,7 @@ mod plot;
 mod shell;
 mod view;
 
-pub use plot::{Arrows, Axis, Net, Plot};
+pub use plot::Plot;
 pub use shell::{Completions, Man};
 pub use view::{Paraview, Report, View};
 

@@ -1,13 +1,15 @@
 //! What pictures of blocks are asked for, and what all of them read of a frame.
 
+use riprap_keys::Words;
+
 use super::PlotError;
 use riprap_record::field::{FieldError, Part, nearest};
 use riprap_record::frame::{Frame, SEEPAGE_FLOW};
 
 /// Direction that a cut is normal to.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
 pub enum Normal {
-    /// The picture shows y to the right and z up.
+    /// y to the right, z up.
     X,
     /// x to the right, z up.
     #[default]
@@ -25,10 +27,6 @@ impl Normal {
         }
     }
 
-    pub(super) fn name(self) -> &'static str {
-        ["x", "y", "z"][self.index()]
-    }
-
     /// The axes of the picture.
     pub(super) fn across(self) -> [usize; 2] {
         match self {
@@ -44,13 +42,13 @@ impl Normal {
 }
 
 /// What arrows show.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Words)]
 pub enum Vectors {
-    /// Displacement.
+    /// Way since the start.
     Displacement,
-    /// Velocity.
+    /// As it is now.
     Velocity,
-    /// Flow of water through joints, at their middles.
+    /// Water that seeps through joints, at their middles.
     Flow,
 }
 

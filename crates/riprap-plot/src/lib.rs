@@ -46,6 +46,8 @@ pub use frames::{Which, blocks, load_frame, section, strip};
 pub use lines::{energy, histories};
 pub use net::{Projection, stereonet};
 pub use ppv::ppv;
+/// How choices are named: [`Normal`], [`Projection`], [`Vectors`].
+pub use riprap_keys::Words;
 pub use rose::rose;
 pub use sieve::fragments;
 pub use signals::{cavity, spectrum};

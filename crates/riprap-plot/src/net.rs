@@ -6,6 +6,7 @@ use super::section::need_space;
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::{PlotError, column, digits, suffix, table_csv, write};
 use riprap_geom::Vec3;
+use riprap_keys::Words;
 use riprap_record::manifest::Manifest;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -23,21 +24,22 @@ const NAMED: usize = 8;
 const COLOURS: [&str; 3] = ["#4d4d4d", "#d55e00", "#0072b2"];
 
 /// How the hemisphere is laid flat.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
 pub enum Projection {
-    /// Lambert's azimuthal projection (Schmidt net): densities of poles can be compared.
+    /// Schmidt net: densities of poles can be compared.
+    ///
+    /// Lambert's azimuthal projection.
     #[default]
     EqualArea,
-    /// The stereographic projection (Wulff net): angles are true, circles stay circles.
+    /// Wulff net: angles are true.
+    ///
+    /// The stereographic projection: circles stay circles.
     EqualAngle,
 }
 
 impl Projection {
-    fn name(self) -> &'static str {
-        match self {
-            Projection::EqualArea => "equal area",
-            Projection::EqualAngle => "equal angle",
-        }
+    fn name(self) -> String {
+        self.word().replace('_', " ")
     }
 
     /// Distance from the middle, as a share of the radius, of a line `angle` (rad) from the vertical.

@@ -8,6 +8,7 @@ use super::PlotError;
 use super::drawing::{BlockOptions, Chosen, Normal, choose, middle, short};
 use super::solid::{self, Body};
 use riprap_geom::Vec3;
+use riprap_keys::Words;
 use riprap_record::frame::{Column, Frame, SEEPAGE_FLOW, Surfaces, stress};
 use riprap_record::manifest::Manifest;
 use std::collections::BTreeMap;
@@ -81,7 +82,7 @@ pub(super) fn flattened(
     if cuts.iter().any(|c| c.blocks() == 0) {
         let what = format!(
             "the plane {} = {} m meets no block; centres of blocks lie between {} and {} m",
-            normal.name(),
+            normal.word(),
             short(at),
             short(low),
             short(high)
@@ -104,7 +105,7 @@ pub(super) fn flattened(
         sources,
         suffix: vec![format!(
             "section {} = {} m",
-            normal.name(),
+            normal.word(),
             short(at).replacen('-', "\u{2212}", 1)
         )],
     })

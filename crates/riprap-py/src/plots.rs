@@ -5,9 +5,7 @@ use std::path::PathBuf;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::plot as drawn;
-use riprap::plot::{
-    Along, BlockOptions, CraterOptions, Normal, PlotError, Projection, Vectors, Which,
-};
+use riprap::plot::{Along, BlockOptions, CraterOptions, PlotError, Projection, Which, Words};
 
 use crate::errors;
 
@@ -45,7 +43,7 @@ pub fn plot(
     options: Options,
 ) -> PyResult<Vec<PathBuf>> {
     let blocks = options.blocks()?;
-    let projection = options.projection()?;
+    let projection = named("projection", &options.projection)?;
     let known = [
         "histories",
         "energy",
@@ -75,40 +73,20 @@ pub fn plot(
         .map_err(|e| errors::plot(py, &e))
 }
 
-impl Options {
-    fn projection(&self) -> PyResult<Projection> {
-        match self.projection.as_str() {
-            "equal_area" => Ok(Projection::EqualArea),
-            "equal_angle" => Ok(Projection::EqualAngle),
-            other => Err(PyValueError::new_err(format!(
-                "projection={other:?}; write \"equal_area\" or \"equal_angle\""
-            ))),
-        }
-    }
+/// The choice that a keyword names.
+fn named<T: Words>(keyword: &str, word: &str) -> PyResult<T> {
+    T::named(word).ok_or_else(|| {
+        let words: Vec<String> = T::NAMES.iter().map(|word| format!("{word:?}")).collect();
+        let words = words.join(", ");
+        PyValueError::new_err(format!("{keyword}={word:?}; write one of {words}"))
+    })
+}
 
+impl Options {
     fn blocks(&self) -> PyResult<BlockOptions> {
-        let wrong = |key: &str, value: &str, words: &str| {
-            PyValueError::new_err(format!("{key}={value:?}; write {words}"))
-        };
-        let vectors = match self.vectors.as_deref() {
-            None => None,
-            Some("displacement") => Some(Vectors::Displacement),
-            Some("velocity") => Some(Vectors::Velocity),
-            Some("flow") => Some(Vectors::Flow),
-            Some(other) => {
-                return Err(wrong(
-                    "vectors",
-                    other,
-                    "\"displacement\", \"velocity\" or \"flow\"",
-                ));
-            }
-        };
-        let normal = match self.normal.as_str() {
-            "x" => Normal::X,
-            "y" => Normal::Y,
-            "z" => Normal::Z,
-            other => return Err(wrong("normal", other, "\"x\", \"y\" or \"z\"")),
-        };
+        let vectors = self.vectors.as_deref();
+        let vectors = vectors.map(|word| named("vectors", word)).transpose()?;
+        let normal = named("normal", &self.normal)?;
         Ok(BlockOptions {
             contacts: false,
             log: self.log,

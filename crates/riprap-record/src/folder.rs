@@ -400,7 +400,7 @@ impl RunFolder {
         names.write(&self.path)
     }
 
-    /// Writes a frame (two `.vtu` files), compressed by the threads of `exec`, and then names it in the two `.pvd` files.
+    /// Writes a frame (up to five `.vtu` files), compressed by the threads of `exec`, and then names it in the two `.pvd` files.
     ///
     /// # Errors
     /// The disk, or a frame whose parts do not fit together.

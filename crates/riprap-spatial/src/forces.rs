@@ -216,7 +216,7 @@ fn packets(shared: &Shared, mut work: First) {
     }
 }
 
-/// Packets from one whose data are asked for to the one that is done then.
+/// How many packets ahead data are asked for.
 const AHEAD: usize = 8;
 
 /// Asks for what a packet will read and write.

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use riprap::plot::{Normal, Projection, Vectors, Words};
 
 /// Draw the results of a run.
 ///
@@ -81,8 +83,8 @@ pub struct Plot {
     #[arg(long)]
     pub log: bool,
     /// Arrows on the blocks, or of the flow through joints
-    #[arg(long, value_enum, value_name = "VECTOR")]
-    pub vectors: Option<Arrows>,
+    #[arg(long, value_parser = word::<Vectors>(), value_name = "VECTOR")]
+    pub vectors: Option<Vectors>,
     /// Principal stresses of the blocks as crosses
     #[arg(long)]
     pub stress: bool,
@@ -99,8 +101,8 @@ pub struct Plot {
     #[arg(long, value_name = "FACTOR", value_parser = factor)]
     pub exaggerate: Option<f64>,
     /// Direction that a section is normal to; the heave runs along the other horizontal one
-    #[arg(long, value_enum, value_name = "AXIS", default_value_t = Axis::Y)]
-    pub normal: Axis,
+    #[arg(long, value_parser = word::<Normal>(), value_name = "AXIS", default_value = "y")]
+    pub normal: Normal,
     /// Where the section lies along its normal [default: through the first source, or the middle]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub at: Option<String>,
@@ -121,8 +123,8 @@ pub struct Plot {
     )]
     pub to: Option<String>,
     /// Projection of the stereonet
-    #[arg(long, value_enum, value_name = "PROJECTION", default_value_t = Net::EqualArea)]
-    pub projection: Net,
+    #[arg(long, value_parser = word::<Projection>(), value_name = "PROJECTION", default_value = "equal-area")]
+    pub projection: Projection,
     /// Peak velocities of blocks with a free face looking up only
     #[arg(long)]
     pub surface: bool,
@@ -134,30 +136,13 @@ pub struct Plot {
     pub source: Option<String>,
 }
 
-/// What arrows show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Arrows {
-    Displacement,
-    Velocity,
-    /// Water that seeps
-    Flow,
-}
-
-/// How a hemisphere is laid flat.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Net {
-    /// Schmidt net: densities of poles can be compared
-    EqualArea,
-    /// Wulff net: angles are true
-    EqualAngle,
-}
-
-/// A direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Axis {
-    X,
-    Y,
-    Z,
+/// Reads a choice, with hyphens as words of a command have them.
+fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    let words = T::WORDS
+        .iter()
+        .map(|(word, meaning)| PossibleValue::new(word.replace('_', "-")).help(*meaning));
+    PossibleValuesParser::new(words)
+        .try_map(|word| T::named(&word.replace('-', "_")).ok_or("this is no choice"))
 }
 
 /// Reads a positive number.

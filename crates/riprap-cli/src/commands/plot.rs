@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use riprap::plot::{
-    self, Along, BlockOptions, CraterOptions, Fault, Normal, PlotError, Projection, Vectors, Which,
+    self, Along, BlockOptions, CraterOptions, Fault, Normal, PlotError, Projection, Which,
 };
 use riprap::scenario::units::{self, Dim};
 
 use super::run_folder;
-use crate::args::{Arrows, Axis, Cli, Net, Plot, Verb};
+use crate::args::{Cli, Plot, Verb};
 use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
@@ -126,14 +126,14 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         ("exaggerate", args.exaggerate.is_some(), FLAT),
         (
             "normal",
-            args.normal != Axis::Y,
+            args.normal != Normal::Y,
             &["blocks", "section", "heave"],
         ),
         ("at", args.at.is_some(), FLAT),
         ("from", args.from.is_some(), &["line"]),
         (
             "projection",
-            args.projection != Net::EqualArea,
+            args.projection != Projection::EqualArea,
             &["stereonet"],
         ),
         ("surface", args.surface, &["ppv"]),
@@ -251,21 +251,13 @@ impl<'a> Asked<'a> {
         let options = BlockOptions {
             contacts: false,
             log: args.log,
-            vectors: args.vectors.map(|v| match v {
-                Arrows::Displacement => Vectors::Displacement,
-                Arrows::Velocity => Vectors::Velocity,
-                Arrows::Flow => Vectors::Flow,
-            }),
+            vectors: args.vectors,
             stress: args.stress,
             cracks: args.cracks,
             isolines: args.isolines.map_or(0, usize::from),
             window: window(args.window.as_deref())?,
             exaggeration: args.exaggerate,
-            normal: match args.normal {
-                Axis::X => Normal::X,
-                Axis::Y => Normal::Y,
-                Axis::Z => Normal::Z,
-            },
+            normal: args.normal,
             at: length(&args.at, "--at '2 m'")?,
         };
         Ok(Asked {
@@ -359,10 +351,7 @@ impl<'a> Asked<'a> {
             }
             "cavity" => plot::cavity(folder, &self.out(what)),
             "stereonet" => {
-                let projection = match self.args.projection {
-                    Net::EqualArea => Projection::EqualArea,
-                    Net::EqualAngle => Projection::EqualAngle,
-                };
+                let projection = self.args.projection;
                 plot::stereonet(folder, frames[0], projection, &self.out(what))
             }
             "fragments" => plot::fragments(folder, &self.out(what)),

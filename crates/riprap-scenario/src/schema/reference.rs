@@ -217,7 +217,7 @@ impl Page {
                 .into_iter()
                 .map(|one| self.takes(one))
                 .collect();
-            // Its keys follow; beside words it has to be said that there are some.
+            // The keys of a table follow on lines of their own; beside words it has to be said that there are some.
             texts
                 .iter_mut()
                 .filter(|text| text.is_empty())

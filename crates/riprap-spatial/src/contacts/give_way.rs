@@ -57,18 +57,24 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
         let fails = is_folded(seen, p) || is_torn(seen, p);
         (fails || (is_loose(seen, p) && is_past(seen, known, p))).then_some((p, fails))
     };
-    let chunks = known.exec.chunked(seen.patches.len(), |chunk| {
-        chunk.filter_map(goes).collect::<Vec<_>>()
+    // Nearly always none does, and a step takes no memory then.
+    let count = seen.patches.len();
+    let first = known.exec.smallest(count, |mut chunk| {
+        let first = chunk.find(|p| goes(*p).is_some());
+        first.map_or(f64::INFINITY, |p| p as f64)
     });
+    if first.is_infinite() {
+        return;
+    }
+    let chunks = known
+        .exec
+        .chunked(count, |chunk| chunk.filter_map(goes).collect::<Vec<_>>());
     let mut pairs = Vec::new();
     for (p, fails) in chunks.into_iter().flatten() {
         if fails {
             fail(world, scratch, p);
         }
         pairs.push(sorted(world.patches.ends[p]));
-    }
-    if pairs.is_empty() {
-        return;
     }
     pairs.sort_unstable();
     pairs.dedup();

@@ -156,19 +156,11 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
         living.iter().map(|&b| all[b]).collect()
     };
     let surface = view.surface();
-    let exec = &view.scratch.exec;
     let scalar = |name: &str, unit: &str, get: &(dyn Fn(usize) -> f64 + Sync)| {
-        let chunks = exec.chunked(living.len(), |chunk| {
-            living[chunk].iter().map(|&b| get(b)).collect::<Vec<_>>()
-        });
-        Column::scalar(name, unit, chunks.concat())
+        Column::scalar(name, unit, of_each(view, living, get))
     };
     let vector = |name: &str, unit: &str, get: &(dyn Fn(usize) -> Vec3 + Sync)| {
-        let chunks = exec.chunked(living.len(), |chunk| {
-            let vectors = living[chunk].iter().map(|&b| get(b).to_array());
-            vectors.collect::<Vec<_>>()
-        });
-        Column::vector3(name, unit, chunks.concat())
+        Column::vector3(name, unit, of_each(view, living, |b| get(b).to_array()))
     };
     let ends: Vec<[f64; 3]> = stresses.iter().map(principal).collect();
     let broken = broken_shares(view);
@@ -205,6 +197,18 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
     ];
     columns.extend(stress::in_space(&stresses));
     columns
+}
+
+/// Something of each of the blocks, found by all threads.
+fn of_each<T: Send + Clone>(
+    view: &View<'_>,
+    blocks: &[usize],
+    get: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
+    let chunks = view.scratch.exec.chunked(blocks.len(), |chunk| {
+        blocks[chunk].iter().map(|&b| get(b)).collect::<Vec<_>>()
+    });
+    chunks.concat()
 }
 
 /// Share of the failed points among the points of each block's patches.

@@ -64,30 +64,40 @@ impl View<'_> {
     fn dyads(&self, only: Option<usize>, put: &mut dyn FnMut(usize, Mat3)) {
         let world = self.world;
         let wanted = |b: usize| only.is_none_or(|only| only == b);
+        let ends = |p: usize| world.patches.ends[p].map(|b| b as usize);
         let mut put = |b: usize, dyad: Mat3| {
             if wanted(b) {
                 put(b, dyad);
             }
         };
-        // By all threads what a patch does, by one in the order of the patches where it goes; so many at a time that they stay in a cache.
+        let mut put_patch = |[i, j]: [usize; 2], dyads: [[Mat3; 2]; 4]| {
+            for [on_i, on_j] in dyads {
+                put(i, on_i);
+                put(j, on_j);
+            }
+        };
         let count = world.patches.len();
-        for first in (0..count).step_by(AT_ONCE) {
-            let these = count.min(first + AT_ONCE) - first;
-            let chunks = self.scratch.exec.chunked(these, |chunk| {
-                let room = if only.is_none() { chunk.len() } else { 0 };
-                let mut found = Vec::with_capacity(room);
-                for p in chunk.start + first..chunk.end + first {
-                    let ends = world.patches.ends[p].map(|b| b as usize);
-                    if ends.iter().any(|b| wanted(*b)) {
+        if only.is_some() {
+            for (p, ends) in (0..count).map(|p| (p, ends(p))) {
+                if ends.iter().any(|b| wanted(*b)) {
+                    put_patch(ends, self.patch_dyads(p, ends));
+                }
+            }
+        } else {
+            // By all threads what a patch does, by one where it goes, in the order of the patches; so many at a time that they stay
+            // in a cache.
+            for first in (0..count).step_by(AT_ONCE) {
+                let these = count.min(first + AT_ONCE) - first;
+                let chunks = self.scratch.exec.chunked(these, |chunk| {
+                    let mut found = Vec::with_capacity(chunk.len());
+                    for p in chunk.start + first..chunk.end + first {
+                        let ends = ends(p);
                         found.push((ends, self.patch_dyads(p, ends)));
                     }
-                }
-                found
-            });
-            for ([i, j], dyads) in chunks.into_iter().flatten() {
-                for [on_i, on_j] in dyads {
-                    put(i, on_i);
-                    put(j, on_j);
+                    found
+                });
+                for (ends, dyads) in chunks.into_iter().flatten() {
+                    put_patch(ends, dyads);
                 }
             }
         }
