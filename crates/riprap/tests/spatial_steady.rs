@@ -115,6 +115,30 @@ fn a_steady_step_allocates_nothing() {
     assert_eq!(ALLOCATOR.allocations() - before, 0);
 }
 
+/// Bricks on joints without strength, which are looked at for whether they give way.
+#[test]
+fn a_steady_step_of_joined_bricks_allocates_nothing() {
+    let _one = SERIAL.lock().unwrap_or_else(PoisonError::into_inner);
+    let bricks = r#"
+[[blocks]]
+name = "bricks"
+material = "rock"
+grid.box = { size = ["2 m", "2 m", "3 m"], cell = "0.5 m", corner = ["0 m", "2 m", "0 m"] }
+"#;
+    let mut simulation = Simulation::from_toml(&(wall() + bricks)).unwrap();
+    run(&mut simulation, 2000);
+    let patches = |simulation: &Simulation| {
+        let view = simulation.view();
+        view.spatial().unwrap().world.patches.len()
+    };
+    let joints = patches(&simulation);
+    assert!(joints > 200, "{joints}");
+    let before = ALLOCATOR.allocations();
+    run(&mut simulation, 200);
+    assert_eq!(ALLOCATOR.allocations() - before, 0);
+    assert_eq!(patches(&simulation), joints);
+}
+
 /// A table, a brick of halves and an L of glued parts, and a whole brick, at rest on terrain.
 #[test]
 fn a_steady_step_of_glued_parts_on_terrain_allocates_nothing() {
