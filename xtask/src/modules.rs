@@ -52,7 +52,7 @@ const ARROWS: [(&str, &[&str], &str); 12] = [
     ),
     (
         "riprap-plot",
-        &["riprap-record", "riprap-core", "riprap-geom"],
+        &["riprap-record", "riprap-core", "riprap-geom", "riprap-keys"],
         "figures are drawn from a run folder alone",
     ),
     (
