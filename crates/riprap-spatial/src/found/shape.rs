@@ -166,7 +166,7 @@ impl Shape {
         // Four times the sum of two radii, as for a pair.
         match peak(&planes, 8.0 * self.radius) {
             Peak::Overlap { depth, .. } => Ok(depth),
-            Peak::Apart { .. } => Err(ShapeError::NoRoom),
+            Peak::Apart { .. } | Peak::Unsure => Err(ShapeError::NoRoom),
         }
     }
 }

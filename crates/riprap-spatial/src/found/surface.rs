@@ -41,8 +41,8 @@ pub enum Found {
     Apart(f64),
     /// They overlap.
     Touching(Sums),
-    /// One block lies in the other so deep that they have no surface of equal pressure; radius of the largest ball in both, m.
-    /// No force can be given: the run must stop.
+    /// They have no surface of equal pressure: one block lies in the other as a whole, or round-off has lost it. Radius of the largest ball
+    /// in both, m. No force can be given: the run must stop.
     Swallowed(f64),
 }
 
@@ -123,6 +123,7 @@ impl Walker {
         self.all.gather_all(pair.bodies, origin(a, b));
         let (depth, start) = match peak(&self.all, 4.0 * (a.shape.radius + b.shape.radius)) {
             Peak::Apart { gap, .. } => return Some(Found::Apart(gap)),
+            Peak::Unsure => return self.look_for_proof(),
             Peak::Overlap { depth, start, .. } => (depth, start),
         };
         if depth < LOST * self.radius {
@@ -145,6 +146,27 @@ impl Walker {
             Some(Found::Apart(0.0))
         } else {
             Some(Found::Swallowed(depth))
+        }
+    }
+
+    /// Where round-off has hidden the peak a piece that lies in both blocks proves that they touch; a verdict where there is none.
+    #[cold]
+    fn look_for_proof(&mut self) -> Option<Found> {
+        self.walk_all();
+        let (piece, frame) = (&self.largest, &self.largest_frame);
+        let inside = self.sums.pieces > 0 && {
+            let share = 1.0 / piece.len() as f64;
+            let mean = |list: &[f64]| share * list.iter().sum::<f64>();
+            let at = frame.point(mean(piece.s()), mean(piece.t()));
+            let room = |k: usize| self.all.d[k] - self.all.normal(k).dot(at);
+            // Of all planes: those that are not listed may leave nothing of it.
+            (0..self.all.len()).all(|k| room(k) >= -UNSURE * self.radius)
+        };
+        if inside {
+            None
+        } else {
+            self.sums = Sums::default();
+            Some(Found::Apart(0.0))
         }
     }
 
