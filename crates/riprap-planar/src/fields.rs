@@ -190,7 +190,7 @@ riprap_core::fields! {
     "model.contacts" "-" Model Scalar true "Number of found contacts." |v, _| one(v.contacts().count() as f64);
     "model.slipping" "-" Model Scalar true "Number of found contacts that slid in the last step." |v, _| one(v.contacts().filter(|(_, _, c)| c.slipping).count() as f64);
     "model.max_overlap" "m" Model Scalar true "Largest depth of a boundary point inside another block." |v, _| one(v.contacts().map(|(_, _, c)| c.depth).fold(0.0, f64::max));
-    "model.max_overlap_ratio" "-" Model Scalar true "Largest depth over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_overlap_ratio" "-" Model Scalar true "Largest depth of a contact, or closing of a joint, over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).abs());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());

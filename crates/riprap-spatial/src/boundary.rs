@@ -321,6 +321,28 @@ impl<'a> Context<'a> {
         out
     }
 
+    /// Force that the dashpots of a viscous face carry, N: through their springs, or by the speed of the face where they have none.
+    #[must_use]
+    pub(crate) fn dragged(&self, face: &Face) -> f64 {
+        let Some(boundary) = face.boundary.map(|k| &self.boundaries[usize::from(k)]) else {
+            return 0.0;
+        };
+        let BoundaryKind::Viscous { half_cell } = boundary.kind else {
+            return 0.0;
+        };
+        let half = face.behind();
+        let stress = |p: usize| {
+            let motion = self.motion(face, p);
+            if half_cell {
+                return half.spring(boundary, face.frame[0], motion.u - half.anchor[p]);
+            }
+            let (along, across) = parts(motion.v, face.frame[0]);
+            half.impedance[0] * along + half.impedance[1] * across
+        };
+        let mean = (0..4).map(stress).sum::<Vec3>();
+        0.25 * face.area * mean.length()
+    }
+
     /// Dashpots without springs on a face.
     #[must_use]
     pub(crate) fn dashpots(&self, face: &Face) -> Option<Dashpots> {

@@ -11,7 +11,7 @@ use super::limit::{self, Known, Speeds};
 use super::{glued, left};
 use crate::exec::{CHUNK, Exec};
 use crate::found::desk::{
-    Acting, Deepest, Desk, Exerted, PairGroup, PairSums, Slot, Workspace, exerted,
+    Acting, Deepest, Desk, Exerted, PairGroup, PairSums, Pressed, Slot, Workspace, exerted,
 };
 use crate::found::glued::{Glued, Placed};
 use crate::found::{
@@ -298,11 +298,9 @@ impl Evaluation<'_> {
                 };
                 let sums = &mut group.sums;
                 pair.depth = 2.0 * radius;
-                sums.deepest = Some(Deepest {
-                    ends: pair.ends,
-                    depth: pair.depth,
-                    ratio: f64::INFINITY,
-                });
+                let reach = constants.inradius;
+                let deep = Deepest::new(pair.ends, Pressed::NoSurface, pair.depth, reach);
+                sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
                 return;
             }
         };
@@ -339,13 +337,8 @@ impl Evaluation<'_> {
         pair.force = reply.wrench.force;
         pair.depth = surface.depth;
         pair.gap = 0.0;
-        let ratio = surface.depth / constants.inradius;
-        let deep = Deepest {
-            ends: pair.ends,
-            depth: surface.depth,
-            // What is not a number must not pass for shallow.
-            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
-        };
+        let reach = constants.inradius;
+        let deep = Deepest::new(pair.ends, Pressed::Contact, surface.depth, reach);
         sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
         let exerted = Exerted {
             elastic: reply.elastic.plus(&reply.offset),

@@ -301,7 +301,7 @@ riprap_core::fields! {
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).length());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
-    "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids, or of a found contact over the smaller inscribed radius (of deformable blocks over the distance of the centre from the surface): how far blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_closing" "-" Model Scalar true "Deepest closing of a joint, a found contact or a held face over the radius of the largest ball in the thinner block (in found contacts of deformable blocks over the distance of the centre from the surface): how far blocks are pressed into each other. From 1 on a run is stopped." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
     "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
     "cavity.pressure" "Pa" Cavity Scalar false "Pressure in the cavity." |v, of| of_cavity(v, of, |c| c.pressure);

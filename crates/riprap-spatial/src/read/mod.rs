@@ -2,12 +2,14 @@
 //! edits, which plan with what a [`view::View`] says.
 
 pub mod bars;
+pub mod beyond;
 pub mod bolts;
 pub mod conditions;
 pub mod contacts;
 pub mod cracks;
 pub mod crater;
 pub mod deformable;
+pub mod depths;
 pub mod fields;
 mod fragments;
 mod heap;

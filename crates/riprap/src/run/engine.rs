@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use reading::Reading;
-pub use view::{Movement, View};
+pub use view::{Drawn, Movement, View};
 
 use crate::exec::Exec;
 use crate::ledger::Works;

@@ -9,6 +9,7 @@ mod cause;
 mod cursor;
 mod ends;
 mod error;
+mod noted;
 mod shorter;
 mod stop;
 

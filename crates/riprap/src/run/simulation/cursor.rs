@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::noted::Noted;
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::{Stable, State, StateRef, View};
@@ -29,8 +30,10 @@ pub struct Cursor {
     pub unexplained: [Residual; 2],
     /// How the phases so far have ended.
     pub ends: Vec<PhaseEnd>,
-    /// The deepest found contact so far, where it was worth a warning.
+    /// What was pressed deepest so far, where it was worth a warning.
     pub deepest: Option<Deep>,
+    /// What the run went through that its laws do not mean.
+    pub noted: Noted,
     /// What the fastest block has crossed of its neighbourhood's inscribed radius since overlaps were last looked at.
     pub crossed: f64,
     /// The largest overlap over the smaller inscribed radius at the start of the run.
@@ -40,15 +43,26 @@ pub struct Cursor {
     pub stable: Option<Stable>,
 }
 
-/// Two blocks that lay deep in each other.
+/// What a block is pressed into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Into {
+    /// Another block.
+    Block,
+    /// What a condition has put behind its face.
+    Condition,
+}
+
+/// Two blocks that lay deep in each other, or one that was pressed into what holds its face.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Deep {
     /// Depth over the smaller inscribed radius; of deformable blocks over the distance of the centre from the surface.
     pub ratio: f64,
     /// Depth, m.
     pub depth: f64,
-    /// Their names.
+    /// Their names, the second that of the condition where it is one.
     pub blocks: [String; 2],
+    /// What the second one is.
+    pub into: Into,
     /// Step.
     pub step: u64,
     /// Model time, s.
@@ -58,6 +72,17 @@ pub struct Deep {
 impl std::fmt::Display for Deep {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [a, b] = &self.blocks;
+        if self.into == Into::Condition {
+            return write!(
+                f,
+                "block `{a}` was pressed {:.3e} m into what holds its face (boundary `{b}`), {:.0} % of the radius of the largest ball in it \
+                 (step {}, t = {:.4e} s): the rock is soft for what presses; a larger `young` or a smaller load keeps it from there",
+                self.depth,
+                100.0 * self.ratio,
+                self.step,
+                self.time
+            );
+        }
         write!(
             f,
             "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the radius of the largest ball in the thinner one \
@@ -108,6 +133,8 @@ pub enum Reason {
     Balanced,
     /// The kinetic energy is small enough.
     AtRest,
+    /// Forces are balanced by dashpots alone, and have been for long: it sinks and never comes to rest.
+    Sinking,
     /// The iterations of a relaxing phase are used up.
     Iterations,
 }
@@ -131,6 +158,8 @@ pub struct PhaseEnd {
     pub moving: Option<(String, f64)>,
     /// What may have been thrown by blocks that were built into each other.
     pub thrown: Option<Thrown>,
+    /// What dashpots of viscous faces carry over all forces, and the condition whose faces carry most.
+    pub sinking: Option<(f64, String)>,
 }
 
 /// A block that has gone far while blocks that lay in each other gave back energy.
@@ -146,6 +175,8 @@ pub struct Thrown {
 
 /// A block with a larger ratio of net force to the forces on it than this is not held: it falls or slides.
 const FALLS: f64 = 0.5;
+/// Dashpots that carry a larger share of all forces than this let the model sink, where no other is asked for.
+const SINKS: f64 = 1e-3;
 /// A block that would go this share of its own size in another phase as long as the last one is not at rest.
 const MOVES: f64 = 0.1;
 /// Share of the energy put in that blocks which lay in each other must have given back for one of them to have been thrown by it.
@@ -187,13 +218,22 @@ impl PhaseEnd {
                 "the model is at rest as a whole, but not every block"
             }
             Reason::AtRest => "it is at rest",
+            Reason::Sinking => "it sinks through its dashpots and will not come to rest",
             Reason::Iterations => "its iterations are used up",
         }
     }
 
-    /// The block that is not at rest, in words.
+    /// What is not at rest, in words.
     #[must_use]
     pub fn restless(&self) -> Option<String> {
+        let sinks = |(share, _): &&(f64, String)| *share > self.wanted.unwrap_or(SINKS);
+        if let Some((share, boundary)) = self.sinking.as_ref().filter(sinks) {
+            return Some(format!(
+                "the dashpots of the viscous boundary `{boundary}` bear {:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
+                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up",
+                share
+            ));
+        }
         if let Some((name, ratio)) = self.worst.as_ref().filter(|(_, ratio)| *ratio > FALLS) {
             return Some(format!(
                 "the net force on block `{name}` is {:.0} % of the forces that act on it (it falls or slides)",
@@ -229,7 +269,7 @@ impl PhaseEnd {
             Reason::Time => Some("time"),
             Reason::Steps => Some("steps"),
             Reason::Iterations => Some("iterations"),
-            Reason::Balanced | Reason::AtRest => None,
+            Reason::Balanced | Reason::AtRest | Reason::Sinking => None,
         };
         // Iterations without balance are told by `Unconverged`.
         if let (Some(what), Some(wanted)) = (unused, self.wanted)
@@ -246,6 +286,9 @@ impl PhaseEnd {
             Some(what) => format!(
                 "phase `{phase}` used up its {what}, and not every block is at rest: {words}"
             ),
+            None if self.reason == Reason::Sinking => {
+                format!("phase `{phase}` ended without rest: {words}")
+            }
             None => format!(
                 "phase `{phase}` ended in balance as a whole, but not every block is: {words}"
             ),
