@@ -7,6 +7,7 @@ use riprap_geom::{Vec2, Vec3};
 use crate::laws::bolt::Design;
 use crate::laws::bolt::place::{self, Misplaced};
 use crate::model::builder::Builder;
+use crate::model::memory;
 use crate::scenario::csv_columns::csv_quantities;
 use crate::scenario::language::{self, Dowel, Plate};
 use crate::scenario::read::{Provenance, with_unit};
@@ -17,6 +18,9 @@ use crate::{planar, spatial};
 
 /// Most bolts of one table.
 const MOST: usize = 100_000;
+
+/// Most pieces of one bolt, and of all bolts of a table: a cable of a kilometre in pieces of a centimetre.
+const MOST_PIECES: [f64; 2] = [1e5, 1e8];
 
 /// Columns of a file of bolts.
 const COLUMNS: [(&str, Dim); 6] = [
@@ -51,6 +55,9 @@ impl Builder<'_> {
                 continue;
             };
             let (design, spacing) = self.design(k, said);
+            if !self.has_room_for_pieces(said, &lines, design.piece) {
+                continue;
+            }
             let many = lines.len() > 1 || said.csv.is_some();
             for (number, line) in (1..).zip(lines) {
                 let name = if many {
@@ -78,6 +85,30 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// Whether there is room for the pieces of the bolts of a table, before any is made.
+    fn has_room_for_pieces(&mut self, said: &language::Bolt, lines: &[Line], piece: f64) -> bool {
+        let pieces = |line: &Line| (line.head.distance(line.toe) / piece).ceil();
+        let longest = lines.iter().map(pieces).fold(0.0, f64::max);
+        let all: f64 = lines.iter().map(pieces).sum();
+        if longest <= MOST_PIECES[0] && all <= MOST_PIECES[1] && memory::holds_pieces(all) {
+            return true;
+        }
+        let message = if longest > MOST_PIECES[0] {
+            format!(
+                "the bolt `{}` would have {longest:.1e} pieces, at most {:.0e} are made of one",
+                said.name, MOST_PIECES[0]
+            )
+        } else {
+            format!("the bolts `{}` would have {all:.1e} pieces in all", said.name)
+        };
+        let at = said.piece.as_ref().map_or(&said.name.span, |piece| &piece.span);
+        let error = Diagnostic::error("bolt.pieces", message).at(at.clone());
+        self.found.push(error.help(
+            "give a longer `piece`: a tenth of the length over which the grout hands over the force (`sqrt(E A / k)`) is enough",
+        ));
+        false
     }
 
     /// Numbers of the bolts that a phase installs.

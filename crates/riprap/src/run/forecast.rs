@@ -15,6 +15,7 @@ use crate::dynamics::TimeFunction;
 use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
 use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
+use crate::planar;
 use crate::setup::Setup;
 use crate::spatial::read::outlook::can_give_way;
 use crate::spatial::setup::{BoundaryKind, Shape};
@@ -241,6 +242,8 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
                 .to_owned(),
         );
     }
+    found.extend(only_dashpots(&view).filter(|_| pulled && view.holds_something()));
+    found.extend(meeting::idle_bolts(&view));
     found.extend((plan.phases.iter()).filter_map(|p| gravity_cut_off(p, stable)));
     for phase in plan.phases.iter().filter(|p| relaxing(p).is_none()) {
         let dt = phase
@@ -333,6 +336,16 @@ fn near_limit(view: &View<'_>, phase: &Phase, stable: f64) -> Option<String> {
     })
 }
 
+/// That nothing but dashpots of viscous faces carries the weight, in words.
+fn only_dashpots(view: &View<'_>) -> Option<String> {
+    let of = view.spatial()?;
+    let name = of.sinks_into()?;
+    Some(format!(
+        "nothing but the dashpots of the viscous boundary `{name}` carries the weight: the model sinks for ever, at the speed at which they bear it; \
+         hold the base (`held`) or give `[in_situ]`, the stress that viscous faces take up"
+    ))
+}
+
 /// The first block that is driven, or the first boundary that moves with a constant velocity, in words.
 fn moved(view: &View<'_>) -> Option<String> {
     if let Some(block) = view.driven() {
@@ -393,7 +406,11 @@ fn corners(shape: &Shape) -> Option<usize> {
 fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook>) -> Parts {
     let setup = match setup {
         Setup::Planar(setup) => {
+            let pieces = |bolt: &planar::setup::Bolt| {
+                (bolt.toe - bolt.head).length() / bolt.design.piece
+            };
             return Parts {
+                bolt_pieces: setup.bolts.iter().map(pieces).sum(),
                 flat: setup.blocks.len(),
                 flat_corners: setup.blocks.iter().map(|b| b.vertices.len()).sum(),
                 flat_near: (view.planar())
@@ -427,6 +444,9 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
         bonds: (view.spatial())
             .and_then(|v| v.world.deform.as_ref())
             .map_or(0, |deform| deform.facets.len()),
+        bolt_pieces: (setup.bolts.iter())
+            .map(|bolt| bolt.head.distance(bolt.toe) / bolt.design.piece)
+            .sum(),
         ..Parts::default()
     }
 }
