@@ -71,7 +71,9 @@ impl Divisible {
         }
         let mut count = 0.0;
         for octant in 0..8 {
-            count += self.part(octant).parts_around(region, levels - 1, most - count);
+            count += self
+                .part(octant)
+                .parts_around(region, levels - 1, most - count);
             if count > most {
                 break;
             }

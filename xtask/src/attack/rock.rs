@@ -67,7 +67,9 @@ pub fn jointed(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> 
                 keep(field, &name);
                 let said = how.said.lines().rev().find(|l| l.starts_with("error"));
                 let why = said.unwrap_or("").chars().take(300).collect::<String>();
-                found.failures.push(format!("{name}: {:?}: {why}", how.code));
+                found
+                    .failures
+                    .push(format!("{name}: {:?}: {why}", how.code));
             }
         }
     }
@@ -159,7 +161,11 @@ fn rock(
         chance.of(&[0, 10, 30, 45]),
         chance.of(&["50 MPa/m", "100 MPa/m", "1 GPa/m", "10 GPa/m"]),
         block("ore", 0.0, length),
-        if room { block("room", length, 0.5 * length) } else { String::new() },
+        if room {
+            block("room", length, 0.5 * length)
+        } else {
+            String::new()
+        },
         if room { "remove = [\"room\"]\n" } else { "" },
     ))
 }
@@ -186,7 +192,9 @@ pub fn thin(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                     };
                     if sunk > thickness + 2.0 * gap {
                         keep(field, &format!("thin_{k}{l}{m}{plane}"));
-                        found.failures.push(format!("{name}: {:?}, sunk {sunk} m", how.code));
+                        found
+                            .failures
+                            .push(format!("{name}: {:?}, sunk {sunk} m", how.code));
                     }
                 }
             }
@@ -202,11 +210,20 @@ fn layer(plane: bool, stiffness: &str, thickness: f64, gap: f64) -> String {
         "riprap = 1\ntitle = \"thin\"\n[materials.r]\ndensity = \"2600 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n[interfaces.default]\n\
          friction_angle = \"30 deg\"\nnormal_stiffness = \"{stiffness}\"\n{}\
          [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"a\"\nuntil = {{ time = \"1.5 s\" }}\ndamping.mass = \"5 1/s\"\n",
-        if plane && gap == 0.0 { "bond = {}\n" } else { "" }
+        if plane && gap == 0.0 {
+            "bond = {}\n"
+        } else {
+            ""
+        }
     );
     let block = |name: &str, low: f64, high: f64, half: f64| {
         let shape = if plane {
-            format!("rectangle = {{ corner = [\"{} m\", \"{low} m\"], size = [\"{} m\", \"{} m\"] }}", -half, 2.0 * half, high - low)
+            format!(
+                "rectangle = {{ corner = [\"{} m\", \"{low} m\"], size = [\"{} m\", \"{} m\"] }}",
+                -half,
+                2.0 * half,
+                high - low
+            )
         } else {
             format!(
                 "brick = {{ corner = [\"{} m\", \"{} m\", \"{low} m\"], size = [\"{} m\", \"{} m\", \"{} m\"] }}",
@@ -220,14 +237,22 @@ fn layer(plane: bool, stiffness: &str, thickness: f64, gap: f64) -> String {
         format!("[[blocks]]\nname = \"{name}\"\nmaterial = \"r\"\n{shape}\n")
     };
     let (space, along) = if plane {
-        ("[space.planar]\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]\n", "y")
+        (
+            "[space.planar]\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]\n",
+            "y",
+        )
     } else {
         ("[space.spatial]\ngravity = \"9.81 m/s2\"\n", "z")
     };
     format!(
         "{head}{space}{}{}{}[[outputs]]\nhistory = {{ name = \"roof\", field = \"block.displacement.{along}\", of = \"roof\", every = \"10 ms\" }}\n",
         block("floor", -4.0, 0.0, 4.0),
-        block("layer", 0.0, thickness, if thickness > 0.2 { 0.15 } else { 4.0 }),
+        block(
+            "layer",
+            0.0,
+            thickness,
+            if thickness > 0.2 { 0.15 } else { 4.0 }
+        ),
         block("roof", above, above + 8.0, 4.0),
     )
 }
@@ -235,14 +260,21 @@ fn layer(plane: bool, stiffness: &str, thickness: f64, gap: f64) -> String {
 /// Columns of deformable blocks that are too soft for their weight.
 pub fn folded(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
-    for (k, young) in ["2 kPa", "20 kPa", "100 kPa", "1 MPa", "100 MPa"].iter().enumerate() {
+    for (k, young) in ["2 kPa", "20 kPa", "100 kPa", "1 MPa", "100 MPa"]
+        .iter()
+        .enumerate()
+    {
         for strain in ["small", "total_lagrangian"] {
             for kind in ["kind = \"static\"\n", ""] {
                 if few(field) && (k != 1 || kind.is_empty()) {
                     continue;
                 }
                 found.tries += 1;
-                let until = if kind.is_empty() { "time = \"1 s\"" } else { "unbalanced = 1e-4" };
+                let until = if kind.is_empty() {
+                    "time = \"1 s\""
+                } else {
+                    "unbalanced = 1e-4"
+                };
                 let scene = format!(
                     "riprap = 1\ntitle = \"folded\"\n[space.spatial]\ngravity = \"9.81 m/s2\"\n[materials.r]\ndensity = \"2600 kg/m3\"\nyoung = \"{young}\"\n\
                      poisson = 0.25\n[interfaces.default]\nfriction_angle = \"30 deg\"\nbrittle_bond = {{ thickness = \"10 mm\", elastic = true }}\n\
@@ -261,7 +293,9 @@ pub fn folded(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                     Some(1) if !how.slow => {}
                     code => {
                         keep(field, &format!("folded_{k}{strain}"));
-                        found.failures.push(format!("{name}: {code:?}: below its foot"));
+                        found
+                            .failures
+                            .push(format!("{name}: {code:?}: below its foot"));
                     }
                 }
             }
@@ -282,10 +316,16 @@ pub fn forces(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                 found.tries += 1;
                 let how = ran(field, &falling(plane, release, step))?;
                 let name = format!("plane {plane}, released {release}, steps {step}");
-                let fallen = if how.code == Some(0) { -last(field)? } else { f64::NAN };
+                let fallen = if how.code == Some(0) {
+                    -last(field)?
+                } else {
+                    f64::NAN
+                };
                 if !((fallen - 5.0).abs() < MISSED) {
                     keep(field, &format!("forces_{plane}{release}"));
-                    found.failures.push(format!("{name}: {:?}, fallen {fallen} m of 5", how.code));
+                    found
+                        .failures
+                        .push(format!("{name}: {:?}, fallen {fallen} m of 5", how.code));
                 }
             }
         }

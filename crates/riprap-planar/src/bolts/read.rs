@@ -45,9 +45,8 @@ impl View<'_> {
     pub fn most_drawn(&self) -> Option<(u32, [f64; 3])> {
         let bodies = &self.world.bodies;
         let one = |bolt: &Bolt| {
-            let bars = (0..bolt.chain.bars.len()).filter(|k| {
-                bolt.stretches(*k) && bolt.chain.state(*k) != bolt::BarState::Broken
-            });
+            let bars = (0..bolt.chain.bars.len())
+                .filter(|k| bolt.stretches(*k) && bolt.chain.state(*k) != bolt::BarState::Broken);
             let by = bars
                 .map(|k| super::chord(&bolt.pins[k], &bolt.pins[k + 1], bodies).1)
                 .sum();

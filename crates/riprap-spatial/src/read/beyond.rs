@@ -105,9 +105,8 @@ impl View<'_> {
     pub fn most_drawn(&self) -> Option<Drawn> {
         let freedoms = self.world.all_freedoms();
         let one = |bolt: &Bolt| {
-            let bars = (0..bolt.chain.bars.len()).filter(|k| {
-                bolt.stretches(*k) && bolt.chain.state(*k) != BarState::Broken
-            });
+            let bars = (0..bolt.chain.bars.len())
+                .filter(|k| bolt.stretches(*k) && bolt.chain.state(*k) != BarState::Broken);
             let parted = bars.map(|k| chord(&bolt.pins[k], &bolt.pins[k + 1], &freedoms).1);
             let [head, toe] = [bolt.pins.first()?, bolt.pins.last()?].map(|pin| pin.along);
             Some(Drawn {
@@ -166,13 +165,15 @@ impl View<'_> {
         (all > 0.0).then_some((all, most.0))
     }
 
-    /// The viscous boundary that the model sinks into: nothing else carries its weight, and no stress at the start that such faces take up.
+    /// The viscous boundary that the model sinks into: neither supports carry its weight nor a stress at the start that such faces take
+    /// up.
     #[must_use]
     pub fn sinks_into(&self) -> Option<&str> {
         let world = self.world;
-        let down = world.setup.gravity.try_normalize()?;
-        if world.setup.in_situ.is_some()
-            || world.deform.as_ref().is_some_and(|d| !d.holds.is_empty())
+        // A ramp may begin without any.
+        let now = world.gravity.try_normalize();
+        let down = now.or_else(|| world.setup.gravity.try_normalize())?;
+        if world.deform.as_ref().is_some_and(|d| !d.holds.is_empty())
             || (0..world.alive.len()).any(|b| world.is_terrain(b))
         {
             return None;
@@ -186,7 +187,9 @@ impl View<'_> {
         }
         let mut viscous = None;
         for face in world.faces.iter().filter(|f| world.alive[f.block as usize]) {
-            let Some(boundary) = face.boundary.map(|k| &world.setup.boundaries[usize::from(k)])
+            let Some(boundary) = face
+                .boundary
+                .map(|k| &world.setup.boundaries[usize::from(k)])
             else {
                 continue;
             };
@@ -195,7 +198,7 @@ impl View<'_> {
             let holds = match &boundary.kind {
                 BoundaryKind::Viscous { .. } => {
                     viscous = viscous.or(Some(boundary.name.as_str()));
-                    false
+                    boundary.in_situ && world.setup.in_situ.is_some()
                 }
                 BoundaryKind::Held { normal, shear } => {
                     *normal && along > BORNE || *shear && across > BORNE
@@ -248,18 +251,24 @@ impl View<'_> {
                     shift[axis] = length;
                     let of = [a.0, b.0].map(|k| &shapes[world.solid[k] as usize]);
                     let depth = self.common_ball([a.0, b.0], of, shift);
-                    depth > THROUGH * of[0].inradius.min(of[1].inradius)
+                    depth > THROUGH * of[0].inradius.min(of[1].inradius) && !self.joined(a.0, b.0)
                 })
                 .map(|(a, b)| [a.0 as u32, b.0 as u32])
         })
+    }
+
+    /// Whether a joint ties two blocks: across the ends it may be closed by what presses it.
+    fn joined(&self, a: usize, b: usize) -> bool {
+        let pair = [a as u32, b as u32];
+        let mut ends = self.world.patches.ends.iter();
+        ends.any(|ends| *ends == pair || [ends[1], ends[0]] == pair)
     }
 
     /// Radius of the largest ball in two blocks, the first of them moved by `shift` (m), m; 0 where there is none.
     fn common_ball(&self, blocks: [usize; 2], shapes: [&Shape; 2], shift: Vec3) -> f64 {
         let poses = blocks.map(|b| self.world.pose(b));
         let mut normals = [Vec::new(), Vec::new()];
-        let turns =
-            [0, 1].map(|s: usize| turn(shapes[s], poses[s].rotation, &mut normals[s]));
+        let turns = [0, 1].map(|s: usize| turn(shapes[s], poses[s].rotation, &mut normals[s]));
         let moved = [shift, Vec3::ZERO];
         let bodies = [0, 1].map(|s| Body {
             shape: shapes[s],
@@ -268,7 +277,10 @@ impl View<'_> {
             position: poses[s].position + moved[s],
         });
         let mut lists = Planes::default();
-        lists.gather_all([&bodies[0], &bodies[1]], planes::origin(&bodies[0], &bodies[1]));
+        lists.gather_all(
+            [&bodies[0], &bodies[1]],
+            planes::origin(&bodies[0], &bodies[1]),
+        );
         match peak(&lists, 4.0 * (shapes[0].radius + shapes[1].radius)) {
             Peak::Overlap { depth, .. } => depth,
             Peak::Apart { .. } | Peak::Unsure => 0.0,
@@ -296,9 +308,11 @@ pub const SHORTENED: f64 = 1.0 / 3.0;
 
 fn strained(block: u32, at: Vec3, measure: Strain, h: &Gradient) -> Strained {
     let of = principal(&tensor(strain(measure, h)));
-    let (low, high) = of.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), e| {
-        (low.min(*e), high.max(*e))
-    });
+    let (low, high) = of
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), e| {
+            (low.min(*e), high.max(*e))
+        });
     let shortening = match measure {
         Strain::Small => (-low).max(0.0),
         Strain::Large => 1.0 - (1.0 + 2.0 * low).max(0.0).sqrt(),

@@ -155,9 +155,18 @@ impl View<'_> {
         let lost = exerted.filter(|(_, of)| of.elastic.force.is_nan());
         let swallowed = lost.filter_map(move |(b, _)| {
             let at = self.world.pose(b).position;
-            let depths = desk.terrain.grounds.iter().map(move |ground| ground.depth(at));
-            let (k, depth) = (0..).zip(depths).find_map(|(k, d)| Some((k, d.filter(|d| *d > 0.0)?)))?;
-            let (ends, reach) = ([desk.terrain.blocks[k], b as u32], desk.inradius(self.world.solid[b]));
+            let depths = desk
+                .terrain
+                .grounds
+                .iter()
+                .map(move |ground| ground.depth(at));
+            let (k, depth) = (0..)
+                .zip(depths)
+                .find_map(|(k, d)| Some((k, d.filter(|d| *d > 0.0)?)))?;
+            let (ends, reach) = (
+                [desk.terrain.blocks[k], b as u32],
+                desk.inradius(self.world.solid[b]),
+            );
             Some(Deepest::new(ends, Pressed::Contact, depth + reach, reach))
         });
         let touching = blocks.flat_map(move |(b, on)| {

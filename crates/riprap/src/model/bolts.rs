@@ -101,9 +101,15 @@ impl Builder<'_> {
                 said.name, MOST_PIECES[0]
             )
         } else {
-            format!("the bolts `{}` would have {all:.1e} pieces in all", said.name)
+            format!(
+                "the bolts `{}` would have {all:.1e} pieces in all",
+                said.name
+            )
         };
-        let at = said.piece.as_ref().map_or(&said.name.span, |piece| &piece.span);
+        let at = said
+            .piece
+            .as_ref()
+            .map_or(&said.name.span, |piece| &piece.span);
         let error = Diagnostic::error("bolt.pieces", message).at(at.clone());
         self.found.push(error.help(
             "give a longer `piece`: a tenth of the length over which the grout hands over the force (`sqrt(E A / k)`) is enough",

@@ -242,7 +242,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
                 .to_owned(),
         );
     }
-    found.extend(only_dashpots(&view).filter(|_| pulled && view.holds_something()));
+    found.extend(meeting::only_dashpots(&view));
     found.extend(meeting::idle_bolts(&view));
     found.extend((plan.phases.iter()).filter_map(|p| gravity_cut_off(p, stable)));
     for phase in plan.phases.iter().filter(|p| relaxing(p).is_none()) {
@@ -336,16 +336,6 @@ fn near_limit(view: &View<'_>, phase: &Phase, stable: f64) -> Option<String> {
     })
 }
 
-/// That nothing but dashpots of viscous faces carries the weight, in words.
-fn only_dashpots(view: &View<'_>) -> Option<String> {
-    let of = view.spatial()?;
-    let name = of.sinks_into()?;
-    Some(format!(
-        "nothing but the dashpots of the viscous boundary `{name}` carries the weight: the model sinks for ever, at the speed at which they bear it; \
-         hold the base (`held`) or give `[in_situ]`, the stress that viscous faces take up"
-    ))
-}
-
 /// The first block that is driven, or the first boundary that moves with a constant velocity, in words.
 fn moved(view: &View<'_>) -> Option<String> {
     if let Some(block) = view.driven() {
@@ -406,9 +396,8 @@ fn corners(shape: &Shape) -> Option<usize> {
 fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook>) -> Parts {
     let setup = match setup {
         Setup::Planar(setup) => {
-            let pieces = |bolt: &planar::setup::Bolt| {
-                (bolt.toe - bolt.head).length() / bolt.design.piece
-            };
+            let pieces =
+                |bolt: &planar::setup::Bolt| (bolt.toe - bolt.head).length() / bolt.design.piece;
             return Parts {
                 bolt_pieces: setup.bolts.iter().map(pieces).sum(),
                 flat: setup.blocks.len(),

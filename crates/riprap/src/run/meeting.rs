@@ -64,6 +64,16 @@ pub(super) fn across_ends(view: &View<'_>) -> Option<String> {
     })
 }
 
+/// That nothing but dashpots of viscous faces carries the weight, in words.
+pub(super) fn only_dashpots(view: &View<'_>) -> Option<String> {
+    let of = view.spatial()?;
+    let name = of.sinks_into()?;
+    Some(format!(
+        "nothing but the dashpots of the viscous boundary `{name}` carries the weight: the model sinks for ever, at the speed at which they bear it; \
+         hold the base (`held`) or give `[in_situ]`, the stress that viscous faces take up"
+    ))
+}
+
 /// Bolts that tie nothing, in words.
 pub(super) fn idle_bolts(view: &View<'_>) -> Vec<String> {
     let idle = view.idle_bolts();

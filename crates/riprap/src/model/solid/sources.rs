@@ -377,7 +377,9 @@ impl Builder<'_> {
         let mut count = 0.0;
         for shape in self.spatial.blocks.iter().map(|block| &block.shape) {
             let block = Divisible::of(shape);
-            count += block.map_or(1.0, |block| block.parts_around(region, levels, most - count));
+            count += block.map_or(1.0, |block| {
+                block.parts_around(region, levels, most - count)
+            });
             if count > most && !matches!(region, Region::All) {
                 break;
             }
@@ -389,7 +391,11 @@ impl Builder<'_> {
         let message = format!(
             "{levels} levels here make {} {} blocks; there is room for {most:.1e}",
             if exact { "about" } else { "more than" },
-            if exact { format!("{count:.1e}") } else { format!("{most:.1e}") },
+            if exact {
+                format!("{count:.1e}")
+            } else {
+                format!("{most:.1e}")
+            },
         );
         let error = Diagnostic::error("refine.many", message).at(span.clone());
         let help = "give fewer `levels` (each makes eight blocks of one) or a smaller region";

@@ -78,6 +78,7 @@ impl Simulation {
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);
         let others = residual.chain(deepest);
         let given = overruled::words(&self.view()).into_iter();
+        let given = given.chain(meeting::only_dashpots(&self.view()));
         // What was seen to happen says more than that it may.
         let seen = cursor.noted.through.is_some();
         let across = meeting::across_ends(&self.view()).filter(|_| !seen);

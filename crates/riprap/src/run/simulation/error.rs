@@ -185,8 +185,8 @@ pub enum RunError {
     /// A deformable block has been turned inside out.
     #[error(
         "deformable block `{block}` is turned inside out at ({:.4}, {:.4}, {:.4}) m: a tetrahedron there has {volume:.2} times its volume at the start \
-         (step {step}, t = {time:.6e} s). Its law means nothing there. What can help: look at `young` and its unit; a larger `young`, a smaller load, or \
-         a shorter time step if blocks are thrown",
+         (step {step}, t = {time:.6e} s). Its law means nothing there. What can help: look at `young` and its unit; a larger `young`, or a smaller load; \
+         {ruled_out}",
         .at[0], .at[1], .at[2]
     )]
     InsideOut {
@@ -196,6 +196,8 @@ pub enum RunError {
         at: [f64; 3],
         /// Volume over that at the start.
         volume: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
         /// Step.
         step: u64,
         /// Model time, s.
@@ -312,17 +314,16 @@ impl RunError {
             | Self::NoSurface {
                 ruled_out: words, ..
             }
+            | Self::InsideOut {
+                ruled_out: words, ..
+            }
             | Self::BlowUp {
                 ruled_out: words, ..
             } => {
                 words.push_str("; ");
                 words.push_str(found);
             }
-            Self::NoStep { .. }
-            | Self::NoFlow { .. }
-            | Self::InsideOut { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. } => {}
+            Self::NoStep { .. } | Self::NoFlow { .. } | Self::Edit { .. } | Self::Phase { .. } => {}
         }
     }
 
@@ -359,10 +360,10 @@ impl RunError {
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
             | Self::PressedOut { .. }
+            | Self::InsideOut { .. }
             | Self::BlowUp { .. } => true,
             Self::NoStep { .. }
             | Self::NoFlow { .. }
-            | Self::InsideOut { .. }
             | Self::NoSurface { .. }
             | Self::Edit { .. }
             | Self::Phase { .. } => false,
@@ -417,13 +418,18 @@ mod tests {
     fn words_of_a_depth_are_those_that_its_numbers_bear_out() {
         let names = || ["a", "b"].map(str::to_owned);
         let of = |depth: f64, reach: f64| {
-            RunError::pressed(names(), Into::Block, [depth, reach], || (String::new(), 1, 0.1))
+            RunError::pressed(names(), Into::Block, [depth, reach], || {
+                (String::new(), 1, 0.1)
+            })
         };
         // As a run was stopped: micrometres, where balls of 0.21 m fit into the thinner one.
         let lost = of(2.6e-6, 0.21);
         assert!(matches!(lost, RunError::NoSurface { .. }));
         let words = lost.to_string();
-        assert!(words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"), "{words}");
+        assert!(
+            words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"),
+            "{words}"
+        );
         assert!(!words.contains("as far as") && !lost.doubts_the_step());
         for deep in [0.21, 0.42] {
             let through = of(deep, 0.21);

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{RunError, Simulation};
+use super::{RunError, Simulation, cause};
 use crate::plan::PhaseKind;
 use crate::run::engine::{Drawn, View};
 use crate::spatial::read::beyond::Strained;
@@ -68,12 +68,16 @@ impl Simulation {
             self.note_turn();
         }
         let view = self.view();
-        let drawn = view.most_drawn().filter(|d| d.by > DRAWN * d.length && d.force > 0.0);
+        let drawn = view
+            .most_drawn()
+            .filter(|d| d.by > DRAWN * d.length && d.force > 0.0);
         let drawn = drawn.filter(|d| !d.breaks);
         let through = self.through_ends();
         let noted = &mut self.cursor.noted;
         if let Some(found) = drawn {
-            keep(&mut noted.drawn, found.by / found.length, || drawn_words(&found, step, time));
+            keep(&mut noted.drawn, found.by / found.length, || {
+                drawn_words(&found, step, time)
+            });
         }
         if let (Some([a, b]), None) = (through, &noted.through) {
             let words = format!(
@@ -101,7 +105,12 @@ impl Simulation {
         let Some((block, angle)) = view.spatial().and_then(|v| v.turned_most()) else {
             return;
         };
-        let before = self.cursor.noted.turned.as_ref().map_or(TURNED, |t| t.angle);
+        let before = self
+            .cursor
+            .noted
+            .turned
+            .as_ref()
+            .map_or(TURNED, |t| t.angle);
         if angle > before {
             let block = view.name(block);
             self.cursor.noted.turned = Some(Turned {
@@ -118,7 +127,10 @@ impl Simulation {
     /// # Errors
     /// A tetrahedron is inside out.
     pub(super) fn look_at_strain(&mut self, over: bool) -> Result<(), RunError> {
-        let moves = self.view().spatial().is_some_and(|v| v.world.deform.is_some());
+        let moves = self
+            .view()
+            .spatial()
+            .is_some_and(|v| v.world.deform.is_some());
         if !moves || self.relaxes() && !over && !self.settled() {
             return Ok(());
         }
@@ -128,14 +140,8 @@ impl Simulation {
         let Some([smallest, most]) = view.spatial().and_then(|v| v.most_strained()) else {
             return Ok(());
         };
-        if smallest.volume <= 0.0 {
-            return Err(RunError::InsideOut {
-                block: view.name(smallest.block),
-                at: smallest.at.to_array(),
-                volume: smallest.volume,
-                step,
-                time,
-            });
+        if let Some(error) = self.inside_out(&smallest) {
+            return Err(error);
         }
         let (size, block) = (most.beyond(), view.name(most.block));
         if size > 1.0 {
@@ -144,6 +150,26 @@ impl Simulation {
             });
         }
         Ok(())
+    }
+
+    /// The error for a tetrahedron, the one that has least of its volume left, if it is inside out.
+    fn inside_out(&self, smallest: &Strained) -> Option<RunError> {
+        (smallest.volume <= 0.0).then(|| RunError::InsideOut {
+            block: self.view().name(smallest.block),
+            at: smallest.at.to_array(),
+            volume: smallest.volume,
+            ruled_out: cause::of_step(self),
+            step: self.steps(),
+            time: self.time(),
+        })
+    }
+
+    /// The same where forces on a block are no numbers: one that is inside out may be why.
+    pub(super) fn turned_inside_out(&self, block: u32) -> Option<RunError> {
+        let view = self.view();
+        let of = view.spatial().filter(|v| v.world.deforms(block as usize))?;
+        let [smallest, _] = of.most_strained()?;
+        self.inside_out(&smallest)
     }
 
     /// What dashpots of viscous faces carry over all forces in a static phase, and the condition whose faces carry most.
@@ -155,7 +181,9 @@ impl Simulation {
         let view = self.view();
         let of = view.spatial()?;
         let (share, boundary) = of.sinking()?;
-        let name = of.world.setup.boundaries[usize::from(boundary)].name.clone();
+        let name = of.world.setup.boundaries[usize::from(boundary)]
+            .name
+            .clone();
         Some((share, name))
     }
 
@@ -194,7 +222,8 @@ fn drawn_words(drawn: &Drawn, step: u64, time: f64) -> String {
 fn strained_words(of: &Strained, block: &str, step: u64, time: f64) -> String {
     use crate::laws::tetrahedron::Strain;
     let [x, y, z] = of.at.to_array();
-    let place = format!("block `{block}` at ({x:.3}, {y:.3}, {z:.3}) m (step {step}, t = {time:.4e} s)");
+    let place =
+        format!("block `{block}` at ({x:.3}, {y:.3}, {z:.3}) m (step {step}, t = {time:.4e} s)");
     match of.measure {
         Strain::Small => format!(
             "{place} was strained by {:.0} %, where its law is for small strain and wrong by about as much: look at `young` and its unit, or give \

@@ -236,7 +236,8 @@ impl Simulation {
         let blamed = |d: &Deepest| limits::judge(d.ratio, 1.0) == Depth::TooDeep || without(d);
         match deepest.filter(|d| d.depth.is_finite() && blamed(d)) {
             Some(found) => self.too_deep(&found),
-            None => self.not_finite(block, "the force on it"),
+            None => (self.turned_inside_out(block))
+                .unwrap_or_else(|| self.not_finite(block, "the force on it")),
         }
     }
 
