@@ -211,7 +211,7 @@ fn layer(plane: bool, stiffness: &str, thickness: f64, gap: f64) -> String {
          friction_angle = \"30 deg\"\nnormal_stiffness = \"{stiffness}\"\n{}\
          [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"a\"\nuntil = {{ time = \"1.5 s\" }}\ndamping.mass = \"5 1/s\"\n",
         if plane && gap == 0.0 {
-            "bond = {}\n"
+            "bond = { cohesion = \"10 MPa\", tension = \"10 MPa\" }\n"
         } else {
             ""
         }
