@@ -26,7 +26,7 @@ mod cohesive;
 mod tests;
 
 pub use super::mohr_coulomb::{FailureMode, Strength};
-pub use cohesive::{Cohesive, Softening, cohesive, munjiza};
+pub use cohesive::{Cohesive, Curve, CurveError, MOST_POINTS, Softening, cohesive, munjiza};
 
 /// Traction: n, b, c, Pa.
 pub type Traction = [f64; 3];

@@ -217,6 +217,9 @@ pub struct Cohesive {
     /// Curve from the peak to nothing.
     #[key(default)]
     pub softening: Option<Softening>,
+    /// Curve by points [opening past the peak in any unit, share of the strength], from [0, 1] down to [.., 0], 2 to 8; with two lines
+    /// it is bilinear. Its length follows from the fracture energy. In the place of `softening`.
+    pub curve: Option<Vec<[Quantity<NotNegativePlain>; 2]>>,
 }
 
 /// Patches along edges that two blocks share at the start.

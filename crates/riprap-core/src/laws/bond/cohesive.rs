@@ -9,9 +9,11 @@
 //! takes is on top.
 //!
 //! Source: bilinear law as in Camanho & Davila (2002), NASA/TM-2002-211737, with the linear energy criterion; curve of
-//! Munjiza, Andrews & White (1999), Int. J. Numer. Meth. Engng 44, 41-57.
+//! Munjiza, Andrews & White (1999), Int. J. Numer. Meth. Engng 44, 41-57; Petersson (1981), report TVBM-1006, Lund;
+//! Cornelissen, Hordijk & Reinhardt (1986), Heron 31 (2), 45-56.
 //! Deviations: damage is driven by the slip of the slider, because with the whole `e_s` friction would count twice
-//! at the peak; D itself is remembered, not kappa, because the length of the curve changes with the direction.
+//! at the peak; curves run over the displacement past the peak (the crack of the sources opens by that and by what the springs give
+//! back, less than `strength/k`), with the whole area as fracture energy; D itself is remembered, not kappa, because the length of the curve changes with the direction.
 
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
@@ -26,6 +28,112 @@ pub enum Softening {
     Linear,
     /// Measured on concrete (Munjiza): steep first, with a long tail.
     Munjiza,
+    /// Two lines for concrete (Petersson): to a third of the strength at 0.8 G/f, to nothing at 3.6 G/f.
+    Petersson,
+    /// Measured on concrete (Cornelissen, Hordijk and Reinhardt): steeper than `munjiza` at first, nothing left at 5.136 G/f.
+    Hordijk,
+    /// Exponential, `exp(-w f/G)`; cut off where a thousandth is left.
+    Exponential,
+}
+
+/// Most points of a [`Curve`].
+pub const MOST_POINTS: usize = 8;
+
+/// A softening curve of straight lines between points (share of the softening length, share of the strength): from (0, 1) down to (1, 0).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    points: [[f64; 2]; MOST_POINTS],
+    count: u8,
+}
+
+/// What is wrong with the points of a [`Curve`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CurveError {
+    /// Two to eight.
+    #[error("it has {count} points: 2 to {MOST_POINTS} are possible")]
+    Count {
+        /// Points given.
+        count: usize,
+    },
+    /// The first point is (0, 1).
+    #[error("it begins elsewhere than at [0, 1], the whole strength")]
+    Start,
+    /// The last point has no strength left.
+    #[error("it ends elsewhere than at a strength of 0")]
+    End,
+    /// Openings ascend.
+    #[error("the opening of point {point} is not above that of the point before")]
+    Order {
+        /// Counted from 1.
+        point: usize,
+    },
+    /// Strength falls.
+    #[error("the strength of point {point} is above that of the point before")]
+    Rise {
+        /// Counted from 1.
+        point: usize,
+    },
+}
+
+impl Curve {
+    /// The curve through points `[opening, share of the strength]`; openings in any one unit.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with them.
+    pub fn new(given: &[[f64; 2]]) -> Result<Self, CurveError> {
+        let count = given.len();
+        if !(2..=MOST_POINTS).contains(&count) {
+            return Err(CurveError::Count { count });
+        }
+        if given[0] != [0.0, 1.0] {
+            return Err(CurveError::Start);
+        }
+        for (k, two) in given.windows(2).enumerate() {
+            let [[from, high], [to, low]] = [two[0], two[1]];
+            // Written so that a NaN is out of order too.
+            if !(to > from && to.is_finite()) {
+                return Err(CurveError::Order { point: k + 2 });
+            }
+            if !(low <= high) {
+                return Err(CurveError::Rise { point: k + 2 });
+            }
+        }
+        let [end, left] = given[count - 1];
+        if left != 0.0 {
+            return Err(CurveError::End);
+        }
+        let mut points = [[0.0; 2]; MOST_POINTS];
+        for (point, [opening, share]) in points.iter_mut().zip(given) {
+            *point = [opening / end, *share];
+        }
+        Ok(Self {
+            points,
+            count: count as u8,
+        })
+    }
+
+    /// Its points.
+    #[must_use]
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points[..usize::from(self.count)]
+    }
+
+    /// Share of the strength at the share `x` of the length.
+    fn at(&self, x: f64) -> f64 {
+        let past = self.points().windows(2).find(|two| x < two[1][0]);
+        past.map_or(0.0, |two| {
+            let [[from, high], [to, low]] = [two[0], two[1]];
+            high + (low - high) * (x - from) / (to - from)
+        })
+    }
+
+    /// Area under it.
+    fn area(&self) -> f64 {
+        let lines = self.points().windows(2);
+        lines
+            .map(|two| 0.5 * (two[0][1] + two[1][1]) * (two[1][0] - two[0][0]))
+            .sum()
+    }
 }
 
 /// Strength and fracture energies; tension and cohesion are above 0.
@@ -37,6 +145,8 @@ pub struct Cohesive {
     pub energy: [f64; 2],
     /// Curve from the peak to nothing.
     pub softening: Softening,
+    /// Curve by points; in the place of `softening`.
+    pub curve: Option<Curve>,
 }
 
 /// Area under [`munjiza`].
@@ -55,7 +165,68 @@ pub fn munjiza(x: f64) -> f64 {
     fall * (A * rest + B * square * square * square)
 }
 
+/// Share of the strength where Petersson's two lines meet, and of their length.
+const PETERSSON: [f64; 2] = [0.8 / 3.6, 1.0 / 3.0];
+/// Constants c_1 and c_2 of Cornelissen, Hordijk and Reinhardt, and the area under their curve.
+const HORDIJK: [f64; 2] = [3.0, 6.93];
+pub(super) const HORDIJK_AREA: f64 = 0.194_701_953_6;
+/// Logarithm of the strength at which an exponential curve is cut off.
+const CUT_OFF: f64 = 7.0;
+
+/// Traction over strength at the share `x` (0 to 1) of the softening length, of a curve that is no straight line.
+fn hordijk(x: f64) -> f64 {
+    let [c, d] = HORDIJK;
+    let cube = |x: f64| x * x * x;
+    (1.0 + cube(c * x)) * libm::exp(-d * x) - x * (1.0 + cube(c)) * libm::exp(-d)
+}
+
+/// The same for an exponential curve.
+fn exponential(x: f64) -> f64 {
+    let end = libm::exp(-CUT_OFF);
+    (libm::exp(-CUT_OFF * x) - end) / (1.0 - end)
+}
+
+/// The same for two lines.
+fn petersson(x: f64) -> f64 {
+    let [at, share] = PETERSSON;
+    if x < at {
+        1.0 - (1.0 - share) * x / at
+    } else {
+        share * (1.0 - x) / (1.0 - at)
+    }
+}
+
 impl Cohesive {
+    /// Traction over strength at the share `x` (0 to 1) of the softening length.
+    #[must_use]
+    pub fn share(&self, x: f64) -> f64 {
+        if let Some(curve) = &self.curve {
+            return curve.at(x);
+        }
+        match self.softening {
+            Softening::Linear => 1.0 - x,
+            Softening::Munjiza => munjiza(x),
+            Softening::Petersson => petersson(x),
+            Softening::Hordijk => hordijk(x),
+            Softening::Exponential => exponential(x),
+        }
+    }
+
+    /// Area under the curve of [`Cohesive::share`].
+    #[must_use]
+    pub fn share_area(&self) -> f64 {
+        if let Some(curve) = &self.curve {
+            return curve.area();
+        }
+        match self.softening {
+            Softening::Linear => 0.5,
+            Softening::Munjiza => MUNJIZA_AREA,
+            Softening::Petersson => 1.0 / 3.6,
+            Softening::Hordijk => HORDIJK_AREA,
+            Softening::Exponential => 1.0 / CUT_OFF - 1.0 / libm::expm1(CUT_OFF),
+        }
+    }
+
     /// Least fracture energies (opening, shear, J/m²) that these springs resolve, `strength²/(2 k)`: with less the point
     /// breaks at once and takes this much.
     #[must_use]
@@ -72,24 +243,20 @@ impl Cohesive {
         if kappa <= 1.0 {
             return 0.0;
         }
-        match self.softening {
-            Softening::Linear => {
-                // A triangle as high as the peak: half of its base is its area.
-                let end = 2.0 * area;
-                if kappa >= end {
-                    return 1.0;
-                }
-                1.0 - (end - kappa) / ((end - 1.0) * kappa)
+        if self.curve.is_none() && self.softening == Softening::Linear {
+            // A triangle as high as the peak: half of its base is its area.
+            let end = 2.0 * area;
+            if kappa >= end {
+                return 1.0;
             }
-            Softening::Munjiza => {
-                // The rise to the peak has an area of one half.
-                let length = (area - 0.5) / MUNJIZA_AREA;
-                if kappa - 1.0 >= length {
-                    return 1.0;
-                }
-                1.0 - munjiza((kappa - 1.0) / length) / kappa
-            }
+            return 1.0 - (end - kappa) / ((end - 1.0) * kappa);
         }
+        // The rise to the peak has an area of one half.
+        let length = (area - 0.5) / self.share_area();
+        if kappa - 1.0 >= length {
+            return 1.0;
+        }
+        1.0 - self.share((kappa - 1.0) / length) / kappa
     }
 }
 
