@@ -26,7 +26,8 @@ mod cohesive;
 mod tests;
 
 pub use super::mohr_coulomb::{FailureMode, Strength};
-pub use cohesive::{Cohesive, Curve, CurveError, MOST_POINTS, Softening, cohesive, munjiza};
+pub use super::softening_curve::{Curve, CurveError};
+pub use cohesive::{Cohesive, Softening, cohesive, munjiza};
 
 /// Traction: n, b, c, Pa.
 pub type Traction = [f64; 3];

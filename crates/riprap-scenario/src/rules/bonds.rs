@@ -5,11 +5,10 @@ use riprap_keys::Words;
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
 use crate::language::{
-    Block, BrittleBond, Cohesive, Cutting, Load, Mechanics, Phase, Scenario, Support, Target,
+    Block, BrittleBond, Cohesive, Cutting, Load, Mechanics, Phase, Scenario, Support, Target, curve,
 };
-use crate::quantity::{Quantity, Span};
+use crate::quantity::{NotNegativePlain, Quantity, Span};
 use riprap_core::dynamics::relaxation::PhaseKind;
-use riprap_core::laws::bond::Curve;
 use riprap_core::laws::parameters::{BondFailure, CutAnchor};
 
 /// Most parts that a block may be cut into.
@@ -177,7 +176,7 @@ impl Rules {
         }
     }
 
-    /// Points of a softening curve go down from the whole strength to nothing.
+    /// The curve of bonds has a name or points.
     fn curve(&mut self, of: &str, cohesive: &Cohesive) {
         let Some(curve) = &cohesive.curve else {
             return;
@@ -189,10 +188,20 @@ impl Rules {
             let message = format!("{of} has `softening` and `curve`");
             self.error("key.one_of", span, message, "keep one of them");
         }
-        let points: Vec<[f64; 2]> = curve.iter().map(|[x, y]| [x.si(), y.si()]).collect();
-        if let Err(error) = Curve::new(&points) {
+        self.points_of_curve(of, curve, span);
+    }
+
+    /// Points of a softening curve go down from the whole strength to nothing.
+    pub(super) fn points_of_curve(
+        &mut self,
+        of: &str,
+        points: &[[Quantity<NotNegativePlain>; 2]],
+        span: &Span,
+    ) {
+        if let Err(error) = curve(points) {
             let message = format!("the softening `curve` of {of} cannot be used: {error}");
-            let help = "list points [opening, share of the strength] from [0, 1] to [.., 0], openings ascending,                         shares falling, as in [[0, 1], [0.22, 0.33], [1, 0]]";
+            let help = "list points [opening, share of the strength] from [0, 1] to [.., 0], openings \
+                        ascending, shares falling, as in [[0, 1], [0.22, 0.33], [1, 0]]";
             self.error("value.order", span, message, help);
         }
     }

@@ -4,7 +4,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Formula, TimeFunction};
-pub use crate::laws::bond::{Cohesive, Curve, Softening};
+pub use crate::laws::bond::{Cohesive, Softening};
 use crate::laws::fracture::{Criterion, Margins};
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{BondFailure, CutAnchor};

@@ -9,7 +9,7 @@ use crate::scenario::language::{self, Mechanics, Support, Target};
 use crate::scenario::read::{Given, Provenance, Read};
 use crate::scenario::{Diagnostic, Name, Quantity, target_span};
 use crate::spatial::setup::deform::{
-    BondLaw, BondSprings, Cohesive, Curve, DeformableSet, NodeHold, Notch, Strength,
+    BondLaw, BondSprings, Cohesive, DeformableSet, NodeHold, Notch, Strength,
 };
 
 impl Builder<'_> {
@@ -81,10 +81,7 @@ impl Builder<'_> {
             energy: [said.mode_1.si(), said.mode_2.si()],
             softening: read.within("cohesive", said).softening(),
             // Looked at with the rules of the language.
-            curve: said.curve.as_ref().and_then(|points| {
-                let points: Vec<[f64; 2]> = points.iter().map(|[x, y]| [x.si(), y.si()]).collect();
-                Curve::new(&points).ok()
-            }),
+            curve: (said.curve.as_ref()).and_then(|c| language::curve(c).ok()),
         });
         BondLaw {
             springs,
