@@ -94,12 +94,15 @@ impl Terrain {
             near: Bins::new(&walled),
             bounds: field.bounds(),
             cells,
-            facets: facet.iter().max().map_or(0, |last| last + 1),
+            facets: facet[..field.triangles.len()]
+                .iter()
+                .max()
+                .map_or(0, |last| last + 1),
             field,
         }
     }
 
-    /// Number of facets.
+    /// Number of facets of the surface; those of the wall round it have higher numbers.
     #[must_use]
     pub fn facets(&self) -> u32 {
         self.facets
