@@ -169,14 +169,15 @@ fn collision(mut blocks: Vec<BlockSpec>, dt: f64) -> [f64; 3] {
     run.evaluate();
     let start = run.view().kinetic_energy();
     let spin = |run: &Run| run.view().angular_momentum();
-    let before = spin(&run);
+    let (before, momentum) = (spin(&run), run.view().momentum());
     let (mut worst, mut pressed, mut turned) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut drift = 0.0_f64;
     run.watch(0.16, |run| {
         let balance = run.view().balance();
         worst = worst.max((balance.residual() / start).abs());
         pressed = pressed.max(balance.contact_normal / start);
-        drift = drift.max(run.view().momentum().length() / (2500.0 * 10.0));
+        let change = run.view().momentum() - momentum;
+        drift = drift.max(change.length() / (2500.0 * 10.0));
         turned = turned.max((spin(run) - before).length() / (2500.0 * 10.0));
     });
     // They have touched and are apart again.
