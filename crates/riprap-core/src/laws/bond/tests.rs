@@ -207,7 +207,7 @@ fn work_to_full_separation_is_the_fracture_energy() {
             let least = law.least_energy(k);
             assert!(least[0] < law.energy[0] && least[1] < law.energy[1]);
             for (mode, direction) in [[1.0, 0.0, 0.0], [0.0, 0.6, -0.8]].iter().enumerate() {
-                let path = reload(1.5e-4).map(|s| direction.map(|d| s * d));
+                let path = reload(2e-4).map(|s| direction.map(|d| s * d));
                 let (sum, state) = work(k, &law, path);
                 assert_eq!(state.damage, 1.0);
                 let ratio = sum / law.energy[mode];
@@ -231,7 +231,7 @@ fn mixed_modes_share_the_energy() {
             let (mut at, mut t, mut state) = ([0.0; 3], NONE, State::default());
             let mut taken = [0.0; 2];
             for k in 1..=100_000 {
-                let s = 6e-5 * f64::from(k) / 1e5;
+                let s = 1e-4 * f64::from(k) / 1e5;
                 let next = [s * angle.cos(), s * angle.sin(), 0.0];
                 let (u, new) = cohesive(K, &law, &NONE, &next, &state);
                 for (k, sum) in taken.iter_mut().enumerate() {
@@ -352,14 +352,11 @@ fn a_pulled_point_is_on_its_curve() {
             softening,
             curve,
         };
-        assert_eq!(
-            [law.share(0.0), law.share(1.0).abs().max(1e-15)],
-            [1.0, 1e-15]
-        );
+        assert!((law.share(0.0) - 1.0).abs() < 1e-15 && law.share(1.0).abs() < 1e-15);
         let steps = 100_000_u32;
         let x = |k: u32| f64::from(k) / f64::from(steps);
         let sum: f64 = (0..steps).map(|k| law.share(0.5 * (x(k) + x(k + 1)))).sum();
-        assert!((sum / f64::from(steps) - law.share_area()).abs() < 1e-8);
+        assert!((sum / f64::from(steps) - law.share_area()).abs() < 2e-7);
         assert!((0..steps).all(|k| law.share(x(k)) >= law.share(x(k + 1))));
         let length = (energy / 2e6 - 0.5 * rise) / law.share_area();
         for part in [0.01, 0.05, 0.2, 0.4, 0.7, 0.95] {
