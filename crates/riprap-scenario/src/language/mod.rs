@@ -41,6 +41,7 @@ pub use ground::{
 };
 pub use interfaces::{
     BartonBandis, Bond, BrittleBond, Closure, Cohesive, Interface, InterfaceChange, JointSoftening,
+    curve,
 };
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{

@@ -20,6 +20,7 @@ mod mesh;
 mod pattern;
 mod places;
 mod pour;
+mod seams;
 mod shapes;
 mod sources;
 mod supports;
