@@ -13,7 +13,7 @@ use riprap_geom::Vec3;
 
 use super::frame::{Frame, Frames, PARALLEL};
 use super::peak::{Peak, peak};
-use super::piece::{self, BOUNDARY, Cutter, OPEN, Polygon};
+use super::piece::{BOUNDARY, Cutter, OPEN, Polygon};
 use super::planes::{Planes, origin};
 use super::remnant::Remnant;
 use super::shape::Body;
@@ -353,13 +353,9 @@ impl Walker {
         more
     }
 
-    /// Mean distance of the pressure on the largest piece of the pair evaluated last from a point (m from the origin of the
-    /// planes), m.
-    #[must_use]
-    pub fn mean_radius(&self, point: Vec3) -> f64 {
-        let frame = &self.largest_frame;
-        let arm = point - frame.foot;
-        piece::mean_radius(&self.largest, frame.axes.map(|axis| arm.dot(axis)))
+    /// Shows the piece that rubs: the largest one of the pair evaluated last.
+    pub fn rubbing(&self, show: &mut dyn FnMut(&Polygon, &Frame)) {
+        show(&self.largest, &self.largest_frame);
     }
 
     fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {
