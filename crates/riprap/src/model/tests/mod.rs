@@ -424,3 +424,19 @@ fn edge_loads_must_lie_on_an_edge() {
     ));
     assert!(bad(&load("1.5 m")).contains("do not lie on one edge"));
 }
+
+#[test]
+fn blocks_of_one_table_spin_as_one_body_and_copies_do_not() {
+    let start = "spin = \"2 rad/s\"\nvelocity = [\"1 m/s\", \"0 m/s\"]\n";
+    let velocity = |blocks: &str| {
+        let model = good(&format!("{blocks}{start}"));
+        model.setup.planar().expect("a plane").blocks[0].velocity
+    };
+    assert_eq!(velocity(CUBE), Vec2::X);
+    let copies = "copies = { count = 2, step = [\"2 m\", \"0 m\"] }\n";
+    assert_eq!(velocity(&format!("{CUBE}{copies}")), Vec2::X);
+    let wall = "[[blocks]]\nname = \"wall\"\nmaterial = \"rock\"\n\
+                wall = { corner = [\"0 m\",\"0 m\"], block = [\"1 m\",\"1 m\"], courses = 1, per_course = 2 }\n";
+    // Half a metre to the left of the centroid of both.
+    assert!((velocity(wall) - Vec2::new(1.0, -1.0)).length() < 1e-12);
+}
