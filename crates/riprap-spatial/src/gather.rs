@@ -81,6 +81,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             origin: world.setup.origin,
             reference: &world.reference,
             time: world.time,
+            half: scratch.kick_halves(world),
             pending: world.pending,
         },
         kick: Kick {

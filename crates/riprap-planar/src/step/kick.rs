@@ -175,6 +175,7 @@ impl<'a> Kick<'a> {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.force.dot(v) + load.moment * w);
             works.damping -= half * (damping.dot(v) + slowing * w);
+            works.local -= half * (drag.dot(v) + twist * w);
         }
     }
 }

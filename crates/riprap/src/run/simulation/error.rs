@@ -218,6 +218,10 @@ impl RunError {
                 what: Unexplained::LawDefect,
                 ..
             } => "the defect of the laws",
+            Self::Residual {
+                what: Unexplained::Steps,
+                ..
+            } => "the energy that changes of the step made",
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
             Self::Edit { .. } => "a block cannot be split or cut",
             Self::Phase { .. } => "a phase cannot begin",
