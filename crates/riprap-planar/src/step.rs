@@ -82,7 +82,7 @@ impl World {
             start_energy: None,
             setup,
         };
-        hold_driven(&mut world);
+        hold_driven(&mut world, &shapes);
         let close = search::near_pairs(&world, &shapes);
         world.bonds = bond::build(&world.setup, &shapes, &close);
         // What a joint stores at the start, by round-off of its corners, is no work of friction.
@@ -97,14 +97,16 @@ impl World {
 }
 
 /// Gives driven blocks their prescribed velocity at the present time.
-pub fn hold_driven(world: &mut World) {
+pub fn hold_driven(world: &mut World, shapes: &Shapes) {
     let t = world.time;
-    for (body, motion) in world.bodies.iter_mut().zip(&world.motion) {
+    let bodies = world.bodies.iter_mut().zip(&world.motion);
+    for ((body, motion), centroid) in bodies.zip(&shapes.centroid) {
         if let Some(motion) = motion.as_deref() {
             let [x, y, spin] = motion.targets();
             body.velocity.x = x.at(t, body.velocity.x);
             body.velocity.y = y.at(t, body.velocity.y);
             body.spin = spin.at(t, body.spin);
+            body.velocity += motion.swing(*centroid, body.angle, t, 0.0);
         }
     }
 }

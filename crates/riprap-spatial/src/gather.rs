@@ -88,6 +88,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            reference: &world.reference,
             ..scratch.kick_of_nobody(world)
         },
         tiles: &scratch.tiles,

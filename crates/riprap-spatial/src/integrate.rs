@@ -63,6 +63,7 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            reference: &world.reference,
             ..scratch.kick_of_nobody(world)
         },
         tiles: &scratch.tiles,

@@ -44,6 +44,8 @@ pub struct Kick<'a> {
     pub solid: &'a [u32],
     /// Prescribed motion of the blocks.
     pub motion: &'a [Option<Box<Motion>>],
+    /// Places of their centroids at the start, m.
+    pub reference: &'a [Vec3],
     /// Gravity, m/s².
     pub gravity: Vec3,
     /// Present time, s.
@@ -164,6 +166,8 @@ impl Kick<'_> {
         if let Some(motion) = motion {
             let free = (dv, dl);
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
+            let attitude = moving.turned.map(|t| t.attitude);
+            dv += motion.swing(self.reference[b], attitude, self.time, 2.0 * self.half[1]);
             let [along, about] = motion.given();
             let mut blow = Vec3::ZERO;
             if let Some(bound) = &bound {
@@ -283,6 +287,7 @@ impl Scratch {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            reference: &world.reference,
             ..self.kick_of_nobody(world)
         }
     }
@@ -294,6 +299,7 @@ impl Scratch {
             solids: &[],
             solid: &[],
             motion: &[],
+            reference: &[],
             gravity: world.gravity,
             time: world.time,
             damping: self.damping,
@@ -402,7 +408,9 @@ impl World {
             let now = |targets: &[Target; 3], v: Vec3| {
                 Vec3::from_array([0, 1, 2].map(|k| targets[k].at(t, v[k])))
             };
-            let v = now(&along, self.bodies.velocity(b));
+            let attitude = self.turned[b].as_ref().map(|t| t.attitude);
+            let v = now(&along, self.bodies.velocity(b))
+                + motion.swing(self.reference[b], attitude, t, 0.0);
             let w = now(&about, self.bodies.spin(b));
             self.bodies.set_velocity(b, v, w);
             let solid = &self.solids[self.solid[b] as usize];

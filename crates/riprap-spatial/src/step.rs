@@ -259,6 +259,11 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     let mut changed = false;
     for b in 0..world.alive.len() {
         let vector = world.bodies.rotation(b);
+        // What turns about a point with others stays on its circle from the first step on.
+        let swings = world.motion[b]
+            .as_ref()
+            .is_some_and(|m| m.about().is_some());
+        let bound = if swings { -1.0 } else { bound };
         if !world.alive[b] || world.turned[b].is_some() || vector.length() <= bound {
             continue;
         }

@@ -45,7 +45,7 @@ pub(super) fn planar(
         }
         world.last_dt = 0.0;
     }
-    planar::step::hold_driven(world);
+    planar::step::hold_driven(world, &scratch.shapes);
     planar::bolts::follow(world);
     planar::bolts::install(world, &scratch.shapes, &phase.install)
 }
