@@ -311,6 +311,7 @@ impl Evaluation<'_> {
         let law = constants.law(self.known.rows);
         let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
         let before = left(pair) + pair.stored;
+        let falls = workspace.walker.falling(&law, &surface);
         let reply = respond(
             &law,
             &Question {
@@ -323,6 +324,7 @@ impl Evaluation<'_> {
                 dt: self.dt,
                 last_dt: self.last_dt,
                 shared: None,
+                falls,
             },
             &mut pair.memory,
             &mut pair.offset,

@@ -100,6 +100,7 @@ pub(super) fn act(
                 },
                 |k| old.remove(k),
             );
+            let falls = gluer.walker.falling(law, &surface);
             let reply = respond(
                 law,
                 &Question {
@@ -112,6 +113,7 @@ pub(super) fn act(
                     dt: *dt,
                     last_dt: asked.last_dt,
                     shared: None,
+                    falls,
                 },
                 &mut contact.memory,
                 &mut None,

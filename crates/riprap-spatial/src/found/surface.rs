@@ -9,9 +9,11 @@
 //! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
 //! add up to 1 and change continuously as one face passes through the other.
 
-use riprap_geom::Vec3;
+use riprap_geom::{Mat3, Vec3};
 
+use super::ContactLaw;
 use super::frame::{Frame, Frames, PARALLEL};
+use super::lateral;
 use super::peak::{Peak, peak};
 use super::piece::{BOUNDARY, Cutter, OPEN, Polygon};
 use super::planes::{Planes, origin};
@@ -87,6 +89,8 @@ pub struct Walker {
     stamp: u32,
     /// Whether each plane has a piece.
     met: Vec<bool>,
+    /// The pieces that are not empty.
+    pieces: Vec<[u16; 2]>,
     ties: Vec<Tie>,
     remnant: Remnant,
     radius: f64,
@@ -186,6 +190,7 @@ impl Walker {
         self.stamp += 1;
         self.met.clear();
         self.met.resize(first + second, false);
+        self.pieces.clear();
         self.sums = Sums::default();
         self.largest_weight = 0.0;
         self.ties.clear();
@@ -338,6 +343,7 @@ impl Walker {
             for number in numbers {
                 self.met[number] = true;
             }
+            self.pieces.push(piece);
         }
         left.then_some(share)
     }
@@ -356,6 +362,42 @@ impl Walker {
     /// Shows the piece that rubs: the largest one of the pair evaluated last.
     pub fn rubbing(&self, show: &mut dyn FnMut(&Polygon, &Frame)) {
         show(&self.largest, &self.largest_frame);
+    }
+
+    /// Negative stiffness along the surface of the pair evaluated last over the normal stiffness of its law, m², with the sums of the contact; 0
+    /// where no springs are asked to hold it.
+    pub fn falling(&mut self, law: &ContactLaw, sums: &Sums) -> f64 {
+        let split = self.planes.split;
+        let faces = |met: &[bool]| met.iter().filter(|met| **met).count();
+        // Along the one face of a block that is touched nothing changes.
+        if faces(&self.met[..split]) < 2 || faces(&self.met[split..]) < 2 {
+            return 0.0;
+        }
+        match law.least_falling() {
+            Some(least) if lateral::is_narrow(sums, least) => {
+                lateral::falls(&self.rate(), sums.force)
+            }
+            Some(_) | None => 0.0,
+        }
+    }
+
+    /// Rate of the integral of depth times normal with the displacement of the second block, m².
+    pub(super) fn rate(&mut self) -> Mat3 {
+        let mut rate = Mat3::ZERO;
+        let count = self.pieces.len();
+        for k in 0..count {
+            let piece = self.pieces[k];
+            let numbers = self.numbers(piece);
+            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
+                && let Some(share) = self.make(&frame, piece)
+            {
+                let polygon = &self.cutter.polygon;
+                rate = rate + lateral::rate(&self.planes, &frame, polygon, numbers) * share;
+            }
+        }
+        // Those that were made again.
+        self.pieces.truncate(count);
+        rate
     }
 
     fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {
