@@ -198,11 +198,15 @@ pub(crate) fn spans(
             continue;
         }
         let middle = 0.5 * (s0 + s1);
-        let nearest = near
-            .iter()
-            .map(|&m| (m, feature(block, m, p, q, middle)))
-            .min_by(|a, b| a.1.at(middle).total_cmp(&b.1.at(middle)));
-        if let Some((edge, feature)) = nearest {
+        let mut nearest: Option<(f64, u16, Feature)> = None;
+        for &m in near.iter() {
+            let feature = feature(block, m, p, q, middle);
+            let distance = feature.at(middle);
+            if nearest.is_none_or(|(least, ..)| distance.total_cmp(&least).is_lt()) {
+                nearest = Some((distance, m, feature));
+            }
+        }
+        if let Some((_, edge, feature)) = nearest {
             let s = [s0, s1];
             each(Span { s, edge, feature });
         }
