@@ -128,7 +128,12 @@ impl Rules {
                     );
                 }
             }
-            Some(TimeFunction::Constant(_) | TimeFunction::Sine(_) | TimeFunction::Triangle(_))
+            Some(
+                TimeFunction::Constant(_)
+                | TimeFunction::Sine(_)
+                | TimeFunction::Triangle(_)
+                | TimeFunction::At2(_),
+            )
             | None => {}
         }
     }
