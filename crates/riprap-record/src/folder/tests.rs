@@ -2,6 +2,7 @@
 
 use super::super::manifest::Ended;
 use super::super::table::Table;
+use super::super::vtu::PvdEntry;
 use super::*;
 use riprap_testkit::sample;
 use std::collections::BTreeMap;

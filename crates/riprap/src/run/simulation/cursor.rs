@@ -371,13 +371,13 @@ mod tests {
     #[test]
     fn numbers_that_stand_for_nothing_are_refused_in_the_plane() {
         let mutations: [fn(&mut crate::planar::world::World); 7] = [
-            |world| drop(world.alive.pop()),
+            |world| world.alive.clear(),
             |world| world.setup.blocks[0].material = 9,
             |world| world.setup.pair_table[0] = 9,
             |world| world.setup.supports[0].blocks[0] = 9,
             |world| world.setup.interfaces.clear(),
             |world| world.water = Some(3),
-            |world| drop(world.bodies.pop()),
+            |world| world.bodies.clear(),
         ];
         assert_eq!(plane().sound(), Ok(()));
         for (k, mutate) in mutations.into_iter().enumerate() {
@@ -396,15 +396,15 @@ mod tests {
     #[test]
     fn numbers_that_stand_for_nothing_are_refused_in_space() {
         let mutations: [fn(&mut crate::spatial::world::World); 9] = [
-            |world| drop(world.alive.pop()),
+            |world| world.alive.clear(),
             |world| world.solid[1] = 9,
             |world| world.patches.ends[0] = [0, 9],
             |world| world.patches.class[0] = 9,
-            |world| drop(world.patches.flags.pop()),
+            |world| world.patches.flags.clear(),
             |world| world.classes[0].row = 9,
             |world| world.faces[0].block = 9,
             |world| world.setup.names.clear(),
-            |world| drop(world.bodies.velocity[2].pop()),
+            |world| world.bodies.velocity[2].clear(),
         ];
         assert_eq!(space().sound(), Ok(()));
         for (k, mutate) in mutations.into_iter().enumerate() {
