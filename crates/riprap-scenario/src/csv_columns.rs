@@ -292,12 +292,10 @@ fn missing(head: &[String], column: &Column) -> CsvError {
     };
     let columns = short(&known.join(", "));
     let help = match like {
+        _ if known.len() == 1 => format!(
+            "the only column is {columns}; separate columns with commas, semicolons or tabs, and name one {example}"
+        ),
         Some(like) => format!("{like} the columns are {columns}"),
-        None if known.len() == 1 => {
-            format!(
-                "the only column is {columns}; separate columns with commas, semicolons or tabs, and name one {example}"
-            )
-        }
         None => format!("the columns are {columns}; name one {example}"),
     };
     CsvError::new(&format!("there is no column `{name}`"), &help)

@@ -100,7 +100,8 @@ fn fit(cell: &str, at: usize, column: &Column) -> Fit {
             }
             Ok((_, dim)) => {
                 let message = format!("the column `{cell}` is {}", dim.describe());
-                wrong.get_or_insert(CsvError::new(&message, &remedy(column)));
+                // The longest unit that can be read is the one that is meant: `v_mm_s` is no time.
+                wrong = Some(CsvError::new(&message, &remedy(column)));
             }
             // `center_x`: what stands behind the underscore need be no unit.
             Err(_) if !bracketed && (whole || !column.needed) => {}

@@ -39,7 +39,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, CsvError> {
             Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
         }
     };
-    let strange = |c: char| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{c}');
+    let strange = |c: char| c.is_ascii_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{c}');
     if text.contains(strange) {
         return Err(CsvError::new(
             "this is not a text file",

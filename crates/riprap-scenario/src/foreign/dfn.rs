@@ -278,7 +278,7 @@ mod tests {
         assert!(fab(" 2 1 0 1\n", " 2 1 0\n").contains("line 12: a corner has its number"));
         assert!(fab(" 2 1 0 1\n", " 2 1 x 1\n").contains("line 12: `x` is no finite number"));
         assert!(
-            fab(" 4 0 1 1\n", "").contains("line 14: `"),
+            fab(" 4 0 1 1\n", "").contains("line 15: a row `0`"),
             "{}",
             fab(" 4 0 1 1\n", "")
         );
