@@ -22,6 +22,7 @@ pub mod frame;
 pub mod lanes;
 pub mod laws;
 pub mod ledger;
+pub mod numbers;
 pub mod profile;
 pub mod rhythm;
 pub mod sets;

@@ -88,6 +88,7 @@ mod search;
 mod seepage;
 pub mod setup;
 pub mod shapes;
+mod sound;
 pub mod stable;
 pub mod step;
 mod stress;

@@ -113,7 +113,7 @@ pub(super) fn lock(path: &Path) -> Result<File, FolderError> {
 
 /// Whether a process is writing into the run folder now. File systems without locks cannot tell: `None`.
 pub fn in_use(path: &Path) -> Option<bool> {
-    match File::open(path.join(LOCK)).ok()?.try_lock_shared() {
+    match open_plain(&path.join(LOCK)).ok()?.try_lock_shared() {
         Ok(()) => Some(false),
         Err(TryLockError::WouldBlock) => Some(true),
         Err(TryLockError::Error(_)) => None,
@@ -189,7 +189,8 @@ fn entry(frame: &FrameEntry, file: FileOf) -> PvdEntry {
     }
 }
 
-/// Writes the `.pvd` lists: files of cracks and tetrahedra as far as there are any.
+/// Writes the `.pvd` lists: files of cracks, bolts and tetrahedra as far as there are any. A list without any is removed: one of
+/// frames that a continued run writes again would name them twice.
 pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), OutputError> {
     for (name, file, always) in LISTS {
         let there = |f: &&FrameEntry| always || path.join(file(f.index)).exists();
@@ -200,6 +201,8 @@ pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), Outp
             .collect();
         if always || !entries.is_empty() {
             write_whole(&path.join(name), vtu::write_pvd(&entries).as_bytes())?;
+        } else {
+            remove_if_there(&path.join(name))?;
         }
     }
     Ok(())

@@ -167,6 +167,7 @@ impl Rules {
                     ("msh", mesh.msh.is_some()),
                     ("tess", mesh.tess.is_some()),
                     ("stl", mesh.stl.is_some()),
+                    ("obj", mesh.obj.is_some()),
                 ];
                 self.one_of(span, &of, &given);
                 if let (Some(volume), None) = (&mesh.volume, &mesh.msh) {
@@ -352,6 +353,19 @@ impl Rules {
                 }
             };
             self.error("key.missing", span, message, help);
+        }
+        if let Some(joints) = &cut.joints {
+            let given = [
+                ("csv", joints.csv.is_some()),
+                ("fab", joints.fab.is_some()),
+                ("dfnworks", joints.dfnworks.is_some()),
+            ];
+            self.one_of(span, &format!("the joints of {of}"), &given);
+            if let (Some(unit), Some(_)) = (&joints.unit, &joints.csv) {
+                let message = format!("the joints of {of} have `unit` and `csv`");
+                let help = "the columns of a CSV file have their units in their names";
+                self.error("key.forbidden", &unit.span, message, help);
+            }
         }
         if let Some(traces) = &cut.traces {
             let of = format!("the traces of {of}");

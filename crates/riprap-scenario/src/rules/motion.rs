@@ -159,7 +159,12 @@ impl Rules {
                     );
                 }
             }
-            Some(TimeFunction::Constant(_) | TimeFunction::Sine(_) | TimeFunction::Triangle(_))
+            Some(
+                TimeFunction::Constant(_)
+                | TimeFunction::Sine(_)
+                | TimeFunction::Triangle(_)
+                | TimeFunction::At2(_),
+            )
             | None => {}
         }
     }
