@@ -89,10 +89,12 @@ mod seepage;
 pub mod setup;
 pub mod shapes;
 pub mod stable;
+mod states;
 pub mod step;
 mod stress;
+mod supports;
 pub mod view;
 mod water;
 pub mod world;
 
-use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, sums};
+use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, sums};

@@ -27,6 +27,7 @@ use super::water;
 use super::world::{Body, World, Wrench};
 use crate::accounts::{Account, Entries};
 use crate::exec::{Exec, piece};
+use crate::failed::FailedPoints;
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
 use kick::kicks;
@@ -75,6 +76,7 @@ impl World {
             pairs: Vec::new(),
             general: Vec::new(),
             bonds: Vec::new(),
+            failed: FailedPoints::default(),
             bolts: Vec::new(),
             works: Works::default(),
             accounts: vec![Account::default(); setup.accounts.len()],
