@@ -85,6 +85,44 @@ pub fn csv_table<const N: usize>(
     Ok(std::array::from_fn(|_| found.next().flatten()))
 }
 
+/// The texts of a column, and whether the file has other columns.
+///
+/// # Errors
+/// A file that cannot be read, no such column, a row without a text there.
+pub fn csv_labels(path: &Path, name: &str) -> Result<Vec<String>, CsvError> {
+    let text = read_text(path)?;
+    labels(&text, name).map_err(|error| error.of(path))
+}
+
+fn labels(text: &str, name: &str) -> Result<Vec<String>, CsvError> {
+    let header = header_of(text)?;
+    let Some(place) = header.iter().position(|cell| plain(cell) == plain(name)) else {
+        return Err(CsvError {
+            message: format!("there is no column `{name}`"),
+            help: suggest(name, header.iter().map(String::as_str)),
+        });
+    };
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let records = reader.records().map(|record| {
+        let record = record.map_err(|error| CsvError {
+            message: error.to_string(),
+            help: None,
+        })?;
+        let line = record.position().map_or(0, csv::Position::line);
+        match record.get(place) {
+            Some(cell) if !cell.is_empty() => Ok(cell.to_owned()),
+            Some(_) | None => Err(CsvError {
+                message: format!("line {line} says nothing in the column `{name}`"),
+                help: None,
+            }),
+        }
+    });
+    records.collect()
+}
+
 /// The columns of a text; see [`csv_table`].
 fn read_table(text: &str, columns: &[Column]) -> Result<Vec<Option<Found>>, CsvError> {
     let header = header_of(text)?;
