@@ -17,6 +17,7 @@
 pub mod accounts;
 pub mod dynamics;
 pub mod exec;
+pub mod failed;
 pub mod field;
 pub mod frame;
 pub mod lanes;

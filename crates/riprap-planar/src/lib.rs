@@ -90,13 +90,15 @@ pub mod setup;
 pub mod shapes;
 mod sound;
 pub mod stable;
+mod states;
 pub mod step;
 mod stress;
 mod strips;
+mod supports;
 pub mod view;
 mod water;
 pub mod world;
 
 pub use contact::change_laws;
 
-use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, sums};
+use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, sums};

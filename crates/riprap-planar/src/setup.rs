@@ -29,6 +29,10 @@ pub struct Setup {
     pub materials: Vec<String>,
     /// The blocks, in scenario order.
     pub blocks: Vec<BlockSpec>,
+    /// Angle of each block at the start against the outline that the scene draws, rad; empty where a table of states turned none.
+    pub angles: Vec<f64>,
+    /// Moments of inertia of blocks that do not have that of their shape, kg m.
+    pub inertias: Vec<(u32, f64)>,
     /// Contact and bond laws.
     pub interfaces: Vec<Interface>,
     /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
@@ -92,7 +96,7 @@ pub struct BlockSpec {
     pub vertices: Vec<Vec2>,
     /// Index into `Setup::materials`.
     pub material: u16,
-    /// Mass density, kg/m³.
+    /// Mass over area, kg/m³: the density of the material, or that of a given mass.
     pub density: f64,
     /// Initial velocity of the centroid, m/s.
     pub velocity: Vec2,

@@ -28,6 +28,7 @@ use super::water;
 use super::world::{Body, World, Wrench};
 use crate::accounts::{Account, Entries};
 use crate::exec::{Exec, piece};
+use crate::failed::FailedPoints;
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
 use kick::kicks;
@@ -76,6 +77,7 @@ impl World {
             pairs: Vec::new(),
             general: Vec::new(),
             bonds: Vec::new(),
+            failed: FailedPoints::default(),
             bolts: Vec::new(),
             works: Works::default(),
             accounts: vec![Account::default(); setup.accounts.len()],

@@ -22,7 +22,7 @@ mod tests;
 mod text;
 
 pub(crate) use head::GRAVITY;
-use head::{Cell, find, unit_of};
+use head::{Cell, find, plain, unit_of};
 use text::Rows;
 
 /// Largest CSV file accepted, bytes.
@@ -167,6 +167,37 @@ pub fn csv_table<const N: usize>(path: &Path, columns: &[Column; N]) -> Result<T
         message: format!("`{}`, {}", path.display(), error.message),
         help: error.help,
     })
+}
+
+/// The texts of a column with the line of each in the file, counted from 1.
+///
+/// # Errors
+/// As [`csv_table`]; a row without a text there.
+pub fn csv_labels(path: &Path, name: &str) -> Result<Vec<(usize, String)>, CsvError> {
+    let bytes = plain_file::read(path, MAX_CSV_SIZE).map_err(|error| CsvError {
+        message: error.message,
+        help: error.help,
+    })?;
+    labels(&bytes, name).map_err(|error| CsvError {
+        message: format!("`{}`, {}", path.display(), error.message),
+        help: error.help,
+    })
+}
+
+fn labels(bytes: &[u8], name: &str) -> Result<Vec<(usize, String)>, CsvError> {
+    let text = text::decode(bytes)?;
+    let mut rows = text::rows(&text)?;
+    let at = rows.head.iter().position(|cell| plain(cell) == plain(name));
+    let Some(at) = at else {
+        let wanted = [name];
+        return Err(missing(&rows.head, &Column::needed(&wanted, Dim::NONE, "")));
+    };
+    let mut found = Vec::new();
+    while rows.next()? {
+        let (line, cell) = (rows.line, rows.row.get(at).unwrap_or_default());
+        found.push((line, cell.to_owned()));
+    }
+    Ok(found)
 }
 
 /// Reads the columns from the bytes of a file; see [`csv_table`].

@@ -9,7 +9,7 @@ pub mod deform;
 mod solid;
 
 use riprap_geom::height_field::HeightField;
-use riprap_geom::{Quat, Vec3};
+use riprap_geom::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 
 pub use self::bridges::{Bridges, Ended};
@@ -41,6 +41,10 @@ pub struct Setup {
     pub names: Vec<String>,
     /// The blocks, in scenario order.
     pub blocks: Vec<BlockSpec>,
+    /// Attitude of each block at the start against the shape that the scene draws; empty where a table of states turned none.
+    pub attitudes: Vec<Quat>,
+    /// Blocks with a mass and moments of inertia of their own, ascending.
+    pub bodies: Vec<GivenBody>,
     /// Joint laws of patches built along faces that blocks share at the start.
     pub interfaces: Vec<InterfaceLaw>,
     /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
@@ -177,6 +181,17 @@ pub struct BlockSpec {
     pub velocity: Vec3,
     /// Initial angular velocity, rad/s.
     pub spin: Vec3,
+}
+
+/// A rigid block that is not as heavy, or turns not as heavily, as its shape and material say.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GivenBody {
+    /// Index of the block.
+    pub block: u32,
+    /// kg.
+    pub mass: f64,
+    /// Tensor of inertia about the centroid, kg m².
+    pub inertia: Mat3,
 }
 
 /// Shape of a block at its start.

@@ -15,7 +15,7 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 18] = [
+const FILES: [&str; 20] = [
     LOCK,
     names::FILE,
     conditions::FILE,
@@ -28,6 +28,8 @@ const FILES: [&str; 18] = [
     "energy.csv",
     "events.jsonl",
     "fragments.csv",
+    "fragment_blocks.csv",
+    "final_states.csv",
     "bolts.csv",
     "run.pvd",
     "contacts.pvd",

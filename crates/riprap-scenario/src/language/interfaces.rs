@@ -106,7 +106,8 @@ pub struct Interface {
     #[key(changes)]
     pub clip_speed: Option<Quantity<Speed>>,
     /// Share of critical damping of found contacts; of closed joints in `[space.spatial]` dashpots with the time
-    /// constant `damping_ratio` times distance of the centroids over c_P (needs `young`, `poisson`).
+    /// constant `damping_ratio` times distance of the centroids over c_P, that of the materials where `young` and `poisson` are
+    /// given, else that of a lattice with the stiffness of the joint, the root of kn d / density.
     #[key(planar = "0.2", spatial = "0.1", changes, read_by("joints"))]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`.

@@ -517,7 +517,7 @@ mod tests {
 
     /// Planes of two cells between planes of three to five joint sets at whole distances.
     fn along_common_planes(unit: &mut impl FnMut() -> f64) -> Planes {
-        let mut vector = |unit: &mut dyn FnMut() -> f64| loop {
+        let vector = |unit: &mut dyn FnMut() -> f64| loop {
             let v = Vec3::new(unit(), unit(), unit()) * 2.0 - Vec3::ONE;
             if v.length() > 0.1 && v.length() < 1.0 {
                 return v.normalize();

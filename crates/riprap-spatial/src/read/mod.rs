@@ -4,6 +4,7 @@
 pub mod bars;
 pub mod beyond;
 pub mod bolts;
+pub mod borne;
 pub mod conditions;
 pub mod contacts;
 pub mod cracks;
@@ -16,7 +17,9 @@ mod heap;
 pub mod outlook;
 pub mod peaks;
 pub mod picture;
+mod states;
 mod stress;
+mod supports;
 pub mod survey;
 pub mod tetrahedra;
 pub mod view;

@@ -18,7 +18,7 @@ use crate::scenario::language::{
 };
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
-use crate::scenario::{Diagnostic, Span};
+use crate::scenario::{Diagnostic, Quantity, Span};
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn places(block: &Block) -> Vec<Vec2> {
@@ -163,7 +163,8 @@ impl Builder<'_> {
                 || common_centroid(outlines),
                 |p| Vec2::from(p.xy()) - self.origin,
             );
-            let (sin, cos) = (libm::sin(rotate.angle.si()), libm::cos(rotate.angle.si()));
+            let angle = rotate.angle.as_ref().map_or(0.0, Quantity::si);
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
             for v in outlines.iter_mut().flatten() {
                 let arm = *v - about;
                 *v = about + Vec2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);

@@ -329,6 +329,7 @@ impl Builder<'_> {
                 spin,
             });
         }
+        self.given_bodies(block, first);
         self.enter_deformable(block, first);
     }
 

@@ -8,6 +8,7 @@ use crate::record::conditions::Conditions;
 use crate::record::field::Site;
 use crate::record::frame::bars;
 use crate::record::frame::fragments::Fragments;
+use crate::record::frame::states;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::{Source, Work};
 use crate::record::names::Names;
@@ -478,6 +479,15 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => (!v.world.bonds.is_empty()).then(|| v.fragments()),
             Self::Spatial(v) => Some(v.fragments()),
+        }
+    }
+
+    /// The table of the states of the blocks, as `start.csv` of a scene reads it.
+    #[must_use]
+    pub fn states(&self) -> String {
+        match self {
+            Self::Planar(v) => states::csv(states::PLANAR, &v.states()),
+            Self::Spatial(v) => states::csv(states::SPATIAL, &v.states()),
         }
     }
 
