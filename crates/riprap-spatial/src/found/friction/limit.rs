@@ -17,6 +17,13 @@ const NO_MOMENT: f64 = 1e-9;
 /// A centre of rotation farther away than this, in radii of gyration, is put there: nearly all of the slip is sliding.
 const FAR: f64 = 1e3;
 
+/// Share of the largest force that a load within the limit may be above it by round-off.
+const BEYOND: f64 = 1e-6;
+
+/// Mean radius of a line over its radius of gyration.
+const LINE_MEAN_RADIUS: f64 = 0.866;
+/// A surface with less area than this, over the square of its radius of gyration, is a line: 1000 times as long as wide.
+const NEEDLE: f64 = 1e-2;
 /// Shows all pieces of a surface that rub.
 pub type Pieces<'a> = dyn Fn(&mut dyn FnMut(&Polygon, &Frame)) + 'a;
 
@@ -71,12 +78,12 @@ impl<'a> Limit<'a> {
             return false;
         }
         if m.abs() <= NO_MOMENT {
-            let excess = (f * f + m * m).sqrt();
-            if excess > 1.0 {
-                *shear /= excess;
-                *torsion /= excess;
-            }
-            return excess > 1.0;
+            return shrink(shear, torsion, (f * f + m * m).sqrt(), 1.0);
+        }
+        if self.contact.area < NEEDLE * self.contact.gyration {
+            // The integrals over a line cancel; its ellipse is within some per cent.
+            let m = *torsion / (LINE_MEAN_RADIUS * moment);
+            return shrink(shear, torsion, (f * f + m * m).sqrt(), 1.0);
         }
         let Some(face) = Face::new(self, radius) else {
             let excess = f + m.abs();
@@ -93,13 +100,24 @@ impl<'a> Limit<'a> {
         let (way, angle) = self.motion;
         let motion = [way.dot(face.axes[0]), way.dot(face.axes[1]), angle * radius];
         let turn = self.contact.polar / (self.contact.area * self.contact.gyration);
-        let Some([s, t, turned]) = hold(&face, trial, turn, motion) else {
-            return false;
+        let held = hold(&face, trial, turn, motion);
+        let Some([s, t, turned]) = held.filter(|held| held.iter().all(|x| x.is_finite())) else {
+            // No surface holds more than this, whatever round-off makes of one.
+            return shrink(shear, torsion, f.max(torsion.abs() / moment), 1.0 + BEYOND);
         };
         *shear = -self.force * (s * face.axes[0] + t * face.axes[1]);
         *torsion = -moment * turned;
         true
     }
+}
+
+/// Divides a load that is more than `least` times what friction carries by how much it is; whether it was.
+fn shrink(shear: &mut Vec3, torsion: &mut f64, excess: f64, least: f64) -> bool {
+    if excess > least {
+        *shear /= excess;
+        *torsion /= excess;
+    }
+    excess > least
 }
 
 /// The surface laid flat into the plane of the contact.
