@@ -75,7 +75,7 @@ mod tests {
     fn only_plain_files_within_the_limit_are_read() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("a");
-        std::fs::write(&file, [7; 3 << 20]).unwrap();
+        std::fs::write(&file, vec![7; 3 << 20]).unwrap();
         assert_eq!(read(&file, 3 << 20).unwrap().len(), 3 << 20);
         let refused = read(&file, 2 << 20).unwrap_err();
         assert!(refused.message.contains("larger than 2 MiB"));

@@ -235,7 +235,8 @@ fn verdict(planes: &Planes, basis: &Basis) -> Peak {
         basis.h
     };
     let proved = weights.iter().all(|weight| *weight > NEGATIVE);
-    if basis.ill && !(depth > 0.0) && !(basis.h <= 0.0 && proved) {
+    let shared = depth > 0.0;
+    if basis.ill && !shared && !(basis.h <= 0.0 && proved) {
         return Peak::Unsure;
     }
     if depth > 0.0 {

@@ -392,7 +392,7 @@ impl Walker {
                 && let Some(share) = self.make(&frame, piece)
             {
                 let polygon = &self.cutter.polygon;
-                rate = rate + lateral::rate(&self.planes, &frame, polygon, numbers) * share;
+                rate += lateral::rate(&self.planes, &frame, polygon, numbers) * share;
             }
         }
         // Those that were made again.

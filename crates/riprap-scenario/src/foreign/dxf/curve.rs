@@ -44,7 +44,7 @@ impl Curve {
         }
         // Arcs run anticlockwise, over the angle 0 where they end before it.
         let turn = (to - from).rem_euclid(TAU);
-        let whole = turn < 1e-9 || turn > TAU - 1e-9;
+        let whole = !(1e-9..=TAU - 1e-9).contains(&turn);
         Some(Curve {
             centre: [x, y],
             a,

@@ -94,7 +94,7 @@ impl Drawing {
     fn partners(&self, open: &[usize]) -> (Vec<Option<usize>>, bool) {
         let end = |e: usize| {
             let points = &self.lines[open[e / 2]].points;
-            if e % 2 == 0 {
+            if e.is_multiple_of(2) {
                 points[0]
             } else {
                 points[points.len() - 1]

@@ -228,9 +228,8 @@ impl PhaseEnd {
         let sinks = |(share, _): &&(f64, String)| *share > self.wanted.unwrap_or(SINKS);
         if let Some((share, boundary)) = self.sinking.as_ref().filter(sinks) {
             return Some(format!(
-                "the dashpots of the viscous boundary `{boundary}` bear {:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
-                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up",
-                share
+                "the dashpots of the viscous boundary `{boundary}` bear {share:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
+                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up"
             ));
         }
         if let Some((name, ratio)) = self.worst.as_ref().filter(|(_, ratio)| *ratio > FALLS) {
