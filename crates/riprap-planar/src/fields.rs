@@ -227,6 +227,7 @@ riprap_core::fields! {
     "energy.bolt_loss" "J/m" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.law_defect" "J/m" Energy Scalar true "Made (+) or lost (-) by a contact law without potential, or by steps too long." |v, _| one(v.world.works.law_defect);
     "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
+    "energy.step_change" "J/m" Energy Scalar true "Added by changes of the step, the first one included, and by forces that jump: the kinetic energy at half steps less that of the instant." |v, _| one(v.world.works.step_change);
     "energy.residual" "J/m" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
     "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
 }

@@ -95,4 +95,6 @@ pub mod view;
 mod water;
 pub mod world;
 
+pub use contact::change_laws;
+
 use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, sums};

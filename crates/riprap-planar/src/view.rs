@@ -65,7 +65,7 @@ impl View<'_> {
         }
     }
 
-    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs at the start.
+    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs where the step changes.
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         let shapes = &self.scratch.shapes;
@@ -74,7 +74,9 @@ impl View<'_> {
             shapes.mass[b] * change.velocity.length_squared()
                 + shapes.inertia[b] * change.spin * change.spin
         };
-        self.living().map(one).sum()
+        let alive = &self.world.alive;
+        let of = |b: usize| if alive[b] { one(b) } else { 0.0 };
+        self.scratch.exec.sum(alive.len(), of)
     }
 
     /// Kinetic energy of block `b`, J/m: `m v(n-1/2).v(n+1/2)/2`, with the second velocity taken half a

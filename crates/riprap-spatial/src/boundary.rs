@@ -246,6 +246,8 @@ pub(crate) struct Context<'a> {
     pub origin: Vec3,
     /// Present time, s.
     pub time: f64,
+    /// Halves of the steps before and after it that the kick spans, s.
+    pub half: [f64; 2],
     /// Time moved since the last evaluation, s.
     pub pending: f64,
 }
@@ -264,6 +266,7 @@ impl<'a> Context<'a> {
             reference: &world.reference,
             origin: world.setup.origin,
             time: world.time,
+            half: [0.0; 2],
             pending: world.pending,
         }
     }
@@ -390,7 +393,7 @@ impl<'a> Context<'a> {
             stress_at: height,
             pressure_at: height,
         };
-        let dead = traction(boundary, self.in_situ, &spot, self.time);
+        let dead = traction(boundary, self.in_situ, &spot, (self.time, self.half));
         let spring = match &boundary.kind {
             BoundaryKind::Viscous { half_cell: false } | BoundaryKind::Traction { .. } => {
                 Vec3::ZERO

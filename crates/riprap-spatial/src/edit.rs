@@ -165,6 +165,8 @@ pub fn split(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), EditError> {
+    // Children begin with half a kick of forces of their own.
+    step::end_motion(world, scratch, damping)?;
     let before = View { world, scratch }.balance().residual();
     let plan = split::Plan::new(&View { world, scratch }, splits);
     split::apply(world, &plan)?;
@@ -185,6 +187,7 @@ pub fn remove(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), EditError> {
+    step::end_motion(world, scratch, damping)?;
     let before = View { world, scratch }.balance().residual();
     take_out(world, blocks);
     settle(world, scratch, damping, dt, before)

@@ -66,6 +66,7 @@
 
 mod anchor;
 pub mod bolts;
+mod bound;
 mod boundary;
 pub mod build;
 pub mod cavity;

@@ -88,8 +88,8 @@ pub struct Block {
     pub shift: Option<Vector<Length>>,
     /// Velocity of the centroid at the start, m/s. Default at rest.
     pub velocity: Option<Vector<Velocity>>,
-    /// Spin at the start, rad/s: in the plane anticlockwise, in space right-handed about x, y, z.
-    /// Default 0 rad/s.
+    /// Spin at the start, rad/s: in the plane anticlockwise, in space right-handed about x, y, z. Several blocks turn as one body about
+    /// their common centroid, but for `copies` and `pour`, where each turns about its own. Default 0 rad/s.
     pub spin: Option<Axial<Spin>>,
 }
 

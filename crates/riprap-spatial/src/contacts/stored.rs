@@ -2,7 +2,7 @@
 
 use crate::exec::Exec;
 use crate::found::desk::Desk;
-use crate::state::found::FacetContact;
+use crate::state::found::{FacetContact, FoundPair};
 use crate::world::World;
 
 /// What is stored in the pressure of found contacts lies between these, J. The force of a contact grows at least as fast as its depth d, so
@@ -18,15 +18,29 @@ fn bounds(world: &World, desk: &Desk, exec: &Exec) -> [f64; 2] {
         [taken_over.min(0.0), most.max(taken_over)]
     };
     let [least, most] = exec.sums(world.found.pairs.len(), pair);
-    let facet = |b: usize, on: &FacetContact| {
-        let laws = desk.terrain.laws.get(b);
-        let law = laws.and_then(|laws| laws.get(on.terrain()));
-        let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
-        0.5 * stiffness * on.area * on.depth * on.depth
+    let terrain = world.found.terrain.iter().enumerate();
+    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(desk, b, on)));
+    [least, most + facets.sum::<f64>()]
+}
+
+/// The same from above for each pair, and for each facet on terrain in turn, J.
+pub(super) fn at_most(world: &World, desk: &Desk) -> (Vec<f64>, Vec<f64>) {
+    let pair = |(k, pair): (usize, &FoundPair)| {
+        let by = desk.exerted(k);
+        by.map_or(0.0, |by| 0.5 * by.elastic.force.length() * pair.depth)
     };
     let terrain = world.found.terrain.iter().enumerate();
-    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(b, on)));
-    [least, most + facets.sum::<f64>()]
+    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(desk, b, on)));
+    let pairs = world.found.pairs.iter().enumerate();
+    (pairs.map(pair).collect(), facets.collect())
+}
+
+/// Energy of a facet of block `b` on terrain, J.
+fn facet(desk: &Desk, b: usize, on: &FacetContact) -> f64 {
+    let laws = desk.terrain.laws.get(b);
+    let law = laws.and_then(|laws| laws.get(on.terrain()));
+    let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
+    0.5 * stiffness * on.area * on.depth * on.depth
 }
 
 /// Energy of the pressure of found contacts less that at the start, J: the work on it, within what it can be. Steps that are long beside

@@ -373,6 +373,7 @@ riprap_core::fields! {
     "energy.bolt_loss" "J" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.law_defect" "J" Energy Scalar true "Made (+) or lost (-) beside their laws by contacts and joints: by steps too long for them." |v, _| one(v.balance().works.law_defect);
     "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
+    "energy.step_change" "J" Energy Scalar true "Added by changes of the step, the first one included, and by forces that jump: the kinetic energy at half steps less that of the instant." |v, _| one(v.world.works.step_change);
     "energy.residual" "J" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
     "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
 }

@@ -10,7 +10,7 @@ use crate::dynamics::kick::past;
 use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
-use crate::patch::{self, Points, Poses, Resultant, turned_inertia};
+use crate::patch::{self, Points, Poses, Resultant};
 use crate::state::deform::Body;
 use crate::state::hold::Hold;
 use crate::state::scratch::Scratch;
@@ -59,13 +59,7 @@ impl View<'_> {
             return deformable.spin(&self.world.solid_of(b).inverse);
         }
         let change = self.scratch.change(self.world, b);
-        match &self.world.turned[b] {
-            Some(turned) => {
-                let inverse = turned_inertia(&self.world.solid_of(b).inverse, turned.attitude);
-                inverse * (turned.momentum + self.past() * change.momentum)
-            }
-            None => self.world.bodies.spin(b) + self.past() * change.spin,
-        }
+        self.world.turning(b).spin + self.past() * change.spin
     }
 
     /// Displacement of the centroid since the start or the last reset, m.
@@ -118,17 +112,8 @@ impl View<'_> {
         // By the last step, which has been made: the coming one may be another when this is read again.
         let whole = 2.0 * self.past();
         let v = world.bodies.velocity(b);
-        let turning = match &world.turned[b] {
-            Some(turned) => {
-                let inverse = turned_inertia(&solid.inverse, turned.attitude);
-                let after = turned.momentum + whole * change.momentum;
-                turned.momentum.dot(inverse * after)
-            }
-            None => {
-                let w = world.bodies.spin(b);
-                w.dot(solid.inertia * (w + whole * change.spin))
-            }
-        };
+        let turning = world.turning(b);
+        let turning = turning.spin.dot(turning.momentum + whole * change.momentum);
         0.5 * (solid.mass * v.dot(v + whole * change.velocity) + turning)
     }
 
@@ -173,13 +158,8 @@ impl View<'_> {
                 } else {
                     self.world.reference[b]
                 };
-                let own = match &self.world.turned[b] {
-                    Some(turned) => {
-                        let change = self.scratch.change(self.world, b);
-                        turned.momentum + self.past() * change.momentum
-                    }
-                    None => solid.inertia * self.spin(b),
-                };
+                let change = self.scratch.change(self.world, b);
+                let own = self.world.turning(b).momentum + self.past() * change.momentum;
                 place.cross(solid.mass * self.velocity(b)) + own
             })
             .sum()

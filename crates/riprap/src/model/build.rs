@@ -234,19 +234,35 @@ impl Builder<'_> {
             .as_ref()
             .map_or(Vec2::ZERO, |v| v.xy().into());
         let spin = block.spin.as_ref().and_then(Axial::single).unwrap_or(0.0);
+        // Copies and poured blocks are stones of their own, everything else that a table makes spins as one body.
+        let loose = block.copies.is_some() || block.pour.is_some();
+        let one = !loose && generated.outlines.len() > 1 && spin != 0.0;
+        let about = one.then(|| common_centroid(&generated.outlines));
         for vertices in generated.outlines {
             let number = self.setup.blocks.len() as u32;
             let centroid = polygon::mass_properties(&vertices).centroid;
+            let swing = about.map_or(Vec2::ZERO, |about| spin * (centroid - about).perp());
             self.directory.centroids.push([centroid.x, centroid.y, 0.0]);
             self.setup.blocks.push(BlockSpec {
                 name: self.directory.name(number),
                 vertices,
                 material: material as u16,
                 density,
-                velocity,
+                velocity: velocity + swing,
                 spin,
             });
         }
         self.summary.regions.extend(generated.region);
     }
+}
+
+/// Centroid of the areas of outlines, m.
+fn common_centroid(outlines: &[Vec<Vec2>]) -> Vec2 {
+    let (mut sum, mut all) = (Vec2::ZERO, 0.0);
+    for outline in outlines {
+        let of = polygon::mass_properties(outline);
+        sum += of.area * of.centroid;
+        all += of.area;
+    }
+    sum / all
 }

@@ -18,6 +18,24 @@ use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns, targe
 /// A point of a load lies on a boundary if it is nearer than this, times the size of the block.
 const ON_BOUNDARY: f64 = 1e-6;
 
+/// Whether a spin turns the blocks as one body: several, or any about a given point.
+pub(super) fn as_one<L: Kind, R: Kind>(
+    said: &language::MotionComponents<L, R>,
+    blocks: &[u32],
+) -> bool {
+    said.each != Some(true) && (said.about.is_some() || blocks.len() > 1)
+}
+
+/// Whether a spin turns anything.
+pub(super) fn turns(spin: &TimeFunction) -> bool {
+    *spin != TimeFunction::Constant(0.0)
+}
+
+/// The function, or rest where there is none `if` what is not given is held.
+pub(super) fn held_if(held: bool, f: Option<TimeFunction>) -> Option<TimeFunction> {
+    f.or_else(|| held.then_some(TimeFunction::Constant(0.0)))
+}
+
 impl Builder<'_> {
     pub(super) fn supports(&mut self) {
         let mut supported = BTreeSet::new();
@@ -34,19 +52,27 @@ impl Builder<'_> {
                 }),
                 (None, Some(language::Motion::Velocity(m))) => {
                     let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
+                    let spin = self.maybe(m.spin.as_ref());
+                    let about =
+                        (spin.as_ref().is_some_and(turns) && as_one(m, &blocks)).then(|| {
+                            let given =
+                                m.about.as_ref().map(|at| Vec2::from(at.xy()) - self.origin);
+                            given.unwrap_or_else(|| self.centroid_of(&blocks))
+                        });
                     Some(Motion::Velocity {
-                        x,
-                        y,
-                        spin: self.maybe(m.spin.as_ref()),
+                        x: held_if(about.is_some(), x),
+                        y: held_if(about.is_some(), y),
+                        spin,
+                        about,
                     })
                 }
                 (None, Some(language::Motion::Acceleration(m))) => {
                     let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
-                    Some(Motion::Acceleration {
-                        x,
-                        y,
-                        spin: self.maybe(m.spin.as_ref()),
-                    })
+                    let spin = self.maybe(m.spin.as_ref());
+                    if spin.as_ref().is_some_and(turns) && as_one(m, &blocks) {
+                        self.tell_turning_each(&support.on);
+                    }
+                    Some(Motion::Acceleration { x, y, spin })
                 }
                 // Reported by the rules of the language.
                 (None, None) => None,
@@ -57,6 +83,26 @@ impl Builder<'_> {
                 self.setup.supports.push(Support { blocks, motion });
             }
         }
+    }
+
+    /// Centroid of the masses of some blocks, m (local).
+    fn centroid_of(&self, blocks: &[u32]) -> Vec2 {
+        let (mut sum, mut mass) = (Vec2::ZERO, 0.0);
+        for &b in blocks {
+            let block = &self.setup.blocks[b as usize];
+            let of = polygon::mass_properties(&block.vertices);
+            sum += block.density * of.area * of.centroid;
+            mass += block.density * of.area;
+        }
+        sum / mass
+    }
+
+    /// An acceleration turns each block about its own centroid, which is told where there are several.
+    fn tell_turning_each(&mut self, on: &Target) {
+        let message = "an acceleration turns each of these blocks about its own centroid";
+        let error = Diagnostic::error("supports.turn", message).at(target_span(on));
+        let help = "prescribe the spin by a `velocity`, which turns them as one body, or write each = true";
+        self.found.push(error.help(help));
     }
 
     /// Warns of blocks that a support before this one holds or drives: the last one alone acts on them, freedoms do not add up.

@@ -304,10 +304,18 @@ impl Builder<'_> {
             .as_ref()
             .map_or(Vec3::ZERO, |v| v.xyz().into());
         let spin = block.spin.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+        // Copies and poured blocks are stones of their own, everything else that a table makes spins as one body.
+        let one = block.copies.is_none()
+            && block.pour.is_none()
+            && shapes.len() > 1
+            && spin != Vec3::ZERO;
+        let about = one.then(|| common_centroid(&shapes));
         self.spatial.blocks.reserve(shapes.len());
         let first = self.spatial.blocks.len() as u32;
         for (number, shape) in (1u32..).zip(shapes) {
-            self.directory.centroids.push(centroid(&shape).into());
+            let centroid = centroid(&shape);
+            let swing = about.map_or(Vec3::ZERO, |about| spin.cross(centroid - about));
+            self.directory.centroids.push(centroid.into());
             self.spatial.blocks.push(BlockSpec {
                 name: BlockName {
                     base,
@@ -315,7 +323,7 @@ impl Builder<'_> {
                 },
                 shape,
                 material,
-                velocity,
+                velocity: velocity + swing,
                 spin,
             });
         }
@@ -484,7 +492,8 @@ pub(super) fn volume(shape: &Shape) -> f64 {
     }
 }
 
-fn centroid(shape: &Shape) -> Vec3 {
+/// Centroid, m (local).
+pub(super) fn centroid(shape: &Shape) -> Vec3 {
     match shape {
         Shape::Brick { centre, .. } => *centre,
         Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => {

@@ -27,7 +27,7 @@ pub struct Cursor {
     /// Relaxing phases that ended at their limit of iterations.
     pub unconverged: Vec<Unconverged>,
     /// The largest energies seen so far that the ledger does not account for, in the order of [`Unexplained::ALL`].
-    pub unexplained: [Residual; 2],
+    pub unexplained: [Residual; 3],
     /// How the phases so far have ended.
     pub ends: Vec<PhaseEnd>,
     /// What was pressed deepest so far, where it was worth a warning.

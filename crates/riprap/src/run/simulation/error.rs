@@ -341,6 +341,10 @@ impl RunError {
                 what: Unexplained::LawDefect,
                 ..
             } => "the defect of the laws",
+            Self::Residual {
+                what: Unexplained::Steps,
+                ..
+            } => "the energy that changes of the step made",
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
             Self::PressedOut { .. } => "a block is pressed through what holds it",
             Self::NoSurface { .. } => "the surface of a contact was not found",

@@ -337,7 +337,8 @@ impl Simulation {
         for (k, what) in Unexplained::ALL.into_iter().enumerate() {
             let (energy, share) = (what.of(&balance), balance.share(what));
             // What contacts make or lose between iterations is damped away on the way to an equilibrium that is none of a motion.
-            let of_way = self.relaxes() && matches!(what, Unexplained::LawDefect);
+            let of_way =
+                self.relaxes() && matches!(what, Unexplained::LawDefect | Unexplained::Steps);
             if of_way || !self.judged(energy) {
                 continue;
             }
@@ -367,7 +368,7 @@ impl Simulation {
     /// told.
     fn forbids(&self, what: Unexplained) -> bool {
         match what {
-            Unexplained::Residual => true,
+            Unexplained::Residual | Unexplained::Steps => true,
             Unexplained::LawDefect => self.view().planar().is_none_or(|view| {
                 let interfaces = &view.world.setup.interfaces;
                 interfaces
