@@ -91,6 +91,7 @@ pub mod shapes;
 pub mod stable;
 pub mod step;
 mod stress;
+mod strips;
 pub mod view;
 mod water;
 pub mod world;

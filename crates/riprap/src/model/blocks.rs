@@ -234,7 +234,7 @@ impl Builder<'_> {
         if changes.repeated > 0 {
             let count = changes.repeated;
             note(format!(
-                "`{}` repeats {count} corner(s): they were dropped",
+                "`{}` repeats {count} corner(s) within 1e-8 of its size: they were dropped",
                 block.name
             ));
         }
