@@ -67,7 +67,7 @@ impl Divisible {
             return 1.0;
         }
         if matches!(region, Region::All) {
-            return 8f64.powi(i32::from(levels));
+            return (0..levels).fold(1.0, |parts, _| 8.0 * parts);
         }
         let mut count = 0.0;
         for octant in 0..8 {

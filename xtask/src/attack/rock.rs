@@ -321,7 +321,8 @@ pub fn forces(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                 } else {
                     f64::NAN
                 };
-                if !((fallen - 5.0).abs() < MISSED) {
+                let fell = (fallen - 5.0).abs() < MISSED;
+                if !fell {
                     keep(field, &format!("forces_{plane}{release}"));
                     found
                         .failures

@@ -235,7 +235,8 @@ fn verdict(planes: &Planes, basis: &Basis) -> Peak {
         basis.h
     };
     let proved = weights.iter().all(|weight| *weight > NEGATIVE);
-    if basis.ill && !(depth > 0.0) && !(basis.h <= 0.0 && proved) {
+    let shared = depth > 0.0;
+    if basis.ill && !shared && !(basis.h <= 0.0 && proved) {
         return Peak::Unsure;
     }
     if depth > 0.0 {
@@ -517,7 +518,7 @@ mod tests {
 
     /// Planes of two cells between planes of three to five joint sets at whole distances.
     fn along_common_planes(unit: &mut impl FnMut() -> f64) -> Planes {
-        let mut vector = |unit: &mut dyn FnMut() -> f64| loop {
+        let vector = |unit: &mut dyn FnMut() -> f64| loop {
             let v = Vec3::new(unit(), unit(), unit()) * 2.0 - Vec3::ONE;
             if v.length() > 0.1 && v.length() < 1.0 {
                 return v.normalize();

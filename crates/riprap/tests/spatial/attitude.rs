@@ -408,7 +408,10 @@ fn leaning_blocks_split_with_the_books_of_bricks() {
         assert!((view.momentum() - p).length() < 1e-12 * scale);
         let spun = (view.angular_momentum() - l).length() / (4.0 * scale);
         assert!(spun < 1e-11, "{spun:e}");
-        let drift = view.balance().total() / total - 1.0;
+        // The motion begins with half a kick, which counts less of the energy than the steps after it.
+        let now = view.balance();
+        let by_steps = now.works.step_change - after.works.step_change;
+        let drift = (now.total() - by_steps) / total - 1.0;
         assert!(drift.abs() < 1e-4, "{kinematics:?}: {drift:e}");
     }
 }

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::noted::Noted;
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::{Stable, State, StateRef, View};
@@ -229,9 +228,8 @@ impl PhaseEnd {
         let sinks = |(share, _): &&(f64, String)| *share > self.wanted.unwrap_or(SINKS);
         if let Some((share, boundary)) = self.sinking.as_ref().filter(sinks) {
             return Some(format!(
-                "the dashpots of the viscous boundary `{boundary}` bear {:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
-                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up",
-                share
+                "the dashpots of the viscous boundary `{boundary}` bear {share:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
+                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up"
             ));
         }
         if let Some((name, ratio)) = self.worst.as_ref().filter(|(_, ratio)| *ratio > FALLS) {
@@ -348,4 +346,41 @@ pub enum Stage {
     PhaseEnd,
     /// All phases are done.
     Done,
+}
+
+/// What was noted so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Noted {
+    /// The largest turn of a block under kinematics for small ones.
+    pub turned: Option<Turned>,
+    /// The tetrahedron that was farthest beyond its law.
+    pub strained: Option<Noticed>,
+    /// The bolt that was drawn out by most of its length.
+    pub drawn: Option<Noticed>,
+    /// The first two blocks that met across the ends of a periodic model.
+    pub through: Option<Noticed>,
+    /// Since when forces of a static phase have been balanced by dashpots: step, and what they carried over all forces then.
+    pub sinking: Option<(u64, f64)>,
+}
+
+/// A block that turned far.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Turned {
+    /// Its name.
+    pub block: String,
+    /// How far, rad.
+    pub angle: f64,
+    /// Step.
+    pub step: u64,
+    /// Model time, s.
+    pub time: f64,
+}
+
+/// Something that was noticed, in words.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Noticed {
+    /// How far it was beyond what is meant.
+    pub size: f64,
+    /// What it was.
+    pub words: String,
 }

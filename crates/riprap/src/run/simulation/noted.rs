@@ -1,7 +1,6 @@
 //! What a run goes through that its laws do not mean: found at the looks of the guard, noted where it was largest, told at the end.
 
-use serde::{Deserialize, Serialize};
-
+use super::cursor::{Noticed, Turned};
 use super::{RunError, Simulation, cause};
 use crate::plan::PhaseKind;
 use crate::run::engine::{Drawn, View};
@@ -12,43 +11,6 @@ use crate::spatial::read::beyond::Strained;
 const TURNED: f64 = 0.1;
 /// Share of its length that a bolt may be drawn out by: more than any bar of steel bears (0.05 to 0.2 at rupture).
 const DRAWN: f64 = 0.3;
-
-/// What was noted so far.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Noted {
-    /// The largest turn of a block under kinematics for small ones.
-    pub turned: Option<Turned>,
-    /// The tetrahedron that was farthest beyond its law.
-    pub strained: Option<Noticed>,
-    /// The bolt that was drawn out by most of its length.
-    pub drawn: Option<Noticed>,
-    /// The first two blocks that met across the ends of a periodic model.
-    pub through: Option<Noticed>,
-    /// Since when forces of a static phase have been balanced by dashpots: step, and what they carried over all forces then.
-    pub sinking: Option<(u64, f64)>,
-}
-
-/// A block that turned far.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Turned {
-    /// Its name.
-    pub block: String,
-    /// How far, rad.
-    pub angle: f64,
-    /// Step.
-    pub step: u64,
-    /// Model time, s.
-    pub time: f64,
-}
-
-/// Something that was noticed, in words.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Noticed {
-    /// How far it was beyond what is meant.
-    pub size: f64,
-    /// What it was.
-    pub words: String,
-}
 
 /// Notes the larger one.
 fn keep(noted: &mut Option<Noticed>, size: f64, words: impl FnOnce() -> String) {
