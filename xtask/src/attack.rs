@@ -10,6 +10,7 @@ mod faults;
 mod files;
 mod laws;
 mod process;
+mod rock;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -51,7 +52,7 @@ struct Attack {
     run: fn(&Field<'_>, &mut Chance) -> Result<Found, String>,
 }
 
-const ATTACKS: [Attack; 12] = [
+const ATTACKS: [Attack; 16] = [
     Attack {
         name: "scenes",
         about: "scene files of this repository with bytes, numbers, lines and words changed; `riprap check`",
@@ -117,6 +118,29 @@ const ATTACKS: [Attack; 12] = [
                 30 s (counted under *over*), with each phase ended after 3000 steps, or ten or a hundred times as many until something has met, and gravity there at once. \
                 Failure: a stop, an error, another exit code than 0; nothing has met",
         run: laws::two,
+    },
+    Attack {
+        name: "jointed rock",
+        about: "rock in space cut at random by two to four joint sets, by disks or into cells, soft and stiff, smooth and rough, that settles and is excavated, slowly and at \
+                once: two phases of 200 steps. Failure: a stop",
+        run: rock::jointed,
+    },
+    Attack {
+        name: "thin blocks",
+        about: "layers of 1 and 10 cm and a prop of 30 cm between large blocks, 1 MPa/m to 100 GPa/m, joined and 1 mm apart, in the plane and in space. Failure: the roof sinks \
+                by more than the thickness and the run ends with exit 0",
+        run: rock::thin,
+    },
+    Attack {
+        name: "folded blocks",
+        about: "columns of deformable blocks of 2 kPa to 100 MPa under their weight, with both measures of strain, slowly and at once. Failure: the top is below the foot and the \
+                run ends with exit 0",
+        run: rock::folded,
+    },
+    Attack {
+        name: "forces",
+        about: "a block that gravity begins to pull on in a second phase, or that is released in one, in the plane and in space. Failure: another fall than g t^2/2",
+        run: rock::forces,
     },
 ];
 

@@ -8,6 +8,8 @@ mod console;
 mod generated;
 #[path = "docs/links.rs"]
 mod links;
+#[path = "docs/quotes.rs"]
+mod quotes;
 
 use std::path::{Path, PathBuf};
 

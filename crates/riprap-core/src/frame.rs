@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 pub mod bars;
 pub mod conditions;
 pub mod fragments;
+pub mod states;
 pub mod stress;
 
 /// Column of contacts: flow of water through the joint at each, a vector along it.

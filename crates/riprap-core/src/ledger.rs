@@ -3,12 +3,17 @@
 //! Stored: kinetic, gravity (minus the work of gravity), contact normal and shear, bonds.
 //! Put in: work of loads, supports and gas. Taken out: friction, damping, fracture, absorbed at viscous
 //! boundaries. Booked apart: the
-//! energy a non-conservative contact law makes or loses (`law_defect`), and what edits of the
-//! model add (`edit_defect`). What is left over is the **residual**.
+//! energy a non-conservative contact law makes or loses (`law_defect`), what edits of the
+//! model add (`edit_defect`), and what changes of the step add (`step_change`). What is left over is the **residual**.
 //!
 //! Works are trapezoidal over each step, with the half-step velocity of the leapfrog: the sum over
 //! all forces is then exactly the change of the time-centred kinetic energy `m v(n-1/2)·v(n+1/2)/2`,
 //! so that the residual measures contact energies against their true potential, and nothing else.
+//!
+//! That energy is `m v²/2 - m (h a)²/8` with the velocity `v` and the acceleration `a` of the instant and the step `h`: the same state has
+//! less of it before a long step than before a short one. Where `h` changes (at the start it grows from nothing) or the forces jump,
+//! the difference is booked as `step_change`. A shorter step gives back what a longer one has held back; what comes beyond that is an error of
+//! the motion, and is judged ([`Works::by_steps`]).
 
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +32,9 @@ pub struct Works {
     pub friction: f64,
     /// Dissipated by contact, bond, mass and local damping.
     pub damping: f64,
+    /// The part of `damping` that local damping has taken. It acts against the velocity of half a step before the force, so that in a
+    /// step in which a motion turns round it gives some back: that is its own work, and no error of a contact.
+    pub local: f64,
     /// Released by bond failure.
     pub fracture: f64,
     /// Absorbed by viscous boundaries.
@@ -39,10 +47,17 @@ pub struct Works {
     pub law_defect: f64,
     /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
     pub edit_defect: f64,
+    /// Added by changes of the step (the first one grows from nothing) and by forces that jump between two steps.
+    pub step_change: f64,
+    /// The part of `step_change` since the present motion began with half a kick.
+    pub motion: f64,
+    /// What motions before it have left of that, where it was more than they held back.
+    pub made: f64,
     /// Largest magnitude that a work above has had at the end of a step: the scale of the residual.
     /// Not a sum.
     pub peak: f64,
-    /// What friction, damping, fracture, absorption and bolts have taken at most: none of them falls below it. Not a sum.
+    /// What friction, damping (but for local damping), fracture, absorption and bolts have taken at most: none of them falls below it. Not
+    /// a sum.
     pub floor: [f64; 5],
 }
 
@@ -51,6 +66,7 @@ impl Works {
     /// energy. That is an error of the laws (a trapezoid over a reversal, a spring that turned in one step), and the line stays
     /// where it was. Doing it again changes nothing.
     pub fn settle(&mut self) {
+        self.damping -= self.local;
         let lines = [
             &mut self.friction,
             &mut self.damping,
@@ -66,6 +82,7 @@ impl Works {
                 *floor = *line;
             }
         }
+        self.damping += self.local;
     }
 
     /// Books what friction and fracture have taken in a step. Where the ledger of a law says that it has *made* energy, the step was too
@@ -81,6 +98,23 @@ impl Works {
                 *line += lost;
             }
         }
+    }
+
+    /// Books what a change of the step adds to the energy of motion at half steps; `begins`: a motion begins with half a kick.
+    pub fn change_step(&mut self, energy: f64, begins: bool) {
+        if begins {
+            self.made += self.motion.max(0.0);
+            self.motion = 0.0;
+        }
+        self.step_change += energy;
+        self.motion += energy;
+    }
+
+    /// What changes of the step have made: beyond what the first step of the motion, and longer ones since, have held back. What they hold back
+    /// and do not give again is no error that grows: the energy of the instant swings about that of the half steps, by as much.
+    #[must_use]
+    pub fn by_steps(&self) -> f64 {
+        self.made + self.motion.max(0.0)
     }
 
     /// Notes how large the sums are now.
@@ -130,12 +164,16 @@ impl Works {
             contact_path: factor * self.contact_path,
             friction: factor * self.friction,
             damping: factor * self.damping,
+            local: factor * self.local,
             fracture: factor * self.fracture,
             absorbed: factor * self.absorbed,
             bolts: factor * self.bolts,
             gas: factor * self.gas,
             law_defect: factor * self.law_defect,
             edit_defect: factor * self.edit_defect,
+            step_change: factor * self.step_change,
+            motion: factor * self.motion,
+            made: factor * self.made,
             peak: factor * self.peak,
             floor: self.floor.map(|floor| factor * floor),
         }
@@ -150,12 +188,14 @@ impl Works {
         self.contact_path += other.contact_path;
         self.friction += other.friction;
         self.damping += other.damping;
+        self.local += other.local;
         self.fracture += other.fracture;
         self.absorbed += other.absorbed;
         self.bolts += other.bolts;
         self.gas += other.gas;
         self.law_defect += other.law_defect;
         self.edit_defect += other.edit_defect;
+        self.step_change += other.step_change;
     }
 }
 
@@ -212,7 +252,8 @@ impl Balance {
     pub fn residual(&self) -> f64 {
         let w = &self.works;
         // `contact_path` is not among these: it is told as stored, in `contact_normal`.
-        let expected = self.start + w.loads + w.supports + w.gas + w.law_defect + w.edit_defect
+        let booked = w.law_defect + w.edit_defect + w.step_change;
+        let expected = self.start + w.loads + w.supports + w.gas + booked
             - w.friction
             - w.damping
             - w.fracture
@@ -257,11 +298,13 @@ pub enum Unexplained {
     Residual,
     /// What contacts and joints have made or lost beside their laws: a step that is too long for them.
     LawDefect,
+    /// [`Works::by_steps`].
+    Steps,
 }
 
 impl Unexplained {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Residual, Self::LawDefect];
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Residual, Self::LawDefect, Self::Steps];
 
     /// How much of it there is, J/m.
     #[must_use]
@@ -269,6 +312,7 @@ impl Unexplained {
         match self {
             Self::Residual => balance.residual(),
             Self::LawDefect => balance.works.law_defect,
+            Self::Steps => balance.works.by_steps(),
         }
     }
 }
@@ -278,6 +322,7 @@ impl std::fmt::Display for Unexplained {
         f.write_str(match self {
             Self::Residual => "the energy residual",
             Self::LawDefect => "the energy that contacts and joints made or lost (`law_defect`)",
+            Self::Steps => "the energy that changes of the time step made (`step_change`)",
         })
     }
 }
@@ -286,7 +331,7 @@ impl std::fmt::Display for Unexplained {
 pub type Term = fn(&Balance) -> f64;
 
 /// Columns of `energy.csv`: name (behind `energy.` in the field table) and how it is read.
-pub const COLUMNS: [(&str, Term); 17] = [
+pub const COLUMNS: [(&str, Term); 18] = [
     ("kinetic", |b| b.kinetic),
     ("gravity", |b| b.gravity),
     ("contact_normal", |b| b.contact_normal),
@@ -303,5 +348,62 @@ pub const COLUMNS: [(&str, Term); 17] = [
     ("bolt_loss", |b| b.works.bolts),
     ("law_defect", |b| b.works.law_defect),
     ("edit_defect", |b| b.works.edit_defect),
+    ("step_change", |b| b.works.step_change),
     ("residual", Balance::residual),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_long_step_holds_back_is_no_error_and_more_than_that_is() {
+        let mut works = Works::default();
+        // A fall in long steps that are made shorter before the ground.
+        works.change_step(-75.0, true);
+        works.change_step(74.0, false);
+        assert_eq!((works.by_steps(), works.step_change), (0.0, -1.0));
+        // A jump into a contact with a step that is too long for it, and a motion after it that holds back more.
+        works.change_step(6.0, false);
+        assert_eq!(works.by_steps(), 5.0);
+        works.change_step(-20.0, true);
+        assert_eq!((works.by_steps(), works.step_change), (5.0, -15.0));
+        works.change_step(21.0, false);
+        assert_eq!(works.by_steps(), 6.0);
+    }
+
+    #[test]
+    fn local_damping_may_give_back_and_a_dashpot_may_not() {
+        let mut works = Works {
+            damping: 5.0,
+            local: 5.0,
+            ..Works::default()
+        };
+        works.settle();
+        (works.damping, works.local) = (4.0, 4.0);
+        works.settle();
+        assert_eq!((works.damping, works.law_defect), (4.0, 0.0));
+        // Of a dashpot the same is energy that a step has made.
+        works.damping += 2.0;
+        works.settle();
+        works.damping -= 0.5;
+        works.settle();
+        assert_eq!((works.damping, works.law_defect), (6.0, 0.5));
+    }
+
+    #[test]
+    fn the_columns_leave_the_residual() {
+        let works = Works {
+            loads: 3.0,
+            friction: 1.0,
+            step_change: -0.5,
+            ..Works::default()
+        };
+        let balance = Balance {
+            kinetic: 1.0,
+            works,
+            ..Balance::default()
+        };
+        assert_eq!(balance.residual(), 1.0 - (3.0 - 1.0 - 0.5));
+    }
+}

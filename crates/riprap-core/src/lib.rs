@@ -17,11 +17,13 @@
 pub mod accounts;
 pub mod dynamics;
 pub mod exec;
+pub mod failed;
 pub mod field;
 pub mod frame;
 pub mod lanes;
 pub mod laws;
 pub mod ledger;
+pub mod numbers;
 pub mod profile;
 pub mod rhythm;
 pub mod sets;

@@ -72,6 +72,12 @@ pub const TARGETS: &[Target] = &[
         420_000,
     ),
     bytes("msh", "meshes", readers::msh, 850_000),
+    text(
+        "network",
+        "fractures of FracMan and dfnWorks, records of PEER, solids in OBJ",
+        readers::network,
+        400_000,
+    ),
     bytes("vtu", "frames of a run", readers::vtu, 430_000),
     Target {
         made: readers::sound_checkpoint,

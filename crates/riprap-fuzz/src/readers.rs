@@ -8,7 +8,7 @@ use riprap::record::table::Table;
 use riprap::record::vtu;
 use riprap::run::recorder::KIND;
 use riprap::run::simulation::{Simulation, Snapshot};
-use riprap::scenario::foreign::{asc, dxf, stl, tess};
+use riprap::scenario::foreign::{asc, at2, dfn, dxf, obj, stl, tess};
 use riprap::scenario::{csv_columns, msh, units};
 
 fn as_text(bytes: &[u8]) -> Option<&str> {
@@ -36,9 +36,11 @@ pub fn quantity(bytes: &[u8]) -> bool {
 }
 
 pub fn columns(bytes: &[u8]) -> bool {
-    let read =
-        as_text(bytes).and_then(|text| csv_columns::read_columns(text, &["x", "y", "z"]).ok());
-    read.is_some()
+    let columns = [["x"], ["y"], ["z"]];
+    let columns = columns
+        .each_ref()
+        .map(|name| csv_columns::Column::chosen(name, units::Dim::LENGTH, "m"));
+    csv_columns::parse_table(bytes, &columns).is_ok()
 }
 
 pub fn table(bytes: &[u8]) -> bool {
@@ -46,7 +48,10 @@ pub fn table(bytes: &[u8]) -> bool {
 }
 
 pub fn dxf(bytes: &[u8]) -> bool {
-    let [exact, coarse] = [None, Some(0.01)].map(|sagitta| dxf::parse_dxf(bytes, sagitta).is_ok());
+    let [exact, coarse] = [None, Some(0.01)].map(|sagitta| {
+        let drawing = dxf::parse_dxf(bytes, sagitta);
+        drawing.map(|drawing| drawing.outlines()).is_ok()
+    });
     exact || coarse
 }
 
@@ -65,6 +70,17 @@ pub fn stl(bytes: &[u8]) -> bool {
         stl::parse_surface(bytes).is_ok(),
     );
     solids || surface
+}
+
+/// Networks of fractures, records and solids as text: each reader in any case, as what one refuses another may fail on.
+pub fn network(bytes: &[u8]) -> bool {
+    let read = [
+        dfn::parse_fab(bytes).is_ok(),
+        dfn::parse_polygons(bytes).is_ok(),
+        at2::parse_at2(bytes).is_ok(),
+        obj::parse_obj(bytes).is_ok_and(|obj| obj.solids().is_ok()),
+    ];
+    read.contains(&true)
 }
 
 pub fn msh(bytes: &[u8]) -> bool {

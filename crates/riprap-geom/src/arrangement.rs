@@ -81,11 +81,22 @@ impl Subdivision {
     }
 }
 
-/// Cut a simple anticlockwise region.
+/// Cut a simple anticlockwise region; points within `tol::SNAP` of its size are one.
 ///
 /// *Errors*: what `polygon::validate` finds in the region; `TooMany` when segments or crossings
 /// exceed the caps; `Arrangement` when cuts are too close together to tell apart.
 pub fn cut_region(region: &[Vec2], cuts: &[Cut]) -> Result<Subdivision, GeomError> {
+    cut_region_within(region, cuts, tol::SNAP)
+}
+
+/// As [`cut_region`], for cuts whose places are known to the share `snap` of the region's size alone.
+///
+/// *Errors*: as [`cut_region`].
+pub(crate) fn cut_region_within(
+    region: &[Vec2],
+    cuts: &[Cut],
+    snap: f64,
+) -> Result<Subdivision, GeomError> {
     polygon::validate(region)?;
     for cut in cuts {
         for (vertex, p) in [cut.from, cut.to].into_iter().enumerate() {
@@ -100,7 +111,7 @@ pub fn cut_region(region: &[Vec2], cuts: &[Cut]) -> Result<Subdivision, GeomErro
     }
     // Each retry tells fewer points apart; cuts at round-off distance are then one cut.
     let mut last = GeomError::Arrangement { at: region[0] };
-    for snap in [tol::SNAP, 30.0 * tol::SNAP, 900.0 * tol::SNAP] {
+    for snap in [snap, 30.0 * snap, 900.0 * snap] {
         match attempt(region, cuts, snap) {
             Err(GeomError::Arrangement { at }) => last = GeomError::Arrangement { at },
             other => return other,

@@ -5,7 +5,7 @@
 //! 1 is a row of traces of equal length with rock bridges of equal length between them, starting at
 //! a random place. Traces that end inside a block do not cut it (`arrangement` removes dead ends).
 
-use crate::arrangement::{Cut, cut_region};
+use crate::arrangement::{Cut, cut_region_within};
 use crate::error::demand;
 use crate::heal::{Blocks, heal};
 use crate::polygon::{self, Aabb};
@@ -35,7 +35,8 @@ pub struct JointSet {
 }
 
 /// Cut a simple anticlockwise region by single traces (their two ends, m) and by joint sets, and merge blocks with edges
-/// below `smallest_edge` (0: none) into neighbours.
+/// below `smallest_edge` (0: none) into neighbours. With single traces, points within `tol::DRAWN` of the region's
+/// size are one point.
 ///
 /// *Errors*: a region that is not simple, parameters out of range, more than `tol::MAX_BLOCKS` blocks
 /// or traces (estimated before any work), cuts too close together to tell apart.
@@ -67,7 +68,13 @@ pub fn cut(
     for (family, set) in sets.iter().enumerate() {
         traces(region, set, family as u32, &mut chance, &mut cuts)?;
     }
-    Ok(heal(cut_region(region, &cuts)?, smallest_edge))
+    // Mapped traces come with the round-off of a drawing: what should be one point may be nanometres apart.
+    let snap = if single.is_empty() {
+        tol::SNAP
+    } else {
+        tol::DRAWN
+    };
+    Ok(heal(cut_region_within(region, &cuts, snap)?, smallest_edge))
 }
 
 fn check(set: &JointSet) -> Result<(), GeomError> {
@@ -275,6 +282,46 @@ mod tests {
             .map(|p| polygon::signed_area(p))
             .collect();
         assert_eq!(areas, [4.0, 4.0, 8.0]);
+    }
+
+    #[test]
+    fn traces_that_miss_each_other_by_nanometres_meet() {
+        let region = rectangle(Vec2::ZERO, Vec2::new(10.0, 10.0));
+        let trace = |a: [f64; 2], b: [f64; 2]| [Vec2::from(a), Vec2::from(b)];
+        let lengths = |traces: &[[Vec2; 2]]| {
+            let blocks = cut(&region, traces, &[], 1, 0.0).unwrap();
+            let shortest = blocks.polygons.iter().flat_map(|p| {
+                polygon::edges(p)
+                    .map(|(a, b)| a.distance(b))
+                    .collect::<Vec<_>>()
+            });
+            assert!((area(&blocks) / 100.0 - 1.0).abs() < 1e-9);
+            (
+                blocks.polygons.len(),
+                shortest.fold(f64::INFINITY, f64::min),
+            )
+        };
+        let across = trace([-1.0, 5.0], [11.0, 5.0]);
+        for miss in [3e-9, -3e-9, 0.0, 6e-8] {
+            // Ends short of the other trace, or behind it.
+            let (count, shortest) = lengths(&[across, trace([4.0, 11.0], [4.0, 5.0 + miss])]);
+            assert_eq!(count, 3, "{miss}");
+            assert!(shortest > 0.9, "{miss}: {shortest}");
+            // Three traces through one point but for nanometres: six blocks, no triangle between.
+            let third = trace([1.0 + miss, 10.0], [7.0 + miss, 0.0]);
+            let (count, shortest) = lengths(&[across, trace([4.0, 11.0], [4.0, -1.0]), third]);
+            assert_eq!(count, 6, "{miss}");
+            assert!(shortest > 0.9, "{miss}: {shortest}");
+            // A trace drawn twice.
+            let (count, _) = lengths(&[across, trace([-1.0, 5.0 + miss], [11.0, 5.0 + miss])]);
+            assert_eq!(count, 2, "{miss}");
+        }
+        // What is drawn a tenth of a millimetre apart is apart.
+        let (count, shortest) = lengths(&[across, trace([-1.0, 5.0001], [11.0, 5.0001])]);
+        assert_eq!(count, 3);
+        assert!((shortest / 1e-4 - 1.0).abs() < 1e-6);
+        let (count, _) = lengths(&[across, trace([4.0, 11.0], [4.0, 5.0001])]);
+        assert_eq!(count, 2);
     }
 
     #[test]

@@ -101,7 +101,7 @@ impl HeightField {
         surface.edges()?;
         let bins = Bins::new(&surface);
         surface.folds(&bins)?;
-        outline::check(&surface)?;
+        outline::ring(&surface)?;
         Ok(surface)
     }
 
@@ -218,8 +218,16 @@ impl HeightField {
         (points, faces)
     }
 
+    /// The surface with a steep wall that goes down from its rim all round: with it, what comes from outside meets a side.
+    /// Its first triangles are those of the surface.
+    #[must_use]
+    pub fn walled(&self) -> Self {
+        outline::walled(self)
+    }
+
     /// Edges with a triangle on one side only, which lies to their left.
-    fn rim(&self) -> Vec<(u32, u32)> {
+    #[must_use]
+    pub fn rim(&self) -> Vec<(u32, u32)> {
         let mut edges: Vec<(u32, u32)> = self
             .triangles
             .iter()

@@ -163,7 +163,7 @@ pub enum Collinear {
 
 /// Clean outline, anticlockwise, starting at the first vertex that is kept; does not validate.
 ///
-/// Vertices within 1e-12 of the size from the one before are dropped. A spike (the outline running
+/// Vertices within `tol::DRAWN` of the size from the one before are dropped. A spike (the outline running
 /// back on itself) is not a straight edge and stays, for `validate` to find.
 pub fn normalise(vertices: &[Vec2], collinear: Collinear) -> (Vec<Vec2>, Changes) {
     let size = Aabb::of(vertices).size();
@@ -171,7 +171,7 @@ pub fn normalise(vertices: &[Vec2], collinear: Collinear) -> (Vec<Vec2>, Changes
         // Nothing can be compared; `validate` names the coordinate.
         return (vertices.to_vec(), Changes::default());
     }
-    let same = 1e-2 * tol::SNAP * size;
+    let same = tol::DRAWN * size;
     let mut changes = Changes::default();
     let mut out: Vec<Vec2> = Vec::with_capacity(vertices.len());
     for &v in vertices {

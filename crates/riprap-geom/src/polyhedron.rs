@@ -4,6 +4,7 @@
 //! its box) times a named tolerance.
 
 pub mod cut;
+mod depth;
 pub mod glued;
 mod hull;
 pub mod joints;
@@ -15,6 +16,7 @@ mod tetrahedra;
 mod touch;
 mod voronoi;
 
+pub use depth::{DepthCells, DepthPoint};
 pub use glued::GluedError;
 pub use hull::hull;
 pub use mass::{Moments, principal};

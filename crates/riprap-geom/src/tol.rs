@@ -6,6 +6,12 @@
 /// this merges what is meant to be one point down to angles of 1e-6 rad.
 pub const SNAP: f64 = 1e-10;
 
+/// Points of outlines and of single traces nearer than this, times the size, are one point.
+///
+/// Files write coordinates with a few digits, and programs compute what should be one point twice: edges of
+/// nanometres are no shape of a block. A tenth of a micrometre in a block of 10 m.
+pub const DRAWN: f64 = 1e-8;
+
 /// A vertex nearer than this, times the size, to the line through its neighbours is not a corner.
 ///
 /// Much smaller than `SNAP`: dropping a vertex changes the area by distance times edge length, and

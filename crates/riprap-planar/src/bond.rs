@@ -57,6 +57,9 @@ fn gauss(n: u8) -> &'static [(f64, f64)] {
     }
 }
 
+/// Share of the residual strength from which a point slides: what is less is no round-off.
+const AT_LIMIT: f64 = 1.0 - 1e-9;
+
 /// Builds joints along all shared edges of the pairs whose interface has a bond law. `close` lists
 /// candidate pairs, sorted.
 #[must_use]
@@ -68,53 +71,93 @@ pub fn build(setup: &Setup, shapes: &Shapes, close: &[(u32, u32)]) -> Vec<Bond> 
         let Some(law) = setup.interfaces[row as usize].bond else {
             continue;
         };
-        let tolerance = 1e-6 * shapes.radius[a].min(shapes.radius[b]);
-        for ea in shapes.of(a) {
-            for eb in shapes.of(b) {
-                let start_a = ea.start + shapes.centroid[a];
-                let start_b = eb.start + shapes.centroid[b];
-                let (dir, opposite) = (ea.normal.perp(), eb.normal.dot(ea.normal) < -1.0 + 1e-9);
-                if !opposite || ea.normal.dot(start_b - start_a).abs() > tolerance {
-                    continue;
-                }
-                // Edge b runs backwards along edge a.
-                let s1 = dir.dot(start_b - start_a);
-                let (low, high) = ((s1 - eb.length).max(0.0), s1.min(ea.length));
-                if high - low <= tolerance {
-                    continue;
-                }
-                let points = gauss(law.points)
-                    .iter()
-                    .map(|&(x, w)| {
-                        let at = start_a + (low + x * (high - low)) * dir;
-                        let apart = 0.5 * apart(setup, &law, at, ea.normal);
-                        BondPoint {
-                            on_i: at - apart - shapes.centroid[a],
-                            on_j: at + apart - shapes.centroid[b],
-                            weight: w * (high - low),
-                            ..BondPoint::default()
-                        }
-                    })
-                    .collect();
-                bonds.push(Bond {
-                    i,
-                    j,
-                    row,
-                    normal: ea.normal,
+        for edge in shared_edges(shapes, [a, b]) {
+            let points = gauss(law.points)
+                .iter()
+                .map(|&(x, w)| {
+                    let at = edge.at(x);
+                    let apart = 0.5 * apart(setup, &law, at, edge.normal);
+                    BondPoint {
+                        on_i: at - apart - shapes.centroid[a],
+                        on_j: at + apart - shapes.centroid[b],
+                        weight: w * edge.length,
+                        ..BondPoint::default()
+                    }
+                })
+                .collect();
+            bonds.push(Bond {
+                i,
+                j,
+                row,
+                normal: edge.normal,
+                length: edge.length,
+                mass: 0.0,
+                points,
+                active: true,
+                torn: false,
+                stress: Wrench::default(),
+                damping: Wrench::default(),
+                energy: 0.0,
+                broken_at: None,
+            });
+        }
+    }
+    bonds
+}
+
+/// An edge, or a part of one, that two blocks share at the start.
+pub(crate) struct SharedEdge {
+    /// Start of the edge of the first block that it lies on (local, m).
+    start: Vec2,
+    /// Along that edge.
+    along: Vec2,
+    /// Where it begins there, m.
+    low: f64,
+    /// m.
+    length: f64,
+    /// Unit normal out of the first block.
+    normal: Vec2,
+}
+
+impl SharedEdge {
+    /// The place at this share of its length (local, m).
+    fn at(&self, share: f64) -> Vec2 {
+        self.start + (self.low + share * self.length) * self.along
+    }
+
+    /// Its middle (local, m).
+    pub(crate) fn middle(&self) -> Vec2 {
+        self.at(0.5)
+    }
+}
+
+/// The edges that two blocks share at the start.
+pub(crate) fn shared_edges(shapes: &Shapes, [a, b]: [usize; 2]) -> Vec<SharedEdge> {
+    let tolerance = 1e-6 * shapes.radius[a].min(shapes.radius[b]);
+    let mut shared = Vec::new();
+    for ea in shapes.of(a) {
+        for eb in shapes.of(b) {
+            let start_a = ea.start + shapes.centroid[a];
+            let start_b = eb.start + shapes.centroid[b];
+            let (dir, opposite) = (ea.normal.perp(), eb.normal.dot(ea.normal) < -1.0 + 1e-9);
+            if !opposite || ea.normal.dot(start_b - start_a).abs() > tolerance {
+                continue;
+            }
+            // Edge b runs backwards along edge a.
+            let s1 = dir.dot(start_b - start_a);
+            let (low, high) = ((s1 - eb.length).max(0.0), s1.min(ea.length));
+            if high - low > tolerance {
+                shared.push(SharedEdge {
+                    start: start_a,
+                    along: dir,
+                    low,
                     length: high - low,
-                    mass: 0.0,
-                    points,
-                    active: true,
-                    torn: false,
-                    stress: Wrench::default(),
-                    damping: Wrench::default(),
-                    energy: 0.0,
-                    broken_at: None,
+                    normal: ea.normal,
                 });
             }
         }
     }
-    bonds
+    shared
 }
 
 /// How far the places of a point of a whole joint lie apart (m) under the stress of the rock at the start, at the place `at` (local, m)
@@ -326,12 +369,35 @@ impl Bond {
         self.points.iter().all(|p| p.failed)
     }
 
+    /// Number of points that have failed.
+    #[must_use]
+    pub fn failed_points(&self) -> u64 {
+        self.points.iter().filter(|p| p.failed).count() as u64
+    }
+
     /// Whether found contact should take over: all failed, and slid or opened enough somewhere. Not
     /// everywhere: blocks that turn about one end of a joint would overlap there, where no point of
     /// the joint feels it, until found contact throws them apart.
     #[must_use]
     pub fn gives_way(&self) -> bool {
         self.active && self.broken() && self.torn
+    }
+
+    /// Its normal from i to j now: turned by the mean rotation of its blocks.
+    #[must_use]
+    pub fn normal_now(&self, bodies: &[Body]) -> Vec2 {
+        let angle = 0.5 * (bodies[self.i as usize].angle + bodies[self.j as usize].angle);
+        let (s, c) = libm::sincos(angle);
+        let n = self.normal;
+        Vec2::new(c * n.x - s * n.y, s * n.x + c * n.y)
+    }
+
+    /// Whether all points that press have failed and bear all the shear that their residual friction allows; `None` where none presses.
+    #[must_use]
+    pub fn slides(&self, law: &BondLaw) -> Option<bool> {
+        let mut pressed = self.points.iter().filter(|p| p.sigma < 0.0).peekable();
+        pressed.peek()?;
+        Some(pressed.all(|p| p.failed && p.tau.abs() >= AT_LIMIT * law.strength.residual(p.sigma)))
     }
 
     /// Shear force on the first block along the left-hand side of the normal, N/m.

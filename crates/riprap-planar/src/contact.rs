@@ -11,11 +11,11 @@ use super::depths;
 use super::handover;
 use super::parting;
 use super::pieces;
-use super::scratch::Workspace;
+use super::scratch::{Scratch, Workspace};
 use super::search::Candidate;
 use super::setup::{ContactLaw, FrictionLaw, NormalLaw};
 use super::shapes::Shapes;
-use super::world::{Body, Contact, GeneralState, PairState, Region, Wrench};
+use super::world::{Body, Contact, GeneralState, PairState, Region, World, Wrench};
 use crate::laws::bounds::{not_negative, within};
 use crate::laws::mohr_coulomb::shear_limit;
 use crate::laws::{coulomb, potential as closed};
@@ -475,6 +475,46 @@ pub(crate) fn shear_energy(law: &ContactLaw, contact: &Contact) -> f64 {
         0.0
     } else {
         0.5 * contact.shear * contact.shear / (law.shear_stiffness * contact.springs)
+    }
+}
+
+/// Replaces laws of found contacts by rows of the interface table. What shear springs store at the force that they remember, and contacts
+/// without potential at their depth, changes with the stiffness: that is the energy of the edit, no work of friction and no defect of the law.
+pub fn change_laws(world: &mut World, scratch: &Scratch, laws: &[(u16, ContactLaw)]) {
+    let before: Vec<ContactLaw> = world.setup.interfaces.iter().map(|i| i.contact).collect();
+    for (row, law) in laws {
+        world.setup.interfaces[usize::from(*row)].contact = *law;
+    }
+    let World {
+        pairs,
+        general,
+        setup,
+        works,
+        ..
+    } = world;
+    let mut renew = |row: u16, contact: &mut Contact| {
+        let [old, new] = [
+            &before[usize::from(row)],
+            &setup.interfaces[usize::from(row)].contact,
+        ];
+        contact.shear_energy = shear_energy(new, contact);
+        if [old, new].map(|law| law.normal) == [NormalLaw::PenetrationPotential; 2] {
+            let grown = new.normal_stiffness / old.normal_stiffness - 1.0;
+            works.contact_path += grown * contact.path_energy;
+            contact.path_energy += grown * contact.path_energy;
+        }
+    };
+    let changed = |row: u16| laws.iter().any(|(of, _)| *of == row);
+    let candidates = &scratch.candidates;
+    for (pair, c) in pairs.iter_mut().zip(&candidates.convex) {
+        if changed(c.row) {
+            renew(c.row, &mut pair.contact);
+        }
+    }
+    for (pair, c) in general.iter_mut().zip(&candidates.general) {
+        for region in pair.regions.iter_mut().filter(|_| changed(c.row)) {
+            renew(c.row, &mut region.contact);
+        }
     }
 }
 

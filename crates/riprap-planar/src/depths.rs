@@ -7,6 +7,8 @@
 use riprap_geom::Vec2;
 
 use super::convex::Side;
+use super::pieces::TOUCH;
+use super::search::segment_distance;
 
 /// Integrals of the depth over a piece, parameter `s` 0..1 along it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -19,7 +21,7 @@ pub(crate) struct Depths {
     pub peak: f64,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 enum Feature {
     /// Distance `a + b s` from an edge line.
     Line { a: f64, b: f64 },
@@ -32,6 +34,14 @@ impl Feature {
         match self {
             Self::Line { a, b } => a + b * s,
             Self::Corner { c, d, h } => Vec2::new(c * s - d, h).length(),
+        }
+    }
+
+    /// Smallest distance from `s0` to `s1`.
+    fn least(self, s0: f64, s1: f64) -> f64 {
+        match self {
+            Self::Line { .. } => self.at(s0).min(self.at(s1)),
+            Self::Corner { c, d, .. } => self.at((d / c).clamp(s0, s1)),
         }
     }
 
@@ -90,17 +100,129 @@ fn feature(block: Side<'_>, m: u16, p: Vec2, q: Vec2, s: f64) -> Feature {
     }
 }
 
+/// Longest list of edges whose features are all set against each other. A longer one is first cut down to
+/// those that can be nearest, without which its cost grows with the cube of the list.
+const FEW: usize = 8;
+
+/// Scratch of [`spans`].
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Kinks {
+    /// Where the nearest feature can change, as parameters.
+    at: Vec<f64>,
+    /// Edges that can be nearest to the piece.
+    near: Vec<u16>,
+    /// Features that can be nearest between two kinks.
+    features: Vec<Feature>,
+}
+
+/// A part of a piece along which one feature is nearest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    /// Start and end as parameters on the piece.
+    pub s: [f64; 2],
+    /// The edge whose line or corner is nearest.
+    pub edge: u16,
+    feature: Feature,
+}
+
+impl Span {
+    /// Distance at the start and at the end, m.
+    pub(crate) fn depths(&self) -> [f64; 2] {
+        self.s.map(|s| self.feature.at(s))
+    }
+
+    /// Integral of the distance over the parameter, m.
+    pub(crate) fn integral(&self) -> f64 {
+        self.feature.integrals(self.s[0], self.s[1]).0
+    }
+
+    /// Whether an end of the edge is nearest, not a place between.
+    pub(crate) fn at_corner(&self) -> bool {
+        matches!(self.feature, Feature::Corner { .. })
+    }
+}
+
 /// Depth integrals of the piece `p q` (relative to the centroid of `block`) below `block`'s listed
-/// edges. `kinks` is scratch.
-pub(crate) fn along(block: Side<'_>, p: Vec2, q: Vec2, kinks: &mut Vec<f64>) -> Depths {
-    kinks.clear();
-    kinks.extend([0.0, 1.0]);
+/// edges.
+pub(crate) fn along(block: Side<'_>, p: Vec2, q: Vec2, kinks: &mut Kinks) -> Depths {
+    let mut sum = Depths::default();
+    spans(block, p, q, kinks, |span| {
+        let (i, m) = span.feature.integrals(span.s[0], span.s[1]);
+        sum.integral += i;
+        sum.first_moment += m;
+        let [start, end] = span.depths();
+        sum.peak = sum.peak.max(start).max(end);
+    });
+    sum.integral = sum.integral.max(0.0);
+    sum
+}
+
+/// Calls `each` with the parts of the piece `p q` (relative to the centroid of `block`) that have one
+/// nearest feature of `block`'s listed edges, in their order along the piece.
+pub(crate) fn spans(
+    block: Side<'_>,
+    p: Vec2,
+    q: Vec2,
+    kinks: &mut Kinks,
+    mut each: impl FnMut(Span),
+) {
+    if p == q {
+        return;
+    }
+    let Kinks { at, near, features } = kinks;
+    can_be_nearest(block, p, q, near);
+    feet(block, p, q, near, at);
+    let feet = at.len();
+    for w in 0..feet - 1 {
+        let (s0, s1) = (at[w], at[w + 1]);
+        let middle = 0.5 * (s0 + s1);
+        features.clear();
+        features.extend(near.iter().map(|&m| feature(block, m, p, q, middle)));
+        if block.nearest.len() > FEW {
+            keep_lowest(features, s0, s1);
+        }
+        for (k, &a) in features.iter().enumerate() {
+            for &b in &features[..k] {
+                for s in equal_at(a, b) {
+                    if s > s0 && s < s1 {
+                        at.push(s);
+                    }
+                }
+            }
+        }
+    }
+    at.sort_by(f64::total_cmp);
+    for w in at.windows(2) {
+        let (s0, s1) = (w[0], w[1]);
+        if s1 <= s0 {
+            continue;
+        }
+        let middle = 0.5 * (s0 + s1);
+        let mut nearest: Option<(f64, u16, Feature)> = None;
+        for &m in near.iter() {
+            let feature = feature(block, m, p, q, middle);
+            let distance = feature.at(middle);
+            if nearest.is_none_or(|(least, ..)| distance.total_cmp(&least).is_lt()) {
+                nearest = Some((distance, m, feature));
+            }
+        }
+        if let Some((_, edge, feature)) = nearest {
+            let s = [s0, s1];
+            each(Span { s, edge, feature });
+        }
+    }
+}
+
+/// Sorted parameters where the foot on a listed edge begins or ends, or the piece crosses its line.
+fn feet(block: Side<'_>, p: Vec2, q: Vec2, near: &[u16], at: &mut Vec<f64>) {
+    at.clear();
+    at.extend([0.0, 1.0]);
     let mut add = |s: f64| {
         if s > 0.0 && s < 1.0 {
-            kinks.push(s);
+            at.push(s);
         }
     };
-    for &m in block.nearest {
+    for &m in near {
         let m = m as usize;
         let (start, normal) = (block.turned[m].start, block.turned[m].normal);
         let (a0, a1) = (normal.perp().dot(p - start), normal.perp().dot(q - start));
@@ -109,45 +231,60 @@ pub(crate) fn along(block: Side<'_>, p: Vec2, q: Vec2, kinks: &mut Vec<f64>) -> 
         let (d0, d1) = (normal.dot(p - start), normal.dot(q - start));
         add(d0 / (d0 - d1));
     }
-    kinks.sort_by(f64::total_cmp);
-    let feet = kinks.len();
-    for w in 0..feet - 1 {
-        let (s0, s1) = (kinks[w], kinks[w + 1]);
-        let middle = 0.5 * (s0 + s1);
-        for (k, &m) in block.nearest.iter().enumerate() {
-            let a = feature(block, m, p, q, middle);
-            for &o in &block.nearest[..k] {
-                let b = feature(block, o, p, q, middle);
-                for s in equal_at(a, b) {
-                    if s > s0 && s < s1 {
-                        kinks.push(s);
-                    }
-                }
-            }
-        }
+    at.sort_by(f64::total_cmp);
+}
+
+/// Of the listed edges those that can be nearest to the piece `p q` somewhere; all of a short list.
+///
+/// The distance to an edge is convex along the piece, so some edge is everywhere nearer than the larger of
+/// its distances at both ends. Edges that keep farther off than that are never nearest.
+fn can_be_nearest(block: Side<'_>, p: Vec2, q: Vec2, near: &mut Vec<u16>) {
+    near.clear();
+    if block.nearest.len() <= FEW {
+        near.extend_from_slice(block.nearest);
+        return;
     }
-    kinks.sort_by(f64::total_cmp);
-    let mut sum = Depths::default();
-    for w in kinks.windows(2) {
-        let (s0, s1) = (w[0], w[1]);
-        if s1 <= s0 {
-            continue;
-        }
-        let middle = 0.5 * (s0 + s1);
-        let nearest = block
-            .nearest
-            .iter()
-            .map(|&m| feature(block, m, p, q, middle))
-            .min_by(|a, b| a.at(middle).total_cmp(&b.at(middle)));
-        if let Some(f) = nearest {
-            let (i, m) = f.integrals(s0, s1);
-            sum.integral += i;
-            sum.first_moment += m;
-            sum.peak = sum.peak.max(f.at(s0)).max(f.at(s1));
-        }
+    let ends = |m: u16| {
+        let m = m as usize;
+        let next = (m + 1) % block.turned.len();
+        (block.turned[m].start, block.turned[next].start)
+    };
+    let farthest = |m: u16| {
+        let (a, b) = ends(m);
+        segment_distance(a, b, p).max(segment_distance(a, b, q))
+    };
+    let bound = block
+        .nearest
+        .iter()
+        .map(|&m| farthest(m))
+        .fold(f64::INFINITY, f64::min);
+    // Round-off of a distance is one of the coordinates.
+    let bound = bound + TOUCH * (q - p).length();
+    near.extend(block.nearest.iter().copied().filter(|&m| {
+        let (a, b) = ends(m);
+        segments_apart(p, q, a, b) <= bound
+    }));
+}
+
+/// Distance between the segments `p q` and `a b`.
+fn segments_apart(p: Vec2, q: Vec2, a: Vec2, b: Vec2) -> f64 {
+    let (d, e) = (q - p, b - a);
+    let crosses = (d.perp_dot(a - p) > 0.0) != (d.perp_dot(b - p) > 0.0)
+        && (e.perp_dot(p - a) > 0.0) != (e.perp_dot(q - a) > 0.0);
+    if crosses {
+        return 0.0;
     }
-    sum.integral = sum.integral.max(0.0);
-    sum
+    segment_distance(a, b, p)
+        .min(segment_distance(a, b, q))
+        .min(segment_distance(p, q, a))
+        .min(segment_distance(p, q, b))
+}
+
+/// Drops the features that are nowhere nearest from `s0` to `s1`; each is convex there.
+fn keep_lowest(features: &mut Vec<Feature>, s0: f64, s1: f64) {
+    let highest = |f: &Feature| f.at(s0).max(f.at(s1));
+    let bound = features.iter().map(highest).fold(f64::INFINITY, f64::min);
+    features.retain(|f| f.least(s0, s1) <= bound);
 }
 
 /// Parameters where two features are equally near (NaN where they are not).

@@ -1,17 +1,17 @@
 //! Exact energies, for the ledger at recording times.
 //!
 //! The distance potential stores `kn/2 int (phi_i + phi_j) dA` over the overlap. The overlap need
-//! not be built: its boundary pieces, joined to closed outlines, span signed triangles with any
-//! common apex, and the integral over those triangles is the integral over the overlap. In a convex
-//! block the depth is the smallest of the depths below its lines, so each triangle is cut into the
-//! parts nearest to each line and integrated exactly; in a concave block chords are integrated exactly
-//! and summed across the region to a relative 1e-11.
+//! not be built. Of two convex blocks its boundary pieces, joined to closed outlines, span signed triangles with any
+//! common apex, and the integral over those triangles is the integral over the overlap; the depth is the smallest
+//! of the depths below the lines of a block, so each triangle is cut into the parts nearest to each line and
+//! integrated exactly. Concave blocks may coincide along many sides, where such outlines cannot be told from
+//! round-off: their integrals are sums over strips ([`strips`]).
 
 use riprap_geom::Vec2;
 
 use super::convex::Side;
-use super::depths;
 use super::pieces::{self, Piece};
+use super::strips;
 
 /// `int (phi_i + phi_j) dA` over the overlap of two blocks, m³; `shift` is the centroid of i minus
 /// that of j.
@@ -19,12 +19,14 @@ use super::pieces::{self, Piece};
 pub(crate) fn overlap_potential(i: Side<'_>, j: Side<'_>, shift: Vec2, convex: [bool; 2]) -> f64 {
     let (mut pieces, mut cuts) = (Vec::new(), Vec::new());
     pieces::find(i, j, shift, &mut pieces, &mut cuts);
-    outlines(&pieces)
-        .iter()
-        .map(|own| {
-            depth_integral(i, own, Vec2::ZERO, convex[0]) + depth_integral(j, own, shift, convex[1])
-        })
-        .sum()
+    if convex == [true; 2] {
+        let overlap = outlines(&pieces);
+        let both =
+            |own: &Vec<Piece>| depth_integral(i, own, Vec2::ZERO) + depth_integral(j, own, shift);
+        return overlap.iter().map(both).sum();
+    }
+    strips::depth_integral([i, j], false, shift, &pieces)
+        + strips::depth_integral([i, j], true, shift, &pieces)
 }
 
 /// The pieces joined into closed outlines, each to the nearest that begins where it ends: a piece
@@ -73,10 +75,8 @@ fn outlines(pieces: &[Piece]) -> Vec<Vec<Piece>> {
     found
 }
 
-fn depth_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2, convex: bool) -> f64 {
-    if !convex {
-        return scan_integral(block, pieces, shift);
-    }
+/// Integral of the depth below the boundary of a convex block over one outline.
+fn depth_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
     let Some(first) = pieces.first() else {
         return 0.0;
     };
@@ -142,108 +142,4 @@ fn clip(polygon: &[Vec2], keep: impl Fn(Vec2) -> f64) -> Vec<Vec2> {
         }
     }
     out
-}
-
-/// Integral of the depth below any boundary over one region: chords along the contact, each exact
-/// ([`depths::along`]), summed across it by halving until two rules agree.
-fn scan_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
-    let chord: Vec2 = pieces
-        .iter()
-        .filter(|p| !p.second)
-        .map(|p| p.ends[1] - p.ends[0])
-        .sum();
-    let along = chord.try_normalize().unwrap_or(Vec2::X);
-    let across = along.perp();
-    let mut levels: Vec<f64> = pieces
-        .iter()
-        .flat_map(|p| p.ends)
-        .map(|x| across.dot(x + shift))
-        .collect();
-    levels.sort_by(f64::total_cmp);
-    let (mut crossings, mut kinks) = (Vec::new(), Vec::new());
-    // The nearest feature changes within a few depths of corners and crossings: extra levels there, so
-    // that no rule steps over them.
-    let deepest = pieces
-        .iter()
-        .map(|p| depths::along(block, p.ends[0] + shift, p.ends[1] + shift, &mut kinks).peak)
-        .fold(0.0, f64::max);
-    let (low, high) = (levels.first().copied(), levels.last().copied());
-    let (low, high) = (low.unwrap_or(0.0), high.unwrap_or(0.0));
-    for k in 0..levels.len() {
-        for reach in [1.0, 3.0] {
-            for v in [levels[k] - reach * deepest, levels[k] + reach * deepest] {
-                if v > low && v < high {
-                    levels.push(v);
-                }
-            }
-        }
-    }
-    levels.sort_by(f64::total_cmp);
-    levels.dedup();
-    let mut chord_integral = |v: f64| {
-        crossings.clear();
-        for piece in pieces {
-            let [p, q] = piece.ends.map(|x| x + shift);
-            let (a, b) = (across.dot(p) - v, across.dot(q) - v);
-            if (a > 0.0) != (b > 0.0) {
-                crossings.push(along.dot(p) + a / (a - b) * along.dot(q - p));
-            }
-        }
-        crossings.sort_by(f64::total_cmp);
-        crossings
-            .as_chunks::<2>()
-            .0
-            .iter()
-            .map(|[from, to]| {
-                let at = |u: f64| u * along + v * across;
-                (to - from) * depths::along(block, at(*from), at(*to), &mut kinks).integral
-            })
-            .sum::<f64>()
-    };
-    let scale = deepest * (high - low) * (chord.length() + high - low);
-    // Where a chord meets a boundary is known to the round-off of the coordinates, not of the height:
-    // asking a thin overlap for more would halve without end.
-    let size = pieces
-        .iter()
-        .flat_map(|p| p.ends)
-        .map(|x| x.length().max((x + shift).length()))
-        .fold(0.0, f64::max);
-    let tolerance = scale * (64.0 * f64::EPSILON * size / (high - low)).max(1e-11);
-    levels
-        .windows(2)
-        .map(|w| {
-            let mut budget = MOST_HALVINGS;
-            halving(&mut chord_integral, w[0], w[1], tolerance, 0, &mut budget)
-        })
-        .sum()
-}
-
-/// Halvings between two levels after which the sum is taken as it is.
-const MOST_HALVINGS: u32 = 200;
-
-/// Integral of `f` from `a` to `b` by the three-point Gauss rule, halving until two levels agree or
-/// the budget is spent.
-fn halving(
-    f: &mut impl FnMut(f64) -> f64,
-    a: f64,
-    b: f64,
-    tolerance: f64,
-    level: u32,
-    budget: &mut u32,
-) -> f64 {
-    let mut rule = |a: f64, b: f64| {
-        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
-        let reach = half * 0.774_596_669_241_483_4;
-        half * (5.0 * (f(middle - reach) + f(middle + reach)) + 8.0 * f(middle)) / 9.0
-    };
-    let middle = 0.5 * (a + b);
-    let (whole, parts) = (rule(a, b), rule(a, middle) + rule(middle, b));
-    // The first level always looks at both halves: a kink may hide from one look.
-    let agreed = level > 0 && (whole - parts).abs() <= tolerance;
-    if level >= 24 || agreed || *budget == 0 {
-        return parts;
-    }
-    *budget -= 1;
-    halving(f, a, middle, 0.5 * tolerance, level + 1, budget)
-        + halving(f, middle, b, 0.5 * tolerance, level + 1, budget)
 }

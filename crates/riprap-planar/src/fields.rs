@@ -6,7 +6,9 @@ use std::sync::LazyLock;
 use riprap_geom::Vec2;
 
 use super::bolts::read as bolts;
+use super::bond::{Bond, shared_edges};
 use super::heap;
+use super::search::is_fixed;
 use super::view::View;
 use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
 use crate::frame::stress::Principal;
@@ -29,22 +31,62 @@ fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> [
     one(blocks.map(get).fold(0.0, f64::max))
 }
 
-/// Normal direction of a pair's contacts: that of the larger normal force, from b towards a.
-fn pair_parts(v: &View<'_>, of: &[u32]) -> (f64, f64, f64, f64, f64) {
+/// What joints and found contacts between two blocks carry together, dashpots included.
+#[derive(Default)]
+struct Borne {
+    /// Normal force, compression positive, N/m.
+    normal: f64,
+    /// Shear force on the first block along the normal turned by +90 deg, the normal pointing into the block with the lower number, N/m.
+    shear: f64,
+    /// Whether there is something that presses, and all of it slides.
+    slides: bool,
+    /// Length of the found contacts, m.
+    length: f64,
+    /// Largest depth of the found contacts, m.
+    depth: f64,
+    /// Number of found contacts.
+    contacts: f64,
+}
+
+/// Adds up what lies between a pair.
+fn borne(v: &View<'_>, of: &[u32]) -> Borne {
     let (a, b) = pair(of);
-    let (mut normal, mut shear, mut length, mut depth, mut count) = (0.0, 0.0, 0.0, 0.0_f64, 0.0);
+    let (mut out, mut pressing, mut sliding) = (Borne::default(), 0, 0);
+    // Lists have the lower number first.
+    let sign = if a < b { 1.0 } else { -1.0 };
+    let mut add = |out: &mut Borne, normal: f64, shear: f64, slides: bool| {
+        out.normal += normal;
+        out.shear += sign * shear;
+        pressing += 1;
+        sliding += usize::from(slides);
+    };
     for (i, j, c) in v.contacts() {
         if (i, j) == (a, b) || (i, j) == (b, a) {
             let n = c.normal.force.normalize_or_zero();
-            let pressed = (c.normal.force + c.damping.force).dot(n);
-            normal += pressed;
-            shear += c.tangential.force.dot(n.perp()) * if i == a { 1.0 } else { -1.0 };
-            length += c.length;
-            depth = depth.max(c.depth);
-            count += 1.0;
+            let force = c.normal.force + c.handed.force + c.damping.force;
+            let shear = c.tangential.force.dot(n.perp());
+            add(&mut out, force.dot(n), shear, c.slipping);
+            out.length += c.length;
+            out.depth = out.depth.max(c.depth);
+            out.contacts += 1.0;
         }
     }
-    (normal, shear, length, depth, count)
+    let bonds = v.world.bonds.iter().filter(|k| k.active);
+    for bond in bonds.filter(|k| (k.i, k.j) == (a.min(b), a.max(b))) {
+        let n = -bond.normal_now(&v.world.bodies);
+        let force = bond.stress.force + bond.damping.force;
+        let law = v.world.setup.interfaces[bond.row as usize].bond;
+        match law.and_then(|law| bond.slides(&law)) {
+            Some(slides) => add(&mut out, force.dot(n), force.dot(n.perp()), slides),
+            // Open at all points: what is left is the pull of its dashpots.
+            None => {
+                out.normal += force.dot(n);
+                out.shear += sign * force.dot(n.perp());
+            }
+        }
+    }
+    out.slides = pressing > 0 && sliding == pressing;
+    out
 }
 
 /// Largest value over the joint points of a pair; 0 without joints.
@@ -60,6 +102,33 @@ fn joint(v: &View<'_>, of: &[u32], get: impl Fn(&super::bond::BondPoint) -> f64)
     points.map(get).reduce(f64::max).unwrap_or(0.0)
 }
 
+/// The numbers of a pair, the lower one first.
+fn key(of: &[u32]) -> [u32; 2] {
+    let (a, b) = pair(of);
+    [a.min(b), a.max(b)]
+}
+
+/// Number of failed joint points between blocks that `chosen` takes, those of blocks that were removed included.
+fn broken_points(v: &View<'_>, chosen: impl Fn([u32; 2]) -> bool) -> f64 {
+    let bonds = v.world.bonds.iter().filter(|k| chosen([k.i, k.j]));
+    let there: u64 = bonds.map(Bond::failed_points).sum();
+    (there + v.world.failed.count(&chosen)) as f64
+}
+
+/// Share of the joint points of a pair that have failed; 0 without joints.
+fn broken_share(v: &View<'_>, of: &[u32]) -> f64 {
+    let key = key(of);
+    let bonds = v.world.bonds.iter().filter(|k| [k.i, k.j] == key);
+    let (failed, all) = bonds.fold((0, 0), |(failed, all), k| {
+        (failed + k.failed_points(), all + k.points.len())
+    });
+    if all > 0 {
+        failed as f64 / all as f64
+    } else {
+        0.0
+    }
+}
+
 /// Largest pressure of the water between two blocks.
 fn pore_pressure(v: &View<'_>, of: &[u32]) -> f64 {
     let (a, b) = pair(of);
@@ -70,8 +139,22 @@ fn pore_pressure(v: &View<'_>, of: &[u32]) -> f64 {
     let points = bonds.flat_map(|k| k.points.iter().map(|p| v.world.on_body(k.i, p.on_i)));
     let pressures = found
         .chain(points)
+        .chain(between_fixed(v, key))
         .map(|at| v.world.pressure_between(key, at));
     pressures.fold(0.0, f64::max)
+}
+
+/// Centres of the edges that two fixed blocks share (local, m): nothing acts between them that could say where they meet.
+fn between_fixed(v: &View<'_>, key: (u32, u32)) -> Vec<Vec2> {
+    let (world, blocks) = (v.world, [key.0, key.1].map(|b| b as usize));
+    let fixed = |b: usize| world.alive[b] && is_fixed(world.motion[b].as_deref());
+    if !blocks.into_iter().all(fixed) {
+        return Vec::new();
+    }
+    let shared = shared_edges(&v.scratch.shapes, blocks);
+    let centroid = v.scratch.shapes.centroid[blocks[0]];
+    let centres = (shared.iter()).map(|edge| world.on_body(key.0, edge.middle() - centroid));
+    centres.collect()
 }
 
 /// Living blocks without prescribed motion.
@@ -158,17 +241,20 @@ riprap_core::fields! {
     "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
     "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
     "pair.moment" "N" Pair Scalar true "Moment of the same about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
-    "pair.normal_force" "N/m" Pair Scalar true "Normal force of the found contacts, compression positive." |v, of| one(pair_parts(v, of).0);
-    "pair.shear_force" "N/m" Pair Scalar true "Shear force of the found contacts on the first block." |v, of| one(pair_parts(v, of).1);
-    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of the shear force over the normal force of the found contacts; 0 without contact." |v, of| { let (n, s, ..) = pair_parts(v, of); one(if n > 0.0 { s.abs() / n } else { 0.0 }) };
-    "pair.length" "m" Pair Scalar true "Length of the found contacts." |v, of| one(pair_parts(v, of).2);
-    "pair.overlap" "m" Pair Scalar true "Largest depth of a boundary point inside the other block." |v, of| one(pair_parts(v, of).3);
-    "pair.contacts" "-" Pair Scalar true "Number of found contacts between the two." |v, of| one(pair_parts(v, of).4);
+    "pair.normal_force" "N/m" Pair Scalar true "Normal force of joints and found contacts between the two, dashpots included, compression positive (a joint that pulls counts as negative)." |v, of| one(borne(v, of).normal);
+    "pair.shear_force" "N/m" Pair Scalar true "Shear force of joints and found contacts between the two on the first block, dashpots included." |v, of| one(borne(v, of).shear);
+    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of this shear force over this normal force; 0 where nothing presses." |v, of| { let k = borne(v, of); one(if k.normal > 0.0 { k.shear.abs() / k.normal } else { 0.0 }) };
+    "pair.sliding" "-" Pair Scalar true "1 where something presses between the two and all of it slides: found contacts, and joints whose failed points bear all the shear that friction allows; else 0." |v, of| one(f64::from(u8::from(borne(v, of).slides)));
+    "pair.length" "m" Pair Scalar true "Length of the found contacts." |v, of| one(borne(v, of).length);
+    "pair.overlap" "m" Pair Scalar true "Largest depth of a boundary point inside the other block." |v, of| one(borne(v, of).depth);
+    "pair.contacts" "-" Pair Scalar true "Number of found contacts between the two." |v, of| one(borne(v, of).contacts);
+    "pair.broken" "-" Pair Scalar true "Share of the points of the joints between the two that have failed, those that found contact has taken over included; 0 without joints." |v, of| one(broken_share(v, of));
+    "pair.broken_points" "-" Pair Scalar true "Number of joint points between the two that have failed so far: it never falls, not where found contact takes over or a block is removed." |v, of| { let key = key(of); one(broken_points(v, |ends| ends == key)) };
     "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
     "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
     "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
     "pair.seepage_rate" "m2/s" Pair Scalar true "Largest rate of flow in the joints between the two, for each metre of thickness." |v, of| one(v.world.seepage_between(pair(of)));
-    "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the water at the centres of contacts and at the joint points between the two." |v, of| one(pore_pressure(v, of));
+    "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the water at the centres of contacts and at the joint points between the two; of two fixed blocks at the middles of the edges that they share." |v, of| one(pore_pressure(v, of));
     "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
     "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
@@ -178,6 +264,8 @@ riprap_core::fields! {
     "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; of heaps that stand apart the mean by mass." |v, of| one(heap::repose_angle(v, of));
     "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
     "group.water_force" "N/m" Group Vector false "Sum of the pushes of the standing water on the group's blocks." |v, of| of.iter().map(|&b| v.water_force(b as usize)).sum::<Vec2>().into();
+    "group.fragments" "-" Group Scalar true "Number of fragments with a block of the group (see `model.fragments`)." |v, of| one(v.fragments().loose_with(there(v, of)).len() as f64);
+    "group.largest_fragment" "m2" Group Scalar true "Area of the largest fragment with a block of the group; 0 without fragments." |v, of| one(v.fragments().loose_with(there(v, of)).first().map_or(0.0, |f| f.size));
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.displacement(b).length());
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.rotation(b).abs());
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.velocity(b).length());
@@ -190,7 +278,7 @@ riprap_core::fields! {
     "model.contacts" "-" Model Scalar true "Number of found contacts." |v, _| one(v.contacts().count() as f64);
     "model.slipping" "-" Model Scalar true "Number of found contacts that slid in the last step." |v, _| one(v.contacts().filter(|(_, _, c)| c.slipping).count() as f64);
     "model.max_overlap" "m" Model Scalar true "Largest depth of a boundary point inside another block." |v, _| one(v.contacts().map(|(_, _, c)| c.depth).fold(0.0, f64::max));
-    "model.max_overlap_ratio" "-" Model Scalar true "Largest depth over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_overlap_ratio" "-" Model Scalar true "Largest depth of a contact, or closing of a joint, over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).abs());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
@@ -198,9 +286,10 @@ riprap_core::fields! {
     "model.angular_momentum" "N s" Model Scalar true "Angular momentum of all blocks about the origin (N m s per m)." |v, _| one(v.angular_momentum());
     "model.blocks" "-" Model Scalar true "Number of blocks left." |v, _| one(v.living().count() as f64);
     "model.broken" "-" Model Scalar true "Number of joints whose points have all failed." |v, _| one(v.world.bonds.iter().filter(|b| b.broken()).count() as f64);
+    "model.broken_points" "-" Model Scalar true "Number of joint points that have failed so far: it never falls, also where blocks are removed." |v, _| one(broken_points(v, |_| true));
     "model.joints" "-" Model Scalar true "Number of joints built." |v, _| one(v.world.bonds.len() as f64);
-    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by joints that have not failed." |v, _| one(v.fragments().list.len() as f64);
-    "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by joints that have not failed. Blocks all of whose freedoms are prescribed, and what is joined to them, are no fragments." |v, _| one(v.fragments().loose().count() as f64);
+    "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment; 0 without fragments." |v, _| one(v.fragments().loose().next().map_or(0.0, |f| f.size));
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
     "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
     "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));
@@ -211,6 +300,8 @@ riprap_core::fields! {
     "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
     "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
     "boundary.work" "J/m" Boundary Scalar false "Work of the stress of the rock outside on a side of the model." |v, of| one(v.world.work_of_boundary(first(of)));
+    "support.force" "N/m" Support Vector false "Force of a support on the blocks that it holds or drives: its reaction, inertia of a driven motion included, without damping." |v, of| v.on_support(first(of)).0.into();
+    "support.moment" "N" Support Scalar false "Moment of the same about the centre of mass of its blocks (N m per m)." |v, of| one(v.on_support(first(of)).1);
     "support.work" "J/m" Support Scalar false "Work of a support on its blocks; what holds still does none." |v, of| one(v.world.work(first(of)));
     "load.work" "J/m" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));
     "energy.kinetic" "J/m" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
@@ -227,6 +318,7 @@ riprap_core::fields! {
     "energy.bolt_loss" "J/m" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.law_defect" "J/m" Energy Scalar true "Made (+) or lost (-) by a contact law without potential, or by steps too long." |v, _| one(v.world.works.law_defect);
     "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
+    "energy.step_change" "J/m" Energy Scalar true "Added by changes of the step, the first one included, and by forces that jump: the kinetic energy at half steps less that of the instant." |v, _| one(v.world.works.step_change);
     "energy.residual" "J/m" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
     "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
 }

@@ -1,7 +1,8 @@
 //! Fragments of a planar model: blocks that joints hold together.
 
+use super::search::is_held;
 use super::view::View;
-use crate::frame::fragments::Fragments;
+use crate::frame::fragments::{Fragments, Member};
 
 impl View<'_> {
     /// Fragments now, the largest first. A joint holds while a point of it has not failed; one without tensile
@@ -11,9 +12,13 @@ impl View<'_> {
         let world = self.world;
         let blocks: Vec<_> = (0..world.alive.len())
             .map(|b| {
-                let area = self.scratch.shapes.mass[b] / world.setup.blocks[b].density;
+                let size = self.scratch.shapes.mass[b] / world.setup.blocks[b].density;
                 let at = world.bodies[b].position;
-                world.alive[b].then_some((area, [at.x, at.y, 0.0]))
+                world.alive[b].then(|| Member {
+                    size,
+                    centre: [at.x, at.y, 0.0],
+                    held: is_held(world.motion[b].as_deref()),
+                })
             })
             .collect();
         let holds = |row: u16| {

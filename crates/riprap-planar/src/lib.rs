@@ -88,11 +88,17 @@ mod search;
 mod seepage;
 pub mod setup;
 pub mod shapes;
+mod sound;
 pub mod stable;
+mod states;
 pub mod step;
 mod stress;
+mod strips;
+mod supports;
 pub mod view;
 mod water;
 pub mod world;
 
-use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, sums};
+pub use contact::change_laws;
+
+use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, sums};

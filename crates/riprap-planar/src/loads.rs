@@ -16,20 +16,26 @@ pub struct Applied {
     pub moment: f64,
 }
 
-/// Sums all loads at the world's present time into `applied` (one entry per block).
-pub(crate) fn apply(world: &World, shapes: &Shapes, applied: &mut [Applied]) {
+/// Sums all loads in the kick before a step of `dt` (s) into `applied` (one entry per block).
+pub(crate) fn apply(world: &World, shapes: &Shapes, dt: f64, applied: &mut [Applied]) {
     applied.fill(Applied::default());
-    each(world, shapes, |_, b, load| {
+    each(world, shapes, dt, |_, b, load| {
         let slot = &mut applied[b];
         slot.force += load.force;
         slot.moment += load.moment;
     });
 }
 
-/// Hands over every load at the world's present time with each block that it acts on.
-pub(crate) fn each(world: &World, shapes: &Shapes, mut put: impl FnMut(&Load, usize, Applied)) {
+/// Hands over every load in the kick before a step of `dt` (s) with each block that it acts on.
+pub(crate) fn each(
+    world: &World,
+    shapes: &Shapes,
+    dt: f64,
+    mut put: impl FnMut(&Load, usize, Applied),
+) {
+    let half = [0.5 * world.last_dt, 0.5 * dt];
     for load in &world.setup.loads {
-        let factor = load.time.at(world.time);
+        let factor = load.time.in_kick(world.time, half);
         // What was released by and by is gone.
         if factor == 0.0 {
             continue;

@@ -6,6 +6,8 @@
 //! along the resultant of the region, without turning, until the force is gone. Without this the first rebound would
 //! be energy from nowhere.
 
+use riprap_geom::Vec2;
+
 use super::contact::{self, Context, Relative};
 use super::scratch::Workspace;
 use super::search::Candidate;
@@ -33,21 +35,27 @@ pub(crate) fn energies(
             let stride = pressed.depth / f64::from(STRIDES);
             let mut before = pressed.normal.force.dot(out);
             let mut work = 0.0;
+            // Strides below the round-off of the place go nowhere: there the force is known.
+            let mut known: Option<(Vec2, f64)> = None;
             for k in 1..=MOST {
                 if before <= 0.0 {
                     break;
                 }
-                let apart = Relative {
-                    shift: relative.shift + f64::from(k) * stride * out,
-                    ..*relative
+                let shift = relative.shift + f64::from(k) * stride * out;
+                let force = match known {
+                    Some((place, force)) if place == shift => force,
+                    _ => {
+                        let apart = Relative { shift, ..*relative };
+                        contact::press_general(context, candidate, &apart, &mut workspace)
+                            .iter()
+                            .filter(|(_, e)| e & edges != 0)
+                            .fold(Wrench::default(), |sum, (p, _)| sum.plus(&p.normal))
+                            .force
+                            .dot(out)
+                            .max(0.0)
+                    }
                 };
-                let force = contact::press_general(context, candidate, &apart, &mut workspace)
-                    .iter()
-                    .filter(|(_, e)| e & edges != 0)
-                    .fold(Wrench::default(), |sum, (p, _)| sum.plus(&p.normal))
-                    .force
-                    .dot(out)
-                    .max(0.0);
+                known = Some((shift, force));
                 work += 0.5 * stride * (before + force);
                 before = force;
             }

@@ -22,8 +22,19 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
     for &b in blocks {
         world.alive[b as usize] = false;
     }
-    let World { alive, bonds, .. } = world;
-    bonds.retain(|k| alive[k.i as usize] && alive[k.j as usize]);
+    let World {
+        alive,
+        bonds,
+        failed,
+        ..
+    } = world;
+    bonds.retain(|k| {
+        let stays = alive[k.i as usize] && alive[k.j as usize];
+        if !stays {
+            failed.add([k.i, k.j], k.failed_points());
+        }
+        stays
+    });
 }
 
 /// Removes blocks; the forces that they gave to others fade over `span` (s). Call it between [`step::evaluate`] and

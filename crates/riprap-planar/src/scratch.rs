@@ -6,6 +6,7 @@ use riprap_core::profile::Profile;
 use riprap_geom::Vec2;
 
 use super::convex::Turned;
+use super::depths::Kinks;
 use super::loads::Applied;
 use super::pieces::Piece;
 use super::potential::Local;
@@ -117,7 +118,7 @@ pub struct Net {
 pub(crate) struct Workspace {
     pub pieces: Vec<Piece>,
     pub cuts: Vec<(f64, Option<u16>)>,
-    pub kinks: Vec<f64>,
+    pub kinks: Kinks,
     pub local: Local,
     pub old: Vec<Region>,
 }

@@ -74,7 +74,7 @@ pub(crate) fn is_driven(motion: Option<&Motion>) -> bool {
 }
 
 /// Whether a block is fixed in all three freedoms: two such blocks never act on each other.
-fn is_fixed(motion: Option<&Motion>) -> bool {
+pub(crate) fn is_fixed(motion: Option<&Motion>) -> bool {
     motion.is_some_and(|m| m.targets() == [Target::Still; 3])
 }
 

@@ -29,6 +29,10 @@ pub struct Setup {
     pub materials: Vec<String>,
     /// The blocks, in scenario order.
     pub blocks: Vec<BlockSpec>,
+    /// Angle of each block at the start against the outline that the scene draws, rad; empty where a table of states turned none.
+    pub angles: Vec<f64>,
+    /// Moments of inertia of blocks that do not have that of their shape, kg m.
+    pub inertias: Vec<(u32, f64)>,
     /// Contact and bond laws.
     pub interfaces: Vec<Interface>,
     /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
@@ -92,7 +96,7 @@ pub struct BlockSpec {
     pub vertices: Vec<Vec2>,
     /// Index into `Setup::materials`.
     pub material: u16,
-    /// Mass density, kg/m³.
+    /// Mass over area, kg/m³: the density of the material, or that of a given mass.
     pub density: f64,
     /// Initial velocity of the centroid, m/s.
     pub velocity: Vec2,
@@ -140,6 +144,9 @@ pub enum Motion {
         y: Option<TimeFunction>,
         /// Angular, rad/s.
         spin: Option<TimeFunction>,
+        /// Point (local, m) about which the spin turns all blocks of the support as one body, and of which x and y are the velocity; without
+        /// one each turns about its own centroid.
+        about: Option<Vec2>,
     },
     /// Acceleration of the centroid (m/s²) and of rotation (rad/s²) as functions of time.
     Acceleration {
@@ -158,11 +165,39 @@ impl Motion {
     pub fn targets(&self) -> [Target<'_>; 3] {
         match self {
             Self::Fixed { x, y, rotation } => [*x, *y, *rotation].map(Target::held),
-            Self::Velocity { x, y, spin } => [x, y, spin].map(|f| Target::velocity(f.as_ref())),
+            Self::Velocity { x, y, spin, .. } => [x, y, spin].map(|f| Target::velocity(f.as_ref())),
             Self::Acceleration { x, y, spin } => {
                 [x, y, spin].map(|f| Target::acceleration(f.as_ref()))
             }
         }
+    }
+
+    /// Velocity (m/s) beside that of x and y of a block that turns about a point with others, as one body: along the chord of its step of
+    /// `dt` (s) from `time` (s) on, so that it stays on its circle. `centroid` (m) is that of the start, `angle` (rad) its rotation since.
+    #[must_use]
+    pub fn swing(&self, centroid: Vec2, angle: f64, time: f64, dt: f64) -> Vec2 {
+        let (spin, about) = match self {
+            Self::Velocity {
+                spin: Some(spin),
+                about: Some(about),
+                ..
+            } => (spin, *about),
+            Self::Fixed { .. } | Self::Velocity { .. } | Self::Acceleration { .. } => {
+                return Vec2::ZERO;
+            }
+        };
+        let rate = spin.at(time + 0.5 * dt);
+        let half = 0.5 * dt * rate;
+        // From 1e-9 down the sine is its angle to the last bit.
+        let chord = if half.abs() > 1e-9 {
+            libm::sin(half) / half
+        } else {
+            1.0
+        };
+        let (s, c) = libm::sincos(angle + half);
+        let arm = centroid - about;
+        let arm = Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y);
+        rate * chord * arm.perp()
     }
 }
 

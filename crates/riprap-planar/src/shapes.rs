@@ -86,6 +86,9 @@ impl Shapes {
             shapes.inertia.push(block.density * second);
             shapes.centroid.push(centroid + base);
         }
+        for (b, inertia) in &setup.inertias {
+            shapes.inertia[*b as usize] = *inertia;
+        }
         shapes
     }
 

@@ -23,10 +23,12 @@ use super::search::{self, Candidates};
 use super::seepage;
 use super::setup::Setup;
 use super::shapes::Shapes;
+use super::view::View;
 use super::water;
 use super::world::{Body, World, Wrench};
 use crate::accounts::{Account, Entries};
 use crate::exec::{Exec, piece};
+use crate::failed::FailedPoints;
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
 use kick::kicks;
@@ -75,13 +77,14 @@ impl World {
             pairs: Vec::new(),
             general: Vec::new(),
             bonds: Vec::new(),
+            failed: FailedPoints::default(),
             bolts: Vec::new(),
             works: Works::default(),
             accounts: vec![Account::default(); setup.accounts.len()],
             start_energy: None,
             setup,
         };
-        hold_driven(&mut world);
+        hold_driven(&mut world, &shapes);
         let close = search::near_pairs(&world, &shapes);
         world.bonds = bond::build(&world.setup, &shapes, &close);
         // What a joint stores at the start, by round-off of its corners, is no work of friction.
@@ -96,14 +99,16 @@ impl World {
 }
 
 /// Gives driven blocks their prescribed velocity at the present time.
-pub fn hold_driven(world: &mut World) {
+pub fn hold_driven(world: &mut World, shapes: &Shapes) {
     let t = world.time;
-    for (body, motion) in world.bodies.iter_mut().zip(&world.motion) {
+    let bodies = world.bodies.iter_mut().zip(&world.motion);
+    for ((body, motion), centroid) in bodies.zip(&shapes.centroid) {
         if let Some(motion) = motion.as_deref() {
             let [x, y, spin] = motion.targets();
             body.velocity.x = x.at(t, body.velocity.x);
             body.velocity.y = y.at(t, body.velocity.y);
             body.spin = spin.at(t, body.spin);
+            body.velocity += motion.swing(*centroid, body.angle, t, 0.0);
         }
     }
 }
@@ -269,7 +274,7 @@ pub fn evaluate(
     stage(scratch, "loads", |scratch| {
         // A table that no longer stands leaves nothing behind.
         if !world.setup.loads.is_empty() || !world.setup.water.is_empty() {
-            loads::apply(world, &scratch.shapes, &mut scratch.applied);
+            loads::apply(world, &scratch.shapes, dt, &mut scratch.applied);
         }
         water::apply(world, scratch);
     });
@@ -311,6 +316,32 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     world.step += 1;
     world.last_dt = dt;
     world.pending = dt;
+}
+
+/// Ends a motion with the half kick of the forces that act now: velocities become those of the present time, as at the start, and whatever
+/// comes next, an edit or other forces, begins with half a kick of its own.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn end_motion(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+) -> Result<(), NonFinite> {
+    if world.last_dt == 0.0 {
+        return Ok(());
+    }
+    evaluate(world, scratch, damping, 0.0)?;
+    let before = View { world, scratch }.balance().residual();
+    integrate(world, scratch, 0.0);
+    world.works.depart(&mut scratch.departure);
+    scratch.entries.depart(&mut world.accounts);
+    world.last_dt = 0.0;
+    // With the kick of nothing that is left to be read.
+    evaluate(world, scratch, damping, 0.0)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.step_change += after - before;
+    Ok(())
 }
 
 /// Does a stage and books its time.

@@ -8,7 +8,7 @@ use super::scratch::{Change, Scratch};
 use super::search::Candidate;
 use super::setup::NormalLaw;
 use super::water;
-use super::world::{Contact, World, Wrench};
+use super::world::{Bond, BondPoint, Contact, World, Wrench};
 use crate::dynamics::kick::past;
 use crate::ledger::Balance;
 
@@ -65,7 +65,7 @@ impl View<'_> {
         }
     }
 
-    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs at the start.
+    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs where the step changes.
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         let shapes = &self.scratch.shapes;
@@ -74,7 +74,9 @@ impl View<'_> {
             shapes.mass[b] * change.velocity.length_squared()
                 + shapes.inertia[b] * change.spin * change.spin
         };
-        self.living().map(one).sum()
+        let alive = &self.world.alive;
+        let of = |b: usize| if alive[b] { one(b) } else { 0.0 };
+        self.scratch.exec.sum(alive.len(), of)
     }
 
     /// Kinetic energy of block `b`, J/m: `m v(n-1/2).v(n+1/2)/2`, with the second velocity taken half a
@@ -234,7 +236,7 @@ impl View<'_> {
         pairs.chain(general).filter(|(_, _, c)| c.touches())
     }
 
-    /// Largest overlap over the smaller inradius of the pair, with the pair.
+    /// Largest overlap, or closing of a joint, over the smaller inradius of the pair, with the pair.
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
         let (world, exec) = (self.world, &self.scratch.exec);
@@ -254,9 +256,26 @@ impl View<'_> {
                 .filter_map(|r| ratio(g.i, g.j, &r.contact))
                 .max_by(|a, b| a.0.total_cmp(&b.0))
         });
-        let both = convex.into_iter().chain(general);
+        // Joints keep their blocks from meeting: how far they are closed beyond where they were built is the same depth.
+        let joined = exec.largest(world.bonds.len(), |k| {
+            let bond = &world.bonds[k];
+            let smaller = inradius[bond.i as usize].min(inradius[bond.j as usize]);
+            let depth = self.closed_by(bond);
+            (bond.active && depth > 0.0).then(|| (depth / smaller, (bond.i, bond.j)))
+        });
+        let both = convex.into_iter().chain(general).chain(joined);
         let (ratio, (i, j)) = both.max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some((ratio, i, j))
+    }
+
+    /// How far a joint is closed at its most closed point beyond where its blocks were built, m: what the stress at the start closes it by is not
+    /// in it.
+    fn closed_by(&self, bond: &Bond) -> f64 {
+        let centroid = &self.scratch.shapes.centroid;
+        let [a, b] = [bond.i, bond.j].map(|k| centroid[k as usize]);
+        let start = |p: &BondPoint| (b + p.on_j - a - p.on_i).dot(bond.normal);
+        let closed = bond.points.iter().map(|p| start(p) - p.opening);
+        closed.fold(0.0, f64::max)
     }
 
     /// Sum of all wrenches (found contacts and joints) between two blocks, on the first.

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::seepage::state::Seepage;
 use super::setup::{Motion, Setup};
 use crate::accounts::{self, Account, Holder};
+use crate::failed::FailedPoints;
 use crate::laws::bolt::{Chain, Toll};
 use crate::ledger::Works;
 
@@ -49,6 +50,8 @@ pub struct World {
     pub general: Vec<GeneralState>,
     /// Built patches.
     pub bonds: Vec<Bond>,
+    /// Failed points of joints whose blocks were removed.
+    pub failed: FailedPoints,
     /// Bolts in the rock.
     pub bolts: Vec<Bolt>,
     /// Running sums of the energy ledger.

@@ -4,8 +4,10 @@ use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::{PlotError, column, digits, suffix, table_csv, write};
 use crate::fits::{RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
 use riprap_record::manifest::Manifest;
+use riprap_record::names::Names;
 use riprap_record::table::{Series, Table};
 use riprap_record::write_whole;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 const PICTURE: &str = "fragment sizes";
@@ -90,9 +92,15 @@ impl Sizes {
 /// are by least squares of the share passing 30 sieves between the smallest and the largest fragment, evenly spaced in the logarithm; their
 /// numbers are also in `NAME_fit.csv`. With fewer than four different sizes there are no fits.
 ///
+/// What is held is no fragment, nor what is joined to it. `group`: only fragments with a block of this group (or this block).
+///
 /// # Errors
-/// A run without `fragments.csv`, a table without fragments, files that cannot be read or written.
-pub fn fragments(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+/// A run without `fragments.csv`, a group that it does not have, a table without fragments, files that cannot be read or written.
+pub fn fragments(
+    folder: &Path,
+    group: Option<&str>,
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let path = folder.join("fragments.csv");
     if !path.exists() {
@@ -109,9 +117,24 @@ pub fn fragments(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     let amounts = &table
         .column(if flat { "area_m2" } else { "volume_m3" })?
         .values;
-    let sizes = Sizes::of(amounts, flat);
+    // Tables of earlier versions do not say what is held.
+    let held = table.columns.iter().find(|c| c.name == "held");
+    let wanted = group
+        .map(|group| with_blocks_of(folder, group))
+        .transpose()?;
+    let counts = |k: usize| {
+        held.is_none_or(|held| held.values[k] == 0.0)
+            && wanted.as_ref().is_none_or(|w| w.contains(&(k as u32 + 1)))
+    };
+    let all = amounts.iter().enumerate();
+    let amounts: Vec<f64> = all.filter(|(k, _)| counts(*k)).map(|(_, v)| *v).collect();
+    let sizes = Sizes::of(&amounts, flat);
     if sizes.size.is_empty() {
-        let what = format!("{} lists no fragments", path.display());
+        let of = group.map_or_else(String::new, |group| format!(" with a block of {group:?}"));
+        let what = format!(
+            "{} lists no fragments{of} that nothing holds",
+            path.display()
+        );
         return Err(PlotError::NothingToDraw { what });
     }
     let count = amounts.iter().filter(|v| **v > 0.0).count();
@@ -124,7 +147,8 @@ pub fn fragments(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
             .ok()
             .zip(swebrec_fit(&sieves, &passing).ok())
     };
-    let title = suffix(&manifest, &format!("{count} fragments"));
+    let of = group.map_or_else(String::new, |group| format!(" of {group}"));
+    let title = suffix(&manifest, &format!("{count} fragments{of}"));
     let panel = panel(&sizes, fits.as_ref());
     let page = chart::draw((&manifest.title, &title), ("", ""), &[panel]);
     let at = |f: &dyn Fn(f64) -> f64| sizes.size.iter().map(|x| f(*x)).collect();
@@ -146,6 +170,35 @@ pub fn fragments(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     )?;
     files.push(path);
     Ok(files)
+}
+
+/// Numbers of the fragments that have a block of a group, a block of this name, or what such a block was split into.
+fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError> {
+    let names = Names::read(folder)?;
+    let path = folder.join("fragment_blocks.csv");
+    if !path.exists() {
+        let reason =
+            "the run has no fragment_blocks.csv: it was written by an earlier riprap".to_owned();
+        return Err(PlotError::Unsuitable {
+            picture: PICTURE,
+            reason,
+        });
+    }
+    let one = names.number(group);
+    if one.is_none() && !names.groups.iter().any(|g| g.name == group) {
+        let known: Vec<&str> = names.groups.iter().map(|g| g.name.as_str()).collect();
+        let what = format!(
+            "the run has no block or group {group:?}; its groups are {}",
+            known.join(", ")
+        );
+        return Err(PlotError::NothingToDraw { what });
+    }
+    let belongs = |b: u32| one == Some(b) || names.groups_of(b).contains(&group);
+    let table = Table::read(&path)?;
+    let (blocks, fragments) = (table.column("block")?, table.column("fragment")?);
+    let all = blocks.values.iter().zip(&fragments.values);
+    let of_group = all.filter(|(b, _)| names.stem(**b as u32).any(belongs));
+    Ok(of_group.map(|(_, fragment)| *fragment as u32).collect())
 }
 
 /// One row: sizes as counted, and the fits where there are any.

@@ -15,7 +15,8 @@ const ONSET: f64 = 0.01;
 const FAINTEST: f64 = 1e-4;
 
 /// Draws the histories whose names end in `.pressure`, `.volume`, `.expansion` and `.volume_ratio`, each kind in one panel, the
-/// pressures with the fit `p0 (exp(-a t) - exp(-b t)) + plateau` from their onset on.
+/// pressures with the fit `p0 (exp(-a t) - exp(-b t)) + plateau` from their onset on; where the rise is over at the first sample, t
+/// counts from up to a step before it, which stands beside the picture.
 ///
 /// A pressure that cannot be fitted (constant, too few rows) is drawn without a fit, and the reason stands beside it.
 ///
@@ -126,6 +127,8 @@ fn words(name: &str, fit: &TwoExponential, unit: &str) -> Vec<String> {
         format!("a {}", rate(fit.a, "\u{2264}", fit.decay_unresolved)),
         format!("b {}", rate(fit.b, "\u{2265}", fit.rise_unresolved)),
         format!("plateau = {} {unit}", digits(fit.plateau, 3)),
+        // A pressure that is there with its first sample has risen before it.
+        format!("t from {} s on", digits(fit.start, 3)),
         format!("R² = {:.3}", fit.r2),
     ]
 }

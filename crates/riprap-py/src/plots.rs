@@ -30,6 +30,7 @@ pub struct Options {
     surface: bool,
     uplift: Option<f64>,
     source: Option<String>,
+    of: Option<String>,
     projection: String,
 }
 
@@ -142,7 +143,7 @@ impl Options {
             "cavity" => drawn::cavity(folder, out),
             "stereonet" => drawn::stereonet(folder, frames[0], projection, out),
             "rose" => drawn::rose(folder, frames[0], out),
-            "fragments" => drawn::fragments(folder, out),
+            "fragments" => drawn::fragments(folder, self.of.as_deref(), out),
             "spectrum" => match self.names.first() {
                 Some(name) => drawn::spectrum(folder, name, out),
                 None => Err(PlotError::NothingToDraw {

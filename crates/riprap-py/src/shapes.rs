@@ -67,7 +67,7 @@ fn file<T: Send>(
     parse: impl FnOnce(&[u8]) -> Result<T, FileError> + Send,
 ) -> PyResult<T> {
     py.detach(|| read(&path, parse))
-        .map_err(|text| errors::shape(py, &text))
+        .map_err(|refused| errors::shape(py, &refused.message))
 }
 
 fn lists<const N: usize>(points: Vec<[f64; N]>) -> Vec<Vec<f64>> {

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use riprap::record::folder::Existing;
 use riprap::run::sweep as sweeps;
 
 use crate::errors;
@@ -31,6 +32,10 @@ pub fn sweep(
     let scene = &scene.0;
     py.detach(|| sweeps::check_all(scene))
         .map_err(|wrong| errors::scenario(py, &wrong))?;
+    // Of an earlier sweep into this folder: what has finished is kept.
+    let earlier = (existing == Existing::Refuse)
+        .then(|| riprap::record::read_plain_text(&folder.join("sweep.csv")).ok())
+        .flatten();
     let (stop, mut raised, mut rows) = (AtomicBool::new(false), None, Vec::new());
     py.detach(|| {
         std::thread::scope(|scope| {
@@ -58,7 +63,7 @@ pub fn sweep(
         });
     });
     // What was done is written whatever was raised.
-    let written = written(py, &folder, &rows);
+    let written = written(py, &folder, &rows, earlier.as_deref());
     match raised {
         Some(raised) => Err(raised),
         None => written,
@@ -66,8 +71,14 @@ pub fn sweep(
 }
 
 /// Writes the table.
-fn written(py: Python<'_>, folder: &Path, rows: &[sweeps::Row]) -> PyResult<String> {
-    let table = sweeps::table(rows).map_err(|e| PyValueError::new_err(e.to_string()))?;
+fn written(
+    py: Python<'_>,
+    folder: &Path,
+    rows: &[sweeps::Row],
+    earlier: Option<&str>,
+) -> PyResult<String> {
+    let table =
+        sweeps::table_with(rows, earlier).map_err(|e| PyValueError::new_err(e.to_string()))?;
     std::fs::create_dir_all(folder).map_err(|e| {
         let text = format!("could not make {}: {e}", folder.display());
         errors::output(py, &text)

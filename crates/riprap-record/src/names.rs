@@ -124,6 +124,18 @@ impl Names {
         })
     }
 
+    /// A block and those that it was split from: `rock.17/3` comes of `rock.17`.
+    pub fn stem(&self, number: u32) -> impl Iterator<Item = u32> + '_ {
+        let mut name = self.block(number);
+        let above = std::iter::from_fn(move || {
+            let parent = name.as_ref()?.rsplit_once('/')?.0.to_owned();
+            let number = self.number(&parent);
+            name = Some(parent);
+            number
+        });
+        std::iter::once(number).chain(above)
+    }
+
     /// Groups a block is in.
     #[must_use]
     pub fn groups_of(&self, number: u32) -> Vec<&str> {
@@ -230,6 +242,8 @@ mod tests {
         assert_eq!(names.block(9), None);
         assert_eq!(names.number("rock.5"), None);
         assert_eq!(names.number("rock"), None);
+        assert_eq!(names.stem(6).collect::<Vec<_>>(), [6, 2]);
+        assert_eq!(names.stem(2).collect::<Vec<_>>(), [2]);
         assert_eq!(names.groups_of(2), ["rock", "all"]);
         assert_eq!(names.groups_of(8), ["rock"]);
         assert!(names.groups_of(5).is_empty());

@@ -1,246 +1,417 @@
-//! Columns of numbers from a CSV file, with errors that say where and what.
+//! Columns of numbers from a CSV file: one convention for every file that a scene names.
+//!
+//! - Commas, semicolons or tabs stand between cells, whichever the head has most of. With semicolons and tabs the decimal
+//!   sign may be a comma.
+//! - The first line names the columns. Empty lines and lines that begin with `#` are left out; a comment right above
+//!   rows of numbers may be the head.
+//! - A name has its unit behind an underscore or in brackets: `delay_ms`, `delay [ms]`, `Delay (ms)`. Capitals, spaces,
+//!   underscores and points make no difference. Without a unit places are in m, angles of planes in degrees, columns that
+//!   the user chooses in SI; what was taken so is noted. Delays, charges and diameters of holes must name theirs.
+//! - A second line of units is read too.
 
-use std::io::Read;
 use std::path::Path;
 
 use super::diagnostic::suggest;
-use super::units::{self, Dim};
+use super::plain_file;
+use super::units::Dim;
+use super::values::short;
+
+mod head;
+#[cfg(test)]
+mod tests;
+mod text;
+
+pub(crate) use head::GRAVITY;
+use head::{Cell, find, plain, unit_of};
+use text::Rows;
 
 /// Largest CSV file accepted, bytes.
 pub const MAX_CSV_SIZE: u64 = 64 << 20;
+/// Names of columns that a message lists.
+const LISTED: usize = 60;
 
-/// Columns in the order in which they were asked for; all of the same, non-zero length.
-pub type Columns = Vec<Vec<f64>>;
-
-/// Reads the named columns. The first line that is not empty and does not begin with `#` is the
-/// header.
-///
-/// # Errors
-/// A text for the user: no file, too large, no such column, a cell that is no finite number.
-pub fn csv_columns(path: &Path, names: &[&str]) -> Result<Columns, CsvError> {
-    let text = read_text(path)?;
-    read_columns(&text, names).map_err(|error| error.of(path))
-}
-
-/// A column that names its unit: `delay_ms` or `delay [ms]` is the column `delay` in ms.
+/// A column that is wanted.
 #[derive(Clone, Copy, Debug)]
 pub struct Column<'a> {
-    /// Names that a file may give it, the usual one first. Capitals, spaces and underscores make no difference.
+    /// Names that a file may give it, the usual one first.
     pub names: &'a [&'a str],
     /// What it measures.
     pub dim: Dim,
     /// Unit of a column that names none; `None` refuses such a column.
-    pub bare: Option<&'a str>,
+    pub usual: Option<&'a str>,
+    /// Whether a file without it is refused.
+    pub needed: bool,
+    /// Whether the user gave the name: a cell with just these letters is the column.
+    pub chosen: bool,
+    /// SI value of 1 where the scene says the unit; that of the head is not looked at then.
+    pub given: Option<f64>,
 }
 
-/// Reads columns that are named with their unit: `delay_ms` or `delay [ms]` is the column `delay`, in s.
-/// The answer has one entry for each needed column and one for each optional one, SI values; those of the
-/// needed ones are always there.
-///
-/// # Errors
-/// As [`csv_columns`]; a unit that is missing, unknown or of another dimension.
-pub fn csv_quantities(
-    path: &Path,
-    needed: &[(&str, Dim)],
-    optional: &[(&str, Dim)],
-) -> Result<Vec<Option<Vec<f64>>>, CsvError> {
-    let text = read_text(path)?;
-    let all = || needed.iter().chain(optional);
-    let names: Vec<[&str; 1]> = all().map(|(name, _)| [*name]).collect();
-    let columns = all().zip(&names).map(|((_, dim), names)| Column {
-        names,
-        dim: *dim,
-        bare: None,
-    });
-    let columns: Vec<Column> = columns.collect();
-    let found = read_table(&text, &columns).and_then(|found| {
-        match found[..needed.len()].iter().position(Option::is_none) {
-            Some(missing) => Err(missing_column(&text, needed[missing].0)),
-            None => Ok(found.into_iter().map(|f| f.map(|f| f.values)).collect()),
+impl<'a> Column<'a> {
+    /// A column without which a file is of no use; `usual` is the unit of one that names none.
+    #[must_use]
+    pub const fn needed(names: &'a [&'a str], dim: Dim, usual: &'a str) -> Self {
+        Column {
+            names,
+            dim,
+            usual: Some(usual),
+            needed: true,
+            chosen: false,
+            given: None,
         }
-    });
-    found.map_err(|error| error.of(path))
+    }
+
+    /// A column that may be missing.
+    #[must_use]
+    pub const fn optional(names: &'a [&'a str], dim: Dim, usual: &'a str) -> Self {
+        let mut column = Self::needed(names, dim, usual);
+        column.needed = false;
+        column
+    }
+
+    /// The same column without a usual unit: files differ, and it must name its own.
+    #[must_use]
+    pub const fn with_unit(mut self) -> Self {
+        self.usual = None;
+        self
+    }
+
+    /// A column whose name the user chose. Without a unit it is in SI; an angle must have one, since degrees are as
+    /// usual as radians.
+    #[must_use]
+    pub fn chosen(name: &'a [&'a str; 1], dim: Dim, usual: &'a str) -> Self {
+        Column {
+            usual: (dim != Dim::ANGLE).then_some(usual),
+            chosen: true,
+            ..Self::needed(name, dim, usual)
+        }
+    }
 }
 
 /// A column of a table as it was found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
+    /// As the file calls it.
+    pub name: String,
     /// Its numbers, SI.
     pub values: Vec<f64>,
-    /// Whether its name says no unit, so that the usual one was taken.
-    pub bare: bool,
+    /// SI value of 1 in the file.
+    pub factor: f64,
+    /// Unit that was taken because its name says none.
+    pub taken: Option<String>,
 }
 
-/// Reads those of the columns that are there.
+/// A table as it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table<const N: usize> {
+    /// The columns in the order in which they were asked for; those that are needed are there.
+    pub columns: [Option<Found>; N],
+    /// Line of the file of each row, counted from 1.
+    pub lines: Vec<usize>,
+    /// Rows without any text, which were left out.
+    pub empty: usize,
+    /// Whether commas were decimal signs.
+    pub decimal_comma: bool,
+}
+
+impl<const N: usize> Table<N> {
+    /// Values of a column, which are empty where it is not there.
+    #[must_use]
+    pub fn values(&self, column: usize) -> &[f64] {
+        let found = self.columns[column].as_ref();
+        found.map_or(&[], |found| &found.values)
+    }
+
+    /// What a reader should know: rows read and left out, units that were taken, the decimal sign.
+    #[must_use]
+    pub fn note(&self) -> String {
+        let rows = self.lines.len();
+        let mut words = format!("read {rows} of {} rows", rows + self.empty);
+        if self.empty > 0 {
+            words.push_str(&format!("; left out {} because they are empty", self.empty));
+        }
+        let mut units: Vec<(&str, Vec<&str>)> = Vec::new();
+        for found in self.columns.iter().flatten() {
+            let Some(unit) = found.taken.as_deref().filter(|unit| !unit.is_empty()) else {
+                continue;
+            };
+            match units.iter_mut().find(|(known, _)| *known == unit) {
+                Some((_, names)) => names.push(&found.name),
+                None => units.push((unit, vec![&found.name])),
+            }
+        }
+        for (unit, names) in units {
+            words.push_str(&format!(
+                "; {} without a unit, read in {unit}",
+                names.join(", ")
+            ));
+        }
+        if self.decimal_comma {
+            words.push_str("; commas are decimal signs");
+        }
+        words
+    }
+}
+
+/// Reads the columns of a file.
 ///
 /// # Errors
-/// As [`csv_quantities`], but for columns that are missing.
-pub fn csv_table<const N: usize>(
-    path: &Path,
-    columns: &[Column; N],
-) -> Result<[Option<Found>; N], CsvError> {
-    let text = read_text(path)?;
-    let found = read_table(&text, columns).map_err(|error| error.of(path))?;
-    let mut found = found.into_iter();
-    Ok(std::array::from_fn(|_| found.next().flatten()))
-}
-
-/// The columns of a text; see [`csv_table`].
-fn read_table(text: &str, columns: &[Column]) -> Result<Vec<Option<Found>>, CsvError> {
-    let header = header_of(text)?;
-    let cells: Vec<Option<Cell>> = columns
-        .iter()
-        .map(|column| find(&header, column))
-        .collect::<Result<_, _>>()?;
-    let names: Vec<&str> = cells.iter().flatten().map(|cell| cell.name).collect();
-    let mut read = read_columns(text, &names)?.into_iter();
-    let found = cells.into_iter().map(|cell| {
-        let Cell { factor, bare, .. } = cell?;
-        let values = read.next()?.into_iter().map(|v| v * factor).collect();
-        Some(Found { values, bare })
-    });
-    Ok(found.collect())
-}
-
-/// A cell of the header that names a column.
-struct Cell<'h> {
-    name: &'h str,
-    /// Of its unit.
-    factor: f64,
-    /// Whether it says no unit.
-    bare: bool,
-}
-
-/// The cell of the header that names the column.
-fn find<'h>(header: &'h [String], column: &Column) -> Result<Option<Cell<'h>>, CsvError> {
-    let mut refused = None;
-    let mut found: Option<Cell> = None;
-    'cells: for cell in header {
-        for (name, unit) in name_and_unit(cell) {
-            let alike = |known: &&str| plain(known) == plain(name);
-            if !column.names.iter().any(alike) {
-                continue;
-            }
-            let usual = column.bare.filter(|_| unit.is_empty());
-            // In names of columns an underscore divides: `a_m_s2` is `a` in m/s2.
-            match units::parse(&format!("1 {}", usual.unwrap_or(unit).replace('_', "/"))) {
-                Ok((factor, dim)) if dim == column.dim => {
-                    if let Some(first) = found {
-                        return Err(both(first.name, cell, column.names[0]));
-                    }
-                    found = Some(Cell {
-                        name: cell,
-                        factor,
-                        bare: usual.is_some(),
-                    });
-                    continue 'cells;
-                }
-                Ok((_, dim)) => {
-                    // Told only where no other way to read a cell, and no other cell, fits.
-                    refused.get_or_insert_with(|| CsvError {
-                        message: format!("the column `{cell}` is {}", dim.describe()),
-                        help: Some(format!(
-                            "{} is expected, with its unit behind an underscore",
-                            column.dim.describe()
-                        )),
-                    });
-                }
-                Err(error) => {
-                    refused.get_or_insert_with(|| CsvError {
-                        message: format!("the column `{cell}`: {}", error.message),
-                        help: error.help,
-                    });
-                }
-            }
-        }
-    }
-    match (found, refused) {
-        (Some(cell), _) => Ok(Some(cell)),
-        (None, Some(refused)) => Err(refused),
-        (None, None) => Ok(None),
-    }
-}
-
-/// Two columns of which either could be meant.
-fn both(first: &str, second: &str, wanted: &str) -> CsvError {
-    CsvError {
-        message: if first == second {
-            format!("the column `{first}` is there twice")
-        } else {
-            format!("the columns `{first}` and `{second}` are both `{wanted}`")
-        },
-        help: Some("take one of them out, or give it another name".to_owned()),
-    }
-}
-
-/// Ways to read a cell of the header as a name and a unit, the longest name first.
-fn name_and_unit(cell: &str) -> Vec<(&str, &str)> {
-    for [open, close] in [['[', ']'], ['(', ')']] {
-        if let Some((name, unit)) = cell.strip_suffix(close).and_then(|c| c.split_once(open)) {
-            return vec![(name.trim_end(), unit)];
-        }
-    }
-    let ends = cell.rmatch_indices('_');
-    let parts = ends.map(|(at, _)| (&cell[..at], &cell[at + 1..]));
-    std::iter::once((cell, "")).chain(parts).collect()
-}
-
-/// A name without what makes no difference.
-fn plain(name: &str) -> String {
-    let kept = name.chars().filter(|c| !matches!(c, ' ' | '_' | '-'));
-    kept.flat_map(char::to_lowercase).collect()
-}
-
-fn missing_column(text: &str, name: &str) -> CsvError {
-    let header = header_of(text).unwrap_or_default();
-    let known: Vec<&str> = header.iter().map(String::as_str).collect();
-    CsvError {
-        message: format!("there is no column `{name}` with its unit behind it"),
-        help: suggest(name, known),
-    }
-}
-
-/// The names of the columns.
-fn header_of(text: &str) -> Result<Vec<String>, CsvError> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let header = reader.headers().map_err(|error| CsvError {
-        message: error.to_string(),
-        help: None,
+/// A text for the user: no plain file, too large, a column that is missing or in a wrong unit, a cell that is no finite
+/// number.
+pub fn csv_table<const N: usize>(path: &Path, columns: &[Column; N]) -> Result<Table<N>, CsvError> {
+    let bytes = plain_file::read(path, MAX_CSV_SIZE).map_err(|error| CsvError {
+        message: error.message,
+        help: error.help,
     })?;
-    Ok(header.iter().map(str::to_owned).collect())
+    parse_table(&bytes, columns).map_err(|error| CsvError {
+        message: format!("`{}`, {}", path.display(), error.message),
+        help: error.help,
+    })
 }
 
-fn read_text(path: &Path) -> Result<String, CsvError> {
-    let shown = path.display();
-    let fail = |message: String, help: Option<String>| CsvError { message, help };
-    let io = |error: std::io::Error| {
-        let help = (error.kind() == std::io::ErrorKind::NotFound)
-            .then(|| "paths are seen from the folder of the scenario file".to_owned());
-        fail(format!("cannot read `{shown}`: {error}"), help)
+/// The texts of a column with the line of each in the file, counted from 1.
+///
+/// # Errors
+/// As [`csv_table`]; a row without a text there.
+pub fn csv_labels(path: &Path, name: &str) -> Result<Vec<(usize, String)>, CsvError> {
+    let bytes = plain_file::read(path, MAX_CSV_SIZE).map_err(|error| CsvError {
+        message: error.message,
+        help: error.help,
+    })?;
+    labels(&bytes, name).map_err(|error| CsvError {
+        message: format!("`{}`, {}", path.display(), error.message),
+        help: error.help,
+    })
+}
+
+fn labels(bytes: &[u8], name: &str) -> Result<Vec<(usize, String)>, CsvError> {
+    let text = text::decode(bytes)?;
+    let mut rows = text::rows(&text)?;
+    let at = rows.head.iter().position(|cell| plain(cell) == plain(name));
+    let Some(at) = at else {
+        let wanted = [name];
+        return Err(missing(&rows.head, &Column::needed(&wanted, Dim::NONE, "")));
     };
-    if path.is_dir() {
-        return Err(fail(format!("`{shown}` is a folder, not a CSV file"), None));
+    let mut found = Vec::new();
+    while rows.next()? {
+        let (line, cell) = (rows.line, rows.row.get(at).unwrap_or_default());
+        found.push((line, cell.to_owned()));
     }
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(io)?;
-    if file.metadata().map_err(io)?.len() > MAX_CSV_SIZE {
-        let size = MAX_CSV_SIZE >> 20;
-        return Err(fail(format!("`{shown}` is larger than {size} MiB"), None));
+    Ok(found)
+}
+
+/// Reads the columns from the bytes of a file; see [`csv_table`].
+///
+/// # Errors
+/// As [`csv_table`], but for the file.
+pub fn parse_table<const N: usize>(
+    bytes: &[u8],
+    columns: &[Column; N],
+) -> Result<Table<N>, CsvError> {
+    let text = text::decode(bytes)?;
+    let mut rows = text::rows(&text)?;
+    let mut cells = [None; N];
+    for (cell, column) in cells.iter_mut().zip(columns) {
+        *cell = find(&rows.head, column)?;
+        if cell.is_none() && column.needed {
+            return Err(missing(&rows.head, column));
+        }
     }
-    // What is no plain file may say nothing of its length.
-    file.take(MAX_CSV_SIZE + 1)
-        .read_to_end(&mut bytes)
-        .map_err(io)?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        fail(
-            format!("`{shown}` is not a text file"),
-            Some("save it as CSV in UTF-8".to_owned()),
-        )
-    })?;
-    Ok(text.trim_start_matches('\u{feff}').to_owned())
+    let mut more = rows.next()?;
+    if more && take_units(&rows, &mut cells, columns)? {
+        more = rows.next()?;
+    }
+    let mut found = cells.map(|cell| cell.map(|cell| rows.found(&cell)));
+    for ((found, cell), column) in found.iter_mut().zip(&cells).zip(columns) {
+        if let (Some(found), Some(Cell { bare: true, .. })) = (found, cell) {
+            found.taken = column.usual.map(str::to_owned);
+        }
+    }
+    let mut decimals = Decimals::new(rows.separator);
+    let mut lines = Vec::new();
+    while more {
+        for (found, cell) in found.iter_mut().zip(&cells) {
+            if let (Some(found), Some(cell)) = (found, cell) {
+                let text = rows.row.get(cell.at).unwrap_or_default();
+                let number = decimals.number(rows.line, &found.name, text)?;
+                found.values.push(number * cell.factor);
+            }
+        }
+        lines.push(rows.line);
+        more = rows.next()?;
+    }
+    if lines.is_empty() {
+        return Err(CsvError::new(
+            "there are no lines of numbers under the header",
+            "give at least one row",
+        ));
+    }
+    Ok(Table {
+        columns: found,
+        lines,
+        empty: rows.empty,
+        decimal_comma: decimals.comma.is_some(),
+    })
+}
+
+impl Rows<'_> {
+    /// A column without numbers.
+    fn found(&self, cell: &Cell) -> Found {
+        Found {
+            name: self.head[cell.at].clone(),
+            values: Vec::new(),
+            factor: cell.factor,
+            taken: None,
+        }
+    }
+}
+
+/// Takes the units that the first row names for columns whose names say none. Whether it is a row of units.
+fn take_units<const N: usize>(
+    rows: &Rows,
+    cells: &mut [Option<Cell>; N],
+    columns: &[Column; N],
+) -> Result<bool, CsvError> {
+    let mut factors = [None; N];
+    for ((factor, cell), column) in factors.iter_mut().zip(cells.iter()).zip(columns) {
+        let Some(cell) = cell else { continue };
+        let text = rows.row.get(cell.at).unwrap_or_default();
+        let text = text.trim_matches(['[', ']', '(', ')']).trim();
+        let plain = column.dim == Dim::NONE && matches!(text, "" | "-" | "1");
+        match unit_of(text, column.dim) {
+            _ if !cell.bare => return Ok(false),
+            _ if plain => *factor = Some(1.0),
+            // A row of numbers, or of what is looked at as a number.
+            _ if !text.starts_with(|c: char| c.is_alphabetic() || c == '°') => return Ok(false),
+            Ok((value, dim)) if dim == column.dim => *factor = Some(value),
+            Ok((_, dim)) => {
+                let (line, name) = (rows.line, short(&rows.head[cell.at]));
+                let is = dim.describe();
+                let message = format!("line {line}, column `{name}`: the unit `{text}` is {is}");
+                let help = format!("{} is expected", column.dim.describe());
+                return Err(CsvError::new(&message, &help));
+            }
+            Err(_) => return Ok(false),
+        }
+    }
+    // Cells that are all plain numbers are a row of numbers.
+    if !columns
+        .iter()
+        .zip(&factors)
+        .any(|(c, f)| c.dim != Dim::NONE && f.is_some())
+    {
+        return Ok(false);
+    }
+    for (cell, factor) in cells.iter_mut().zip(factors) {
+        if let (Some(cell), Some(factor)) = (cell, factor) {
+            (cell.factor, cell.bare) = (factor, false);
+        }
+    }
+    Ok(true)
+}
+
+/// A column that is not there.
+fn missing(head: &[String], column: &Column) -> CsvError {
+    let name = column.names[0];
+    let usual = column.usual.unwrap_or_default();
+    let known: Vec<&str> = head.iter().map(String::as_str).collect();
+    let like = suggest(name, known.iter().copied().filter(|c| c.len() < LISTED));
+    let like = like.filter(|help| help.starts_with("did"));
+    let example = match usual {
+        "" => format!("`{name}`"),
+        unit => format!("`{name}_{}`", unit.replace('/', "_")),
+    };
+    let columns = short(&known.join(", "));
+    let help = match like {
+        _ if known.len() == 1 => format!(
+            "the only column is {columns}; separate columns with commas, semicolons or tabs, and name one {example}"
+        ),
+        Some(like) => format!("{like} the columns are {columns}"),
+        None => format!("the columns are {columns}; name one {example}"),
+    };
+    CsvError::new(&format!("there is no column `{name}`"), &help)
+}
+
+/// Numbers with one decimal sign in the whole file.
+struct Decimals {
+    /// Whether a comma can be a decimal sign.
+    commas: bool,
+    /// Lines of the first number with each sign.
+    point: Option<usize>,
+    comma: Option<usize>,
+}
+
+impl Decimals {
+    fn new(separator: u8) -> Self {
+        Decimals {
+            commas: separator != b',',
+            point: None,
+            comma: None,
+        }
+    }
+
+    fn number(&mut self, line: usize, name: &str, text: &str) -> Result<f64, CsvError> {
+        let wrong = |what: &str, help: &str| {
+            let (name, text) = (short(name), short(text));
+            CsvError::new(
+                &format!("line {line}, column `{name}`: \"{text}\" is {what}"),
+                help,
+            )
+        };
+        let commas = text.matches(',').count();
+        let number = match commas {
+            1 if self.commas && !text.contains('.') => text.replacen(',', ".", 1).parse::<f64>(),
+            _ => text.parse::<f64>(),
+        };
+        let number = match number {
+            Ok(number) if number.is_finite() => number,
+            Ok(_) => {
+                return Err(wrong(
+                    "not a finite number",
+                    "correct the row, or leave it out",
+                ));
+            }
+            Err(_) if text.is_empty() => {
+                let message = format!("line {line}, column `{}`: the cell is empty", short(name));
+                let help = "give a number, or leave the row out";
+                return Err(CsvError::new(&message, help));
+            }
+            Err(_) if commas > 0 => {
+                let help = "write the number without separators of thousands; a decimal comma needs semicolons or tabs between cells";
+                return Err(wrong("not a number", help));
+            }
+            Err(_) => return Err(wrong("not a number", "correct the row, or leave it out")),
+        };
+        let sign = match (commas, text.contains('.')) {
+            (0, false) => return Ok(number),
+            (0, true) => &mut self.point,
+            (_, _) => &mut self.comma,
+        };
+        sign.get_or_insert(line);
+        if let (Some(point), Some(comma)) = (self.point, self.comma) {
+            let message = format!(
+                "line {line}, column `{}`: line {comma} has a decimal comma and line {point} a decimal point",
+                short(name)
+            );
+            let help = "write all numbers of the file with one decimal sign, and none with separators of thousands";
+            return Err(CsvError::new(&message, help));
+        }
+        Ok(number)
+    }
+}
+
+/// SI value of 1 in a unit for values of a dimension, written as in a head; "1" and "-" are plain numbers.
+///
+/// # Errors
+/// A text for the user: no unit, or one of another dimension.
+pub fn unit(text: &str, dim: Dim) -> Result<f64, String> {
+    let plain = matches!(text.trim(), "1" | "-" | "");
+    match unit_of(text, dim) {
+        _ if plain && dim == Dim::NONE => Ok(1.0),
+        Ok((factor, found)) if found == dim => Ok(factor),
+        Ok((_, found)) => Err(format!("\"{}\" is {}", short(text), found.describe())),
+        Err(error) => Err(error.message),
+    }
 }
 
 /// Why a CSV file could not be used.
@@ -254,184 +425,10 @@ pub struct CsvError {
 }
 
 impl CsvError {
-    /// With the name of the file.
-    fn of(self, path: &Path) -> Self {
+    fn new(message: &str, help: &str) -> Self {
         CsvError {
-            message: format!("`{}`: {}", path.display(), self.message),
-            help: self.help,
+            message: message.to_owned(),
+            help: (!help.is_empty()).then(|| help.to_owned()),
         }
-    }
-}
-
-/// Reads the named columns of a text.
-///
-/// # Errors
-/// As [`csv_columns`].
-pub fn read_columns(text: &str, names: &[&str]) -> Result<Columns, CsvError> {
-    let fail = |message: String, help: Option<&str>| CsvError {
-        message,
-        help: help.map(str::to_owned),
-    };
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let header = reader
-        .headers()
-        .map_err(|error| fail(error.to_string(), None))?
-        .clone();
-    if header.is_empty() || header.iter().all(str::is_empty) {
-        return Err(fail(
-            "the file is empty".to_owned(),
-            Some("the first line names the columns, for example `t_s,a_m_s2`"),
-        ));
-    }
-    let mut at = Vec::new();
-    for name in names {
-        let mut places = (0..header.len()).filter(|k| header.get(*k) == Some(*name));
-        match places.next() {
-            Some(_) if places.next().is_some() => return Err(both(name, name, name)),
-            Some(index) => at.push(index),
-            None => {
-                let only: Vec<&str> = header.iter().collect();
-                let help = if only.len() == 1 && (only[0].contains(';') || only[0].contains('\t')) {
-                    Some("separate the columns with commas".to_owned())
-                } else if only.iter().all(|cell| cell.parse::<f64>().is_ok()) {
-                    Some("the first line must name the columns".to_owned())
-                } else {
-                    let known = super::values::short(&only.join(", "));
-                    suggest(name, only.iter().copied().filter(|c| c.len() < 60)).map(|help| {
-                        if help.starts_with("did") {
-                            format!("{help} the columns are {known}")
-                        } else {
-                            help
-                        }
-                    })
-                };
-                return Err(CsvError {
-                    message: format!("there is no column `{name}`"),
-                    help,
-                });
-            }
-        }
-    }
-    let mut columns: Columns = vec![Vec::new(); names.len()];
-    for record in reader.records() {
-        let record = record.map_err(|error| {
-            let line = error.position().map_or(0, csv::Position::line);
-            fail(
-                format!("line {line} does not have as many cells as the header"),
-                Some("every line needs one cell for each column"),
-            )
-        })?;
-        let line = record.position().map_or(0, csv::Position::line);
-        for ((column, index), name) in columns.iter_mut().zip(&at).zip(names) {
-            let cell = record.get(*index).unwrap_or_default();
-            let bad = |what: &str| {
-                let cell = super::values::short(cell);
-                fail(
-                    format!("line {line}, column `{name}`: \"{cell}\" is not {what}"),
-                    None,
-                )
-            };
-            let number: f64 = cell.parse().map_err(|_| bad("a number"))?;
-            if !number.is_finite() {
-                return Err(bad("a finite number"));
-            }
-            column.push(number);
-        }
-    }
-    if columns.iter().any(Vec::is_empty) {
-        return Err(fail(
-            "there are no lines of numbers under the header".to_owned(),
-            None,
-        ));
-    }
-    Ok(columns)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn error(text: &str) -> String {
-        let error = read_columns(text, &["t_s", "a"]).unwrap_err();
-        format!("{error} | {}", error.help.clone().unwrap_or_default())
-    }
-
-    #[test]
-    fn reads_columns_in_order() {
-        let text = "# recorded somewhere\n\na, t_s ,x\n1,0,z\n2,1e-1,z\n";
-        assert_eq!(
-            read_columns(text, &["t_s", "a"]).unwrap(),
-            [[0.0, 0.1], [1.0, 2.0]]
-        );
-    }
-
-    #[test]
-    fn says_what_is_wrong() {
-        assert!(error("").contains("empty"));
-        assert!(error("# only a comment\n").contains("empty"));
-        assert!(error("t_s,b\n1,2\n").contains("no column `a`"));
-        assert!(error("t_s;a\n1;2\n").contains("separate the columns with commas"));
-        assert!(error("0,1\n1,2\n").contains("must name the columns"));
-        assert!(error("t_s,a,a\n1,2,3\n").contains("the column `a` is there twice"));
-        assert!(error("t_s,a\n").contains("no lines"));
-        assert!(error("t_s,a\n1,x\n").contains("line 2, column `a`: \"x\" is not a number"));
-        assert!(
-            error("t_s,a\n1,2\n1,nan\n").contains("line 3"),
-            "{}",
-            error("t_s,a\n1,2\n1,nan\n")
-        );
-        assert!(error("t_s,a\n1\n").contains("line 2"));
-        assert!(error("t_s,a\n\"1,2\n").contains("line 2"));
-    }
-
-    #[test]
-    fn a_column_has_several_names_and_says_its_unit_in_several_ways() {
-        let dip = |bare| Column {
-            names: &["dip"],
-            dim: Dim::ANGLE,
-            bare,
-        };
-        let direction = Column {
-            names: &["dip_direction", "dip_azimuth"],
-            dim: Dim::ANGLE,
-            bare: Some("deg"),
-        };
-        for (text, bare) in [
-            ("dip_direction_deg,dip_deg\n90,90\n", false),
-            ("DipDirection[deg],Dip [deg]\n90,90\n", false),
-            ("Dip Azimuth (deg), Dip (deg)\n90,90\n", false),
-            ("dip_direction,dip\n90,90\n", true),
-        ] {
-            let values = vec![std::f64::consts::FRAC_PI_2];
-            let right = Some(Found { values, bare });
-            let found = read_table(text, &[dip(Some("deg")), direction]).unwrap();
-            assert_eq!(found, [right.clone(), right], "{text}");
-        }
-        for (text, says) in [
-            (
-                "dip_direction_deg,Dip Azimuth [deg],dip\n90,80,90\n",
-                "the columns `dip_direction_deg` and `Dip Azimuth [deg]` are both `dip_direction`",
-            ),
-            (
-                "dip_direction,dip,dip\n90,80,90\n",
-                "the column `dip` is there twice",
-            ),
-        ] {
-            let refused = read_table(text, &[dip(Some("deg")), direction]).unwrap_err();
-            assert_eq!(refused.message, says);
-        }
-        let refused = read_table("dip\n90\n", &[dip(None)]).unwrap_err();
-        assert!(refused.message.contains("the column `dip`"), "{refused}");
-        assert_eq!(read_table("a\n1\n", &[direction]).unwrap(), [None]);
-    }
-
-    #[test]
-    fn names_a_missing_file() {
-        let error = csv_columns(Path::new("/nowhere/x.csv"), &["a"]).unwrap_err();
-        assert!(error.message.contains("/nowhere/x.csv"));
-        assert!(csv_columns(&std::env::temp_dir(), &["a"]).is_err());
     }
 }

@@ -1,51 +1,65 @@
-//! Files of other tools with blocks or traces: tessellations of Neper, surfaces in STL, drawings in DXF, heights as
+//! Files of other tools with blocks, traces, fractures or records: tessellations of Neper, surfaces in STL and OBJ, drawings in DXF, heights as
 //! ASCII raster.
 //!
 //! As for the meshes of [`super::msh`]: a broken file gives an error with its line or byte, and no count in it is
 //! trusted with more memory than the file itself has.
 
 pub mod asc;
+pub mod at2;
+pub mod dfn;
 pub mod dxf;
 mod dxf_pairs;
+pub mod obj;
 pub mod stl;
 pub mod tess;
 #[cfg(test)]
 mod tests;
 
-use std::io::Read;
 use std::path::Path;
 
 pub use super::msh::{FileError, Place};
+use super::plain_file;
 
 /// Largest file accepted, bytes.
 pub const MAX_FILE_SIZE: u64 = 64 << 20;
 
-/// Reads a file and gives its bytes to `parse`.
+/// Why a file could not be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// What is wrong, with the name of the file and the place in it.
+    pub message: String,
+    /// What to do, where it does not depend on the format.
+    pub help: Option<String>,
+}
+
+/// Reads a plain file and gives its bytes to `parse`.
 ///
 /// # Errors
-/// A text for the user: no file, too large, what is wrong and where.
+/// No plain file, too large, what is wrong and where.
 pub fn read<T>(
     path: &Path,
     parse: impl FnOnce(&[u8]) -> Result<T, FileError>,
-) -> Result<T, String> {
-    let shown = path.display();
-    let cannot = |error: std::io::Error| format!("cannot read {shown}: {error}");
-    if path.is_dir() {
-        return Err(format!("{shown} is a folder, not a file"));
-    }
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .map_err(cannot)?
-        .take(MAX_FILE_SIZE + 1)
-        .read_to_end(&mut bytes)
-        .map_err(cannot)?;
-    if bytes.len() as u64 > MAX_FILE_SIZE {
-        return Err(format!(
-            "{shown} is larger than {} MiB",
-            MAX_FILE_SIZE >> 20
-        ));
-    }
-    parse(&bytes).map_err(|error| format!("{shown}, {error}"))
+) -> Result<T, Refused> {
+    read_up_to(path, MAX_FILE_SIZE, parse)
+}
+
+/// As [`read`], for a file of up to `most` bytes.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_up_to<T>(
+    path: &Path,
+    most: u64,
+    parse: impl FnOnce(&[u8]) -> Result<T, FileError>,
+) -> Result<T, Refused> {
+    let bytes = plain_file::read(path, most).map_err(|error| Refused {
+        message: error.message,
+        help: error.help,
+    })?;
+    parse(&bytes).map_err(|error| Refused {
+        message: format!("`{}`, {error}", path.display()),
+        help: None,
+    })
 }
 
 /// An error at a line, counted from 1.

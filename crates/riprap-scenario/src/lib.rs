@@ -27,6 +27,7 @@ pub mod msh;
 mod names;
 mod overrides;
 mod path;
+mod plain_file;
 pub mod quantity;
 pub mod read;
 mod references;
@@ -40,7 +41,6 @@ mod values;
 pub mod vectors;
 pub mod words;
 
-pub use csv_columns::{Columns, csv_columns};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity, Source};
 pub use language::Scenario;
 pub use load::{Parsed, load, parse, parse_changed, parse_with};

@@ -7,8 +7,6 @@
 //! Source: Gmsh reference manual, chapter "Gmsh file formats".
 
 use std::collections::BTreeMap;
-use std::io::Read;
-use std::path::Path;
 
 mod elements;
 mod reader;
@@ -35,6 +33,8 @@ pub struct Mesh {
     pub cells: Vec<Cell>,
     /// Triangles and quadrangles of physical surfaces.
     pub facets: Vec<Facet>,
+    /// Elements that are no volumes: surfaces, lines and points.
+    pub others: usize,
     /// Sets of groups that cells and facets are in: places in `groups`, each once. The first set is empty.
     pub sets: Vec<Vec<u32>>,
     /// Physical groups of volumes and surfaces, by dimension (2 or 3) and tag, and their names (the tag where the file
@@ -59,25 +59,6 @@ pub struct Group {
     pub tag: i32,
     /// Name.
     pub name: String,
-}
-
-/// Reads a file.
-///
-/// # Errors
-/// A text for the user: no file, too large, what is wrong and where.
-pub fn read_msh(path: &Path) -> Result<Mesh, String> {
-    let shown = path.display();
-    let cannot = |error: std::io::Error| format!("cannot read {shown}: {error}");
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .map_err(cannot)?
-        .take(MAX_MSH_SIZE + 1)
-        .read_to_end(&mut bytes)
-        .map_err(cannot)?;
-    if bytes.len() as u64 > MAX_MSH_SIZE {
-        return Err(format!("{shown} is larger than {} MiB", MAX_MSH_SIZE >> 20));
-    }
-    parse_msh(&bytes).map_err(|error| format!("{shown}, {error}"))
 }
 
 /// The mesh that the bytes of a file describe.

@@ -17,7 +17,7 @@ pub use super::moments::When;
 pub use super::names::{Name, Names, Table};
 use super::units::{self, Dim, UnitError};
 use super::vectors::InSpace;
-pub use super::vectors::{Axial, Direction, Down, Edges, Tensor, Vector};
+pub use super::vectors::{Axial, Direction, Down, Edges, Moments, Tensor, Vector};
 
 /// Bytes of the source text.
 pub type Span = Range<usize>;
@@ -304,6 +304,10 @@ kinds! {
     FractureEnergy: Some(Dim::FORCE_PER_LENGTH), POSITIVE, "a fracture energy (energy per area)", "50 J/m2";
     /// A mass > 0, kg.
     Mass: Some(Dim::MASS), POSITIVE, "a mass", "0.03 kg";
+    /// A mass per metre of thickness > 0, kg/m.
+    MassPerLength: Some(Dim([1, -1, 0, 0])), POSITIVE, "a mass per metre of thickness (2D)", "400 kg/m", in space Dim::MASS, "a mass", "400 kg";
+    /// A moment of inertia per metre of thickness, kg m.
+    InertiaPerLength: Some(Dim([1, 1, 0, 0])), ALL, "a moment of inertia per metre of thickness (2D)", "20 kg m", in space Dim([1, 2, 0, 0]), "a moment of inertia", "20 kg m2";
     /// Energy per mass, J/kg.
     SpecificEnergy: Some(Dim::SPECIFIC_ENERGY), POSITIVE, "an energy per mass", "4180 kJ/kg";
     /// Change of a pressure with depth, Pa/m.

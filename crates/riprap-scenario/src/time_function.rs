@@ -30,8 +30,10 @@ pub enum TimeFunction<K: Kind> {
     /// A triangle: zero at time 0, straight up to `peak`, straight down to zero.
     Triangle(Triangle<K>),
     /// A column of a CSV file over a time column: straight lines between the rows, the first and
-    /// last value outside. Values are SI times `scale`.
+    /// last value outside. Units are those that the names of the columns say.
     Csv(CsvFunction),
+    /// A record of the PEER database (`.AT2`, `.VT2`, `.DT2`): straight lines between its values, the first and last value outside.
+    At2(RecordFunction),
     /// A formula in `t` (seconds of model time), result in SI units, for example `"if(t < 2, 3*sin(2*pi*t), 0)"`.
     Formula(Name),
 }
@@ -110,10 +112,22 @@ pub struct Triangle<K: Kind> {
 pub struct CsvFunction {
     /// Path of the CSV file.
     pub file: Name,
-    /// Name of the column with the time in seconds; must grow.
+    /// Name of the column with the time, with or without its unit (`t_ms`, or `t`); s where it names none. It must grow.
     pub time: Name,
-    /// Name of the column with the values in SI units.
+    /// Name of the column with the values, with or without their unit (`a_g`, or `a`); SI where it names none.
     pub column: Name,
+    /// Unit of the values, stronger than that of their name, for example "g" or "cm/s2"; "1" for plain numbers.
+    pub unit: Option<Name>,
+    /// Factor on the values. Default 1.
+    pub scale: Option<Quantity<Plain>>,
+}
+
+/// Values from a record of an earthquake, in the unit that it names.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RecordFunction {
+    /// Path of the record.
+    pub file: Name,
     /// Factor on the values. Default 1.
     pub scale: Option<Quantity<Plain>>,
 }

@@ -117,6 +117,11 @@ pub const FORMS: &[FormInfo] = &[
         spatial: list(6),
     },
     FormInfo {
+        name: "Moments",
+        planar: single(),
+        spatial: list(6),
+    },
+    FormInfo {
         name: "Direction",
         planar: single(),
         spatial: list(3),
@@ -155,6 +160,15 @@ impl Form for TensorForm {
     const NAME: &'static str = "Tensor";
 }
 
+/// Form of [`Moments`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MomentsForm {}
+impl Form for MomentsForm {
+    const NAME: &'static str = "Moments";
+}
+
+/// Moments of inertia: one value in the plane, [xx, yy, zz, yz, zx, xy] in space.
+pub type Moments<K> = Components<K, MomentsForm>;
 /// A symmetric tensor: [xx, yy, xy] in the plane, [xx, yy, zz, yz, zx, xy] in space.
 pub type Tensor<K> = Components<K, TensorForm>;
 /// A vector: [x, y] in the plane, [x, y, z] in space.

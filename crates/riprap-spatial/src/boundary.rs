@@ -246,6 +246,8 @@ pub(crate) struct Context<'a> {
     pub origin: Vec3,
     /// Present time, s.
     pub time: f64,
+    /// Halves of the steps before and after it that the kick spans, s.
+    pub half: [f64; 2],
     /// Time moved since the last evaluation, s.
     pub pending: f64,
 }
@@ -264,6 +266,7 @@ impl<'a> Context<'a> {
             reference: &world.reference,
             origin: world.setup.origin,
             time: world.time,
+            half: [0.0; 2],
             pending: world.pending,
         }
     }
@@ -321,6 +324,28 @@ impl<'a> Context<'a> {
         out
     }
 
+    /// Force that the dashpots of a viscous face carry, N: through their springs, or by the speed of the face where they have none.
+    #[must_use]
+    pub(crate) fn dragged(&self, face: &Face) -> f64 {
+        let Some(boundary) = face.boundary.map(|k| &self.boundaries[usize::from(k)]) else {
+            return 0.0;
+        };
+        let BoundaryKind::Viscous { half_cell } = boundary.kind else {
+            return 0.0;
+        };
+        let half = face.behind();
+        let stress = |p: usize| {
+            let motion = self.motion(face, p);
+            if half_cell {
+                return half.spring(boundary, face.frame[0], motion.u - half.anchor[p]);
+            }
+            let (along, across) = parts(motion.v, face.frame[0]);
+            half.impedance[0] * along + half.impedance[1] * across
+        };
+        let mean = (0..4).map(stress).sum::<Vec3>();
+        0.25 * face.area * mean.length()
+    }
+
     /// Dashpots without springs on a face.
     #[must_use]
     pub(crate) fn dashpots(&self, face: &Face) -> Option<Dashpots> {
@@ -368,7 +393,7 @@ impl<'a> Context<'a> {
             stress_at: height,
             pressure_at: height,
         };
-        let dead = traction(boundary, self.in_situ, &spot, self.time);
+        let dead = traction(boundary, self.in_situ, &spot, (self.time, self.half));
         let spring = match &boundary.kind {
             BoundaryKind::Viscous { half_cell: false } | BoundaryKind::Traction { .. } => {
                 Vec3::ZERO

@@ -19,7 +19,7 @@ use super::deform;
 use super::overlap::{self, Overlap};
 use super::refine;
 use super::region::Bounds;
-use super::setup::{Motion, Setup, Shape, Solid};
+use super::setup::{GivenBody, Motion, Setup, Shape, Solid};
 use super::state::cavity::{Cavity, Wall};
 use super::state::face::Face;
 use super::state::found::{FoundContacts, OnTerrain};
@@ -29,6 +29,7 @@ use super::state::scratch::Scratch;
 use super::world::{Bodies, Patches, SolidClass, World};
 use crate::accounts::Account;
 use crate::exec::Exec;
+use crate::failed::FailedPoints;
 use crate::ledger::Works;
 
 /// Largest gap between faces that touch, over the shortest half edge of all blocks.
@@ -75,6 +76,7 @@ impl World {
             bolts: Vec::new(),
             deform: None,
             found: FoundContacts::default(),
+            failed: FailedPoints::default(),
             looked: 0,
             events: Vec::new(),
             works: Works::default(),
@@ -122,11 +124,16 @@ impl World {
                 BuildError::Shape { block, reason }
             })?;
             self.reference.push(centre);
+            let given = self.setup.bodies.iter().find(|g| g.block as usize == b);
+            let class = given.map_or(class, |given| own_body(class, given));
             let key = match block.shape {
-                Shape::Brick { half, .. } => {
+                Shape::Brick { half, .. } if given.is_none() => {
                     Some([half.x, half.y, half.z, density].map(f64::to_bits))
                 }
-                Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => None,
+                Shape::Brick { .. }
+                | Shape::Polyhedron(_)
+                | Shape::Terrain(_)
+                | Shape::Glued(_) => None,
             };
             let index = key.and_then(|k| known.get(&k).copied());
             let index = index.unwrap_or_else(|| {
@@ -262,6 +269,18 @@ impl World {
             self.patches.need_wear();
         }
         Ok(())
+    }
+}
+
+/// A class with the mass and the inertia that are given.
+fn own_body(class: SolidClass, given: &GivenBody) -> SolidClass {
+    let [x, y, z] = given.inertia.to_cols_array_2d();
+    SolidClass {
+        mass: given.mass,
+        inertia: given.inertia,
+        inverse: given.inertia.inverse(),
+        diagonal: [x[1], x[2], y[0], y[2], z[0], z[1]] == [0.0; 6],
+        ..class
     }
 }
 

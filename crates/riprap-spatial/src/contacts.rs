@@ -16,6 +16,7 @@ mod give_way;
 pub(crate) mod glued;
 mod held;
 pub(crate) mod limit;
+mod relaw;
 mod stored;
 pub(crate) mod terrain;
 
@@ -37,6 +38,7 @@ use crate::ledger::Works;
 pub(crate) use acting::act;
 pub(crate) use give_way::give_way;
 use held::Joints;
+pub use relaw::change_laws;
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.

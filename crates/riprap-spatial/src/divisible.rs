@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Parallelepiped, Polyhedron};
 
 use super::region::{Bounds, Extent};
-use super::setup::{Shape, Solid};
+use super::setup::{Region, Shape, Solid};
 
 /// A block that eight halves of itself fill.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,28 @@ impl Divisible {
             }
             Self::Leaning(solid) => solid.octant_of(point),
         }
+    }
+
+    /// Blocks that splitting around a region makes of one, without those that the balance with its neighbours adds: where all of it lies in the
+    /// region by a power of eight, else by trying, until there are more than `most`.
+    #[must_use]
+    pub fn parts_around(&self, region: &Region, levels: u8, most: f64) -> f64 {
+        if levels == 0 || !self.extent().touches(region) {
+            return 1.0;
+        }
+        if matches!(region, Region::All) {
+            return (0..levels).fold(1.0, |parts, _| 8.0 * parts);
+        }
+        let mut count = 0.0;
+        for octant in 0..8 {
+            count += self
+                .part(octant)
+                .parts_around(region, levels - 1, most - count);
+            if count > most {
+                break;
+            }
+        }
+        count
     }
 
     /// Centroid, m.

@@ -54,7 +54,7 @@ use super::setup::During;
 pub use super::state::event::{EditEvent, EditKind};
 use super::state::scratch::Scratch;
 use super::step::{self, Damping};
-use super::world::World;
+use super::world::{World, flag};
 use crate::cavity;
 use crate::read::view::View;
 
@@ -165,6 +165,8 @@ pub fn split(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), EditError> {
+    // Children begin with half a kick of forces of their own.
+    step::end_motion(world, scratch, damping)?;
     let before = View { world, scratch }.balance().residual();
     let plan = split::Plan::new(&View { world, scratch }, splits);
     split::apply(world, &plan)?;
@@ -185,6 +187,7 @@ pub fn remove(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), EditError> {
+    step::end_motion(world, scratch, damping)?;
     let before = View { world, scratch }.balance().residual();
     take_out(world, blocks);
     settle(world, scratch, damping, dt, before)
@@ -215,15 +218,26 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
     }
     let gone = |b: u32| !world.alive[b as usize];
     let list = &world.patches;
-    let (mut keep, mut bared) = (Vec::new(), Vec::new());
+    let (mut keep, mut bared, mut lost) = (Vec::new(), Vec::new(), Vec::new());
     for (p, &ends) in list.ends.iter().enumerate() {
         match ends.map(gone) {
             [false, false] => keep.push(p as u32),
-            [true, true] => {}
-            [i_gone, _] => bared.push(bare(world, p, usize::from(i_gone))),
+            [true, true] => lost.push((ends, list.flags[p])),
+            [i_gone, _] => {
+                lost.push((ends, list.flags[p]));
+                bared.push(bare(world, p, usize::from(i_gone)));
+            }
         }
     }
-    let World { faces, alive, .. } = &mut *world;
+    let World {
+        faces,
+        alive,
+        failed,
+        ..
+    } = &mut *world;
+    for (ends, flags) in lost {
+        failed.add(ends, u64::from((flags & flag::BROKEN).count_ones()));
+    }
     faces.retain(|f| alive[f.block as usize]);
     faces.extend(bared);
     faces.sort_by_key(|f| f.block);

@@ -65,7 +65,7 @@ impl Booking<'_> {
         let (world, scratch) = (self.world, self.scratch);
         let kick = scratch.kick(world);
         let work = scratch.deform.as_deref();
-        loads::each(world, work, |load, pushed| {
+        loads::each(world, work, scratch.kick_halves(world), |load, pushed| {
             let Some(account) = load.account else {
                 return;
             };
@@ -118,7 +118,8 @@ impl Booking<'_> {
 
     /// Tractions and dashpots on faces of deformable blocks.
     fn surfaces(&self, deform: &Deform, work: &Workspace, entries: &mut Entries) {
-        surface::each(self.world, deform, |boundary, node, force| {
+        let half = self.scratch.kick_halves(self.world);
+        surface::each(self.world, deform, half, |boundary, node, force| {
             if let Some(account) = self.boundaries[boundary] {
                 entries.book(account, Line::Loads, self.on_node(node, force));
             }

@@ -81,12 +81,14 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             origin: world.setup.origin,
             reference: &world.reference,
             time: world.time,
+            half: scratch.kick_halves(world),
             pending: world.pending,
         },
         kick: Kick {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            reference: &world.reference,
             ..scratch.kick_of_nobody(world)
         },
         tiles: &scratch.tiles,

@@ -1,5 +1,6 @@
 //! The kick applied and the blocks moved.
 
+use super::bound::Bound;
 use super::gather::acting;
 use super::kick::{self, Kick};
 use super::lanes::{LANES, Lanes, Width};
@@ -62,6 +63,7 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            reference: &world.reference,
             ..scratch.kick_of_nobody(world)
         },
         tiles: &scratch.tiles,
@@ -203,10 +205,28 @@ impl Integration<'_> {
         let (mut u, mut th) = work.displacement.get(at);
         u += self.dt * v;
         if let Some(turned) = &mut work.turned[at] {
-            turned.momentum += change.momentum;
-            let inverse = &self.kick.solid_of(b).inverse;
+            let solid = self.kick.solid_of(b);
+            let inertia = patch::turned_inertia(&solid.inertia, turned.attitude);
+            let motion = self.kick.motion[b].as_deref();
             // The spin that is kept is that on the way, of the middle of the step as all velocities are.
-            (turned.attitude, w) = kick::turn(turned.attitude, turned.momentum, inverse, self.dt);
+            match motion.and_then(|motion| Bound::of(motion, inertia)) {
+                Some(bound) => {
+                    let spin = bound.spin(w, turned.momentum) + change.spin;
+                    turned.momentum = inertia * spin;
+                    (turned.attitude, w) = bound.turn(
+                        turned.attitude,
+                        spin,
+                        turned.momentum,
+                        &solid.inertia,
+                        self.dt,
+                    );
+                }
+                None => {
+                    turned.momentum += change.momentum;
+                    (turned.attitude, w) =
+                        kick::turn(turned.attitude, turned.momentum, &solid.inverse, self.dt);
+                }
+            }
             th = patch::rotation_vector(turned.attitude);
         } else {
             w += change.spin;

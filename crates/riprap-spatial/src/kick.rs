@@ -2,6 +2,7 @@
 
 use riprap_geom::{Mat3, Vec3};
 
+use super::bound::Bound;
 use super::patch::turned_inertia;
 use super::setup::Motion;
 use super::state::scratch::Scratch;
@@ -43,6 +44,8 @@ pub struct Kick<'a> {
     pub solid: &'a [u32],
     /// Prescribed motion of the blocks.
     pub motion: &'a [Option<Box<Motion>>],
+    /// Places of their centroids at the start, m.
+    pub reference: &'a [Vec3],
     /// Gravity, m/s².
     pub gravity: Vec3,
     /// Present time, s.
@@ -71,8 +74,49 @@ pub struct Moving<'a> {
 struct Extra {
     damping: Vec3,
     damping_moment: Vec3,
+    local: Vec3,
+    local_moment: Vec3,
     support: Support<Vec3>,
     support_moment: Support<Vec3>,
+    /// What prescribes rotations has given the block on the way here, to keep them while its tensor of inertia turned, J.
+    on_the_way: f64,
+}
+
+/// Spin (rad/s) and angular momentum (N m s) of a block at its present attitude before the kick.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turning {
+    pub(crate) spin: Vec3,
+    pub(crate) momentum: Vec3,
+}
+
+impl Moving<'_> {
+    /// The present tensor of inertia and its inverse.
+    fn tensors(&self, solid: &SolidClass) -> [Mat3; 2] {
+        let both = [solid.inertia, solid.inverse];
+        self.turned.map_or(both, |t| {
+            both.map(|tensor| turned_inertia(&tensor, t.attitude))
+        })
+    }
+
+    /// Its rotation at the present attitude. A turned block is carried on by its momentum; its spin is read off that at each attitude, but
+    /// for what is prescribed.
+    fn turning(&self, [inertia, inverse]: &[Mat3; 2], bound: Option<&Bound>) -> Turning {
+        match (self.turned, bound) {
+            (None, _) => Turning {
+                spin: self.spin,
+                momentum: *inertia * self.spin,
+            },
+            (Some(turned), None) => Turning {
+                spin: *inverse * turned.momentum,
+                momentum: turned.momentum,
+            },
+            (Some(turned), Some(bound)) => {
+                let spin = bound.spin(self.spin, turned.momentum);
+                let momentum = *inertia * spin;
+                Turning { spin, momentum }
+            }
+        }
+    }
 }
 
 impl Kick<'_> {
@@ -93,11 +137,15 @@ impl Kick<'_> {
         let solid = self.solid_of(b);
         let (v, w) = (moving.velocity, moving.spin);
         let mass = solid.mass;
-        let attitude = moving.turned.map(|t| t.attitude);
-        let inertia = attitude.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
-        let inverse = attitude.map_or(solid.inverse, |q| turned_inertia(&solid.inverse, q));
-        // A turned block is carried on by its momentum; its spin is read off that at each attitude.
-        let before = moving.turned.map_or(inertia * w, |t| t.momentum);
+        let motion = self.motion[b].as_deref();
+        let tensors = moving.tensors(solid);
+        let [inertia, inverse] = tensors;
+        let bound = motion.and_then(|motion| Bound::of(motion, inertia));
+        // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
+        let Turning {
+            spin: now,
+            momentum: before,
+        } = moving.turning(&tensors, bound.as_ref());
         let local = self.damping.local;
         let against = |f: Vec3, v: Vec3| -> Vec3 {
             Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, f[k], v[k])))
@@ -113,27 +161,42 @@ impl Kick<'_> {
         let mut dv = kick::change(self.span / mass, push, fade, v);
         // Of the momentum and not of the spin: torques change that alike with small and with finite rotations.
         let mut dl = kick::change(self.span, torque, fade_turn, before);
-        // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
-        let now = if attitude.is_some() {
-            inverse * before
-        } else {
-            w
-        };
         let mut dw = inverse * dl;
         let mut extra = Extra::default();
-        if let Some(motion) = self.motion[b].as_deref() {
+        if let Some(motion) = motion {
             let free = (dv, dl);
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
-            dl = inertia * dw;
+            let attitude = moving.turned.map(|t| t.attitude);
+            dv += motion.swing(self.reference[b], attitude, self.time, 2.0 * self.half[1]);
+            let [along, about] = motion.given();
+            let mut blow = Vec3::ZERO;
+            if let Some(bound) = &bound {
+                let coupled = bound.couples();
+                let given = dw;
+                if coupled {
+                    dw = bound.spin(given, free.1);
+                }
+                dl = inertia * dw;
+                // What is given jumps at the present time, and takes the free part with it.
+                blow = match coupled {
+                    true => about * (inertia * bound.spin(given, Vec3::ZERO)),
+                    false => about * dl,
+                };
+                if let Some(turned) = moving.turned {
+                    extra.on_the_way = (bound.axes() * w).dot(before - turned.momentum);
+                }
+            } else {
+                dl = inertia * dw;
+            }
             // Before the first step the span may be nil; nothing needs to be held for no time.
             if self.span > 0.0 {
-                let [along, about] = motion.given();
                 let force = kick::reaction(mass, fade, self.span, dv - free.0);
                 extra.support = Support::of(force, along * mass * dv, self.span);
                 let moment = kick::reaction(1.0, fade_turn, self.span, dl - free.1);
-                extra.support_moment = Support::of(moment, about * dl, self.span);
+                extra.support_moment = Support::of(moment, blow, self.span);
             }
         }
+        (extra.local, extra.local_moment) = (drag, twist);
         extra.damping = acting.drag + drag - kick::mass_drag(alpha, mass, v, dv);
         extra.damping_moment =
             acting.drag_moment + twist - kick::mass_drag(alpha_turn, 1.0, before, dl);
@@ -164,6 +227,10 @@ impl Kick<'_> {
             let along = (extra.support).works(self.half, [v, after[0]], Vec3::dot);
             let about = (extra.support_moment).works(self.half, [w, after[1]], Vec3::dot);
             arrival.supports += along[0] + about[0];
+            // Seen again at the same instant, it has been booked.
+            if self.half[0] > 0.0 {
+                arrival.supports += extra.on_the_way;
+            }
             departure.supports += along[1] + about[1];
         }
         for (half, v, w, works) in [
@@ -173,6 +240,7 @@ impl Kick<'_> {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.0.dot(v) + load.1.dot(w));
             works.damping -= half * (extra.damping.dot(v) + extra.damping_moment.dot(w));
+            works.local -= half * (extra.local.dot(v) + extra.local_moment.dot(w));
         }
         change
     }
@@ -219,6 +287,7 @@ impl Scratch {
             solids: &world.solids,
             solid: &world.solid,
             motion: &world.motion,
+            reference: &world.reference,
             ..self.kick_of_nobody(world)
         }
     }
@@ -230,6 +299,7 @@ impl Scratch {
             solids: &[],
             solid: &[],
             motion: &[],
+            reference: &[],
             gravity: world.gravity,
             time: world.time,
             damping: self.damping,
@@ -239,6 +309,15 @@ impl Scratch {
             // Half of each step. Before the first one (`last_dt` is 0) velocities are those
             // of now, and half a kick makes them those of its middle.
             span: 0.5 * (world.last_dt + self.coming_dt),
+        }
+    }
+
+    /// Halves of the steps before and after the present time that the coming kick spans, s; nil in a relaxation, in which no time passes.
+    #[must_use]
+    pub(crate) fn kick_halves(&self, world: &World) -> [f64; 2] {
+        match world.deform.as_ref().is_some_and(|d| d.relax.is_some()) {
+            true => [0.0; 2],
+            false => [0.5 * world.last_dt, 0.5 * self.coming_dt],
         }
     }
 
@@ -282,11 +361,34 @@ impl World {
             return change;
         };
         let [along, about] = motion.given().map(|given| Vec3::ONE - given);
-        Change {
-            velocity: along * change.velocity,
-            spin: about * change.spin,
-            momentum: about * change.momentum,
+        let velocity = along * change.velocity;
+        let [inertia, _] = self.moving(b).tensors(self.solid_of(b));
+        match Bound::of(motion, inertia).filter(Bound::couples) {
+            // Without the jump of what is given, which takes the free part with it.
+            Some(bound) => {
+                let spin = bound.spin(Vec3::ZERO, change.momentum);
+                Change {
+                    velocity,
+                    spin,
+                    momentum: inertia * spin,
+                }
+            }
+            None => Change {
+                velocity,
+                spin: about * change.spin,
+                momentum: about * change.momentum,
+            },
         }
+    }
+
+    /// Rotation of block `b` at its present attitude before the kick.
+    #[must_use]
+    pub(crate) fn turning(&self, b: usize) -> Turning {
+        let moving = self.moving(b);
+        let tensors = moving.tensors(self.solid_of(b));
+        let motion = self.motion[b].as_deref();
+        let bound = motion.and_then(|motion| Bound::of(motion, tensors[0]));
+        moving.turning(&tensors, bound.as_ref())
     }
 
     /// Whether block `b` can move in any freedom by forces.
@@ -306,7 +408,9 @@ impl World {
             let now = |targets: &[Target; 3], v: Vec3| {
                 Vec3::from_array([0, 1, 2].map(|k| targets[k].at(t, v[k])))
             };
-            let v = now(&along, self.bodies.velocity(b));
+            let attitude = self.turned[b].as_ref().map(|t| t.attitude);
+            let v = now(&along, self.bodies.velocity(b))
+                + motion.swing(self.reference[b], attitude, t, 0.0);
             let w = now(&about, self.bodies.spin(b));
             self.bodies.set_velocity(b, v, w);
             let solid = &self.solids[self.solid[b] as usize];

@@ -1,5 +1,7 @@
 //! Lays out what a step works with: pieces of the model, constants of classes, room for sums.
 
+use std::sync::OnceLock;
+
 use super::bolts;
 use super::deform::relax;
 use super::setup::JointLaw;
@@ -36,6 +38,7 @@ impl Scratch {
             deform: None,
             desk: Desk::default(),
             deformable: CellDesk::default(),
+            inradii: Vec::new(),
             bolts: Vec::new(),
             slots: [Sums::default(), Sums::default()],
             wide: Vec::new(),
@@ -129,6 +132,8 @@ impl Scratch {
         if let Some(work) = self.deform.as_mut().filter(|w| !w.fictitious.is_empty()) {
             relax::add(&mut work.fictitious, &bolts::stiffness::row_sums(world));
         }
+        self.inradii
+            .resize_with(world.solids.len(), OnceLock::default);
         self.rebuilds += 1;
     }
 

@@ -66,6 +66,7 @@
 
 mod anchor;
 pub mod bolts;
+mod bound;
 mod boundary;
 pub mod build;
 pub mod cavity;
@@ -97,5 +98,5 @@ mod wide;
 
 pub use read::{fields, view};
 pub use riprap_core::lanes;
-use riprap_core::{accounts, dynamics, exec, field, frame, laws, ledger, profile};
+use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, profile};
 pub use state::{sums, world};

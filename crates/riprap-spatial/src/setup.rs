@@ -8,8 +8,8 @@ mod bridges;
 pub mod deform;
 mod solid;
 
-use riprap_geom::Vec3;
 use riprap_geom::height_field::HeightField;
+use riprap_geom::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 
 pub use self::bridges::{Bridges, Ended};
@@ -24,6 +24,7 @@ pub use crate::laws::parameters::{
     Dashpots, Failure, JointLaw, Kinematics, Points, Stiffness, StiffnessRule,
 };
 pub use crate::laws::water::WaterTable;
+use crate::patch::rotation;
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -40,6 +41,10 @@ pub struct Setup {
     pub names: Vec<String>,
     /// The blocks, in scenario order.
     pub blocks: Vec<BlockSpec>,
+    /// Attitude of each block at the start against the shape that the scene draws; empty where a table of states turned none.
+    pub attitudes: Vec<Quat>,
+    /// Blocks with a mass and moments of inertia of their own, ascending.
+    pub bodies: Vec<GivenBody>,
     /// Joint laws of patches built along faces that blocks share at the start.
     pub interfaces: Vec<InterfaceLaw>,
     /// Row of `interfaces` for materials (a, b), at `a * materials.len() + b`; symmetric.
@@ -178,6 +183,17 @@ pub struct BlockSpec {
     pub spin: Vec3,
 }
 
+/// A rigid block that is not as heavy, or turns not as heavily, as its shape and material say.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GivenBody {
+    /// Index of the block.
+    pub block: u32,
+    /// kg.
+    pub mass: f64,
+    /// Tensor of inertia about the centroid, kg m².
+    pub inertia: Mat3,
+}
+
 /// Shape of a block at its start.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Shape {
@@ -287,6 +303,9 @@ pub enum Motion {
         translation: [Option<TimeFunction>; 3],
         /// About x, y, z, rad/s.
         spin: [Option<TimeFunction>; 3],
+        /// Point (local, m) about which the spin turns all blocks of the support as one body, and of which the translation is the velocity;
+        /// without one each turns about its own centroid.
+        about: Option<Vec3>,
     },
     /// Acceleration of the centroid (m/s²) as functions of time; rotation is held.
     Acceleration {
@@ -304,9 +323,9 @@ impl Motion {
                 translation,
                 rotation,
             } => [translation, rotation].map(|held| held.map(Target::held)),
-            Self::Velocity { translation, spin } => {
-                [translation, spin].map(|f| f.each_ref().map(|f| Target::velocity(f.as_ref())))
-            }
+            Self::Velocity {
+                translation, spin, ..
+            } => [translation, spin].map(|f| f.each_ref().map(|f| Target::velocity(f.as_ref()))),
             Self::Acceleration { translation } => [
                 translation
                     .each_ref()
@@ -321,6 +340,36 @@ impl Motion {
     pub fn given(&self) -> [Vec3; 2] {
         let one = |t: Target| f64::from(t.gives_velocity());
         self.targets().map(|of| Vec3::from_array(of.map(one)))
+    }
+
+    /// Point about which it turns blocks as one body, if it does.
+    #[must_use]
+    pub fn about(&self) -> Option<Vec3> {
+        match self {
+            Self::Velocity { about, .. } => *about,
+            Self::Fixed { .. } | Self::Acceleration { .. } => None,
+        }
+    }
+
+    /// Velocity (m/s) beside that of the translation of a block that turns about a point with others, as one body. `place` (m) is that
+    /// of its centroid at the start; with an `attitude` it goes along the chord of its step of `dt` (s) from `time` (s) on and
+    /// so stays on its circle, without one (small rotations) its arm stays as it was.
+    #[must_use]
+    pub fn swing(&self, place: Vec3, attitude: Option<Quat>, time: f64, dt: f64) -> Vec3 {
+        let Some(about) = self.about() else {
+            return Vec3::ZERO;
+        };
+        let [_, spin] = self.targets();
+        let rate = Vec3::from_array(spin.map(|target| target.at(time + 0.5 * dt, 0.0)));
+        let arm = place - about;
+        match attitude {
+            Some(q) if dt > 0.0 => {
+                let arm = q * arm;
+                (rotation(dt * rate) * arm - arm) / dt
+            }
+            Some(q) => rate.cross(q * arm),
+            None => rate.cross(arm),
+        }
     }
 
     /// Which freedoms it prescribes: translation along, and rotation about x, y, z.

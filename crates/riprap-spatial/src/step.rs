@@ -9,6 +9,7 @@ use std::time::Instant;
 use riprap_geom::Quat;
 
 use super::bolts;
+use super::bound::Bound;
 use super::contacts;
 use super::deform;
 use super::entries;
@@ -22,6 +23,7 @@ use super::state::scratch::Lost;
 pub use super::state::scratch::{NonFinite, Scratch};
 use super::sums;
 use super::world::{Turned, World, flag};
+use crate::read::view::View;
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
@@ -48,9 +50,11 @@ pub fn evaluate(
     }
     stage(scratch, "loads", |scratch| {
         push::begin(scratch);
-        push::loads::apply(world, scratch.deform.as_deref(), &mut scratch.pushes.loads);
+        let half = scratch.kick_halves(world);
+        let (deform, loads) = (scratch.deform.as_deref(), &mut scratch.pushes.loads);
+        push::loads::apply(world, deform, half, loads);
         if let Some(deform) = &world.deform {
-            push::surface::apply(world, deform, &mut scratch.pushes.loads);
+            push::surface::apply(world, deform, half, loads);
         }
         push::water::apply(world, scratch);
     });
@@ -131,6 +135,36 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     world.step += 1;
     world.last_dt = dt;
     world.pending = dt;
+}
+
+/// Ends a motion with the half kick of the forces that act now: velocities become those of the present time, as at the start, and whatever
+/// comes next, an edit or other forces, begins with half a kick of its own. A relaxing phase has no motion.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn end_motion(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+) -> Result<(), NonFinite> {
+    let relaxes = world.deform.as_ref().is_some_and(|d| d.relax.is_some());
+    if world.last_dt == 0.0 || relaxes {
+        return Ok(());
+    }
+    evaluate(world, scratch, damping, 0.0)?;
+    let before = View { world, scratch }.balance().residual();
+    integrate::integrate(world, scratch, 0.0);
+    if world.deform.is_some() {
+        deform::step::advance(world, scratch, 0.0);
+    }
+    world.works.depart(&mut scratch.departure);
+    scratch.entries.depart(&mut world.accounts);
+    world.last_dt = 0.0;
+    // With the kick of nothing that is left to be read.
+    evaluate(world, scratch, damping, 0.0)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.step_change += after - before;
+    Ok(())
 }
 
 /// Does a stage and books its time.
@@ -225,6 +259,11 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     let mut changed = false;
     for b in 0..world.alive.len() {
         let vector = world.bodies.rotation(b);
+        // What turns about a point with others stays on its circle from the first step on.
+        let swings = world.motion[b]
+            .as_ref()
+            .is_some_and(|m| m.about().is_some());
+        let bound = if swings { -1.0 } else { bound };
         if !world.alive[b] || world.turned[b].is_some() || vector.length() <= bound {
             continue;
         }
@@ -251,9 +290,22 @@ impl World {
     fn turn_freely(&mut self, b: usize, attitude: Quat) {
         let (solid, spin) = (*self.solid_of(b), self.bodies.spin(b));
         let momentum = solid.inertia * spin;
-        let turned = patch::turned_inertia(&solid.inverse, attitude) * momentum;
-        // At the switch the energy L.w/2 of a momentum L that stays changes with the spin that belongs to it.
-        self.works.edit_defect += 0.5 * momentum.dot(turned - spin);
+        let [inertia, inverse] =
+            [solid.inertia, solid.inverse].map(|tensor| patch::turned_inertia(&tensor, attitude));
+        // What is prescribed stays as it is, whatever the momentum about other axes says.
+        let bound = (self.motion[b].as_deref()).and_then(|motion| Bound::of(motion, inertia));
+        let turned = match &bound {
+            Some(bound) => bound.spin(spin, momentum),
+            None => inverse * momentum,
+        };
+        let after = if bound.is_some() {
+            inertia * turned
+        } else {
+            momentum
+        };
+        // At the switch the energy L.w/2 changes with the spin that belongs to a momentum that stays.
+        self.works.edit_defect += 0.5 * (after.dot(turned) - momentum.dot(spin));
+        let momentum = after;
         self.bodies.set_velocity(b, self.bodies.velocity(b), turned);
         self.turned[b] = Some(Box::new(Turned { attitude, momentum }));
     }

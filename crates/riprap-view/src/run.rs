@@ -12,7 +12,7 @@ use riprap_record::names::Names;
 use riprap_record::table::Table;
 use riprap_record::vtu::{self, Moment, PvdEntry, Wanted};
 use riprap_record::{Column, Ended, Frame, Manifest, Part};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead as _, BufReader, Read as _};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -143,6 +143,13 @@ impl Run {
     /// As [`Run::frames`].
     pub fn moments(&self) -> Result<Vec<Moment>, Problem> {
         let frames = self.frames()?;
+        // One look at the folder: a list may name far more frames than there are, and to look for each takes minutes.
+        let there: BTreeSet<String> = std::fs::read_dir(self.path.join("frames"))
+            .into_iter()
+            .flatten()
+            .flatten()
+            .map(|entry| format!("frames/{}", entry.file_name().to_string_lossy()))
+            .collect();
         let mut memory = self.memory();
         let all = frames.iter().map(|entry| {
             if let Some(known) = memory.moments.get(&entry.file) {
@@ -151,9 +158,11 @@ impl Run {
                     return known.clone();
                 }
             }
-            let read = self
-                .inside(&entry.file)
-                .ok()
+            let file = there
+                .contains(&entry.file)
+                .then(|| self.inside(&entry.file));
+            let read = file
+                .and_then(Result::ok)
                 .and_then(|f| vtu::read_moment(&f).ok());
             let moment = Moment {
                 time: entry.time,

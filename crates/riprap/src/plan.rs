@@ -173,6 +173,12 @@ impl Phase {
     /// Whether blocks, supports or laws change when it begins.
     #[must_use]
     pub fn edits(&self) -> bool {
+        self.edits_forces() || self.zero_velocities || self.deform.is_some()
+    }
+
+    /// Whether what it changes in blocks, supports or laws at its beginning makes forces jump.
+    #[must_use]
+    pub fn edits_forces(&self) -> bool {
         !self.remove.is_empty()
             || !self.fix.is_empty()
             || !self.release.is_empty()
@@ -181,8 +187,6 @@ impl Phase {
             || !self.contacts.is_empty()
             || !self.joints.is_empty()
             || self.reduction.is_some()
-            || self.zero_velocities
-            || self.deform.is_some()
     }
 }
 

@@ -9,8 +9,8 @@
 mod common;
 
 use common::{
-    DISTANCE, Model, Random, SOURCE, block, comb, general, l_shape, law, moved, notched, quantile,
-    rectangle, setup, u_shape,
+    DISTANCE, Model, Random, SOURCE, block, comb, general, l_shape, law, moved, notched, points,
+    quantile, rectangle, setup, u_shape,
 };
 use riprap::Vec2;
 use riprap::planar::setup::NormalLaw;
@@ -87,6 +87,173 @@ fn the_force_is_minus_the_gradient_of_the_energy() {
                 (found - exact).abs() <= tolerance * scale,
                 "case {k}: {found} {exact} of {scale}"
             );
+        }
+    }
+}
+
+/// A line across a square of 10 m that wanders by midpoint displacement: `2^levels` pieces, mm coordinates.
+fn trace(random: &mut Random, levels: u32, wiggle: f64) -> Vec<Vec2> {
+    let mut line = vec![Vec2::new(0.0, 5.0), Vec2::new(10.0, 5.0)];
+    for level in 0..levels {
+        let size = wiggle * libm::pow(0.55, f64::from(level));
+        let mut finer = vec![line[0]];
+        for w in line.windows(2) {
+            let off = Vec2::new(
+                0.3 * random.between(-size, size),
+                random.between(-size, size),
+            );
+            let middle = 0.5 * (w[0] + w[1]) + off;
+            finer.extend([(1e3 * middle).round() / 1e3, w[1]]);
+        }
+        line = finer;
+    }
+    line
+}
+
+/// The blocks above and below a trace, both turned and moved.
+fn halves(trace: &[Vec2], angle: f64, shift: Vec2) -> [Vec<Vec2>; 2] {
+    let mut upper = trace.to_vec();
+    upper.extend(points(&[(10.0, 10.0), (0.0, 10.0)]));
+    let mut lower: Vec<Vec2> = trace.iter().rev().copied().collect();
+    lower.extend(points(&[(0.0, 0.0), (10.0, 0.0)]));
+    [moved(&upper, angle, shift), moved(&lower, angle, shift)]
+}
+
+/// Largest fault of the force against the slope of the energy, over the force, of the first block moved by `by`.
+fn gradient_fault(model: &mut Model, by: Vec2, step: f64) -> f64 {
+    let x = model.world.bodies[0].position + by;
+    model.place(0, x, 0.0);
+    let w = model.wrench();
+    let arm = 3.0;
+    let mut slope = |to: Vec2, turn: f64| {
+        let mut at = |k: f64| {
+            model.place(0, x + k * step * to, k * step * turn);
+            model.balance().contact_normal
+        };
+        -(at(1.0) - at(-1.0)) / (2.0 * step)
+    };
+    let found = [
+        (slope(Vec2::X, 0.0), w.force.x),
+        (slope(Vec2::Y, 0.0), w.force.y),
+        (slope(Vec2::ZERO, 1.0 / arm), w.moment_i / arm),
+    ];
+    let scale = w.force.length().max(w.moment_i.abs() / arm);
+    found
+        .iter()
+        .map(|(a, b)| (a - b).abs() / scale)
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn outlines_that_coincide_over_many_corners_hold_no_energy_and_keep_the_gradient() {
+    let mut random = Random(5);
+    for case in 0..24 {
+        let line = trace(&mut random, 2 + case % 5, 0.6);
+        // As drawn, turned by anything, and far from the origin.
+        let angle = if case % 3 == 0 {
+            0.0
+        } else {
+            random.between(-3.1, 3.1)
+        };
+        let far = if case % 4 == 3 { 3e4 } else { 0.0 };
+        let [upper, lower] = halves(&line, angle, Vec2::new(far, -far));
+        let mut model = Model::pair(&upper, &lower, law(DISTANCE, 1e9));
+        // Round-off of coordinates, m.
+        let noise = 4.0 * f64::EPSILON * (10.0 + far);
+        let touching = model.balance().contact_normal;
+        assert!(
+            touching.abs() <= 1e9 * 20.0 * noise * noise,
+            "case {case}: {touching} J/m"
+        );
+        for depth in [1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3] {
+            // Of the depth, and well above round-off.
+            let share = (20.0 * noise / depth).max(2e-3);
+            if share > 0.2 {
+                continue;
+            }
+            // Mostly into the face, so that all of the trace is pressed, or any way.
+            let lean = random.between(-1.4, 1.4);
+            let by = depth * common::turned(Vec2::new(0.0, -1.0), angle + lean);
+            let origin = model.world.bodies[0].position;
+            let fault = gradient_fault(&mut model, by, share * depth);
+            model.place(0, origin, 0.0);
+            // Sides that begin to touch within the step, and round-off of the places over it.
+            let most = 0.25 * share + 0.5 * noise / (share * depth);
+            assert!(
+                fault <= most,
+                "case {case}, {depth} m: {fault}, {most} allowed"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_trace_pressed_together_has_the_energy_of_its_sides() {
+    let mut random = Random(6);
+    for case in 0..12 {
+        let line = trace(&mut random, 3 + case % 4, 0.3);
+        let depth = 1e-7;
+        let [upper, lower] = halves(&line, 0.0, Vec2::ZERO);
+        let upper = moved(&upper, 0.0, Vec2::new(0.0, -depth));
+        let model = Model::pair(&upper, &lower, law(DISTANCE, 1e9));
+        // A side as long as `l` that leans by `a` is a strip `depth cos a` thick: `kn/2 l t²`.
+        let strips = line.windows(2).map(|w| {
+            let d = w[1] - w[0];
+            0.5e9 * (depth * d.x) * (depth * d.x) / d.length()
+        });
+        let (exact, found) = (strips.sum::<f64>(), model.balance().contact_normal);
+        assert!(
+            (found / exact - 1.0).abs() < 1e-4,
+            "case {case}: {found}, {exact}"
+        );
+    }
+}
+
+#[test]
+fn a_block_in_a_reflex_corner_holds_no_energy_without_overlap() {
+    let mut random = Random(3);
+    for case in 0..300 {
+        // The base has its reflex corner at the origin; the block has corners on both of its sides or leans
+        // away from the wall's top.
+        let base = points(&[
+            (-7.0, -1.0),
+            (2.0, -1.0),
+            (2.0, 4.0),
+            (0.0, 4.0),
+            (0.0, 0.0),
+            (-7.0, 0.0),
+        ]);
+        let (w, h) = (random.between(0.5, 3.0), random.between(0.5, 3.0));
+        let (u, v) = (random.between(0.2, 0.8), random.between(0.2, 0.8));
+        let block = if case % 2 == 0 {
+            points(&[
+                (-w, 0.0),
+                (-u * w, 0.0),
+                (0.0, 0.0),
+                (0.0, v * h),
+                (0.0, h),
+                (-w, h),
+            ])
+        } else {
+            points(&[(-w, 0.0), (0.0, 0.0), (0.0, h), (-1.2 * w, 1.1 * h)])
+        };
+        let far = libm::pow(10.0, random.between(0.0, 4.0));
+        let shift = Vec2::new(
+            random.between(-5.0, 5.0) * far,
+            random.between(-500.0, 500.0),
+        );
+        let angle = random.between(-3.1, 3.1);
+        let (base, block) = (moved(&base, angle, shift), moved(&block, angle, shift));
+        let noise = 4.0 * f64::EPSILON * (10.0 + shift.length());
+        for normal in [DISTANCE, SOURCE] {
+            for (a, b) in [(&base, &block), (&block, &base)] {
+                let energy = Model::pair(a, b, law(normal, 1e9)).balance().contact_normal;
+                let most = 1e9 * 20.0 * noise * noise;
+                assert!(
+                    energy.abs() <= most,
+                    "case {case}, {normal:?}: {energy}, {most} allowed"
+                );
+            }
         }
     }
 }

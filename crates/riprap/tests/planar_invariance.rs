@@ -237,6 +237,7 @@ fn a_moving_frame_does_not_matter() {
             x: Some(TimeFunction::Constant(boost.x)),
             y: Some(TimeFunction::Constant(0.0)),
             spin: Some(TimeFunction::Constant(0.0)),
+            about: None,
         };
     }
     let boosted: Vec<(Vec2, f64)> = ends(setup, model.plan)

@@ -52,6 +52,7 @@ fn drive(setup: &mut Setup, x: Option<f64>, y: Option<f64>) {
             x: x.map(TimeFunction::Constant),
             y: y.map(TimeFunction::Constant),
             spin: Some(TimeFunction::Constant(0.0)),
+            about: None,
         },
     });
 }

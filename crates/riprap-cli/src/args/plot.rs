@@ -48,6 +48,7 @@ Examples:
   riprap plot beam.run stereonet --projection equal-angle
   riprap plot hill.run rose --png
   riprap plot beam.run fragments
+  riprap plot blast.run fragments --of bench
   riprap plot blast.run spectrum house.velocity")]
 pub struct Plot {
     /// Run folder
@@ -131,6 +132,9 @@ pub struct Plot {
     /// Uplift that bounds the crater [default: 0.02 of the depth of the charge]
     #[arg(long, value_name = "LENGTH")]
     pub uplift: Option<String>,
+    /// Only fragments with a block of this group
+    #[arg(long, value_name = "GROUP")]
+    pub of: Option<String>,
     /// Charge of crater and heave [default: the first]
     #[arg(long, value_name = "NAME")]
     pub source: Option<String>,

@@ -55,6 +55,7 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
         None => model_text(summary),
         Some(bounds) => solid_text(summary, bounds, &model.setup, &expected),
     });
+    screen::print(&imports_text(summary));
     let memory = grouped((1e-6 * expected.memory).ceil() as u64);
     screen::line(&format!("  memory     about {memory} MB"));
     screen::print(&expected_text(&expected, laid_out + expected.build_time));
@@ -67,6 +68,14 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
         model.warnings.len() + expected.warnings.len()
     ));
     Ok(())
+}
+
+/// What was read of the files that the scene names, a line each.
+pub(super) fn imports_text(s: &Summary) -> String {
+    let lines = s.imports.iter();
+    lines
+        .map(|words| format!("  file       {words}\n"))
+        .collect()
 }
 
 fn model_text(s: &Summary) -> String {

@@ -97,7 +97,7 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
 /// Options that were given and that the picture does not read. Values that are the default ones may not have been given.
 fn unsuited(args: &Plot) -> Vec<&'static str> {
     const FLAT: &[&str] = &["blocks", "section"];
-    let given: [(&str, bool, &[&str]); 16] = [
+    let given: [(&str, bool, &[&str]); 17] = [
         (
             "time",
             !args.time.is_empty(),
@@ -139,6 +139,7 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         ("surface", args.surface, &["ppv"]),
         ("uplift", args.uplift.is_some(), &["crater"]),
         ("source", args.source.is_some(), &["crater", "heave"]),
+        ("of", args.of.is_some(), &["fragments"]),
     ];
     let reads = |pictures: &[&str]| match args.what.as_deref() {
         Some(what) => pictures.contains(&what),
@@ -354,7 +355,12 @@ impl<'a> Asked<'a> {
                 let projection = self.args.projection;
                 plot::stereonet(folder, frames[0], projection, &self.out(what))
             }
-            "fragments" => plot::fragments(folder, &self.out(what)),
+            "fragments" => {
+                let of = self.args.of.as_deref();
+                let name =
+                    of.map_or_else(|| what.to_owned(), |of| format!("{what}_{}", file_name(of)));
+                plot::fragments(folder, of, &self.out(&name))
+            }
             "rose" => plot::rose(folder, frames[0], &self.out(what)),
             name => {
                 let out = self.over(&file_name(name));

@@ -12,6 +12,7 @@ use riprap::run::job::{self, Live, Outcome};
 use riprap::run::simulation::PhaseEnd;
 
 use crate::args::{How, Resume, Run};
+use crate::commands::check::imports_text;
 use crate::commands::{check_lines, default_folder, run_folder, threads};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
@@ -30,12 +31,14 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
         Setup::Spatial(_) => String::new(),
     };
     let head = format!(
-        "riprap {}  {}: {} blocks{near}, results in {}",
+        "riprap {}  {}: {} blocks{near}, results in {}\n{}",
         env!("CARGO_PKG_VERSION"),
         prepared.parsed.scenario.title,
         grouped(summary.blocks as u64),
-        folder.display()
+        folder.display(),
+        imports_text(summary)
     );
+    let head = head.trim_end().to_owned();
     let scene = prepared.parsed.clone();
     let job = prepared.job();
     let begun = folder.clone();
@@ -180,7 +183,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
 
 /// Line of the resolved scene that holds a formula.
 fn line_of(folder: &Path, formula: &str) -> Option<usize> {
-    let scene = std::fs::read_to_string(folder.join("scenario.resolved.toml")).ok()?;
+    let scene = riprap::record::read_plain_text(&folder.join("scenario.resolved.toml")).ok()?;
     let at = scene.lines().position(|line| line.contains(formula))?;
     Some(at + 1)
 }

@@ -6,6 +6,7 @@ use riprap::record::folder::Existing;
 use riprap::run::drive::{Control, Ending};
 use riprap::run::sweep::{self, Row};
 use riprap::run::trials::{self, TrialError};
+use riprap::scenario::Case;
 
 use crate::args::{Bisect, Compare, Sweep};
 use crate::commands::run::target;
@@ -25,7 +26,18 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     // A slip in the last case is told now, not when all others have been run.
     sweep::check_all(&scene)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "sweep", args.force);
-    make_folder(&folder, existing)?;
+    let path = folder.join("sweep.csv");
+    // Of an earlier sweep into this folder: what has finished is kept.
+    let earlier = match existing {
+        Existing::Refuse => riprap::record::read_plain_text(&path).ok(),
+        Existing::ReplaceRun | Existing::Force => None,
+    };
+    // Also where it was killed before it could write its table.
+    let begun = |case: &Case| folder.join(&case.name).join("manifest.json").is_file();
+    let again = existing == Existing::Refuse && scene.cases.iter().any(begun);
+    if earlier.is_none() && !again {
+        make_folder(&folder, existing)?;
+    }
     let interrupt = Interrupt::listen()?;
     let (count, mut rows) = (scene.cases.len(), Vec::new());
     let jobs = threads(&args.how);
@@ -38,16 +50,17 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
         |row: Row| {
             if !args.how.quiet {
                 let (n, case, steps) = (rows.len() + 1, &row.case, grouped(row.steps));
+                let kept = if row.kept { ", kept from before" } else { "" };
                 screen::line(&format!(
-                    "{n}/{count}  {case}: {}, {steps} steps",
+                    "{n}/{count}  {case}: {}, {steps} steps{kept}",
                     row.ended
                 ));
             }
             rows.push(row);
         },
     );
-    let path = folder.join("sweep.csv");
-    let table = sweep::table(&rows).map_err(|e| Failure::Output(e.to_string()))?;
+    let table =
+        sweep::table_with(&rows, earlier.as_deref()).map_err(|e| Failure::Output(e.to_string()))?;
     write_file(&path, &table)?;
     let tally = sweep::tally(&rows);
     if !args.how.quiet {

@@ -1,6 +1,7 @@
 //! Drives the real binary, as a person or a script would.
 
 mod bench;
+mod beyond;
 #[cfg(unix)]
 mod faults;
 mod guards;

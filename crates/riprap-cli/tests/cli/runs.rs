@@ -367,3 +367,110 @@ fn a_swept_key_cannot_be_set() {
         ])
         .expect(0);
 }
+
+/// Where a run ends, with its velocities, is where another begins that reads its table, and a third that reads that one's.
+#[test]
+fn final_states_are_a_start() {
+    const SPACE: &str = r#"
+riprap = 1
+title = "bricks fly"
+[space.spatial]
+found_contacts = true
+gravity = "10 m/s2"
+[materials.rock]
+density = "2000 kg/m3"
+[interfaces.default]
+normal_stiffness = "100 MPa/m"
+friction_angle = "30 deg"
+[[blocks]]
+name = "brick"
+material = "rock"
+brick = { size = ["1 m", "2 m", "3 m"], corner = ["0 m", "0 m", "50 m"] }
+copies = { count = 2, step = ["10 m", "0 m", "0 m"] }
+velocity = ["1 m/s", "2 m/s", "3 m/s"]
+spin = ["0.5 rad/s", "1 rad/s", "-2 rad/s"]
+[[phases]]
+name = "fly"
+until.time = "0.2 s"
+time_step = "0.1 ms"
+"#;
+    const PLANE: &str = r#"
+riprap = 1
+title = "a stone flies"
+[space.planar]
+gravity = ["0 m/s2", "-10 m/s2"]
+[materials.rock]
+density = "2000 kg/m3"
+[interfaces.default]
+normal_stiffness = "100 MPa/m"
+friction_angle = "30 deg"
+[[blocks]]
+name = "stone"
+material = "rock"
+rectangle = { size = ["1 m", "2 m"], corner = ["0 m", "0 m"] }
+velocity = ["1 m/s", "2 m/s"]
+spin = "-2 rad/s"
+[[phases]]
+name = "fly"
+until.time = "0.2 s"
+time_step = "0.1 ms"
+"#;
+    let bench = Bench::new();
+    let rows = |run: &str| -> Vec<Vec<f64>> {
+        let table = bench.read(&format!("{run}/final_states.csv"));
+        let numbers = |line: &str| {
+            line.split(',')
+                .skip(1)
+                .map(|x| x.parse().unwrap())
+                .collect()
+        };
+        table.lines().skip(1).map(numbers).collect()
+    };
+    for (name, text, count) in [("space", SPACE, 2), ("plane", PLANE, 1)] {
+        bench.file("whole.toml", text.replace("0.2 s", "0.6 s"));
+        bench
+            .run(&["run", "whole.toml", "-q", "--out", &format!("{name}.whole")])
+            .expect(0);
+        bench.file("first.toml", text);
+        bench
+            .run(&["run", "first.toml", "-q", "--out", &format!("{name}.1")])
+            .expect(0);
+        for k in [1, 2] {
+            let start = format!("[start]\ncsv = \"{name}.{k}/final_states.csv\"\n");
+            bench.file(
+                "next.toml",
+                text.replace("[[phases]]", &format!("{start}[[phases]]")),
+            );
+            let out = format!("{name}.{}", k + 1);
+            bench
+                .run(&["run", "next.toml", "-q", "--out", &out])
+                .expect(0);
+        }
+        let (whole, parts) = (rows(&format!("{name}.whole")), rows(&format!("{name}.3")));
+        assert_eq!((whole.len(), parts.len()), (count, count), "{name}");
+        for (a, b) in whole.iter().flatten().zip(parts.iter().flatten()) {
+            assert!((a - b).abs() < 2e-4, "{name}: {whole:?} {parts:?}");
+        }
+    }
+    let asked = |csv: &str, words: &[&str]| {
+        bench.file("states.csv", csv);
+        let start = "[start]\ncsv = \"states.csv\"\n[[phases]]";
+        bench.file("next.toml", SPACE.replace("[[phases]]", start));
+        bench.run(&["check", "next.toml"]).expect(2).warns(words);
+    };
+    asked(
+        "block,x_m\nbrick.1,3\n",
+        &["no column `y_m`", "x_m, y_m, z_m"],
+    );
+    asked(
+        "block,vx_m_s,vy_m_s,vz_m_s\nbrick,3,0,0\n",
+        &["name no block", "`brick` first"],
+    );
+    asked("block,qw,qx,qy,qz\nbrick.1,1,1,0,0\n", &["length 1.41"]);
+    asked(
+        "block,vx_m_s,vy_m_s,vz_m_s\nbrick.1,3,0,0\nbrick.1,4,0,0\n",
+        &["two states", "rows 1 and 2"],
+    );
+    asked("block,colour\nbrick.1,3\n", &["says nothing of its blocks"]);
+    asked("name,x_m,y_m,z_m\nbrick.1,3,0,0\n", &["no column `block`"]);
+}

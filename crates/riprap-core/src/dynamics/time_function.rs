@@ -147,6 +147,54 @@ impl TimeFunction {
         }
     }
 
+    /// Value for a kick at time `t` (s) that spans the `half` steps (s) before and after it: where the function jumps in between, the values
+    /// before and after the jump count with their times, so that the impulse is right wherever the jump falls in a step. Jumps of formulas are
+    /// not known.
+    #[must_use]
+    pub fn in_kick(&self, t: f64, half: [f64; 2]) -> f64 {
+        let (start, end) = (t - half[0], t + half[1]);
+        let mut value = self.at(t);
+        self.jumps(&mut |at, by| {
+            if at > start && at <= t {
+                value -= by * (at - start) / (end - start);
+            } else if at > t && at < end {
+                value += by * (end - at) / (end - start);
+            }
+        });
+        value
+    }
+
+    /// Hands over the times (s) at which it jumps, each with what it jumps by; from that time on it has the new value.
+    fn jumps(&self, put: &mut dyn FnMut(f64, f64)) {
+        match self {
+            Self::Pulse { value, start, end } => {
+                put(*start, *value);
+                put(*end, -value);
+            }
+            Self::Sine {
+                amplitude,
+                frequency,
+                phase,
+                start,
+                cycles,
+                ..
+            } => {
+                put(*start, amplitude * libm::sin(*phase));
+                if let Some(n) = cycles {
+                    let angle = 2.0 * std::f64::consts::PI * n + phase;
+                    put(start + n / frequency, -amplitude * libm::sin(angle));
+                }
+            }
+            Self::Table { t, v } => {
+                let pairs = t.windows(2).zip(v.windows(2));
+                for (t, v) in pairs.filter(|(t, _)| t[0] == t[1]) {
+                    put(t[0], v[1] - v[0]);
+                }
+            }
+            Self::Constant(_) | Self::Ramp { .. } | Self::Duvall { .. } | Self::Formula(_) => {}
+        }
+    }
+
     /// The two-exponential history with the given largest value, reached at `ln(rise/decay)/(rise - decay)`.
     ///
     /// Rates in 1/s, `rise > decay > 0`.
@@ -199,6 +247,36 @@ fn table_at(times: &[f64], values: &[f64], t: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_jump_within_a_step_has_its_impulse_wherever_it_falls() {
+        let table = |at: f64| TimeFunction::Table {
+            t: vec![0.0, at, at, 1.0],
+            v: vec![0.0, 0.0, 4.0, 4.0],
+        };
+        let pulse = |at: f64| TimeFunction::Pulse {
+            value: 4.0,
+            start: at,
+            end: 1.0,
+        };
+        for at in [0.31, 0.35, 0.399, 0.4, 0.401, 0.45] {
+            for function in [table(at), pulse(at)] {
+                // Kicks at 0, 0.1, ... 0.9 s in steps of 0.1 s: the first one spans half a step.
+                let kick = |n: i32| {
+                    let half = [if n == 0 { 0.0 } else { 0.05 }, 0.05];
+                    (half[0] + half[1]) * function.in_kick(0.1 * f64::from(n), half)
+                };
+                let impulse: f64 = (0..10).map(kick).sum();
+                assert!((impulse - 4.0 * (0.95 - at)).abs() < 1e-14, "{at}");
+            }
+        }
+        // Without a jump in its span a kick has the very value of its instant, and no span asks for nothing else.
+        assert_eq!(pulse(0.4).in_kick(0.7, [0.05; 2]), 4.0);
+        assert_eq!(pulse(0.4).in_kick(0.4, [0.0; 2]), 4.0);
+        // The end of a motion at the instant of a jump feels what was before, the next one what comes.
+        assert_eq!(pulse(0.4).in_kick(0.4, [0.05, 0.0]), 0.0);
+        assert_eq!(pulse(0.4).in_kick(0.4, [0.0, 0.05]), 4.0);
+    }
 
     #[test]
     fn table_is_linear_inside_and_constant_outside() {

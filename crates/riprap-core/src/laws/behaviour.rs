@@ -21,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use super::face_joint::{Loss, Memory, Springs, Traction};
 use super::mohr_coulomb::{Strength, shear_strength};
 use super::norm;
+use super::softening_curve::Curve;
 
 pub use rough::{BartonBandis, LAB_LENGTH, closure_of, scaled, slip_at_peak};
 
@@ -45,14 +46,45 @@ pub enum Weakening {
     BartonBandis(BartonBandis),
 }
 
-/// Linear softening. The damage `D = slip/slip_0 + opening/opening_0`, at most 1, takes cohesion and friction from their peak to
-/// their residual values and the tensile strength to nothing.
+/// Softening along a line, or a curve by points. `x = slip/slip_0 + opening/opening_0`, at most 1, takes cohesion and friction from their
+/// peak to their residual values and the tensile strength to nothing: the share `1 - x` is left of what they lose, or that of the curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Softening {
     /// Plastic slip at which only residual strength is left, m.
     pub slip: f64,
     /// Opening beyond the elastic one at which no tensile strength is left, m.
     pub opening: f64,
+    /// What is left on the way; `None` for a line.
+    pub curve: Option<Curve>,
+}
+
+impl Softening {
+    /// Damage, 0 to 1, after a slip and an opening (m).
+    fn damage(&self, slip: f64, parted: f64) -> f64 {
+        let x = (slip / self.slip + parted / self.opening).min(1.0);
+        self.curve.map_or(x, |curve| 1.0 - curve.at(x))
+    }
+
+    /// Opening (m) beyond the elastic one at which a spring of the stiffness `k` (Pa/m) that is drawn out to `w` (m) bears what is left
+    /// of a tensile strength (Pa), after a slip (m).
+    fn parted(&self, w: f64, [tension, k]: [f64; 2], slip: f64) -> f64 {
+        let Some(curve) = &self.curve else {
+            let left = (1.0 - slip / self.slip) * tension;
+            return (w - left / k) / (1.0 - tension / (k * self.opening));
+        };
+        let slid = slip / self.slip;
+        for two in curve.points().windows(2) {
+            let [[from, high], [to, low]] = [two[0], two[1]];
+            let fall = (high - low) / (to - from);
+            // k (w - p) = tension (high - fall (slid + p/opening - from)).
+            let left = tension * (high - fall * (slid - from));
+            let parted = (w - left / k) / (1.0 - fall * tension / (k * self.opening));
+            if slid + parted / self.opening <= to {
+                return parted;
+            }
+        }
+        w
+    }
 }
 
 /// Pressure as a function of closure.
@@ -206,7 +238,7 @@ impl<'a> Law<'a> {
             return 1.0;
         }
         match &self.behaviour.weakening {
-            Weakening::Softening(s) => (accumulated / s.slip + memory.parted / s.opening).min(1.0),
+            Weakening::Softening(s) => s.damage(accumulated, memory.parted),
             Weakening::Brittle | Weakening::BartonBandis(_) => 0.0,
         }
     }
@@ -296,9 +328,7 @@ impl<'a> Law<'a> {
             Weakening::Brittle => memory.broken = k * w > strength.tension,
             Weakening::BartonBandis(_) => memory.broken = true,
             Weakening::Softening(s) => {
-                // Opening beyond the elastic one at which traction and what is left of the tensile strength are equal.
-                let left = (1.0 - memory.accumulated_slip / s.slip) * strength.tension;
-                let parted = (w - left / k) / (1.0 - strength.tension / (k * s.opening));
+                let parted = s.parted(w, [strength.tension, k], memory.accumulated_slip);
                 memory.parted = memory.parted.max(parted);
                 memory.broken = self.damage(memory, memory.accumulated_slip) >= 1.0;
             }

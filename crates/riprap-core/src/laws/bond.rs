@@ -26,6 +26,7 @@ mod cohesive;
 mod tests;
 
 pub use super::mohr_coulomb::{FailureMode, Strength};
+pub use super::softening_curve::{Curve, CurveError};
 pub use cohesive::{Cohesive, Softening, cohesive, munjiza};
 
 /// Traction: n, b, c, Pa.

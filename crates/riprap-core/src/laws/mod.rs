@@ -15,6 +15,7 @@ pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;
 pub mod seepage;
+pub mod softening_curve;
 pub mod tetrahedron;
 pub mod transfer;
 pub mod water;

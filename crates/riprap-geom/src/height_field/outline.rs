@@ -1,30 +1,81 @@
-//! The rim of a surface: one outline, no holes.
+//! The rim of a surface: one outline, no holes; and the wall that goes down from it.
 
 use std::collections::BTreeMap;
 
 use super::{HeightField, HeightFieldError, middle};
-use crate::Vec3;
+use crate::{Vec2, Vec3};
 
-/// Loops of the rim must be one anticlockwise one.
+/// Run of the wall along the ground over a typical edge of the surface.
+const RUN: f64 = 1e-3;
+/// The wall leans outward at a sharp corner of the rim by no more than this many runs.
+const MITRE: f64 = 4.0;
+
+/// The surface with a wall all round that goes down from its rim, by its extent below its lowest point: as steep as numbers allow. The
+/// first triangles and corners are those of the surface; a part of the wall that would be folded is left out.
+///
+/// The height is continuous over the wall: what comes to the rim from outside meets a side.
+pub(super) fn walled(surface: &HeightField) -> HeightField {
+    let mut walled = surface.clone();
+    let Ok(ring) = ring(surface) else {
+        return walled;
+    };
+    let (low, high) = surface.bounds();
+    let extent = (high - low).truncate();
+    let foot = low.z - extent.length();
+    let run = RUN * (extent.x * extent.y / surface.triangles.len() as f64).sqrt();
+    let count = ring.len();
+    let first = walled.points.len() as u32;
+    let outward = |from: u32, to: u32| {
+        let way = (surface.points[to as usize] - surface.points[from as usize]).truncate();
+        // The surface lies to the left.
+        Vec2::new(way.y, -way.x).normalize_or_zero()
+    };
+    for k in 0..count {
+        let [before, here, after] = [k + count - 1, k, k + 1].map(|k| ring[k % count]);
+        let [a, b] = [outward(before, here), outward(here, after)];
+        let sum = a + b;
+        // The wall keeps its run along both edges.
+        let lean = sum / (0.5 * sum.length_squared()).max(2.0 / (MITRE * MITRE));
+        let at = surface.points[here as usize];
+        let out = at.truncate() + run * lean;
+        walled.points.push(Vec3::new(out.x, out.y, foot));
+    }
+    for k in 0..count as u32 {
+        let next = (k + 1) % count as u32;
+        let [a, b] = [k, next].map(|k| ring[k as usize]);
+        let [c, d] = [first + next, first + k];
+        for triangle in [[a, d, b], [b, d, c]] {
+            let [p, q, r] = triangle.map(|k| walled.points[k as usize]);
+            if super::cross(p, q, r) > 0.0 {
+                walled.triangles.push(triangle);
+            }
+        }
+    }
+    walled
+}
+
+/// The corners of the rim, anticlockwise. Its loops must be one anticlockwise one.
 ///
 /// At a corner that the rim passes twice, the next edge is the one that bounds the same outside: the first one anticlockwise from
 /// where the rim came.
-pub(super) fn check(surface: &HeightField) -> Result<(), HeightFieldError> {
+pub(super) fn ring(surface: &HeightField) -> Result<Vec<u32>, HeightFieldError> {
     let mut leaving: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     let rim = surface.rim();
     for &(from, to) in &rim {
         leaving.entry(from).or_default().push(to);
     }
     let at = |k: u32| surface.points[k as usize];
-    let mut outer: Vec<Vec<Vec3>> = Vec::new();
+    let mut outer: Vec<(Vec<Vec3>, Vec<u32>)> = Vec::new();
     for start in rim {
         let Some(first) = take(&mut leaving, start.0, |to| *to == start.1) else {
             continue;
         };
         let mut ring = vec![at(start.0)];
+        let mut corners = vec![start.0];
         let (mut from, mut here) = (start.0, first);
         while here != start.0 {
             ring.push(at(here));
+            corners.push(here);
             let back = at(from) - at(here);
             let Some(list) = leaving.get(&here) else {
                 break;
@@ -59,16 +110,18 @@ pub(super) fn check(surface: &HeightField) -> Result<(), HeightFieldError> {
                 width: (high - low).truncate().max_element(),
             });
         }
-        outer.push(ring);
+        outer.push((ring, corners));
     }
     if outer.len() > 1 {
-        let smallest = outer.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
+        let smallest = outer
+            .iter()
+            .min_by(|a, b| area(&a.0).total_cmp(&area(&b.0)));
         return Err(HeightFieldError::Parts {
             parts: outer.len(),
-            at: smallest.map_or([0.0; 2], |ring| middle(&ring[..1])),
+            at: smallest.map_or([0.0; 2], |(ring, _)| middle(&ring[..1])),
         });
     }
-    Ok(())
+    Ok(outer.pop().map_or_else(Vec::new, |(_, corners)| corners))
 }
 
 /// Takes out one of the edges that leave a corner.

@@ -43,6 +43,25 @@ fn the_body_is_closed_and_has_the_volume_under_the_surface() {
 }
 
 #[test]
+fn a_wall_goes_round_and_down() {
+    let (x, y) = (line(5, 1.0), line(4, 1.0));
+    // One corner is missing: the rim has a notch.
+    let field = HeightField::grid(&x, &y, |i, j| (i + j > 1).then_some(0.5 * x[i])).unwrap();
+    let walled = field.walled();
+    let count = field.triangles.len();
+    assert_eq!(walled.triangles[..count], field.triangles);
+    assert_eq!(walled.triangles.len(), count + 2 * field.rim().len());
+    // Still one height per place, without a hole; continuous with the surface, and low outside.
+    let checked = HeightField::new(walled.points.clone(), walled.triangles.clone()).unwrap();
+    assert_eq!(checked, walled);
+    let bins = Bins::new(&walled);
+    let edge = walled.height(&bins, 4.0 + 1e-9, 1.3).unwrap();
+    assert!((edge - 2.0).abs() < 1e-4, "{edge}");
+    assert!(walled.bounds().0.z < -4.0);
+    assert_eq!(walled.height(&bins, 4.01, 1.3), None);
+}
+
+#[test]
 fn the_steepest_place_is_found() {
     let (x, y) = (line(3, 1.0), line(2, 1.0));
     let field = HeightField::grid(&x, &y, |i, _| Some([0.0, 0.5, 2.0][i])).unwrap();

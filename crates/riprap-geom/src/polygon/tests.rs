@@ -88,6 +88,27 @@ fn clean_up_tells_what_it_did() {
 }
 
 #[test]
+fn edges_of_nanometres_are_no_edges() {
+    let square = |edge: f64| {
+        points(&[
+            (0.0, 0.0),
+            (10.0, 0.0),
+            (10.0, 10.0),
+            (10.0 - edge, 10.0),
+            (0.0, 10.0),
+            (0.0, edge),
+        ])
+    };
+    for edge in [1e-12, 1e-9, 1e-7] {
+        let (clean, changes) = normalise(&square(edge), Collinear::Keep);
+        assert_eq!((clean.len(), changes.repeated), (4, 2), "{edge}");
+    }
+    // What is drawn stays.
+    let (clean, changes) = normalise(&square(1e-6), Collinear::Keep);
+    assert_eq!((clean.len(), changes.repeated), (6, 0));
+}
+
+#[test]
 fn locates_on_a_concave_outline() {
     let l = points(&[
         (0.0, 0.0),

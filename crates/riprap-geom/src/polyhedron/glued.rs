@@ -13,7 +13,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{FLAT, Polyhedron, Sliced, SolidError, from_half_spaces, slice};
+use super::{FLAT, Polyhedron, Sliced, SolidError, from_half_spaces, hull, slice};
 use crate::Vec3;
 
 /// Most parts: all pairs of them are looked at.
@@ -30,6 +30,8 @@ const OVERLAP: f64 = 1e-6;
 const NOTHING: f64 = 1e-10;
 /// Largest error of the volume of all terms together, over the volume of all parts.
 const SURE: f64 = 1e-6;
+/// Volume of the hull that the parts do not fill, over theirs, up to which they are convex in sum.
+const CONVEX: f64 = 1e-9;
 /// Faces whose normals differ by more (cosine) are never taken for one plane, however small they are.
 const SAME_PLANE: f64 = 0.9;
 
@@ -152,21 +154,52 @@ pub fn terms(parts: &[Polyhedron]) -> Result<Vec<Term>, GluedError> {
     }
     let (table, parts_of_planes) = Table::of(parts);
     let convex = table.check(&parts_of_planes)?;
-    let too_many = GluedError::TooMany { parts: parts.len() };
-    let pieces = table.pieces(convex).ok_or(too_many.clone())?;
-    let terms = table.terms(pieces).ok_or(too_many)?;
-    let found: f64 = terms
-        .iter()
-        .map(|t| t.sign * t.solid.moments().volume)
-        .sum();
-    let meant = table.whole;
-    if (found - meant).abs() > SURE * meant {
-        return Err(GluedError::Unsure { found, meant });
+    let bridged = table.bridged(convex, parts.len());
+    if bridged.as_ref().is_ok_and(|terms| terms.len() == 1) {
+        return bridged;
     }
-    Ok(terms)
+    match table.convex_whole(parts) {
+        Some(solid) => {
+            let (sign, piece) = (1.0, 0);
+            Ok(vec![Term { solid, sign, piece }])
+        }
+        None => bridged,
+    }
 }
 
 impl Table {
+    /// The terms of convex sets, bridged.
+    fn bridged(&self, convex: Vec<Convex>, parts: usize) -> Result<Vec<Term>, GluedError> {
+        let too_many = GluedError::TooMany { parts };
+        let pieces = self.pieces(convex).ok_or(too_many.clone())?;
+        let terms = self.terms(pieces).ok_or(too_many)?;
+        let found: f64 = terms
+            .iter()
+            .map(|t| t.sign * t.solid.moments().volume)
+            .sum();
+        let meant = self.whole;
+        if (found - meant).abs() > SURE * meant {
+            return Err(GluedError::Unsure { found, meant });
+        }
+        Ok(terms)
+    }
+
+    /// The hull of all parts where they fill it: bridging comes to the same, but where there are many parts by way of more pieces than can
+    /// be looked at.
+    fn convex_whole(&self, parts: &[Polyhedron]) -> Option<Polyhedron> {
+        // Faces cut in two would else come out as two faces, a little askew: rounding to the table's precision joins their corners.
+        let mut corners: Vec<Vec3> = Vec::new();
+        for corner in parts.iter().flat_map(|part| &part.vertices) {
+            let known = |at: &Vec3| at.distance(*corner) <= FLAT * self.size;
+            if !corners.iter().any(known) {
+                corners.push(*corner);
+            }
+        }
+        let whole = hull(&corners).ok()?;
+        let volume = whole.moments().volume;
+        ((volume - self.whole).abs() <= CONVEX * self.whole).then_some(whole)
+    }
+
     /// The planes of all faces, those in one plane only once, and the sides of each part.
     fn of(parts: &[Polyhedron]) -> (Self, Vec<BTreeSet<Side>>) {
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
@@ -424,9 +457,37 @@ mod tests {
             .map(|k| brick([f64::from(k), 0.0, 0.0], [f64::from(k) + 1.0, 1.0, 1.0]))
             .collect();
         assert_eq!(terms(&row), count(257, 6 * 257));
-        // Not for their number: bridged two by two they are too many pieces on the way.
+        // Not for their number: bridged two by two they are too many pieces on the way. A plain bar needs no bridge.
         let parts = 256;
-        assert_eq!(terms(&row[..256]), Err(GluedError::TooMany { parts }));
+        assert_eq!(terms(&row[..256]).unwrap().len(), 1);
+        let mut stepped = row[..255].to_vec();
+        stepped.push(brick([100.0, 0.0, 1.0], [101.0, 1.0, 2.0]));
+        assert_eq!(terms(&stepped), Err(GluedError::TooMany { parts }));
+    }
+
+    #[test]
+    fn many_parts_that_are_convex_in_sum_are_one_solid() {
+        // 64 cubes of a large one, and a brick of six tetrahedra, of which no two make a convex solid with a third one.
+        let mut cubes = Vec::new();
+        for k in 0..64u32 {
+            let low = [k % 4, k / 4 % 4, k / 16].map(f64::from);
+            cubes.push(brick(low, low.map(|x| x + 1.0)));
+        }
+        let whole = terms(&cubes).unwrap();
+        assert_eq!(whole.len(), 1);
+        assert_eq!(
+            (whole[0].solid.faces.len(), whole[0].solid.vertices.len()),
+            (6, 8)
+        );
+        let corner =
+            |k: usize| Vec3::new((k & 1) as f64, (k >> 1 & 1) as f64 * 2.0, (k >> 2) as f64);
+        let paths = [[1, 3], [1, 5], [2, 3], [2, 6], [4, 5], [4, 6]];
+        let tetrahedra = paths.map(|[a, b]| hull(&[0, a, b, 7].map(corner)).unwrap());
+        let whole = terms(&tetrahedra).unwrap();
+        assert_eq!((whole.len(), whole[0].solid.faces.len()), (1, 6));
+        assert!((whole[0].solid.moments().volume - 2.0).abs() < 1e-14);
+        // Without one of them it is not convex.
+        assert!(terms(&tetrahedra[..5]).unwrap().len() > 1);
     }
 
     #[test]

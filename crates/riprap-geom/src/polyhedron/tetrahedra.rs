@@ -93,6 +93,16 @@ impl Tetrahedra {
         self.nodes.len() as u32 - 1
     }
 
+    /// Least distance of the centroid from a face, m.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        let heights = self
+            .gradients
+            .iter()
+            .map(|[a, b, c]| 1.0 / (*a + *b + *c).length());
+        heights.fold(f64::INFINITY, f64::min)
+    }
+
     /// Volume of the solid, m³.
     #[must_use]
     pub fn volume(&self) -> f64 {

@@ -36,6 +36,17 @@ pub fn install(world: &mut World, shapes: &Shapes, numbers: &[u32]) -> Result<()
     Ok(())
 }
 
+/// A bolt as it would be installed in the rock as it is; `None` where it could not.
+pub(crate) fn as_it_is(world: &World, shapes: &Shapes, number: u32) -> Option<Bolt> {
+    one(
+        world,
+        shapes,
+        number,
+        world.setup.bolts.get(number as usize)?,
+    )
+    .ok()
+}
+
 fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
     let length = (spec.toe - spec.head).length();
     let axis = (spec.toe - spec.head) / length;

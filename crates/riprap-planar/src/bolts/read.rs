@@ -38,6 +38,44 @@ pub fn bars(view: &View<'_>) -> Vec<BoltBar> {
     all
 }
 
+impl View<'_> {
+    /// The bolt that has been drawn out by most of its length: its number, by how much farther its points in the rock lie apart along it than when
+    /// it was installed (m; bars that have broken do not count), its length (m), and the largest force that it pulls with (N/m).
+    #[must_use]
+    pub fn most_drawn(&self) -> Option<(u32, [f64; 3])> {
+        let bodies = &self.world.bodies;
+        let one = |bolt: &Bolt| {
+            let bars = (0..bolt.chain.bars.len())
+                .filter(|k| bolt.stretches(*k) && bolt.chain.state(*k) != bolt::BarState::Broken);
+            let by = bars
+                .map(|k| super::chord(&bolt.pins[k], &bolt.pins[k + 1], bodies).1)
+                .sum();
+            let [head, toe] = [bolt.pins.first()?, bolt.pins.last()?].map(|pin| pin.along);
+            Some((bolt.number, [by, toe - head, bolt.chain.largest_force()]))
+        };
+        let all = self.world.bolts.iter().filter_map(one);
+        all.max_by(|(_, [a, m, _]), (_, [b, n, _])| (a / m).total_cmp(&(b / n)))
+    }
+
+    /// Bolts that tie nothing to anything, with the block that all of them lies in: those that are installed, and those that would be if the
+    /// rock stayed as it is.
+    #[must_use]
+    pub fn idle_bolts(&self) -> Vec<(u32, u32)> {
+        let world = self.world;
+        let idle = |bolt: &Bolt| {
+            let block = bolt.pins.first().map(|pin| pin.block)?;
+            bolt.ties().next().is_none().then_some((bolt.number, block))
+        };
+        let installed = world.bolts.iter().filter_map(idle);
+        let later = (0..world.setup.bolts.len() as u32)
+            .filter(|n| world.bolts.iter().all(|bolt| bolt.number != *n))
+            .filter_map(|n| idle(&super::install::as_it_is(world, &self.scratch.shapes, n)?));
+        let mut all: Vec<_> = installed.chain(later).collect();
+        all.sort_unstable();
+        all
+    }
+}
+
 /// The largest of a number over the installed ones among bolts of the setup (ascending), at least `least`; not a number where none is installed.
 #[must_use]
 pub fn largest(v: &View, numbers: &[u32], least: f64, get: impl Fn(&Spec, &Bolt) -> f64) -> f64 {

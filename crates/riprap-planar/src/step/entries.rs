@@ -13,7 +13,7 @@ pub(super) fn book(world: &mut World, scratch: &mut Scratch, damping: &Damping, 
     let mut entries = std::mem::take(&mut scratch.entries);
     entries.clear(world.accounts.len());
     let half = [0.5 * world.pending, 0.5 * dt];
-    loads::each(world, &scratch.shapes, |load, b, push| {
+    loads::each(world, &scratch.shapes, dt, |load, b, push| {
         let Some(account) = load.account else {
             return;
         };

@@ -135,6 +135,8 @@ impl<'a> Kick<'a> {
             let of = |t: Target, v: f64, free: f64| t.change(v, free, time, half, self.span);
             dv = Vec2::new(of(x, body.velocity.x, dv.x), of(y, body.velocity.y, dv.y));
             dw = of(spin, body.spin, dw);
+            let centroid = scratch.shapes.centroid[b];
+            dv += motion.swing(centroid, body.angle, time, 2.0 * half);
         }
         *change = Change {
             velocity: dv,
@@ -175,6 +177,7 @@ impl<'a> Kick<'a> {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.force.dot(v) + load.moment * w);
             works.damping -= half * (damping.dot(v) + slowing * w);
+            works.local -= half * (drag.dot(v) + twist * w);
         }
     }
 }

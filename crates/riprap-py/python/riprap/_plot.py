@@ -54,6 +54,7 @@ def plot(
     surface: bool = False,
     uplift: "str | float | None" = None,
     source: str | None = None,
+    of: str | None = None,
     projection: str = "equal_area",
     against: str | None = None,
 ) -> Picture:
@@ -80,6 +81,7 @@ def plot(
         surface: only peak velocities on the surface (``ppv``).
         uplift: least uplift that counts as crater, ``"40 mm"`` or a number [m].
         source: name of the charge (``crater``, ``heave``).
+        of: group of blocks: only ``fragments`` with a block of it.
         projection: of the stereonet, ``equal_area`` or ``equal_angle``.
         against: history along the x axis of histories, instead of time.
 
@@ -89,6 +91,8 @@ def plot(
     """
     folder = run.path if isinstance(run, RunFolder) else Path(run)
     parts = [what, *names[:1], *([by] if what in ("blocks", "section", "line") else [])]
+    if of is not None:
+        parts.append(of)
     name = "_".join(parts if against is None else [*parts, "against", against])
     target = Path(out) if out is not None else folder / "plots" / f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}.svg"
     listed = [] if times is None else [times] if isinstance(times, (int, float)) else list(times)
@@ -110,6 +114,7 @@ def plot(
         "surface": surface,
         "uplift": _metres(uplift),
         "source": source,
+        "of": of,
         "projection": projection,
     }
     return Picture(_riprap.plot(folder, what, target, options))

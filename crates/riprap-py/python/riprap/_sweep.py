@@ -77,7 +77,9 @@ def sweep(
 ) -> Sweep:
     """Runs all cases of a scenario side by side, each on one thread and into its own sub-folder.
 
-    After Ctrl-C too ``sweep.csv`` has a row for each case, with what was done.
+    After Ctrl-C too ``sweep.csv`` has a row for each case, with what was done. Into the folder of an earlier sweep: cases that have
+    finished there with the same input, by the same version of the program, are kept and not run again, and rows of other cases stay in
+    ``sweep.csv``.
 
     Args:
         source: a scenario, or what makes one.

@@ -15,7 +15,7 @@ const LOCK: &str = ".lock";
 
 /// Names of the append-only and whole files in the order in which they are removed; the manifest, which marks the
 /// folder as ours, goes last.
-const FILES: [&str; 18] = [
+const FILES: [&str; 20] = [
     LOCK,
     names::FILE,
     conditions::FILE,
@@ -28,6 +28,8 @@ const FILES: [&str; 18] = [
     "energy.csv",
     "events.jsonl",
     "fragments.csv",
+    "fragment_blocks.csv",
+    "final_states.csv",
     "bolts.csv",
     "run.pvd",
     "contacts.pvd",
@@ -113,7 +115,7 @@ pub(super) fn lock(path: &Path) -> Result<File, FolderError> {
 
 /// Whether a process is writing into the run folder now. File systems without locks cannot tell: `None`.
 pub fn in_use(path: &Path) -> Option<bool> {
-    match File::open(path.join(LOCK)).ok()?.try_lock_shared() {
+    match open_plain(&path.join(LOCK)).ok()?.try_lock_shared() {
         Ok(()) => Some(false),
         Err(TryLockError::WouldBlock) => Some(true),
         Err(TryLockError::Error(_)) => None,
@@ -189,7 +191,8 @@ fn entry(frame: &FrameEntry, file: FileOf) -> PvdEntry {
     }
 }
 
-/// Writes the `.pvd` lists: files of cracks and tetrahedra as far as there are any.
+/// Writes the `.pvd` lists: files of cracks, bolts and tetrahedra as far as there are any. A list without any is removed: one of
+/// frames that a continued run writes again would name them twice.
 pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), OutputError> {
     for (name, file, always) in LISTS {
         let there = |f: &&FrameEntry| always || path.join(file(f.index)).exists();
@@ -200,6 +203,8 @@ pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), Outp
             .collect();
         if always || !entries.is_empty() {
             write_whole(&path.join(name), vtu::write_pvd(&entries).as_bytes())?;
+        } else {
+            remove_if_there(&path.join(name))?;
         }
     }
     Ok(())

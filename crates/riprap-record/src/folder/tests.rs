@@ -2,6 +2,7 @@
 
 use super::super::manifest::Ended;
 use super::super::table::Table;
+use super::super::vtu::PvdEntry;
 use super::*;
 use riprap_testkit::sample;
 use std::collections::BTreeMap;
@@ -315,6 +316,35 @@ fn each_frame_is_in_both_lists() {
             ..sample()
         }
     );
+}
+
+/// A list of bolts, cracks or tetrahedra whose frames all come after the checkpoint stayed, and the continued run named them again.
+#[test]
+fn a_run_that_goes_on_from_before_a_list_begins_it_again() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("a.run");
+    let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
+    steps(&mut run, 0..3);
+    let marks = run.marks(2);
+    steps(&mut run, 3..7);
+    drop(run);
+    let last = PvdEntry {
+        time: 0.006,
+        file: bolt_file(3),
+    };
+    for name in ["bolts.pvd", "cracks.pvd", "tetrahedra.pvd"] {
+        fs::write(path.join(name), vtu::write_pvd(std::slice::from_ref(&last))).unwrap();
+    }
+    fs::write(path.join(bolt_file(1)), "<VTKFile>").unwrap();
+    fs::write(path.join(bolt_file(3)), "<VTKFile>").unwrap();
+    drop(RunFolder::reopen(&path, &marks).unwrap());
+    // Those of frames before it are listed, and no others.
+    let left = vtu::read_pvd(&path.join("bolts.pvd")).unwrap();
+    assert_eq!(
+        left.iter().map(|e| &e.file).collect::<Vec<_>>(),
+        [&bolt_file(1)]
+    );
+    assert!(!path.join("cracks.pvd").exists() && !path.join("tetrahedra.pvd").exists());
 }
 
 #[test]

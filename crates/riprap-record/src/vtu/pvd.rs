@@ -2,6 +2,7 @@
 
 use super::read::{ReadError, Tag, tags};
 use super::write::escape;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// One time of a `.pvd`.
@@ -38,6 +39,10 @@ pub fn pvd_entry(entry: &PvdEntry) -> String {
     )
 }
 
+/// Bytes from which on reading a list again takes time.
+const LONG: u64 = 4 << 20;
+/// Letters of a name that a message shows.
+const NAME: usize = 60;
 /// A list that is damaged each of so many times is damaged.
 const READS: usize = 5;
 
@@ -46,10 +51,18 @@ const READS: usize = 5;
 /// # Errors
 /// Missing, foreign or damaged files.
 pub fn read_pvd(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
+    let length = || std::fs::metadata(path).ok().map(|found| found.len());
+    let mut before = length();
     let mut read = read_pvd_once(path);
     for _ in 1..READS {
         match read {
             Err(ReadError::Damaged { .. } | ReadError::Foreign { .. }) => {
+                // A long list that stays as it is stays damaged.
+                let now = length();
+                if before == now && now.is_none_or(|now| now > LONG) {
+                    break;
+                }
+                before = now;
                 read = read_pvd_once(path);
             }
             Ok(_) | Err(_) => break,
@@ -76,16 +89,26 @@ fn read_pvd_once(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
     if !tags.iter().any(|t| t.name == "/VTKFile") {
         return Err(damaged("it is cut off"));
     }
-    tags.iter()
-        .filter(|t| t.name == "DataSet")
-        .map(|t| {
-            let time = t.attribute("timestep").and_then(|v| v.parse().ok());
-            match (time, t.attribute("file")) {
-                (Some(time), Some(file)) => Ok(PvdEntry { time, file }),
-                (_, _) => Err(damaged("a DataSet lacks its time or file")),
-            }
-        })
-        .collect()
+    let entries = tags.iter().filter(|t| t.name == "DataSet").map(|t| {
+        let time = t.attribute("timestep").and_then(|v| v.parse().ok());
+        match (time, t.attribute("file")) {
+            (Some(time), Some(file)) => Ok(PvdEntry { time, file }),
+            (_, _) => Err(damaged("a DataSet lacks its time or file")),
+        }
+    });
+    let entries = entries.collect::<Result<Vec<_>, _>>()?;
+    // A frame is of one time. A list that names it again and again would have it read as often.
+    let mut seen = BTreeSet::new();
+    if let Some(twice) = entries.iter().find(|entry| !seen.insert(&entry.file)) {
+        let reason = format!("it names {} twice", shown(&twice.file));
+        return Err(damaged(&reason));
+    }
+    Ok(entries)
+}
+
+/// The first letters of a name of a file, for messages.
+fn shown(name: &str) -> String {
+    name.chars().take(NAME).collect()
 }
 
 #[cfg(test)]

@@ -1,14 +1,17 @@
 //! Grids of heights as text: the ASCII raster of ESRI.
 //!
 //! A head of words with a number each, then one line of heights for each row of cells, the northern row first. Cells of the
-//! height `NODATA_value`, -9999 where the head is silent, have no ground.
+//! height `NODATA_value`, -9999 where the head is silent, have no ground; neither have cells with `nan` or `null`, and those with the
+//! largest number of 32 bits, in as many digits as a program cares to write.
 //!
-//! Source: ESRI, "Esri ASCII raster format" (ArcGIS documentation).
+//! Source: ESRI, "Esri ASCII raster format" (ArcGIS documentation); `dx` and `dy` as the driver AAIGrid of GDAL writes them.
 
 use super::{FileError, at_line, shown, without_mark};
 
 /// Height of cells without ground where the head does not name one.
 const NOTHING: f64 = -9999.0;
+/// Beyond it no height is meant: the largest number of 32 bits, which stands for no ground, is 3.4e38.
+const HIGHEST: f64 = 1e30;
 /// Most cells of a grid.
 const MOST: usize = 4_000_000;
 
@@ -30,7 +33,8 @@ struct Head {
     /// Place of the lower left cell: the number, and whether it is its centre.
     x: Option<(f64, bool)>,
     y: Option<(f64, bool)>,
-    size: Option<f64>,
+    /// Edges of a cell along x and y.
+    size: [Option<f64>; 2],
     nothing: Option<f64>,
 }
 
@@ -49,7 +53,9 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
     let missing = |word: &str| at_line(at, format!("the head has no `{word}`"));
     let columns = head.columns.ok_or_else(|| missing("ncols"))?;
     let rows = head.rows.ok_or_else(|| missing("nrows"))?;
-    let size = head.size.ok_or_else(|| missing("cellsize"))?;
+    let [Some(wide), Some(high)] = head.size else {
+        return Err(missing("cellsize"));
+    };
     let x = head.x.ok_or_else(|| missing("xllcorner"))?;
     let y = head.y.ok_or_else(|| missing("yllcorner"))?;
     // A product that wraps round would make a huge grid look small.
@@ -59,10 +65,10 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
         );
         return Err(at_line(at, text));
     }
-    if size.is_nan() || size <= 0.0 {
+    if [wide, high].iter().any(|size| *size <= 0.0) {
         return Err(at_line(at, "`cellsize` must be greater than zero"));
     }
-    let places = |(start, centre): (f64, bool), count: usize| -> Vec<f64> {
+    let places = |(start, centre): (f64, bool), size: f64, count: usize| -> Vec<f64> {
         // Heights stand at the centres of cells, half a cell from the corner.
         let first = if centre { 0.0 } else { 0.5 };
         (0..count)
@@ -77,14 +83,14 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
     for (line, text) in lines {
         last = line;
         for word in text.split_whitespace() {
-            let height = number(line, word)?;
+            let height = height(line, word)?;
             if north_first.len() == cells {
                 let text = format!(
                     "{columns} by {rows} cells need {cells} heights, and here stand more: correct `ncols` and `nrows`, or take them out"
                 );
                 return Err(at_line(line, text));
             }
-            north_first.push((nothing != height).then_some(height));
+            north_first.push(height.filter(|height| nothing != *height));
         }
     }
     if north_first.len() != cells {
@@ -101,23 +107,46 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
         .copied()
         .collect();
     Ok(Heights {
-        x: places(x, columns),
-        y: places(y, rows),
+        x: places(x, wide, columns),
+        y: places(y, high, rows),
         z,
     })
 }
 
 /// Whether a line belongs to the head: it begins with a letter, or is empty.
 fn is_head(text: &str) -> bool {
-    let first = text.trim_start().chars().next();
-    first.is_none_or(|c| c.is_ascii_alphabetic())
-        // A row that begins so is heights, and is refused as such, not as a strange word of the head.
-        && !text.trim_start().to_ascii_lowercase().starts_with("nan")
+    let Some(word) = text.split_whitespace().next() else {
+        return true;
+    };
+    word.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_nothing(word)
 }
 
+/// Whether a word says that there is no height.
+fn is_nothing(word: &str) -> bool {
+    let word = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    let words = ["nan", "null", "none", "nodata", "n/a", "na"];
+    // As programs of Microsoft write it: `1.#QNAN`, `nan(ind)`.
+    words.contains(&word.as_str()) || word.starts_with("1.#") || word.starts_with("nan(")
+}
+
+/// A number, whose decimal sign may be a comma.
 fn number(line: usize, word: &str) -> Result<f64, FileError> {
-    let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
+    let comma = word.matches(',').count() == 1 && !word.contains('.');
+    let number = if comma {
+        word.replace(',', ".").parse::<f64>()
+    } else {
+        word.parse::<f64>()
+    };
+    let number = number.ok().filter(|x| x.is_finite());
     number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
+}
+
+/// A height, or nothing where there is no ground.
+fn height(line: usize, word: &str) -> Result<Option<f64>, FileError> {
+    if is_nothing(word) {
+        return Ok(None);
+    }
+    Ok(Some(number(line, word)?).filter(|height| height.abs() < HIGHEST))
 }
 
 impl Head {
@@ -140,12 +169,15 @@ impl Head {
             "xllcenter" => self.x = Some((number(line, word)?, true)),
             "yllcorner" => self.y = Some((number(line, word)?, false)),
             "yllcenter" => self.y = Some((number(line, word)?, true)),
-            "cellsize" => self.size = Some(number(line, word)?),
-            "nodata_value" => self.nothing = Some(number(line, word)?),
+            "cellsize" => self.size = [Some(number(line, word)?); 2],
+            "dx" => self.size[0] = Some(number(line, word)?),
+            "dy" => self.size[1] = Some(number(line, word)?),
+            // A word or a number that no height is: nothing is compared with it.
+            "nodata_value" => self.nothing = height(line, word)?.or(Some(f64::NAN)),
             _ => {
                 let text = format!(
-                    "`{}` is no word of the head: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, \
-                     NODATA_value",
+                    "`{}` is no word of the head: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize \
+                     (or dx and dy), NODATA_value",
                     shown(key)
                 );
                 return Err(at_line(line, text));
@@ -183,6 +215,45 @@ mod tests {
         assert_eq!((read.z[0], read.z[5]), (None, Some(-9999.0)));
     }
 
+    /// GDAL, QGIS and ArcGIS each have their way to say that there is no ground.
+    #[test]
+    fn cells_without_ground_have_many_names() {
+        let right = parse_asc(SMALL.as_bytes()).unwrap();
+        for (word, cell) in [
+            ("nan", "nan"),
+            ("NaN", "-nan"),
+            ("-9999", "null"),
+            ("null", "null"),
+            ("-3.4028234663852886e+38", "-3.4028234663852886e+38"),
+            ("-3.4028234663852886e+38", "-3.40282e38"),
+            ("-3.40282346639e+38", "-3.4028234663852886e+38"),
+            ("3.4e38", "3.4028235e+38"),
+            ("-9999", "1.#QNAN"),
+            ("-32768", "-32768.0"),
+        ] {
+            let text = SMALL.replace("NODATA_value -9999", &format!("NODATA_value {word}"));
+            let text = text.replace("1 2 -9999", &format!("1 2 {cell}"));
+            assert_eq!(
+                parse_asc(text.as_bytes()).as_ref(),
+                Ok(&right),
+                "{word} {cell}"
+            );
+        }
+        // In the first cell too, where it could be taken for a word of the head.
+        let first = SMALL.replace("1 2 -9999", "nan 2 3");
+        assert_eq!(parse_asc(first.as_bytes()).unwrap().z[3], None);
+    }
+
+    #[test]
+    fn cells_may_be_longer_than_wide_and_numbers_may_have_commas() {
+        let read = parse_asc(SMALL.replace("cellsize 2", "dx 2\nDY 3").as_bytes()).unwrap();
+        assert_eq!((read.x[1] - read.x[0], read.y[1] - read.y[0]), (2.0, 3.0));
+        let comma = SMALL
+            .replace("cellsize 2", "cellsize 2,0")
+            .replace("4 5 6", "4,0 5 6");
+        assert_eq!(parse_asc(comma.as_bytes()), parse_asc(SMALL.as_bytes()));
+    }
+
     #[test]
     fn says_what_is_wrong() {
         let error = |from: &str, to: &str| {
@@ -198,12 +269,14 @@ mod tests {
             long.starts_with("line 9: 3 by 2 cells need 6 heights, and here stand more"),
             "{long}"
         );
-        assert!(error("4 5 6", "4 5 nan").contains("line 8"));
-        assert!(error("1 2 -9999", "nan 2 3").contains("no finite number"));
+        assert!(error("4 5 6", "4 5 x").contains("line 8"));
+        assert!(error("1 2 -9999", "inf 2 3").contains("no finite number"));
         assert!(error("nrows 2", "nrows two").contains("line 2"));
         assert!(error("nrows 2", "nrows 1").contains("2 along each side"));
         assert!(error("nrows 2", "nrows 99999999999").contains("4000000"));
-        assert!(error("cellsize 2", "dx 2").contains("no word of the head"));
+        assert!(error("cellsize 2", "dx 2").contains("no `cellsize`"));
+        assert!(error("cellsize 2", "size 2").contains("no word of the head"));
+        assert!(error("cellsize 2", "dx 2\ndy 0").contains("greater than zero"));
         assert!(error("cellsize 2", "cellsize").contains("needs one number"));
         assert!(parse_asc(b"").is_err());
     }

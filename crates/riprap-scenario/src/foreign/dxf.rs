@@ -1,21 +1,31 @@
-//! Lines and polylines of DXF drawings, text or binary: outlines of blocks and traces of joints.
+//! Lines of DXF drawings, text or binary: outlines of blocks and traces of joints.
 //!
-//! Read are LINE, LWPOLYLINE and POLYLINE of the model space with their layers; arcs become straight pieces. What
-//! stands in blocks (INSERT) and in the paper space is passed over, as is every other entity.
+//! Read are LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE and ELLIPSE of the model space with their layers; arcs become straight
+//! pieces. Blocks of the drawing are put where they are inserted. All else is counted by kind ([`Drawing::left_out`]).
 //!
 //! Source: Autodesk, "DXF Reference"; arcs by their bulge, places by the arbitrary axis algorithm.
+
+use std::collections::BTreeMap;
 
 use riprap_geom::Vec3;
 
 use super::dxf_pairs::{Pairs, Value};
-use super::{FileError, Place};
+use super::{FileError, Place, shown};
+
+mod curve;
+mod insert;
+mod outline;
+
+use curve::{Curve, arc, pieces};
+use insert::Insert;
+pub use outline::Outlines;
 
 /// Most points that the lines of a drawing may have, arcs in pieces.
 pub const MAX_POINTS: usize = 4_000_000;
 /// Distance of an arc from its pieces where none is given, times its radius.
 pub const SAGITTA: f64 = 0.01;
-/// Most pieces of one arc.
-const MOST_PIECES: f64 = 1000.0;
+/// Most kinds of entity that are counted one by one.
+const MOST_KINDS: usize = 100;
 /// Ends nearer than this, times the size of a line, close it.
 const CLOSED: f64 = 1e-9;
 
@@ -30,7 +40,12 @@ pub struct Polyline {
     pub points: Vec<[f64; 2]>,
     /// Where it begins in the file.
     pub place: Place,
+    /// Kind of entity: `LINE`, `LWPOLYLINE`, ...
+    pub kind: &'static str,
 }
+
+/// Why an entity is not among the lines.
+pub type Why = &'static str;
 
 /// What is read of a drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,6 +54,34 @@ pub struct Drawing {
     pub unit: Option<f64>,
     /// Lines in their order.
     pub lines: Vec<Polyline>,
+    /// Inserted blocks of the drawing whose lines are among `lines`.
+    pub inserted: usize,
+    /// How many entities of a kind are not among the lines, and why.
+    pub left_out: BTreeMap<(String, Why), usize>,
+}
+
+/// Lines of a drawing, or of one of its blocks, before blocks are inserted.
+#[derive(Default)]
+struct Content {
+    lines: Vec<Polyline>,
+    inserts: Vec<Insert>,
+    left_out: BTreeMap<(String, Why), usize>,
+}
+
+impl Content {
+    fn leave_out(&mut self, kind: &str, why: Why) {
+        // Kinds are words of the file, which may have any number of them.
+        let full = self.left_out.len() >= MOST_KINDS;
+        let kind = if full { "other" } else { kind };
+        *self.left_out.entry((shown(kind), why)).or_default() += 1;
+    }
+}
+
+/// What reading needs beside the content.
+struct Reading {
+    sagitta: Option<f64>,
+    /// Points that there is room for.
+    room: usize,
 }
 
 impl Drawing {
@@ -59,7 +102,11 @@ impl Drawing {
 pub fn parse_dxf(bytes: &[u8], sagitta: Option<f64>) -> Result<Drawing, FileError> {
     let mut pairs = Pairs::new(bytes);
     let mut drawing = Drawing::default();
-    let mut room = MAX_POINTS;
+    let (mut content, mut blocks) = (Content::default(), BTreeMap::new());
+    let mut reading = Reading {
+        sagitta,
+        room: MAX_POINTS,
+    };
     loop {
         let Some((code, value)) = pairs.next()? else {
             return Err(pairs.cut_off());
@@ -71,7 +118,10 @@ pub fn parse_dxf(bytes: &[u8], sagitta: Option<f64>) -> Result<Drawing, FileErro
             return Err(pairs.wrong("a section should begin here: this is no DXF drawing"));
         }
         match value.text().as_ref() {
-            "EOF" => return Ok(drawing),
+            "EOF" => {
+                insert::expand(&mut drawing, content, &blocks, &mut reading)?;
+                return Ok(drawing);
+            }
             "SECTION" => {}
             _ => return Err(pairs.wrong("a section should begin here: this is no DXF drawing")),
         }
@@ -82,7 +132,10 @@ pub fn parse_dxf(bytes: &[u8], sagitta: Option<f64>) -> Result<Drawing, FileErro
         };
         match name.as_str() {
             "HEADER" => header(&mut pairs, &mut drawing)?,
-            "ENTITIES" => entities(&mut pairs, &mut drawing, sagitta, &mut room)?,
+            "BLOCKS" => insert::blocks(&mut pairs, &mut blocks, &mut reading)?,
+            "ENTITIES" => {
+                entities(&mut pairs, &mut content, &mut reading, "")?;
+            }
             _ => while section_goes_on(&mut pairs)?.is_some() {},
         }
     }
@@ -147,7 +200,43 @@ enum Kind {
     /// Its points follow as entities of their own.
     Polyline,
     Vertex,
+    Arc,
+    Circle,
+    Ellipse,
+    Insert,
+    /// Ends or describes other entities.
+    Mark,
     Other,
+}
+
+impl Kind {
+    fn of(name: &str) -> Self {
+        match name {
+            "LINE" => Kind::Line,
+            "LWPOLYLINE" => Kind::LwPolyline,
+            "POLYLINE" => Kind::Polyline,
+            "VERTEX" => Kind::Vertex,
+            "ARC" => Kind::Arc,
+            "CIRCLE" => Kind::Circle,
+            "ELLIPSE" => Kind::Ellipse,
+            "INSERT" => Kind::Insert,
+            "" | "SEQEND" | "ATTRIB" | "ATTDEF" | "BLOCK" | "ENDBLK" | "VIEWPORT" => Kind::Mark,
+            _ => Kind::Other,
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Kind::Line => "LINE",
+            Kind::LwPolyline => "LWPOLYLINE",
+            Kind::Polyline | Kind::Vertex => "POLYLINE",
+            Kind::Arc => "ARC",
+            Kind::Circle => "CIRCLE",
+            Kind::Ellipse => "ELLIPSE",
+            Kind::Insert => "INSERT",
+            Kind::Mark | Kind::Other => "",
+        }
+    }
 }
 
 /// A point of a line: x, y, z and the bulge of the piece behind it.
@@ -156,53 +245,59 @@ type Point = [f64; 4];
 /// An entity that is being read.
 struct Entity {
     kind: Kind,
+    /// As the file calls it.
+    word: String,
     layer: String,
+    /// Name of the block of an INSERT.
+    name: String,
     flags: i64,
     paper: bool,
     points: Vec<Point>,
     normal: Vec3,
     elevation: f64,
     place: Place,
+    /// Numbers of the group codes 40 to 51, 70 and 71 as they came.
+    numbers: BTreeMap<i32, f64>,
 }
 
 impl Entity {
     fn new(name: &str, place: Place) -> Self {
-        let kind = match name {
-            "LINE" => Kind::Line,
-            "LWPOLYLINE" => Kind::LwPolyline,
-            "POLYLINE" => Kind::Polyline,
-            "VERTEX" => Kind::Vertex,
-            _ => Kind::Other,
-        };
         Self {
-            kind,
+            kind: Kind::of(name),
+            word: shown(name),
             layer: "0".to_owned(),
+            name: String::new(),
             flags: 0,
             paper: false,
             points: Vec::new(),
             normal: Vec3::Z,
             elevation: 0.0,
             place,
+            numbers: BTreeMap::new(),
         }
     }
 
     /// Takes one pair.
     fn take(&mut self, pairs: &Pairs, code: i32, value: Value) -> Result<(), FileError> {
-        if self.kind == Kind::Other {
-            return Ok(());
-        }
         let axis = (code / 10 - 1) as usize;
         match (code, self.kind) {
             (8, _) => self.layer = pairs.name(value),
             (67, _) => self.paper = pairs.whole(value)? != 0,
+            (_, Kind::Mark | Kind::Other) => {}
+            (2, Kind::Insert) => self.name = pairs.name(value),
+            (70 | 71, Kind::Insert) => {
+                self.numbers.insert(code, pairs.whole(value)? as f64);
+            }
             (70, _) => self.flags = pairs.whole(value)?,
             (38, _) => self.elevation = pairs.real(value)?,
             (210 | 220 | 230, _) => {
                 self.normal[(code / 10 - 21) as usize] = pairs.real(value)?;
             }
             (10, _) => self.points.push([pairs.real(value)?, 0.0, 0.0, 0.0]),
-            (11, Kind::Line) => self.points.push([pairs.real(value)?, 0.0, 0.0, 0.0]),
-            (20 | 30, _) | (21 | 31, Kind::Line) => {
+            (11, Kind::Line | Kind::Ellipse) => {
+                self.points.push([pairs.real(value)?, 0.0, 0.0, 0.0]);
+            }
+            (20 | 30, _) | (21 | 31, Kind::Line | Kind::Ellipse) => {
                 let x = pairs.real(value)?;
                 if let Some(point) = self.points.last_mut() {
                     point[axis] = x;
@@ -214,48 +309,56 @@ impl Entity {
                     point[3] = bulge;
                 }
             }
+            (40..=51, Kind::Arc | Kind::Circle | Kind::Ellipse | Kind::Insert) => {
+                self.numbers.insert(code, pairs.real(value)?);
+            }
             _ => {}
         }
         Ok(())
     }
 
-    /// Whether it is a line of the kind that is drawn: no mesh.
-    fn is_line(&self) -> bool {
-        match self.kind {
-            Kind::Line | Kind::LwPolyline => true,
-            // 16: a mesh of polygons, 64: faces.
-            Kind::Polyline => self.flags & (16 | 64) == 0,
-            Kind::Vertex | Kind::Other => false,
-        }
+    fn number(&self, code: i32, missing: f64) -> f64 {
+        self.numbers.get(&code).copied().unwrap_or(missing)
+    }
+
+    /// Whether it is a mesh of polygons (16) or faces (64), not a line.
+    fn is_mesh(&self) -> bool {
+        self.kind == Kind::Polyline && self.flags & (16 | 64) != 0
     }
 }
 
+/// Reads entities up to the end of the section, or of the block; whether the section goes on. `first` is the word of an entity that
+/// has begun.
 fn entities(
     pairs: &mut Pairs,
-    drawing: &mut Drawing,
-    sagitta: Option<f64>,
-    room: &mut usize,
-) -> Result<(), FileError> {
-    let mut current = Entity::new("", pairs.place());
+    content: &mut Content,
+    reading: &mut Reading,
+    first: &str,
+) -> Result<bool, FileError> {
+    let mut current = Entity::new(first, pairs.place());
     // A POLYLINE whose points are being read.
     let mut open: Option<Entity> = None;
     loop {
         let pair = section_goes_on(pairs)?;
-        let Some((code, value)) = pair else {
-            finish(pairs, drawing, current, &mut open, sagitta, room)?;
-            return close(pairs, drawing, open, sagitta, room);
+        let (next, more) = match pair {
+            Some((0, value)) if value.text() == "ENDBLK" => (None, true),
+            Some((0, value)) => (Some(Entity::new(&value.text(), pairs.place())), true),
+            Some((code, value)) => {
+                current.take(pairs, code, value)?;
+                continue;
+            }
+            None => (None, false),
         };
-        if code != 0 {
-            current.take(pairs, code, value)?;
-            continue;
-        }
-        let next = Entity::new(&value.text(), pairs.place());
         // Whatever follows the points ends a POLYLINE, its SEQEND or not.
-        let ended = next.kind != Kind::Vertex;
-        let last = std::mem::replace(&mut current, next);
-        finish(pairs, drawing, last, &mut open, sagitta, room)?;
-        if ended {
-            close(pairs, drawing, open.take(), sagitta, room)?;
+        let ended = next.as_ref().is_none_or(|next| next.kind != Kind::Vertex);
+        let last = std::mem::replace(&mut current, Entity::new("", pairs.place()));
+        finish(pairs, content, last, &mut open, reading)?;
+        if ended && let Some(line) = open.take() {
+            close(pairs, content, line, reading)?;
+        }
+        match next {
+            Some(next) => current = next,
+            None => return Ok(more),
         }
     }
 }
@@ -263,49 +366,51 @@ fn entities(
 /// Puts an entity where it belongs.
 fn finish(
     pairs: &Pairs,
-    drawing: &mut Drawing,
+    content: &mut Content,
     entity: Entity,
     open: &mut Option<Entity>,
-    sagitta: Option<f64>,
-    room: &mut usize,
+    reading: &mut Reading,
 ) -> Result<(), FileError> {
+    if entity.paper && !matches!(entity.kind, Kind::Mark | Kind::Vertex) {
+        content.leave_out(&entity.word, "in the paper space");
+        return Ok(());
+    }
     match entity.kind {
-        Kind::Line | Kind::LwPolyline => close(pairs, drawing, Some(entity), sagitta, room),
+        Kind::Line | Kind::LwPolyline => close(pairs, content, entity, reading)?,
+        Kind::Arc | Kind::Circle | Kind::Ellipse => round(pairs, content, &entity, reading)?,
         Kind::Polyline => {
             let mut entity = entity;
             // The point of a POLYLINE is its elevation.
             let own = entity.points.drain(..).next();
             entity.elevation = own.map_or(0.0, |p| p[2]);
             *open = Some(entity);
-            Ok(())
         }
         Kind::Vertex => {
             // 16: a point of the frame of a spline, not of the curve.
             if let Some(line) = open.as_mut().filter(|_| entity.flags & 16 == 0) {
                 line.points.extend(entity.points.first());
             }
-            Ok(())
         }
-        Kind::Other => Ok(()),
+        Kind::Insert => content.inserts.push(Insert::of(&entity)),
+        Kind::Mark => {}
+        Kind::Other => content.leave_out(&entity.word, "no lines"),
     }
+    Ok(())
 }
 
-/// Adds a line to the drawing.
+/// Adds a line to the content.
 fn close(
     pairs: &Pairs,
-    drawing: &mut Drawing,
-    entity: Option<Entity>,
-    sagitta: Option<f64>,
-    room: &mut usize,
+    content: &mut Content,
+    entity: Entity,
+    reading: &mut Reading,
 ) -> Result<(), FileError> {
-    let Some(entity) = entity.filter(|e| e.is_line() && !e.paper && e.points.len() > 1) else {
+    if entity.is_mesh() {
+        content.leave_out(entity.kind.word(), "meshes");
         return Ok(());
-    };
-    let in_space = match entity.kind {
-        Kind::Line => true,
-        Kind::Polyline => entity.flags & 8 != 0,
-        Kind::LwPolyline | Kind::Vertex | Kind::Other => false,
-    };
+    }
+    let in_space =
+        entity.kind == Kind::Line || (entity.kind == Kind::Polyline && entity.flags & 8 != 0);
     let flagged = entity.kind != Kind::Line && entity.flags & 1 != 0;
     let mut points: Vec<[f64; 2]> = Vec::with_capacity(entity.points.len());
     let count = entity.points.len();
@@ -314,40 +419,97 @@ fn close(
         // A bulge lies in the plane of its polyline; a line in space has none.
         if (k + 1 < count || flagged) && bulge != 0.0 && !in_space {
             let [to_x, to_y, ..] = entity.points[(k + 1) % count];
-            arc([x, y], [to_x, to_y], bulge, sagitta, &mut points);
+            arc([x, y], [to_x, to_y], bulge, reading.sagitta, &mut points);
         }
-        if points.len() > *room {
-            return Err(pairs.wrong(format!(
-                "the lines of the drawing have more than {MAX_POINTS} points, arcs in pieces: use a larger sagitta"
+        reading.check(points.len(), &|text| pairs.wrong(text))?;
+    }
+    if !in_space {
+        flatten(pairs, &entity, &mut points)?;
+    }
+    add(content, &entity, points, flagged, reading);
+    Ok(())
+}
+
+/// Adds a circle, an ellipse or an arc as straight pieces.
+fn round(
+    pairs: &Pairs,
+    content: &mut Content,
+    entity: &Entity,
+    reading: &mut Reading,
+) -> Result<(), FileError> {
+    let Some(curve) = Curve::of(entity) else {
+        content.leave_out(entity.kind.word(), "without a radius");
+        return Ok(());
+    };
+    let mut points = pieces(&curve, reading.sagitta);
+    reading.check(points.len(), &|text| pairs.wrong(text))?;
+    // An ellipse lies where it is drawn; circles and arcs in the plane of their normal.
+    if entity.kind != Kind::Ellipse {
+        flatten(pairs, entity, &mut points)?;
+    }
+    add(content, entity, points, curve.whole, reading);
+    Ok(())
+}
+
+impl Reading {
+    /// Whether there is room for more points.
+    fn check(&self, points: usize, wrong: &dyn Fn(String) -> FileError) -> Result<(), FileError> {
+        if points > self.room {
+            return Err(wrong(format!(
+                "the lines of the drawing have more than {MAX_POINTS} points, arcs in pieces and blocks inserted: use a larger sagitta"
             )));
         }
+        Ok(())
     }
-    *room -= points.len();
-    if !in_space && entity.normal != Vec3::Z {
-        let [a, b, n] = axes(entity.normal)
-            .ok_or_else(|| pairs.wrong("a polyline has an extrusion without direction"))?;
-        for p in &mut points {
-            let place = p[0] * a + p[1] * b + entity.elevation * n;
-            *p = [place.x, place.y];
-        }
+}
+
+/// Brings points from the plane of an entity with an extrusion to x and y.
+fn flatten(pairs: &Pairs, entity: &Entity, points: &mut [[f64; 2]]) -> Result<(), FileError> {
+    if entity.normal == Vec3::Z {
+        return Ok(());
     }
+    let [a, b, n] = axes(entity.normal)
+        .ok_or_else(|| pairs.wrong("a polyline has an extrusion without direction"))?;
+    let elevation = if matches!(entity.kind, Kind::Arc | Kind::Circle) {
+        entity.points.first().map_or(0.0, |p| p[2])
+    } else {
+        entity.elevation
+    };
+    for p in points {
+        let place = p[0] * a + p[1] * b + elevation * n;
+        *p = [place.x, place.y];
+    }
+    Ok(())
+}
+
+/// Adds the points of an entity, if they are a line.
+fn add(
+    content: &mut Content,
+    entity: &Entity,
+    mut points: Vec<[f64; 2]>,
+    flagged: bool,
+    reading: &mut Reading,
+) {
     let size = extent(&points);
     let ends = points.first().zip(points.last());
     // Drawn back to its start, a line is closed without the flag.
     let joined = ends.is_some_and(|(a, b)| (0..2).all(|k| (a[k] - b[k]).abs() <= CLOSED * size));
-    if joined {
+    if joined && points.len() > 1 {
         points.pop();
     }
     let closed = (flagged || joined) && points.len() > 2;
-    if points.len() > 1 {
-        drawing.lines.push(Polyline {
-            layer: entity.layer,
-            closed,
-            points,
-            place: entity.place,
-        });
+    if points.len() < 2 {
+        content.leave_out(entity.kind.word(), "without a length");
+        return;
     }
-    Ok(())
+    reading.room -= points.len().min(reading.room);
+    content.lines.push(Polyline {
+        layer: entity.layer.clone(),
+        closed,
+        points,
+        place: entity.place,
+        kind: entity.kind.word(),
+    });
 }
 
 /// Axes x and y of the plane with a normal, and its direction; `None` if it has none.
@@ -369,35 +531,4 @@ fn extent(points: &[[f64; 2]]) -> f64 {
         }
     }
     (high[0] - low[0]).max(high[1] - low[1])
-}
-
-/// Points of an arc between its ends. The bulge is the tangent of a quarter of its angle, positive anticlockwise.
-fn arc(from: [f64; 2], to: [f64; 2], bulge: f64, sagitta: Option<f64>, out: &mut Vec<[f64; 2]>) {
-    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-    // With t = tan(angle/4): sin(angle/2) = 2 t/(1 + t^2), cos(angle/2) = (1 - t^2)/(1 + t^2).
-    let radius = libm::hypot(dx, dy) * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
-    let angle = 4.0 * libm::atan(bulge);
-    let share = sagitta.map_or(SAGITTA, |s| s / radius);
-    // At most half a circle: a sagitta above the radius would have no angle.
-    let piece = 2.0 * libm::acos(1.0 - share.clamp(0.0, 1.0));
-    let pieces = (angle.abs() / piece).ceil();
-    let to_centre = (1.0 - bulge * bulge) / (4.0 * bulge);
-    let centre = [
-        0.5 * (from[0] + to[0]) - to_centre * dy,
-        0.5 * (from[1] + to[1]) + to_centre * dx,
-    ];
-    // A bulge of next to nothing has its centre at infinity: the arc is the straight piece.
-    if !(radius.is_finite() && centre.iter().all(|x| x.is_finite())) {
-        return;
-    }
-    let pieces = pieces.clamp(1.0, MOST_PIECES) as u32;
-    let arm = [from[0] - centre[0], from[1] - centre[1]];
-    for k in 1..pieces {
-        let turn = angle * f64::from(k) / f64::from(pieces);
-        let (sin, cos) = (libm::sin(turn), libm::cos(turn));
-        out.push([
-            centre[0] + cos * arm[0] - sin * arm[1],
-            centre[1] + sin * arm[0] + cos * arm[1],
-        ]);
-    }
 }

@@ -38,8 +38,9 @@ pub fn parse_stl(bytes: &[u8]) -> Result<Vec<Part>, FileError> {
     parts(&triangles)
 }
 
-/// A surface that need not be closed: different corners in the length unit of the file, and those of each triangle.
-pub type Surface = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+/// A surface that need not be closed: different corners in the length unit of the file, those of each triangle, and the number of
+/// triangles without an area, which are left out.
+pub type Surface = (Vec<[f64; 3]>, Vec<[u32; 3]>, usize);
 
 /// The triangles that the bytes of a file describe as one surface. Triangles without an area are left out.
 ///
@@ -54,15 +55,18 @@ pub fn parse_surface(bytes: &[u8]) -> Result<Surface, FileError> {
         return Err(triangles.wrong(0, "there are no triangles".to_owned()));
     }
     let (points, mut rings) = joined(&triangles.corners);
+    let all = rings.len();
     rings.retain(|[a, b, c]| a != b && b != c && c != a);
-    Ok((points.iter().map(Vec3::to_array).collect(), rings))
+    let flat = all - rings.len();
+    Ok((points.iter().map(Vec3::to_array).collect(), rings, flat))
 }
 
 /// Triangles and where they are.
-struct Triangles {
-    corners: Vec<[Vec3; 3]>,
+#[derive(Default)]
+pub(super) struct Triangles {
+    pub(super) corners: Vec<[Vec3; 3]>,
     /// Line of the last corner in a text file; none in a binary one.
-    lines: Vec<usize>,
+    pub(super) lines: Vec<usize>,
 }
 
 impl Triangles {
@@ -175,7 +179,7 @@ fn text(bytes: &[u8]) -> Result<Triangles, FileError> {
 }
 
 /// Connected parts, checked.
-fn parts(triangles: &Triangles) -> Result<Vec<Part>, FileError> {
+pub(super) fn parts(triangles: &Triangles) -> Result<Vec<Part>, FileError> {
     if triangles.corners.is_empty() {
         return Err(triangles.wrong(0, "there are no triangles".to_owned()));
     }

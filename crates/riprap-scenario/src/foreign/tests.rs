@@ -180,7 +180,8 @@ fn lines_of_ezdxf_are_read() {
                 round,
                 round,
                 ("joints", false, 2),
-                ("joints", false, 3)
+                ("joints", false, 3),
+                ("0", true, 24)
             ]
         );
         // A half disk bulges to the right of its chord; the one seen from behind lies at -x.

@@ -9,8 +9,8 @@ use super::joints::{JointPlanes, JointSet};
 use super::points::Point;
 use super::solids::{Brick, Grid, Mechanics, Mesh, Part, Polyhedron, Terrain};
 use crate::quantity::{
-    Angle, Axial, HalfAngle, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity,
-    Spin, Vector, Velocity,
+    Angle, Axial, HalfAngle, InertiaPerLength, Length, MassPerLength, Moments, Name,
+    NotNegativeLength, Plain, PositiveLength, Quantity, Spin, Vector, Velocity,
 };
 
 /// Most blocks that one generator may make.
@@ -80,6 +80,12 @@ pub struct Block {
         instead = "leave it out: blocks of the plane are rigid"
     )]
     pub mechanics: Option<Mechanics>,
+    /// Mass of a single rigid shape in place of density times volume, kg; in the plane kg/m. Its centre stays the centroid.
+    pub mass: Option<Quantity<MassPerLength>>,
+    /// Moments of inertia of a single rigid shape about its centroid, kg m2; in the plane one number, kg m. In space [xx, yy, zz, yz, zx, xy] with xx the sum of
+    /// m (y^2 + z^2) and yz that of -m y z, in the axes of the scene before `rotate`, which turns them too. Default: those of the shape, times
+    /// its mass.
+    pub inertia: Option<Moments<InertiaPerLength>>,
     /// Repeats a single shape at equal steps.
     pub copies: Option<Copies>,
     /// Turns the shape after it was made; in space before `cut`.
@@ -88,8 +94,8 @@ pub struct Block {
     pub shift: Option<Vector<Length>>,
     /// Velocity of the centroid at the start, m/s. Default at rest.
     pub velocity: Option<Vector<Velocity>>,
-    /// Spin at the start, rad/s: in the plane anticlockwise, in space right-handed about x, y, z.
-    /// Default 0 rad/s.
+    /// Spin at the start, rad/s: in the plane anticlockwise, in space right-handed about x, y, z. Several blocks turn as one body about
+    /// their common centroid, but for `copies` and `pour`, where each turns about its own. Default 0 rad/s.
     pub spin: Option<Axial<Spin>>,
 }
 
@@ -371,12 +377,17 @@ pub struct Copies {
     pub step: Vector<Length>,
 }
 
-/// Turns a shape. In space exactly one of `axis` and `dip_direction`; a brick whose edges leave the axes is a polyhedron.
+/// Turns a shape by an angle. In space exactly one of `axis` and `dip_direction`, or a `quaternion` in place of the angle; a brick whose
+/// edges leave the axes is a polyhedron.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Rotate {
     /// Angle: in the plane anticlockwise, in space right-handed about `axis`.
-    pub angle: Quantity<Angle>,
+    pub angle: Option<Quantity<Angle>>,
+    /// The rotation as a quaternion [w, x, y, z], of any length: w is the cosine of half the angle, x, y and z are the axis times its
+    /// sine.
+    #[key(space = "spatial", instead = "use `angle`")]
+    pub quaternion: Option<[Quantity<Plain>; 4]>,
     /// Axis [x, y, z], of any length.
     #[key(space = "spatial", instead = "leave it out: shapes turn in the plane")]
     pub axis: Option<[Quantity<Plain>; 3]>,

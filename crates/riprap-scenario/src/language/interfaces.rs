@@ -12,6 +12,7 @@ use riprap_core::laws::bond::Softening;
 use riprap_core::laws::parameters::{
     BondFailure, Dashpots, Failure, FrictionLaw, NormalLaw, Points, Reflex, StiffnessRule,
 };
+use riprap_core::laws::softening_curve::{Curve, CurveError};
 
 /// The law of contact between two materials.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
@@ -105,7 +106,8 @@ pub struct Interface {
     #[key(changes)]
     pub clip_speed: Option<Quantity<Speed>>,
     /// Share of critical damping of found contacts; of closed joints in `[space.spatial]` dashpots with the time
-    /// constant `damping_ratio` times distance of the centroids over c_P (needs `young`, `poisson`).
+    /// constant `damping_ratio` times distance of the centroids over c_P, that of the materials where `young` and `poisson` are
+    /// given, else that of a lattice with the stiffness of the joint, the root of kn d / density.
     #[key(planar = "0.2", spatial = "0.1", changes, read_by("joints"))]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
     /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`.
@@ -127,7 +129,7 @@ pub struct Interface {
     pub brittle_bond: Option<BrittleBond>,
 }
 
-/// Linear change from peak to residual strength, by slip over `slip` plus opening over `opening`.
+/// Change from peak to residual strength, by slip over `slip` plus opening over `opening`: linear, or along `curve`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointSoftening {
@@ -135,6 +137,9 @@ pub struct JointSoftening {
     pub slip: Quantity<PositiveLength>,
     /// Opening at which no tensile strength is left, m; above tension/normal stiffness. Default `slip`.
     pub opening: Option<Quantity<PositiveLength>>,
+    /// Curve by points [share of slip and opening, share of the loss of strength that is left], from [0, 1] down to [.., 0], 2 to 8.
+    /// Default a straight line.
+    pub curve: Option<Vec<[Quantity<NotNegativePlain>; 2]>>,
 }
 
 /// Roughness of laboratory samples of 0.1 m, or of the joint itself.
@@ -217,6 +222,18 @@ pub struct Cohesive {
     /// Curve from the peak to nothing.
     #[key(default)]
     pub softening: Option<Softening>,
+    /// Curve by points [opening past the peak in any unit, share of the strength], from [0, 1] down to [.., 0], 2 to 8; with two lines
+    /// it is bilinear. Its length follows from the fracture energy. In the place of `softening`.
+    pub curve: Option<Vec<[Quantity<NotNegativePlain>; 2]>>,
+}
+
+/// The softening curve through points.
+///
+/// # Errors
+/// Points that are no curve from the whole strength down to nothing.
+pub fn curve(points: &[[Quantity<NotNegativePlain>; 2]]) -> Result<Curve, CurveError> {
+    let points: Vec<[f64; 2]> = points.iter().map(|[x, y]| [x.si(), y.si()]).collect();
+    Curve::new(&points)
 }
 
 /// Patches along edges that two blocks share at the start.

@@ -43,14 +43,20 @@ pub struct JointSet {
     pub offset: Option<Quantity<Length>>,
 }
 
-/// Joints in space.
+/// Joints in space. Exactly one of `csv`, `fab` and `dfnworks`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointPlanes {
     /// Path of a CSV file, a joint in each row (`x_m`, `y_m`, `z_m`, `dip_deg`, `dip_direction_deg`, perhaps `radius_m`) or a corner
     /// of a polygon (`fracture`, `x_m`, `y_m`, `z_m`); others: `coming-from-3dec.md`. Disks and polygons cut the blocks that they
     /// touch, all through; others every block.
-    pub csv: Name,
+    pub csv: Option<Name>,
+    /// Path of a network of FracMan (`.fab`): its polygons; surfaces of triangles are left out.
+    pub fab: Option<Name>,
+    /// Path of `polygons.dat` of dfnWorks.
+    pub dfnworks: Option<Name>,
+    /// What the length 1 in `fab` or `dfnworks` stands for, m. Default as the file says (`Length_Unit`), else 1 m.
+    pub unit: Option<Quantity<PositiveLength>>,
     /// Interface of rock bridges, the parts of cuts beyond disks and polygons.
     pub bridges: Option<Name>,
 }

@@ -119,6 +119,12 @@ pub struct MotionComponents<L: Kind, R: Kind> {
     /// Turning about z, right-handed; for `velocity` only.
     #[key(space = "spatial", instead = "use `spin`")]
     pub spin_z: Option<TimeFunction<R>>,
+    /// Point about which a velocity with a spin turns the blocks as one body; x, y, z are its velocity then, and components that are
+    /// not given are held. Default the centroid of the group; one block alone turns about its own, and what is not given is free.
+    pub about: Option<Vector<Length>>,
+    /// Each block of a group turns about its own centroid.
+    #[key(default = false)]
+    pub each: Option<bool>,
 }
 
 /// A load. Exactly one of `point`, `edge`, `moment`, `body`.

@@ -41,6 +41,7 @@ pub use ground::{
 };
 pub use interfaces::{
     BartonBandis, Bond, BrittleBond, Closure, Cohesive, Interface, InterfaceChange, JointSoftening,
+    curve,
 };
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{
@@ -57,7 +58,7 @@ pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,
     PressureCavity, Refine, Source, Venting, VentingTime,
 };
-pub use space::{Group, Material, Planar, Space, Spatial};
+pub use space::{Group, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};
 
 use super::quantity::{PositivePlain, Quantity, Table};
@@ -95,6 +96,8 @@ pub struct Scenario {
     /// Blocks and generators of blocks.
     #[serde(default)]
     pub blocks: Vec<Block>,
+    /// States of blocks at the start, from a table.
+    pub start: Option<Start>,
     /// Blocks that are held or moved.
     #[serde(default)]
     pub supports: Vec<Support>,

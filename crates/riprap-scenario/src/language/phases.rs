@@ -26,7 +26,8 @@ pub struct Phase {
     pub until: Until,
     /// Time step, s. Default automatic: `safety` times the stable one.
     pub time_step: Option<Quantity<TimeStep>>,
-    /// Share of the stable time step that is used without `time_step`.
+    /// Share of the stable time step that is used without `time_step`. Contacts that are found in space have a share of their own, which
+    /// goes down with this one below 0.5 and does not grow above.
     #[key(planar = "0.2", spatial = "0.5")]
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.

@@ -86,7 +86,7 @@ pub struct Polyhedron {
     /// Corners of each face by their place in `vertices`, from 0, in order along its boundary.
     /// Default: the faces of the convex hull.
     pub faces: Option<Vec<Vec<u32>>>,
-    /// Path of an OBJ file; coordinates in metres.
+    /// Path of an OBJ file; coordinates in metres. Several closed parts are several blocks, as with `mesh.obj`.
     pub obj: Option<Name>,
 }
 
@@ -100,7 +100,7 @@ pub struct Part {
     pub polyhedron: Option<Polyhedron>,
 }
 
-/// Cells of a file, each a block. Exactly one of `msh`, `tess` and `stl`.
+/// Cells of a file, each a block. Exactly one of `msh`, `tess`, `stl` and `obj`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
@@ -112,6 +112,9 @@ pub struct Mesh {
     pub tess: Option<Name>,
     /// Path of an STL file (text or binary): each closed convex part is a block.
     pub stl: Option<Name>,
+    /// Path of an OBJ file: each closed convex part of each object is a block. Names of objects (`o`), else of groups (`g`), become groups
+    /// of their blocks.
+    pub obj: Option<Name>,
     /// What the length 1 in the file stands for, m. Default 1 m.
     pub unit: Option<Quantity<PositiveLength>>,
     /// Name of the physical volume whose elements are taken (`msh`). Default all.

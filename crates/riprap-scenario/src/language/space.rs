@@ -78,14 +78,26 @@ pub struct Group {
     pub blocks: Vec<Name>,
 }
 
+/// States of blocks at the start.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Start {
+    /// Path of a CSV file with a block in each row, by its name in the column `block`: a block stands there with its centroid, attitude, velocity and
+    /// spin as the row says. Columns in `[space.planar]`: `x_m`, `y_m`, `angle_rad`, `vx_m_s`, `vy_m_s`, `spin_rad_s`; in `[space.spatial]`: `x_m`, `y_m`,
+    /// `z_m`, `qw`, `qx`, `qy`, `qz`, `vx_m_s`, `vy_m_s`, `vz_m_s`, `wx_rad_s`, `wy_rad_s`, `wz_rad_s`. Angle and quaternion turn the shape of the scene about its
+    /// centroid. Place, attitude, velocity and spin may each be left out; blocks without a row start as the scene says. A run writes such a
+    /// table at the end of each phase, `final_states.csv`.
+    pub csv: Name,
+}
+
 /// A material.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Mass per volume, kg/m3. Not the unit weight in kN/m3.
     pub density: Quantity<Density>,
-    /// Young's modulus, Pa. Used for stiffnesses that are not given; in `[space.spatial]` also for
-    /// held, moved and viscous boundaries and for the damping of joints.
+    /// Young's modulus, Pa. Needed for stiffnesses that are not given, and in `[space.spatial]` for deformable blocks and
+    /// held, moved and viscous boundaries; where it is given, the damping of joints goes by it too.
     pub young: Option<Quantity<Modulus>>,
     /// Poisson's ratio, greater than -1 and less than 0.5. Used as `young` is.
     pub poisson: Option<Quantity<Poisson>>,

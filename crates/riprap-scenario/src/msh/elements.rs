@@ -255,6 +255,7 @@ fn element(
             file.mesh.cells.push(Cell { kind, nodes, set });
         }
         Kind::Facet(count) => {
+            file.mesh.others += 1;
             if !tags.is_empty() {
                 let set = file.set(2, tags);
                 let last = nodes[*count - 1];
@@ -262,7 +263,7 @@ fn element(
                 file.mesh.facets.push(Facet { nodes, set });
             }
         }
-        Kind::Passed(_) => {}
+        Kind::Passed(_) => file.mesh.others += 1,
     }
     Ok(())
 }

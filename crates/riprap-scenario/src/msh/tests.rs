@@ -221,9 +221,3 @@ fn broken_files_are_errors() {
         }
     }
 }
-
-#[test]
-fn a_file_that_is_not_there_is_an_error() {
-    let error = read_msh(Path::new("no/such.msh")).unwrap_err();
-    assert!(error.starts_with("cannot read no/such.msh: "), "{error}");
-}

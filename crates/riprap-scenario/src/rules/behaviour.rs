@@ -1,7 +1,7 @@
 //! Rules of joints that soften, are rough, close along a curve or dilate.
 
 use super::Rules;
-use crate::language::{BartonBandis, Interface, JointSoftening};
+use crate::language::{BartonBandis, Interface, JointSoftening, curve};
 use crate::quantity::{FrictionAngle, Kind, Quantity, Span};
 use crate::vectors::InSpace;
 
@@ -145,8 +145,13 @@ impl Rules {
             let help = "softening goes from the peak down: lower `residual_friction_angle`";
             self.error("value.order", at, message, help);
         }
+        let points = said.curve.as_deref().unwrap_or_default();
+        if let Some([first, _]) = points.first() {
+            self.points_of_curve(of, points, &first.span);
+        }
         // Steeper than its own springs a point would jump: two answers to one displacement.
-        let drop = joint.cohesion - joint.residual_cohesion;
+        let steepest = curve(points).map_or(1.0, |curve| curve.steepest());
+        let drop = steepest * (joint.cohesion - joint.residual_cohesion);
         if let Some(shear) = joint.shear
             && said.slip.si() * shear <= drop
         {
@@ -161,9 +166,9 @@ impl Rules {
         }
         let opening = said.opening.as_ref().unwrap_or(&said.slip);
         if let Some(normal) = joint.normal
-            && opening.si() * normal <= joint.tension
+            && opening.si() * normal <= steepest * joint.tension
         {
-            let least = 1e3 * joint.tension / normal;
+            let least = 1e3 * steepest * joint.tension / normal;
             let message =
                 format!("the tensile strength of {of} softens faster than its springs give way");
             let help = format!(

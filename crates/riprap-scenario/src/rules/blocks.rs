@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Rules;
 use crate::language::{
-    Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, span_of,
+    Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, Rotate, span_of,
 };
 use crate::quantity::{Length, Span, Vector};
 use crate::values::short;
@@ -57,6 +57,8 @@ impl Rules {
                 ("rotate", block.rotate.is_some()),
                 ("velocity", block.velocity.is_some()),
                 ("spin", block.spin.is_some()),
+                ("mass", block.mass.is_some()),
+                ("inertia", block.inertia.is_some()),
             ];
             for (word, _) in moves.into_iter().filter(|(_, given)| *given) {
                 let message = format!("{of} is terrain and has `{word}`");
@@ -75,15 +77,9 @@ impl Rules {
                 self.error("key.forbidden", span, message, help);
             }
         }
-        if let (Some(rotate), InSpace::Spatial) = (&block.rotate, self.space) {
-            let about = [
-                ("axis", rotate.axis.is_some()),
-                ("dip_direction", rotate.dip_direction.is_some()),
-            ];
-            self.one_of(&rotate.angle.span, &format!("`rotate` of {of}"), &about);
-            if let Some(axis) = &rotate.axis {
-                self.normal(axis);
-            }
+        self.given_mass(span, &of, block);
+        if let Some(rotate) = &block.rotate {
+            self.rotate(span, &format!("`rotate` of {of}"), rotate);
         }
         if let Some(cut) = &block.cut {
             self.cut(span, &of, cut);
@@ -100,6 +96,70 @@ impl Rules {
                 let help = "`copies` is for single shapes; write another [[blocks]] with `shift`";
                 self.error("key.forbidden", span, message, help);
             }
+        }
+    }
+
+    /// Mass and moments of inertia are of one rigid body that stays whole.
+    fn given_mass(&mut self, span: &Span, of: &str, block: &Block) {
+        let given = [
+            ("mass", block.mass.is_some()),
+            ("inertia", block.inertia.is_some()),
+        ];
+        let many = block.cut.is_some() || block.geometry().is_some_and(Geometry::is_many);
+        for (word, _) in given.into_iter().filter(|(_, given)| *given) {
+            if many {
+                let message = format!("{of} makes several blocks and has `{word}`");
+                let help = "it is that of one body: give the material its density, or write a [[blocks]] for each shape";
+                self.error("key.forbidden", span, message, help);
+            } else if block.mechanics.is_some() {
+                let message = format!("{of} is deformable and has `{word}`");
+                let help = "it is that of a rigid body: give the material its density";
+                self.error("key.forbidden", span, message, help);
+            }
+        }
+        let Some(inertia) = block.inertia.as_ref().filter(|i| i.is_single) else {
+            return;
+        };
+        if self.values_sound && inertia.single().is_some_and(|i| i <= 0.0) {
+            let message = format!("the moment of inertia of {of} is not greater than 0");
+            let help = "of a homogeneous shape leave it out: it follows from the mass";
+            self.error("value.range", &inertia.span, message, help);
+        }
+    }
+
+    /// An angle, in space about one axis, or a quaternion.
+    fn rotate(&mut self, span: &Span, of: &str, rotate: &Rotate) {
+        let forms = [
+            ("angle", rotate.angle.is_some()),
+            ("quaternion", rotate.quaternion.is_some()),
+        ];
+        let forms = match self.space {
+            InSpace::Planar => &forms[..1],
+            InSpace::Spatial => &forms[..],
+        };
+        self.one_of(span, of, forms);
+        if let (Some(angle), InSpace::Spatial) = (&rotate.angle, self.space) {
+            let about = [
+                ("axis", rotate.axis.is_some()),
+                ("dip_direction", rotate.dip_direction.is_some()),
+            ];
+            self.one_of(&angle.span, of, &about);
+        }
+        if let Some(axis) = &rotate.axis {
+            self.normal(axis);
+        }
+        let Some(quaternion) = &rotate.quaternion else {
+            return;
+        };
+        if rotate.axis.is_some() || rotate.dip_direction.is_some() {
+            let message = format!("{of} has `quaternion`, and `axis` or `dip_direction`");
+            let help = "a quaternion has its axis in it: leave the others out";
+            self.error("key.one_of", span, message, help);
+        }
+        if self.values_sound && quaternion.iter().all(|part| part.si() == 0.0) {
+            let message = format!("the quaternion of {of} has no length");
+            let help = "write [w, x, y, z]; [1, 0, 0, 0] turns nothing";
+            self.error("value.range", &quaternion[0].span, message, help);
         }
     }
 
@@ -167,6 +227,7 @@ impl Rules {
                     ("msh", mesh.msh.is_some()),
                     ("tess", mesh.tess.is_some()),
                     ("stl", mesh.stl.is_some()),
+                    ("obj", mesh.obj.is_some()),
                 ];
                 self.one_of(span, &of, &given);
                 if let (Some(volume), None) = (&mesh.volume, &mesh.msh) {
@@ -352,6 +413,19 @@ impl Rules {
                 }
             };
             self.error("key.missing", span, message, help);
+        }
+        if let Some(joints) = &cut.joints {
+            let given = [
+                ("csv", joints.csv.is_some()),
+                ("fab", joints.fab.is_some()),
+                ("dfnworks", joints.dfnworks.is_some()),
+            ];
+            self.one_of(span, &format!("the joints of {of}"), &given);
+            if let (Some(unit), Some(_)) = (&joints.unit, &joints.csv) {
+                let message = format!("the joints of {of} have `unit` and `csv`");
+                let help = "the columns of a CSV file have their units in their names";
+                self.error("key.forbidden", &unit.span, message, help);
+            }
         }
         if let Some(traces) = &cut.traces {
             let of = format!("the traces of {of}");

@@ -5,9 +5,9 @@ use riprap_keys::Words;
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
 use crate::language::{
-    Block, BrittleBond, Cutting, Load, Mechanics, Phase, Scenario, Support, Target,
+    Block, BrittleBond, Cohesive, Cutting, Load, Mechanics, Phase, Scenario, Support, Target, curve,
 };
-use crate::quantity::{Quantity, Span};
+use crate::quantity::{NotNegativePlain, Quantity, Span};
 use riprap_core::dynamics::relaxation::PhaseKind;
 use riprap_core::laws::parameters::{BondFailure, CutAnchor};
 
@@ -154,6 +154,7 @@ impl Rules {
             let help = "bonds that soften do so spring by spring: leave out `failure`";
             self.error("key.one_of", &cohesive.mode_1.span, message, help);
         }
+        self.curve(of, cohesive);
         let [normal, shear] = least_stiffness(bond, materials);
         for (key, energy, strength, stiffness) in [
             ("mode_1", &cohesive.mode_1, &bond.tension, normal),
@@ -172,6 +173,36 @@ impl Rules {
                             strength^2 / (2 stiffness)";
                 self.error("value.range", &energy.span, message, help);
             }
+        }
+    }
+
+    /// The curve of bonds has a name or points.
+    fn curve(&mut self, of: &str, cohesive: &Cohesive) {
+        let Some(curve) = &cohesive.curve else {
+            return;
+        };
+        let span = curve
+            .first()
+            .map_or(&cohesive.mode_1.span, |point| &point[0].span);
+        if cohesive.softening.is_some() {
+            let message = format!("{of} has `softening` and `curve`");
+            self.error("key.one_of", span, message, "keep one of them");
+        }
+        self.points_of_curve(of, curve, span);
+    }
+
+    /// Points of a softening curve go down from the whole strength to nothing.
+    pub(super) fn points_of_curve(
+        &mut self,
+        of: &str,
+        points: &[[Quantity<NotNegativePlain>; 2]],
+        span: &Span,
+    ) {
+        if let Err(error) = curve(points) {
+            let message = format!("the softening `curve` of {of} cannot be used: {error}");
+            let help = "list points [opening, share of the strength] from [0, 1] to [.., 0], openings \
+                        ascending, shares falling, as in [[0, 1], [0.22, 0.33], [1, 0]]";
+            self.error("value.order", span, message, help);
         }
     }
 

@@ -68,23 +68,7 @@ impl Rules {
                     .help(help),
             );
         }
-        if interface.normal_stiffness.is_none() {
-            let lacking = scenario.materials.iter().find(|(material, properties)| {
-                let meant = match &interface.between {
-                    Some(pair) => pair.iter().any(|one| one.text == material.text),
-                    None => true,
-                };
-                meant && (properties.young.is_none() || properties.poisson.is_none())
-            });
-            if let Some((material, _)) = lacking {
-                let message = format!("{of} has no normal stiffness");
-                let help = format!(
-                    "write for example normal_stiffness = \"10 GPa/m\", or give materials.{material} \
-                     `young` and `poisson`, from which it is estimated"
-                );
-                self.error("key.missing", span, message, &help);
-            }
-        }
+        self.elastic_constants(span, of, interface, scenario);
     }
 
     /// Found contacts have one pair of dashpots, said in one way.

@@ -112,48 +112,75 @@ impl Rules {
         }
     }
 
-    /// Stiffness from the material and damping need elastic constants.
-    fn elastic_constants(
+    /// A stiffness from the material needs elastic constants: of the materials of the pairs that the interface is for.
+    pub(super) fn elastic_constants(
         &mut self,
         span: &Span,
         of: &str,
         interface: &Interface,
         scenario: &Scenario,
     ) {
-        let stiffness = interface.normal_stiffness.is_none();
-        let ratio = interface.damping_ratio.as_ref().map_or(0.1, Quantity::si);
-        // Neither the stiffness nor dashpots follow from moduli then.
-        if !stiffness && ratio <= 0.0 {
+        if interface.normal_stiffness.is_some() {
             return;
         }
-        let lacking = scenario.materials.iter().find(|(material, properties)| {
-            let meant = match &interface.between {
-                Some(pair) => pair.iter().any(|one| one.text == material.text),
-                None => true,
-            };
-            meant && (properties.young.is_none() || properties.poisson.is_none())
-        });
-        let Some((material, _)) = lacking else { return };
-        let (message, help) = if stiffness {
-            (
-                format!("{of} has no normal stiffness"),
-                format!(
-                    "give materials.{material} `young` and `poisson`, from which it follows, or \
-                     write for example normal_stiffness = \"10 GPa/m\""
-                ),
-            )
-        } else {
-            (
-                format!("the damping of {of} needs the wave speed of `{material}`"),
-                format!(
-                    "give materials.{material} `young` and `poisson`, or write damping_ratio = 0{}",
-                    match interface.restitution {
-                        Some(_) => " in place of `restitution`",
-                        None => "",
-                    }
-                ),
-            )
+        let Some([one, other]) = pairs_of(interface, scenario)
+            .into_iter()
+            .find(|pair| pair.iter().any(|name| lacks_moduli(scenario, name)))
+        else {
+            return;
         };
+        let lacking = if lacks_moduli(scenario, one) {
+            one
+        } else {
+            other
+        };
+        let message =
+            format!("{of} has no normal stiffness, which blocks of `{one}` and `{other}` need");
+        let help = format!(
+            "write for example normal_stiffness = \"10 GPa/m\", or give materials.{lacking} `young` and \
+             `poisson`, from which it is estimated"
+        );
         self.error("key.missing", span, message, &help);
     }
+}
+
+/// Whether a material has not both elastic constants.
+fn lacks_moduli(scenario: &Scenario, name: &str) -> bool {
+    let material = scenario.materials.get(name);
+    material.is_some_and(|m| m.young.is_none() || m.poisson.is_none())
+}
+
+/// Pairs of materials that an interface is for and that blocks of the scene have: two blocks of one material, or one of each.
+fn pairs_of<'a>(interface: &'a Interface, scenario: &'a Scenario) -> Vec<[&'a str; 2]> {
+    let many = |name: &str| {
+        let tables = scenario
+            .blocks
+            .iter()
+            .filter(|b| b.material.as_str() == name);
+        tables
+            .map(|b| 1 + usize::from(b.is_generator()))
+            .sum::<usize>()
+    };
+    let meet = |[a, b]: &[&str; 2]| match a == b {
+        true => many(a) > 1,
+        false => many(a) > 0 && many(b) > 0,
+    };
+    if let Some([a, b]) = &interface.between {
+        return [[a.as_str(), b.as_str()]]
+            .into_iter()
+            .filter(meet)
+            .collect();
+    }
+    let named = |[a, b]: &[&str; 2]| {
+        let pairs = scenario
+            .interfaces
+            .iter()
+            .filter_map(|(_, i)| i.between.as_ref());
+        let mut pairs = pairs.map(|pair| pair.each_ref().map(|name| name.as_str()));
+        pairs.any(|pair| pair == [*a, *b] || pair == [*b, *a])
+    };
+    let names: Vec<&str> = scenario.materials.names().collect();
+    let pairs = names.iter().enumerate();
+    let pairs = pairs.flat_map(|(k, a)| names[k..].iter().map(move |b| [*a, *b]));
+    pairs.filter(|pair| meet(pair) && !named(pair)).collect()
 }

@@ -27,8 +27,16 @@ impl Rules {
                 self.turns(&span, "nodes", motion)
                     || self.components(&span, motion, &OF_PLACE_AND_TIME)
             }
-            Some(Motion::Velocity(motion)) => self.components(&span, motion, &OF_TIME),
+            Some(Motion::Velocity(motion)) => {
+                self.turns_as_one(&span, motion);
+                self.components(&span, motion, &OF_TIME)
+            }
             Some(Motion::Acceleration(motion)) => {
+                if motion.about.is_some() {
+                    let message = "an acceleration turns no blocks about a point".to_owned();
+                    let help = "prescribe the spin by a `velocity`, or leave out `about`";
+                    self.error("key.forbidden", &span, message, help);
+                }
                 let turns = [&motion.spin_x, &motion.spin_y, &motion.spin_z];
                 if turns.iter().any(|spin| spin.is_some()) {
                     let message = "an acceleration in [space.spatial] does not turn".to_owned();
@@ -58,14 +66,37 @@ impl Rules {
         motion: &MotionComponents<L, R>,
     ) -> bool {
         let spins = [&motion.spin_x, &motion.spin_y, &motion.spin_z];
-        let turns = spins.iter().any(|spin| spin.is_some());
+        let turns = spins.iter().any(|spin| spin.is_some())
+            || motion.about.is_some()
+            || motion.each.is_some();
         if turns {
             let message = format!("{points} are moved along x, y, z and do not turn");
-            let help = "leave out the spins: formulas of x, y, z turn them, for example \
+            let help = "leave out `about`, `each` and the spins: formulas of x, y, z turn them, for example \
                         x = { formula = \"0.1*(z - 2)\" }";
             self.error("key.forbidden", span, message, help);
         }
         turns
+    }
+
+    /// How the blocks of a support turn together.
+    fn turns_as_one<L: Kind, R: Kind>(&mut self, span: &Span, motion: &MotionComponents<L, R>) {
+        let spins = [&motion.spin, &motion.spin_x, &motion.spin_y, &motion.spin_z];
+        let each = motion.each == Some(true);
+        if let (Some(about), true) = (&motion.about, each) {
+            let message = "a motion has `about` and `each`".to_owned();
+            let help = "keep `about` for one body, or `each` for every block by itself";
+            self.error("key.one_of", &about.span, message, help);
+        }
+        if spins.iter().any(|spin| spin.is_some()) {
+            return;
+        }
+        let given = [("about", motion.about.is_some()), ("each", each)];
+        for (key, _) in given.into_iter().filter(|(_, given)| *given) {
+            let message = format!("`{key}` of a motion has no effect");
+            let note = Diagnostic::warning("key.unused", message).at(span.clone());
+            self.found
+                .push(note.help("it belongs to a spin, and none is given"));
+        }
     }
 
     /// Looks at all components of a motion, whose formulas use the names `known`; whether there are any.
@@ -128,7 +159,12 @@ impl Rules {
                     );
                 }
             }
-            Some(TimeFunction::Constant(_) | TimeFunction::Sine(_) | TimeFunction::Triangle(_))
+            Some(
+                TimeFunction::Constant(_)
+                | TimeFunction::Sine(_)
+                | TimeFunction::Triangle(_)
+                | TimeFunction::At2(_),
+            )
             | None => {}
         }
     }

@@ -204,6 +204,7 @@ impl Page {
                 "Axial" => format!("axial: {of}"),
                 "Down" => format!("downward: {of}"),
                 "Tensor" => format!("tensor: {of}"),
+                "Moments" => format!("moments: {of}"),
                 "Direction" => "direction".to_owned(),
                 _ => format!("vector: {of}"),
             };

@@ -278,45 +278,95 @@ fn find_unit(name: &str) -> Option<(f64, Dim)> {
         .map(|unit| (prefix_factor(prefix) * unit.factor, unit.dim))
 }
 
+/// Words of units as people write them, and how they are written here.
+const LONG_FORMS: &[(&str, &str)] = &[
+    ("metre", "m"),
+    ("meter", "m"),
+    ("metres", "m"),
+    ("meters", "m"),
+    ("second", "s"),
+    ("seconds", "s"),
+    ("sec", "s"),
+    ("secs", "s"),
+    ("msec", "ms"),
+    ("msecs", "ms"),
+    ("millisecond", "ms"),
+    ("milliseconds", "ms"),
+    ("usec", "us"),
+    ("microseconds", "us"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("radian", "rad"),
+    ("radians", "rad"),
+    ("newton", "N"),
+    ("pascal", "Pa"),
+    ("joule", "J"),
+    ("hertz", "Hz"),
+    ("hour", "h"),
+    ("hours", "h"),
+    ("minute", "min"),
+    ("minutes", "min"),
+    ("days", "day"),
+    ("tonne", "t"),
+    ("micron", "um"),
+    ("cps", "Hz"),
+    ("degs", "deg"),
+    ("feet", "ft"),
+    ("foot", "ft"),
+    ("inch", "in"),
+    ("inches", "in"),
+    ("millimetre", "mm"),
+    ("millimetres", "mm"),
+    ("millimeter", "mm"),
+    ("millimeters", "mm"),
+    ("centimetres", "cm"),
+    ("centimeters", "cm"),
+    ("kilometres", "km"),
+    ("kilometers", "km"),
+    ("usecs", "us"),
+    ("hr", "h"),
+    ("hrs", "h"),
+    ("tons", "t"),
+    ("tonnes", "t"),
+    ("gal", "cm/s2"),
+    ("gals", "cm/s2"),
+];
+
+/// A unit expression with words that are spelled out (`sec`, `metres`) or in other capitals (`MM`) as they are written here.
+#[must_use]
+pub fn spelled(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let end = rest
+            .find(|c: char| !c.is_alphabetic())
+            .unwrap_or(rest.len());
+        let (word, after) = rest.split_at(end.max(first.len_utf8()));
+        let lower = word.to_lowercase();
+        let long = LONG_FORMS.iter().find(|(long, _)| *long == lower);
+        let long = long.map(|(_, short)| (*short).to_owned());
+        let alike: Vec<String> = match find_unit(word) {
+            Some(_) => Vec::new(),
+            None => (all_names().into_iter())
+                .filter(|known| known.to_lowercase() == lower)
+                .collect(),
+        };
+        out.push_str(match (&long, &alike[..]) {
+            (Some(long), _) => long,
+            (None, [one]) => one,
+            (None, _) => word,
+        });
+        rest = after;
+    }
+    out
+}
+
 fn unknown_unit(name: &str) -> UnitError {
     let names = all_names();
     let lower = name.to_lowercase();
     let same_letters = names.iter().find(|known| known.to_lowercase() == lower);
-    let long_form = [
-        ("metre", "m"),
-        ("meter", "m"),
-        ("metres", "m"),
-        ("meters", "m"),
-        ("second", "s"),
-        ("seconds", "s"),
-        ("sec", "s"),
-        ("secs", "s"),
-        ("msec", "ms"),
-        ("msecs", "ms"),
-        ("millisecond", "ms"),
-        ("milliseconds", "ms"),
-        ("usec", "us"),
-        ("microseconds", "us"),
-        ("degree", "deg"),
-        ("degrees", "deg"),
-        ("radian", "rad"),
-        ("radians", "rad"),
-        ("newton", "N"),
-        ("pascal", "Pa"),
-        ("joule", "J"),
-        ("hertz", "Hz"),
-        ("hour", "h"),
-        ("hours", "h"),
-        ("minute", "min"),
-        ("minutes", "min"),
-        ("days", "day"),
-        ("tonne", "t"),
-        ("micron", "um"),
-        ("cps", "Hz"),
-    ]
-    .iter()
-    .find(|(long, _)| *long == lower)
-    .map(|(_, short)| (*short).to_owned());
+    let long_form = LONG_FORMS.iter().find(|(long, _)| *long == lower);
+    let long_form = long_form.map(|(_, short)| (*short).to_owned());
     let suggestion = same_letters
         .cloned()
         .or(long_form)

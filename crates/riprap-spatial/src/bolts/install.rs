@@ -38,6 +38,11 @@ pub fn install(world: &mut World, numbers: &[u32]) -> Result<(), InstallError> {
     Ok(())
 }
 
+/// A bolt as it would be installed in the rock as it is; `None` where it could not.
+pub(crate) fn as_it_is(world: &World, number: u32) -> Option<Bolt> {
+    one(world, number, world.setup.bolts.get(number as usize)?).ok()
+}
+
 fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
     let length = spec.head.distance(spec.toe);
     let axis = (spec.toe - spec.head) / length;

@@ -11,7 +11,7 @@ use super::limit::{self, Known, Speeds};
 use super::{glued, left};
 use crate::exec::{CHUNK, Exec};
 use crate::found::desk::{
-    Acting, Deepest, Desk, Exerted, PairGroup, PairSums, Slot, Workspace, exerted,
+    Acting, Deepest, Desk, Exerted, PairGroup, PairSums, Pressed, Slot, Workspace, exerted,
 };
 use crate::found::glued::{Glued, Placed};
 use crate::found::{
@@ -298,11 +298,9 @@ impl Evaluation<'_> {
                 };
                 let sums = &mut group.sums;
                 pair.depth = 2.0 * radius;
-                sums.deepest = Some(Deepest {
-                    ends: pair.ends,
-                    depth: pair.depth,
-                    ratio: f64::INFINITY,
-                });
+                let reach = constants.inradius;
+                let deep = Deepest::new(pair.ends, Pressed::NoSurface, pair.depth, reach);
+                sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
                 return;
             }
         };
@@ -313,6 +311,7 @@ impl Evaluation<'_> {
         let law = constants.law(self.known.rows);
         let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
         let before = left(pair) + pair.stored;
+        let falls = workspace.walker.falling(&law, &surface);
         let reply = respond(
             &law,
             &Question {
@@ -325,6 +324,7 @@ impl Evaluation<'_> {
                 dt: self.dt,
                 last_dt: self.last_dt,
                 shared: None,
+                falls,
             },
             &mut pair.memory,
             &mut pair.offset,
@@ -339,13 +339,8 @@ impl Evaluation<'_> {
         pair.force = reply.wrench.force;
         pair.depth = surface.depth;
         pair.gap = 0.0;
-        let ratio = surface.depth / constants.inradius;
-        let deep = Deepest {
-            ends: pair.ends,
-            depth: surface.depth,
-            // What is not a number must not pass for shallow.
-            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
-        };
+        let reach = constants.inradius;
+        let deep = Deepest::new(pair.ends, Pressed::Contact, surface.depth, reach);
         sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
         let exerted = Exerted {
             elastic: reply.elastic.plus(&reply.offset),

@@ -16,6 +16,8 @@ pub(super) struct Spread {
     pub(super) area: f64,
     /// Polar second moment about the centre over the area, m².
     pub(super) polar: f64,
+    /// Area that the springs along it stand for at least, m².
+    pub(super) held: f64,
 }
 
 impl Facing {
@@ -30,6 +32,7 @@ impl Facing {
             arm: turn * self.centre + way,
             area: self.face.min((1.0 + self.corner / self.polar) * self.area),
             polar: self.polar,
+            held: 0.0,
         }
     }
 
@@ -112,10 +115,11 @@ impl Felt {
             arm,
             area,
             polar,
+            held,
         } = spread;
         let (across, along) = (
             2.0 * area * law.normal_stiffness,
-            2.0 * area * law.shear_stiffness,
+            2.0 * area.max(held) * law.shear_stiffness,
         );
         let force = |d: Vec3| along * d + (across - along) * n.dot(d) * n;
         let (mass, inertia) = (ease.mass.sqrt(), ease.inertia.sqrt());
@@ -229,6 +233,7 @@ mod tests {
                 arm: face.centre + s * e + t * h,
                 area,
                 polar: area / 6.0,
+                held: 0.0,
             };
             part.add(&ease, &LAW, &spread);
             assert!(part.bound() <= share.bound(), "{s} {t}");
@@ -252,6 +257,7 @@ mod tests {
             arm: face.arm + 0.25 * (e + h),
             area: 0.25,
             polar: 1.0 / 24.0,
+            held: 0.0,
         };
         part.add(&ease, &LAW, &spread);
         assert!(part.bound() <= whole.bound());

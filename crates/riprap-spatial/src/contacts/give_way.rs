@@ -94,6 +94,8 @@ pub(super) fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]
     let ends = world.patches.ends.iter().enumerate();
     let gone: Vec<usize> = ends.filter(|(_, e)| goes(e)).map(|(p, _)| p).collect();
     for &p in &gone {
+        let failed = failed_points(world, p);
+        world.failed.add(world.patches.ends[p], failed);
         hand_over(world, scratch, p);
         let faces = [0, 1].map(|side| Face {
             parted: true,
@@ -121,6 +123,17 @@ fn gyration(world: &World, p: usize) -> [f64; 2] {
         Points::Quarter => 0.75f64.sqrt(),
     };
     class.half_spacing.map(|half_spacing| half_spacing / spread)
+}
+
+/// Number of points of patch `p` that have failed once found contact takes it over: all of them where its law has a strength, which
+/// ends then, also where a neighbour between the same blocks let it go.
+fn failed_points(world: &World, p: usize) -> u64 {
+    let (flags, class) = (world.patches.flags[p], world.patches.class[p]);
+    let joint = patch::joint(&world.setup.interfaces, &world.classes[class as usize]);
+    match &joint.strength {
+        Some(strength) if strength.tension > 0.0 || strength.cohesion > 0.0 => 4,
+        _ => u64::from((flags & flag::BROKEN).count_ones()),
+    }
 }
 
 /// Whether nothing but pressure and friction holds a patch: all points have failed, or there is nothing that could.

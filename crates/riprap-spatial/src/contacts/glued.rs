@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 
 use super::limit;
 use crate::build::BuildError;
-use crate::found::desk::{Deepest, Exerted, Facing, GluedWorkspace, PairGroup, Slot};
+use crate::found::desk::{Deepest, Exerted, Facing, GluedWorkspace, PairGroup, Pressed, Slot};
 use crate::found::glued::{Glued, Placed, Touch};
 use crate::found::{ContactLaw, Motion, Pose, Question, respond};
 use crate::setup::{FaceSet, Setup, Shape, Solid};
@@ -80,11 +80,9 @@ pub(super) fn act(
                     // No force can be given: not a number stops the run, and the deepest contact is to blame.
                     exerted.elastic.force = Vec3::NAN;
                     pair.depth = 2.0 * radius;
-                    sums.deepest = Some(Deepest {
-                        ends: pair.ends,
-                        depth: pair.depth,
-                        ratio: f64::INFINITY,
-                    });
+                    let deep =
+                        Deepest::new(pair.ends, Pressed::NoSurface, pair.depth, asked.inradius);
+                    sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
                     new.at = group.push(exerted);
                     *slot = new;
                     return;
@@ -102,6 +100,7 @@ pub(super) fn act(
                 },
                 |k| old.remove(k),
             );
+            let falls = gluer.walker.falling(law, &surface);
             let reply = respond(
                 law,
                 &Question {
@@ -114,6 +113,7 @@ pub(super) fn act(
                     dt: *dt,
                     last_dt: asked.last_dt,
                     shared: None,
+                    falls,
                 },
                 &mut contact.memory,
                 &mut None,
@@ -147,12 +147,7 @@ pub(super) fn act(
     }
     pair.gap = gap - ROUNDING * gap;
     if new.touching {
-        let ratio = pair.depth / asked.inradius;
-        let deep = Deepest {
-            ends: pair.ends,
-            depth: pair.depth,
-            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
-        };
+        let deep = Deepest::new(pair.ends, Pressed::Contact, pair.depth, asked.inradius);
         sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
         new.at = group.push(exerted);
     }

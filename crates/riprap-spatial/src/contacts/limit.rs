@@ -132,6 +132,8 @@ impl StepLimit<'_> {
                     let whole = BOUNDED * loss * step_of(stiffness * most * ease.of_area(most));
                     let closing = speeds.closing(pair.ends, memory);
                     longest = longest.min(whole.max(growing(small, closing, pair.depth)));
+                    let held = 2.0 * held(law, memory, slot.area) * law.shear_stiffness;
+                    longest = longest.min(BOUNDED * loss * step_of(held * ease.of_area(slot.area)));
                 }
                 if constants.glued && known {
                     // Each piece has a place of its own.
@@ -143,13 +145,14 @@ impl StepLimit<'_> {
                             arm: piece.memory.arms[usize::from(second)],
                             area: (growth * piece.area).min(most).max(face),
                             polar: piece.memory.polar / piece.memory.area,
+                            held: held(law, &piece.memory, piece.area),
                         };
                         felt.add(&ease, law, &spread);
                     }
                     damping = damping.max(law.damping_ratio);
                     continue;
                 }
-                let mostly = flat.is_none_or(|flat| memory.area >= MOSTLY * flat.area);
+                let mostly = flat.is_none_or(|flat| slot.area >= MOSTLY * flat.area);
                 if known && (slight || mostly) {
                     let grown = (BOUNDED / share) * (BOUNDED / share) * slot.area;
                     let spread = Spread {
@@ -161,6 +164,7 @@ impl StepLimit<'_> {
                             grown.min(most).max(flat.map_or(slot.area, |f| f.area))
                         },
                         polar: memory.polar / memory.area,
+                        held: held(law, memory, slot.area),
                     };
                     felt.add(&ease, law, &spread);
                 } else if let Some(flat) = flat {
@@ -184,6 +188,16 @@ impl StepLimit<'_> {
             longest = longest.min(BOUNDED * 2.0 * loss / square.sqrt());
         }
         longest
+    }
+}
+
+/// Area that the springs along a contact stand for where it is stiffer along than across, m²; 0 elsewhere.
+fn held(law: &ContactLaw, memory: &Memory, area: f64) -> f64 {
+    let across = law.normal_stiffness.max(law.shear_stiffness) * area;
+    if law.shear_stiffness * memory.area > across {
+        memory.area
+    } else {
+        0.0
     }
 }
 

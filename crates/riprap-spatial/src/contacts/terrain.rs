@@ -327,6 +327,7 @@ impl Here<'_> {
             dt: self.dt,
             last_dt: self.last_dt,
             shared: None,
+            falls: 0.0,
         }
     }
 }

@@ -96,6 +96,8 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if world.alive.len() + new > MAX_BLOCKS {
         return Err(RefineError::TooMany.into());
     }
+    // Parts begin with half a kick of forces of their own.
+    step::end_motion(world, scratch, &scratch.damping.clone())?;
     // Nothing moves until `after`: what the residual changes by is what the cut has made.
     let before = View { world, scratch }.balance().residual();
     let count = cuts.len();
@@ -161,6 +163,7 @@ pub fn one(
         return Ok(Vec::new());
     };
     let cut = select::cut(world, (deform, work), body, note, parts);
+    step::end_motion(world, scratch, &scratch.damping.clone())?;
     let before = View { world, scratch }.balance().residual();
     carry_out(world, scratch, vec![cut])?;
     step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;

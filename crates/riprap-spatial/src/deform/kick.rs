@@ -182,6 +182,10 @@ impl Kick<'_> {
             add(&mut arrival.damping, -(before * dot(&damping, &v)));
             add(&mut departure.damping, -(behind * dot(&damping, &after)));
         }
+        if local != 0.0 {
+            add(&mut arrival.local, -(before * dot(&drag, &v)));
+            add(&mut departure.local, -(behind * dot(&drag, &after)));
+        }
         true
     }
 
@@ -260,6 +264,7 @@ impl Kick<'_> {
             works.gravity += half * node.weight.dot(v);
             works.loads += half * node.load.dot(v);
             works.damping -= half * damping.dot(v);
+            works.local -= half * drag.dot(v);
             works.absorbed += half * absorbed.dot(v);
         }
         let [before, after] = support.works(self.half, [v, v + change], Vec3::dot);

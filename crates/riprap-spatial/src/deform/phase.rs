@@ -48,6 +48,9 @@ pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
         return;
     };
     for &block in removed {
+        for facet in deform.facets.iter().filter(|f| f.blocks.contains(&block)) {
+            world.failed.add(facet.blocks, deform.failed_points(facet));
+        }
         deform.retire(block);
     }
     if !removed.is_empty() {

@@ -31,6 +31,7 @@ impl BlockClass {
         let scale = |shares: Vec<f64>| shares.iter().map(|v| material.density * v).collect();
         Self {
             faces: solid.faces,
+            depths: Default::default(),
             groups: Groups::new(&mesh),
             stiffness: shared.then(|| Stiffness::new(&mesh, &law)),
             law,

@@ -1,12 +1,12 @@
 //! What the evaluation of contacts between blocks of cells works with; can be dropped and laid out anew without changing a result.
 //!
-//! A block is a star of [`Cell`]s: tetrahedra from its centre to the triangles of its surface. Its depth is nil on the surface
-//! and `peak`, the least distance of the centre from a face at the start, at the centre. So faces of a cube have slope one and
-//! press like those of rigid blocks; a face that lies twice as far from the centre as the nearest one has half the slope.
+//! A block is a set of [`Cell`]s: tetrahedra that carry its depth, which at the start is the distance from the nearest face
+//! ([`DepthCells`]). So every face has slope one and presses like that of a rigid block, whatever the shape of the block. The corners of the cells
+//! move with the material, and the depth at them stays.
 //! Deviation from a depth over several layers of elements: these blocks have one.
 
 use riprap_geom::Vec3;
-use riprap_geom::polyhedron::Tetrahedra;
+use riprap_geom::polyhedron::DepthCells;
 
 use super::friction::ContactLaw;
 use super::grid::{Box3, Grid};
@@ -19,12 +19,14 @@ pub struct Star {
     pub origin: Vec3,
     /// Box around it.
     pub bounds: Box3,
-    /// Its cells in the order of the tetrahedra; one that is inside out meets nothing.
+    /// Its cells in their order; one that is inside out meets nothing.
     pub cells: Vec<Cell>,
     /// Boxes of the cells.
     pub boxes: Vec<Box3>,
-    /// Whether all cells are sound.
+    /// Whether no tetrahedron of the block is inside out.
     pub sound: bool,
+    /// Where the points of the cells are that are no nodes, m.
+    pub(super) points: Vec<Vec3>,
 }
 
 impl Default for Star {
@@ -35,23 +37,45 @@ impl Default for Star {
             cells: Vec::new(),
             boxes: Vec::new(),
             sound: true,
+            points: Vec::new(),
         }
     }
 }
 
 impl Star {
-    /// Puts the cells of a mesh, whose nodes are at `place` (m) now, in their places.
-    pub fn put(&mut self, tets: &[[u32; 4]], peak: f64, origin: Vec3, place: impl Fn(u32) -> Vec3) {
+    /// Puts the cells of a block, whose nodes are at `place` (m) now, in their places; of one that bends, `tets` are the tetrahedra.
+    pub fn put(
+        &mut self,
+        field: &DepthCells,
+        tets: &[[u32; 4]],
+        origin: Vec3,
+        place: impl Fn(u32) -> Vec3,
+    ) {
         self.origin = origin;
         self.bounds = Box3::EMPTY;
         self.cells.clear();
         self.boxes.clear();
-        self.sound = true;
-        for tet in tets {
-            let places = tet.map(&place);
-            let cell = Cell::new(places.map(|at| at - origin), peak);
+        self.points.clear();
+        for point in &field.points {
+            let shares = point.nodes.into_iter().zip(point.weights);
+            self.points
+                .push(shares.map(|(node, w)| w * place(node)).sum());
+        }
+        let nodes = field.depths.len() - field.points.len();
+        for corners in &field.cells {
+            let places = corners.map(|k| match (k as usize).checked_sub(nodes) {
+                None => place(k),
+                Some(point) => self.points[point],
+            });
+            let depths = corners.map(|k| field.depths[k as usize]);
+            let cell = Cell::new(places.map(|at| at - origin), depths);
             self.push(places, cell);
         }
+        // A thin cell may fold where its block is only bent: what counts is the block.
+        self.sound = tets.iter().all(|tet| {
+            let [a, b, c, d] = tet.map(&place);
+            (b - a).dot((c - a).cross(d - a)) > 0.0
+        });
     }
 
     /// Adds a cell with these corners (m); `None` where it is inside out.
@@ -64,19 +88,8 @@ impl Star {
         self.bounds.low = self.bounds.low.min(around.low);
         self.bounds.high = self.bounds.high.max(around.high);
         self.boxes.push(around);
-        self.sound &= cell.is_some();
         self.cells.push(cell.unwrap_or_default());
     }
-}
-
-/// Least distance of the centre of a mesh from its faces, m.
-#[must_use]
-pub fn peak(mesh: &Tetrahedra) -> f64 {
-    let heights = mesh
-        .gradients
-        .iter()
-        .map(|[a, b, c]| 1.0 / (*a + *b + *c).length());
-    heights.fold(f64::INFINITY, f64::min)
 }
 
 /// What is the same in all steps for a block that is in a pair.
@@ -86,9 +99,11 @@ pub struct Member {
     pub block: u32,
     /// Its place among the deformable ones; `None` for a rigid one.
     pub body: Option<u32>,
-    /// Mesh of a rigid block about its centroid.
-    pub mesh: Option<Tetrahedra>,
-    /// Depth at its centre, m.
+    /// Cells of a rigid block about its centroid, and the places of their nodes, m.
+    pub rigid: Option<(DepthCells, Vec<Vec3>)>,
+    /// Least distance of its centre from a face, m: the half cell of its stiffness.
+    pub half: f64,
+    /// Largest depth in it, m.
     pub peak: f64,
     /// Area of its largest face, m².
     pub largest: f64,
@@ -108,7 +123,7 @@ pub struct PairConstants {
     pub law: ContactLaw,
     /// Places of the blocks among the members.
     pub members: [u32; 2],
-    /// The smaller one of the depths of the centres, m; on terrain that of the block.
+    /// The smaller one of the largest depths in the blocks, m; on terrain that of the block.
     pub peak: f64,
     /// Place of the terrain among all, of a block on it.
     pub ground: Option<u32>,
@@ -117,8 +132,8 @@ pub struct PairConstants {
 /// A point at which friction and dashpots of a contact act.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spot {
-    /// Tetrahedra of both blocks.
-    pub tets: [u32; 2],
+    /// Cells of both blocks.
+    pub cells: [u32; 2],
     /// Shape functions of their corners there.
     pub weights: [[f64; 4]; 2],
     /// From the centres of both blocks, m.

@@ -88,14 +88,31 @@ pub struct WhoDesk {
     pub joined: Sets,
 }
 
+/// What a block is pressed into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pressed {
+    /// A block that it was found to touch.
+    Contact,
+    /// Blocks that overlap while no surface was found on which they could press each other: no force can be given.
+    NoSurface,
+    /// A block that a joint ties it to.
+    Joint,
+    /// The half block behind a face with this condition.
+    Condition(u16),
+}
+
 /// How deep two blocks lie in each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deepest {
-    /// The blocks.
+    /// The blocks; twice the same one that is pressed into what a condition has put behind its face.
     pub ends: [u32; 2],
+    /// What is pressed.
+    pub pressed: Pressed,
     /// Depth, m.
     pub depth: f64,
-    /// Depth over the smaller inscribed radius; what is not a number counts as infinite.
+    /// How deep it may be at most: the radius of the largest ball in the thinner block, m.
+    pub reach: f64,
+    /// Depth over that; what is not a number counts as infinite.
     pub ratio: f64,
 }
 
@@ -131,11 +148,28 @@ pub fn exerted<'a>(groups: &'a [PairGroup], slot: &Slot, k: usize) -> Option<&'a
 }
 
 impl Deepest {
-    /// The deeper of two, the first where they are equal.
+    /// Of two blocks that lie so deep (m) in each other, the largest ball in the thinner one having this radius (m).
+    #[must_use]
+    pub fn new(ends: [u32; 2], pressed: Pressed, depth: f64, reach: f64) -> Self {
+        let ratio = depth / reach;
+        Self {
+            ends,
+            pressed,
+            depth,
+            reach,
+            // What is not a number must not pass for shallow.
+            ratio: if ratio.is_nan() { f64::INFINITY } else { ratio },
+        }
+    }
+
+    /// The deeper of two, the first where they are equal. One without a force is above all others, whatever its depth.
     #[must_use]
     pub fn deeper(a: Option<Self>, b: Option<Self>) -> Option<Self> {
         match (a, b) {
-            (Some(x), Some(y)) => Some(if y.ratio > x.ratio { y } else { x }),
+            (Some(x), Some(y)) => {
+                let rank = |d: &Self| (d.pressed == Pressed::NoSurface, d.ratio);
+                Some(if rank(&y) > rank(&x) { y } else { x })
+            }
             (a, b) => a.or(b),
         }
     }

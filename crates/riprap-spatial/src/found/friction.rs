@@ -29,6 +29,12 @@ const LOST: f64 = 1e-14;
 /// No pressure has a mean radius below this, times its radius of gyration (a uniform line has 0.866): sticking below it is certain.
 const LEAST_MEAN_RADIUS: f64 = 0.86;
 
+/// Stiffness of the springs along a contact that sticks, over the negative one of its pressure: what slides needs the friction to be overcome, less
+/// one part of this.
+const HOLD: f64 = 8.0;
+/// The springs along a contact are no stiffer than this, times its normal stiffness.
+const STIFFEST: f64 = 100.0;
+
 /// Parameters of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactLaw {
@@ -66,6 +72,14 @@ impl ContactLaw {
         }
     }
 
+    /// Negative stiffness along a contact, over the normal one, from which its springs have to be stiffer than their law says to hold it; `None` where
+    /// no springs hold.
+    #[must_use]
+    pub fn least_falling(&self) -> Option<f64> {
+        let holds = self.shear_stiffness > 0.0 && (self.friction > 0.0 || self.cohesion > 0.0);
+        holds.then(|| self.shear_stiffness / (HOLD * self.normal_stiffness))
+    }
+
     /// Dashpot of a contact of an area (m²) between blocks of this reduced mass (kg) along a stiffness (Pa/m), N s/m.
     fn dashpot(&self, stiffness: f64, area: f64, mass: f64) -> f64 {
         2.0 * self.damping_ratio * (stiffness * area * mass).sqrt()
@@ -81,9 +95,9 @@ pub struct Memory {
     pub torsion: f64,
     /// Unit normal of the last step, from A to B; zero before the first.
     pub normal: Vec3,
-    /// Area of the last step, m².
+    /// Area of the last step that its springs stand for, m²: more than its own where its pressure falls along it.
     pub area: f64,
-    /// Polar second moment of the area of the last step, m⁴.
+    /// Polar second moment of that area, m⁴.
     pub polar: f64,
     /// Whether it slid in the last step.
     pub sliding: bool,
@@ -194,6 +208,8 @@ struct Contact {
     spread: Mat3,
     /// Squared radius of gyration of the pressure, m².
     gyration: f64,
+    /// Stiffness of the springs along it over that of the law, at least 1.
+    hold: f64,
 }
 
 /// What the law is asked.
@@ -218,6 +234,8 @@ pub struct Question<'a> {
     /// What dashpots across add to the pressure, over it, where the surface shares them with others ([`Shared::ratio`]); `None`: it has its
     /// own.
     pub shared: Option<f64>,
+    /// Negative stiffness of the pressure along the surface, over the normal stiffness of the law, m².
+    pub falls: f64,
 }
 
 /// A contact, what moves in it and what resists.
@@ -332,7 +350,7 @@ pub fn respond(
     work += memory.work(&q.motion, q.dt);
     let (mut shear, mut torsion) = (memory.shear, memory.torsion);
     if !memory.sliding {
-        let along = law.dashpot(law.shear_stiffness, c.area, mass);
+        let along = law.dashpot(law.shear_stiffness, c.hold * c.area, mass);
         shear -= along * v.along;
         torsion -= along * c.polar / c.area * v.twist;
         let excess = limit.excess(shear, torsion, &c, q.mean_radius);
@@ -464,10 +482,10 @@ fn advance(
     // way of this step is one along the contact of now.
     let shear = turned(memory.shear, [memory.normal, c.normal], turning);
     let torsion = memory.torsion;
-    memory.shear =
-        shear * shrunk(memory.area, c.area) - law.shear_stiffness * c.area * q.dt * v.along;
+    let (area, polar) = (c.hold * c.area, c.hold * c.polar);
+    memory.shear = shear * shrunk(memory.area, area) - law.shear_stiffness * area * q.dt * v.along;
     memory.torsion =
-        torsion * shrunk(memory.polar, c.polar) - law.shear_stiffness * c.polar * q.dt * v.twist;
+        torsion * shrunk(memory.polar, polar) - law.shear_stiffness * polar * q.dt * v.twist;
     let excess = limit.excess(memory.shear, memory.torsion, c, q.mean_radius);
     memory.sliding = excess > 1.0;
     if memory.sliding {
@@ -475,8 +493,8 @@ fn advance(
         memory.torsion /= excess;
     }
     memory.normal = c.normal;
-    memory.area = c.area;
-    memory.polar = c.polar;
+    memory.area = area;
+    memory.polar = polar;
 }
 
 /// The ellipse of sliding.
@@ -548,7 +566,21 @@ fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
         polar,
         spread,
         gyration,
+        hold: hold(law, q.falls / area),
     })
+}
+
+/// Stiffness of the springs along a contact over that of the law, from the negative stiffness of the pressure along it over the normal one.
+///
+/// Edges and tips that stick to each other must not slip past while friction holds them: the springs outweigh the pressure, which
+/// pushes aside (`lateral`). What has less negative stiffness than that keeps the springs of the law to the last bit.
+fn hold(law: &ContactLaw, falls: f64) -> f64 {
+    if falls > 0.0 && law.shear_stiffness > 0.0 {
+        (HOLD * falls).min(STIFFEST) * law.normal_stiffness / law.shear_stiffness
+    } else {
+        1.0
+    }
+    .max(1.0)
 }
 
 /// Second moments of the area about a point, `int (x - point)(x - point)ᵀ dS`, m⁴.

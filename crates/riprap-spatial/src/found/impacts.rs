@@ -138,6 +138,7 @@ impl Two {
         };
         self.touched = true;
         self.lowest = self.lowest.min(self.blocks[1].pose.position.z);
+        let falls = self.walker.falling(&self.law, &sums);
         let question = Question {
             sums: &sums,
             mean_radius: &|point| self.walker.mean_radius(point),
@@ -148,6 +149,7 @@ impl Two {
             dt,
             last_dt: dt,
             shared: None,
+            falls,
         };
         let reply = respond(&self.law, &question, &mut self.memory, &mut self.offset);
         self.booked += reply.booked;

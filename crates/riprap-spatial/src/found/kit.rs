@@ -187,7 +187,7 @@ pub fn overlapping(kind: Kind, depth: f64, chance: &mut Chance) -> ([Shape; 2], 
         };
         let room =
             |distance: f64| match Placed::new([&shapes[0], &shapes[1]], poses(distance)).peak() {
-                Peak::Apart { .. } => 0.0,
+                Peak::Apart { .. } | Peak::Unsure => 0.0,
                 Peak::Overlap { depth, .. } => 2.0 * depth,
             };
         let (mut near, mut far) = (0.0, 3.0);

@@ -18,6 +18,7 @@ pub mod frame;
 pub mod friction;
 pub mod glued;
 pub mod grid;
+mod lateral;
 pub mod limits;
 #[cfg(target_arch = "x86_64")]
 mod octagon;

@@ -402,6 +402,7 @@ impl Workspace {
             // Both together can come nearer by no more than that before the list is made anew.
             Peak::Apart { gap: found, .. } if found > gap => return,
             Peak::Apart { axis, .. } => axis,
+            Peak::Unsure => Vec3::ZERO,
             Peak::Overlap { start, .. } => start.map_or(Vec3::ZERO, |[f, g]| {
                 let normal = |k: u16| self.planes.normal(usize::from(k));
                 (normal(f) - normal(g)).normalize_or_zero()

@@ -120,6 +120,38 @@ impl Shape {
         Ok(shape)
     }
 
+    /// Way that counts for the energy of an edge or a corner of it in a face, over the diameter of the largest ball in what both have in common: of the
+    /// sharpest one, at least 1. An edge of the half angle b goes in by `(1 + 1/sin b)/2` of that ball, a corner likewise, but stores half as much.
+    #[must_use]
+    pub fn sharpness(&self) -> f64 {
+        let way = |sine: f64| 0.5 * (1.0 + 1.0 / sine.max(1e-3));
+        let mut sharpest = 1.0_f64;
+        for f in 0..self.faces() {
+            for g in 0..f {
+                let shared = self
+                    .outline(f)
+                    .iter()
+                    .filter(|v| self.outline(g).contains(v));
+                if shared.count() >= 2 {
+                    let sine = 0.5 * (self.normals[f] + self.normals[g]).length();
+                    sharpest = sharpest.max(way(sine));
+                }
+            }
+        }
+        for vertex in 0..self.vertices.len() as u16 {
+            let around = || (0..self.faces()).filter(|f| self.outline(*f).contains(&vertex));
+            let inward = -around()
+                .map(|f| self.normals[f])
+                .sum::<Vec3>()
+                .normalize_or_zero();
+            let sine = around()
+                .map(|f| -inward.dot(self.normals[f]))
+                .fold(1.0, f64::min);
+            sharpest = sharpest.max(0.5 * way(sine));
+        }
+        sharpest
+    }
+
     /// Memory that it takes.
     #[must_use]
     pub fn bytes(&self) -> usize {
@@ -166,7 +198,7 @@ impl Shape {
         // Four times the sum of two radii, as for a pair.
         match peak(&planes, 8.0 * self.radius) {
             Peak::Overlap { depth, .. } => Ok(depth),
-            Peak::Apart { .. } => Err(ShapeError::NoRoom),
+            Peak::Apart { .. } | Peak::Unsure => Err(ShapeError::NoRoom),
         }
     }
 }

@@ -9,9 +9,11 @@
 //! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
 //! add up to 1 and change continuously as one face passes through the other.
 
-use riprap_geom::Vec3;
+use riprap_geom::{Mat3, Vec3};
 
+use super::ContactLaw;
 use super::frame::{Frame, Frames, PARALLEL};
+use super::lateral;
 use super::peak::{Peak, peak};
 use super::piece::{self, BOUNDARY, Cutter, OPEN, Polygon};
 use super::planes::{Planes, origin};
@@ -41,8 +43,8 @@ pub enum Found {
     Apart(f64),
     /// They overlap.
     Touching(Sums),
-    /// One block lies in the other so deep that they have no surface of equal pressure; radius of the largest ball in both, m.
-    /// No force can be given: the run must stop.
+    /// They have no surface of equal pressure: one block lies in the other as a whole, or round-off has lost it. Radius of the largest ball
+    /// in both, m. No force can be given: the run must stop.
     Swallowed(f64),
 }
 
@@ -87,6 +89,8 @@ pub struct Walker {
     stamp: u32,
     /// Whether each plane has a piece.
     met: Vec<bool>,
+    /// The pieces that are not empty.
+    pieces: Vec<[u16; 2]>,
     ties: Vec<Tie>,
     remnant: Remnant,
     radius: f64,
@@ -123,6 +127,7 @@ impl Walker {
         self.all.gather_all(pair.bodies, origin(a, b));
         let (depth, start) = match peak(&self.all, 4.0 * (a.shape.radius + b.shape.radius)) {
             Peak::Apart { gap, .. } => return Some(Found::Apart(gap)),
+            Peak::Unsure => return self.look_for_proof(),
             Peak::Overlap { depth, start, .. } => (depth, start),
         };
         if depth < LOST * self.radius {
@@ -148,6 +153,27 @@ impl Walker {
         }
     }
 
+    /// Where round-off has hidden the peak a piece that lies in both blocks proves that they touch; a verdict where there is none.
+    #[cold]
+    fn look_for_proof(&mut self) -> Option<Found> {
+        self.walk_all();
+        let (piece, frame) = (&self.largest, &self.largest_frame);
+        let inside = self.sums.pieces > 0 && {
+            let share = 1.0 / piece.len() as f64;
+            let mean = |list: &[f64]| share * list.iter().sum::<f64>();
+            let at = frame.point(mean(piece.s()), mean(piece.t()));
+            let room = |k: usize| self.all.d[k] - self.all.normal(k).dot(at);
+            // Of all planes: those that are not listed may leave nothing of it.
+            (0..self.all.len()).all(|k| room(k) >= -UNSURE * self.radius)
+        };
+        if inside {
+            None
+        } else {
+            self.sums = Sums::default();
+            Some(Found::Apart(0.0))
+        }
+    }
+
     fn begin(&mut self, pair: &Pair) {
         let [a, b] = pair.bodies;
         self.planes.gather(pair.bodies, pair.faces, origin(a, b));
@@ -164,6 +190,7 @@ impl Walker {
         self.stamp += 1;
         self.met.clear();
         self.met.resize(first + second, false);
+        self.pieces.clear();
         self.sums = Sums::default();
         self.largest_weight = 0.0;
         self.ties.clear();
@@ -316,6 +343,7 @@ impl Walker {
             for number in numbers {
                 self.met[number] = true;
             }
+            self.pieces.push(piece);
         }
         left.then_some(share)
     }
@@ -338,6 +366,42 @@ impl Walker {
         let frame = &self.largest_frame;
         let arm = point - frame.foot;
         piece::mean_radius(&self.largest, frame.axes.map(|axis| arm.dot(axis)))
+    }
+
+    /// Negative stiffness along the surface of the pair evaluated last over the normal stiffness of its law, m², with the sums of the contact; 0
+    /// where no springs are asked to hold it.
+    pub fn falling(&mut self, law: &ContactLaw, sums: &Sums) -> f64 {
+        let split = self.planes.split;
+        let faces = |met: &[bool]| met.iter().filter(|met| **met).count();
+        // Along the one face of a block that is touched nothing changes.
+        if faces(&self.met[..split]) < 2 || faces(&self.met[split..]) < 2 {
+            return 0.0;
+        }
+        match law.least_falling() {
+            Some(least) if lateral::is_narrow(sums, least) => {
+                lateral::falls(&self.rate(), sums.force)
+            }
+            Some(_) | None => 0.0,
+        }
+    }
+
+    /// Rate of the integral of depth times normal with the displacement of the second block, m².
+    pub(super) fn rate(&mut self) -> Mat3 {
+        let mut rate = Mat3::ZERO;
+        let count = self.pieces.len();
+        for k in 0..count {
+            let piece = self.pieces[k];
+            let numbers = self.numbers(piece);
+            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
+                && let Some(share) = self.make(&frame, piece)
+            {
+                let polygon = &self.cutter.polygon;
+                rate += lateral::rate(&self.planes, &frame, polygon, numbers) * share;
+            }
+        }
+        // Those that were made again.
+        self.pieces.truncate(count);
+        rate
     }
 
     fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {

@@ -12,6 +12,10 @@
 //! and a sliding limit of its own, since Coulomb's limit belongs to a place: in a notch both flanks resist. A
 //! flat floor is one facet, however it is divided.
 //!
+//! **Rim.** A depth that ended at the rim would jump there: a block that comes from outside, below the surface, would find its energy made of
+//! nothing. So a wall goes down from the rim all round (`HeightField::walled`), steep and continuous with the surface: a block meets the side
+//! of terrain as a cliff.
+//!
 //! All triangles near a block are looked at, no walk is needed: the surface can have any number of parts, and no order depends on what
 //! was before.
 
@@ -43,10 +47,13 @@ const SLACK: f64 = 1.0 + 1e-9;
 pub struct Terrain {
     /// The surface.
     pub field: HeightField,
-    /// Triangles by place.
+    /// Its triangles by place.
     pub bins: Bins,
-    /// Lowest and highest coordinates, m.
+    /// Lowest and highest coordinates of the surface, m.
     pub bounds: (Vec3, Vec3),
+    /// Prisms by place.
+    near: Bins,
+    /// Prisms below the surface, and then below the wall round it.
     cells: Vec<Cell>,
     facets: u32,
 }
@@ -66,10 +73,11 @@ impl Terrain {
     /// Prepares a surface.
     #[must_use]
     pub fn new(field: HeightField) -> Self {
-        let facet = facets(&field);
-        let cells = (0..field.triangles.len())
+        let walled = field.walled();
+        let facet = facets(&walled);
+        let cells = (0..walled.triangles.len())
             .map(|t| {
-                let corners = field.corners(t);
+                let corners = walled.corners(t);
                 let [a, b, c] = corners;
                 let normal = (b - a).cross(c - a);
                 let slope = normal * (DEPTH / normal.z);
@@ -83,14 +91,18 @@ impl Terrain {
             .collect();
         Self {
             bins: Bins::new(&field),
+            near: Bins::new(&walled),
             bounds: field.bounds(),
             cells,
-            facets: facet.iter().max().map_or(0, |last| last + 1),
+            facets: facet[..field.triangles.len()]
+                .iter()
+                .max()
+                .map_or(0, |last| last + 1),
             field,
         }
     }
 
-    /// Number of facets.
+    /// Number of facets of the surface; those of the wall round it have higher numbers.
     #[must_use]
     pub fn facets(&self) -> u32 {
         self.facets
@@ -221,7 +233,7 @@ impl Treader {
             return Reached::Apart(clear);
         }
         let (from, to) = (body.position + low, body.position + high);
-        terrain.bins.near(
+        terrain.near.near(
             [from.x - reach, from.y - reach],
             [to.x + reach, to.y + reach],
             &mut self.near,

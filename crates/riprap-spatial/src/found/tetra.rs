@@ -39,9 +39,9 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// The cell of these corners (m) with the depth `peak` (m) at the first and none at the others; `None` where it is turned inside out.
+    /// The cell of these corners (m) with these depths (m) there; `None` where it is turned inside out.
     #[must_use]
-    pub fn new(corners: [Vec3; 4], peak: f64) -> Option<Self> {
+    pub fn new(corners: [Vec3; 4], depths: [f64; 4]) -> Option<Self> {
         let [e1, e2, e3] = [1, 2, 3].map(|k| corners[k] - corners[0]);
         let normals = [e2.cross(e3), e3.cross(e1), e1.cross(e2)];
         let det = e1.dot(normals[0]);
@@ -52,19 +52,21 @@ impl Cell {
         let gradients = [-(g1 + g2 + g3), g1, g2, g3];
         let at = corners[0];
         let offsets = [0, 1, 2, 3].map(|k| f64::from(k == 0) - gradients[k].dot(at));
+        let [a, b, c, d] = depths;
         Some(Self {
             corners,
             gradients,
             offsets,
-            slope: peak * gradients[0],
-            level: peak * offsets[0],
+            slope: a * gradients[0] + b * gradients[1] + c * gradients[2] + d * gradients[3],
+            level: a * offsets[0] + b * offsets[1] + c * offsets[2] + d * offsets[3],
         })
     }
 
     /// The cell of these corners (m) in any order, with a depth of this gradient, and of this size (m) at the origin.
     #[must_use]
     pub fn with_depth([a, b, c, d]: [Vec3; 4], slope: Vec3, level: f64) -> Option<Self> {
-        let cell = Self::new([a, b, c, d], 0.0).or_else(|| Self::new([a, c, b, d], 0.0))?;
+        let flat = [0.0; 4];
+        let cell = Self::new([a, b, c, d], flat).or_else(|| Self::new([a, c, b, d], flat))?;
         Some(Self {
             slope,
             level,

@@ -17,9 +17,9 @@ pub(crate) enum Pushed {
 }
 
 /// Pushes blocks with all loads at the world's present time.
-pub(crate) fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account) {
+pub(crate) fn apply(world: &World, work: Option<&Workspace>, half: [f64; 2], loads: &mut Account) {
     let nodes = world.deform.as_deref().map_or(0, |d| d.nodes.len());
-    each(world, work, |_, pushed| match pushed {
+    each(world, work, half, |_, pushed| match pushed {
         Pushed::Block(b, push) => {
             loads.need_blocks(world.alive.len());
             loads.on_block(b, push.force, push.moment);
@@ -31,10 +31,15 @@ pub(crate) fn apply(world: &World, work: Option<&Workspace>, loads: &mut Account
     });
 }
 
-/// Hands over every load at the world's present time with what it pushes.
-pub(crate) fn each(world: &World, work: Option<&Workspace>, mut put: impl FnMut(&Load, Pushed)) {
+/// Hands over every load with what it pushes, in the kick that spans the `half` steps (s) before and after the world's present time.
+pub(crate) fn each(
+    world: &World,
+    work: Option<&Workspace>,
+    half: [f64; 2],
+    mut put: impl FnMut(&Load, Pushed),
+) {
     for load in &world.setup.loads {
-        let factor = load.time.at(world.time);
+        let factor = load.time.in_kick(world.time, half);
         // What was released by and by is gone.
         if factor == 0.0 {
             continue;

@@ -52,15 +52,21 @@ pub(crate) fn each_dashpot(setup: &Setup, deform: &Deform, mut put: impl FnMut(u
 }
 
 /// Pushes the nodes of faces with a condition with the given tractions.
-pub(crate) fn apply(world: &World, deform: &Deform, loads: &mut Account) {
-    each(world, deform, |_, node, force| {
+pub(crate) fn apply(world: &World, deform: &Deform, half: [f64; 2], loads: &mut Account) {
+    each(world, deform, half, |_, node, force| {
         loads.need_nodes(deform.nodes.len());
         loads.on_node(node, force);
     });
 }
 
-/// Hands over the number of the boundary, a node and a force (N) of the given tractions on it.
-pub(crate) fn each(world: &World, deform: &Deform, mut put: impl FnMut(usize, u32, Vec3)) {
+/// Hands over the number of the boundary, a node and a force (N) of the given tractions on it, in the kick that spans the `half` steps (s)
+/// before and after the present time.
+pub(crate) fn each(
+    world: &World,
+    deform: &Deform,
+    half: [f64; 2],
+    mut put: impl FnMut(usize, u32, Vec3),
+) {
     let given = |k: &usize| {
         let boundary = &world.setup.boundaries[*k];
         boundary.in_situ || matches!(boundary.kind, BoundaryKind::Traction { .. })
@@ -70,7 +76,7 @@ pub(crate) fn each(world: &World, deform: &Deform, mut put: impl FnMut(usize, u3
             continue;
         };
         for (k, &(node, area)) in surface.nodes.iter().enumerate() {
-            let t = at_node(world, deform, surface, k);
+            let t = at_node(world, deform, surface, k, half);
             if t != Vec3::ZERO {
                 put(boundary, node, area * t);
             }
@@ -78,8 +84,8 @@ pub(crate) fn each(world: &World, deform: &Deform, mut put: impl FnMut(usize, u3
     }
 }
 
-/// Traction (Pa) on node number `k` of a surface now.
-fn at_node(world: &World, deform: &Deform, surface: &Surface, k: usize) -> Vec3 {
+/// Traction (Pa) on node number `k` of a surface in a kick.
+fn at_node(world: &World, deform: &Deform, surface: &Surface, k: usize, half: [f64; 2]) -> Vec3 {
     let Some(boundary) = surface.boundary().map(|b| &world.setup.boundaries[b]) else {
         return Vec3::ZERO;
     };
@@ -90,7 +96,8 @@ fn at_node(world: &World, deform: &Deform, surface: &Surface, k: usize) -> Vec3 
         stress_at: surface.heights[k],
         pressure_at: deform.nodes.place[surface.nodes[k].0 as usize].z,
     };
-    traction(boundary, world.setup.in_situ.as_ref(), &spot, world.time)
+    let when = (world.time, half);
+    traction(boundary, world.setup.in_situ.as_ref(), &spot, when)
 }
 
 /// Sum of the tractions on a surface, N.
@@ -98,6 +105,6 @@ fn at_node(world: &World, deform: &Deform, surface: &Surface, k: usize) -> Vec3 
 pub(crate) fn total(world: &World, deform: &Deform, surface: &Surface) -> Vec3 {
     let nodes = surface.nodes.iter().enumerate();
     nodes
-        .map(|(k, (_, area))| *area * at_node(world, deform, surface, k))
+        .map(|(k, (_, area))| *area * at_node(world, deform, surface, k, [0.0; 2]))
         .sum()
 }

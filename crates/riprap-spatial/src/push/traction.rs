@@ -17,13 +17,14 @@ pub(crate) struct Spot {
     pub pressure_at: f64,
 }
 
-/// Traction (Pa) that a condition gives at a point of a face at time `time` (s), that of the stress at the start included.
+/// Traction (Pa) that a condition gives at a point of a face in the kick at time `time` (s) that spans the `half` steps (s) before and after it,
+/// that of the stress at the start included.
 #[must_use]
 pub(crate) fn traction(
     boundary: &Boundary,
     in_situ: Option<&InSitu>,
     spot: &Spot,
-    time: f64,
+    (time, half): (f64, [f64; 2]),
 ) -> Vec3 {
     let start = match (boundary.in_situ, in_situ) {
         (true, Some(in_situ)) => in_situ.at(spot.stress_at) * spot.start,
@@ -38,7 +39,7 @@ pub(crate) fn traction(
             time: factor,
         } => {
             let pressure = pressure + gradient * (datum - spot.pressure_at);
-            start + factor.at(time) * (*traction - pressure * spot.normal)
+            start + factor.in_kick(time, half) * (*traction - pressure * spot.normal)
         }
         BoundaryKind::Held { .. } | BoundaryKind::Moved { .. } | BoundaryKind::Viscous { .. } => {
             start

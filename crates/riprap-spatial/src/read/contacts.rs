@@ -161,25 +161,6 @@ impl View<'_> {
             })
     }
 
-    /// Force of the found contacts of two blocks across their surfaces (compression positive) and along them, N, and whether all of them
-    /// slide. Contacts without one normal count along it with nothing.
-    #[must_use]
-    pub fn pressed(&self, first: u32, second: u32) -> (f64, f64, bool) {
-        let found = self.contacts_of(first as usize);
-        let found = found.filter(|(contact, _)| contact.ends.contains(&second));
-        let (mut normal, mut shear, mut count, mut sliding) = (0.0, Vec3::ZERO, 0, 0);
-        for (contact, force) in found {
-            let across = contact.force.dot(contact.normal);
-            // `force` is that on the block asked for, the normal goes with the order of the contact.
-            let sign = if contact.ends[1] == first { 1.0 } else { -1.0 };
-            normal += across;
-            shear += force - sign * across * contact.normal;
-            count += 1;
-            sliding += usize::from(contact.sliding);
-        }
-        (normal, shear.length(), count > 0 && sliding == count)
-    }
-
     /// The found contact of two blocks, with the force of the second on the first, N. Of several between pieces the one that
     /// presses most, with the force and the area of all.
     #[must_use]

@@ -145,7 +145,7 @@ fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
             for p in facet.points() {
                 let part = deform.points[p].area;
                 let force = Vec3::from(work.slots[p]);
-                sum += part * get(&facet.frame.map(|e| e.dot(force) / part));
+                sum += part * get(&facet.now.map(|e| e.dot(force) / part));
                 area += part;
             }
         }
@@ -179,6 +179,33 @@ fn share_of_points(v: &View<'_>, group: u16, chosen: impl Fn([u32; 2]) -> bool) 
         }
     }
     one(if all > 0.0 { such / all } else { 0.0 })
+}
+
+/// Number of points of patches and springs of facets between blocks that `chosen` takes that have failed so far.
+fn broken_points(v: &View<'_>, chosen: impl Fn([u32; 2]) -> bool) -> f64 {
+    let patches = &v.world.patches;
+    let such = patches.ends.iter().zip(&patches.flags);
+    let such = such.filter(|(ends, _)| chosen(**ends));
+    let mut count: u64 = such
+        .map(|(_, flags)| u64::from((flags & flag::BROKEN).count_ones()))
+        .sum();
+    if let Some((deform, _)) = v.deformables() {
+        let facets = deform.facets.iter().filter(|f| chosen(f.blocks));
+        count += facets.map(|f| deform.failed_points(f)).sum::<u64>();
+    }
+    (count + v.world.failed.count(chosen)) as f64
+}
+
+/// Whether a block is this one or has come of it by splits.
+fn comes_of(v: &View<'_>, b: u32, ancestor: u32) -> bool {
+    let mut at = b;
+    while at != ancestor {
+        match v.world.lineage.get(at as usize) {
+            Some(origin) if origin.parent != Origin::NONE => at = origin.parent,
+            _ => return false,
+        }
+    }
+    true
 }
 
 /// Share of the points of all patches that slid in the last step.
@@ -239,24 +266,26 @@ riprap_core::fields! {
     "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression of the block's average stress." |v, of| one(-principal(&stress(v, of))[2]);
     "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression of the block's average stress (negative in tension)." |v, of| one(-principal(&stress(v, of))[0]);
     "block.pressure" "Pa" Block Scalar true "Mean compression of the block's average stress." |v, of| { let s = stress(v, of); one(-(s.x_axis.x + s.y_axis.y + s.z_axis.z) / 3.0) };
-    "block.broken_share" "-" Block Scalar true "Share of the points of its patches and the springs of its facets that have failed. Patches that found contact has taken over are no longer among them." |v, of| { let b = first(of) as u32; share_of_points(v, flag::BROKEN, |ends| ends.contains(&b)) };
+    "block.broken_share" "-" Block Scalar true "Share of the points of its patches and the springs of its facets that have failed. Patches that found contact has taken over are no longer among them (`block.broken_points` counts them)." |v, of| { let b = first(of) as u32; share_of_points(v, flag::BROKEN, |ends| ends.contains(&b)) };
+    "block.broken_points" "-" Block Scalar true "Number of points of its patches and springs of its facets, and of those of what it was split into, that have failed so far: it never falls." |v, of| { let b = first(of) as u32; one(broken_points(v, |[i, j]| comes_of(v, i, b) || comes_of(v, j, b))) };
     "block.level" "-" Block Scalar false "How often the block's ancestors were split." |v, of| one(f64::from(v.world.level(first(of))));
     "block.removed" "-" Block Scalar false "1 once the block has been removed or split." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "block.contact_force" "N" Block Vector3 true "Sum of the forces of found contacts on the block, without dashpots." |v, of| v.contacts_of(first(of)).map(|(_, force)| force).sum();
     "block.contacts" "-" Block Scalar true "Number of found contacts of the block that touch." |v, of| one(v.contacts_of(first(of)).count() as f64);
     "pair.force" "N" Pair Vector3 true "Sum of the forces of patches, bonds and the found contact of the second block on the first, without dashpots." |v, of| { let (a, b) = pair(of); between(v, of).map(|(p, sign)| sign * v.patch_resultant(p).force).sum::<Vec3>() + v.facet_force((a, b)) + v.contact_between(a, b).map_or(Vec3::ZERO, |(_, force)| force) };
     "pair.overlap" "m" Pair Scalar true "How far two blocks lie in each other by their found contact; 0 when apart or joined." |v, of| { let (a, b) = pair(of); one(v.contact_between(a, b).map_or(0.0, |(c, _)| c.depth)) };
-    "pair.normal_force" "N" Pair Scalar true "Normal force of the found contacts, without dashpots, compression positive." |v, of| { let (a, b) = pair(of); one(v.pressed(a, b).0) };
-    "pair.shear_force" "N" Pair Scalar true "Magnitude of the shear force of the found contacts, without dashpots." |v, of| { let (a, b) = pair(of); one(v.pressed(a, b).1) };
-    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of the shear force over the normal force of the found contacts; 0 without contact." |v, of| { let (a, b) = pair(of); let (n, s, _) = v.pressed(a, b); one(if n > 0.0 { s / n } else { 0.0 }) };
-    "pair.sliding" "-" Pair Scalar true "1 where all found contacts between the two slide, else 0." |v, of| { let (a, b) = pair(of); one(f64::from(u8::from(v.pressed(a, b).2))) };
+    "pair.normal_force" "N" Pair Scalar true "Normal force of patches, facets and found contacts between the two, without dashpots, compression positive (a joint that pulls counts as negative)." |v, of| { let (a, b) = pair(of); one(v.borne(a, b).normal) };
+    "pair.shear_force" "N" Pair Scalar true "Magnitude of the shear force of patches, facets and found contacts between the two, without dashpots." |v, of| { let (a, b) = pair(of); one(v.borne(a, b).shear.length()) };
+    "pair.shear_ratio" "-" Pair Scalar true "This shear force over this normal force; 0 where nothing presses." |v, of| { let (a, b) = pair(of); one(v.borne(a, b).ratio()) };
+    "pair.sliding" "-" Pair Scalar true "1 where something presses between the two and all of it slides: found contacts, points of patches, and springs of facets that have failed and bear all the shear that friction allows; else 0." |v, of| { let (a, b) = pair(of); one(f64::from(u8::from(v.borne(a, b).slides()))) };
     "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of patches, facets and contacts between the two." |v, of| { let (a, b) = pair(of); one(v.pore_pressure_between(a, b)) };
     "pair.seepage_rate" "m3/s" Pair Scalar true "Largest rate of flow through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches and facets between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
     "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches and the springs of facets between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
-    "pair.broken" "-" Pair Scalar true "Share of the points of patches and the springs of facets between the two that have failed. Patches that found contact has taken over are no longer among them." |v, of| share_of_points(v, flag::BROKEN, joins(pair(of)));
+    "pair.broken" "-" Pair Scalar true "Share of the points of patches and the springs of facets between the two that have failed. Patches that found contact has taken over are no longer among them (`pair.broken_points` counts them)." |v, of| share_of_points(v, flag::BROKEN, joins(pair(of)));
+    "pair.broken_points" "-" Pair Scalar true "Number of points of patches and springs of facets between the two, and between what they were split into, that have failed so far: it never falls, not where found contact takes over or a block is removed." |v, of| one(broken_points(v, |[i, j]| { let (a, b) = pair(of); (comes_of(v, i, a) && comes_of(v, j, b)) || (comes_of(v, i, b) && comes_of(v, j, a)) }));
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
     "group.water_force" "N" Group Vector3 false "Sum of the pushes of the standing water on the group's blocks." |v, of| members(v, of).map(|b| v.water_force(b)).sum();
     "group.displacement" "m" Group Vector3 false "Mean displacement of the group's blocks." |v, of| mean(v, of, |b| v.displacement(b));
@@ -270,6 +299,8 @@ riprap_core::fields! {
     "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.scratch.net.force(b)).sum();
     "group.stress_normal" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, normal components xx, yy, zz as x, y, z; tension positive." |v, of| mean_stress(v, of, |s| Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z));
     "group.stress_shear" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, shear components yz, zx, xy as x, y, z." |v, of| mean_stress(v, of, |s| Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x));
+    "group.fragments" "-" Group Scalar true "Number of fragments with a block of the group (see `model.fragments`)." |v, of| one(v.fragments().loose_with(members(v, of)).len() as f64);
+    "group.largest_fragment" "m3" Group Scalar true "Volume of the largest fragment with a block of the group; 0 without fragments." |v, of| one(v.fragments().loose_with(members(v, of)).first().map_or(0.0, |f| f.size));
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(members(v, of), |b| v.displacement(b).length());
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(members(v, of), |b| v.rotation(b).length());
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(members(v, of), |b| v.velocity(b).length());
@@ -288,7 +319,8 @@ riprap_core::fields! {
     "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
     "model.blocks" "-" Model Scalar true "Number of blocks that are there." |v, _| one(v.living().count() as f64);
     "model.patches" "-" Model Scalar false "Number of patches." |v, _| one(v.world.patches.len() as f64);
-    "model.broken_share" "-" Model Scalar true "Share of the points of all patches and the springs of all facets that have failed. Patches that found contact has taken over are no longer among them." |v, _| share_of_points(v, flag::BROKEN, |_| true);
+    "model.broken_share" "-" Model Scalar true "Share of the points of all patches and the springs of all facets that have failed. Patches that found contact has taken over are no longer among them (`model.broken_points` counts them)." |v, _| share_of_points(v, flag::BROKEN, |_| true);
+    "model.broken_points" "-" Model Scalar true "Number of points of patches and springs of facets that have failed so far: it never falls, not where found contact takes over or blocks are removed." |v, _| one(broken_points(v, |_| true));
     "model.open_share" "-" Model Scalar true "Share of the points of all patches and the springs of all facets that are open." |v, _| share_of_points(v, flag::OPEN, |_| true);
     "model.sliding_share" "-" Model Scalar true "Share of the points of all patches that slid in the last step." |v, _| one(sliding_share(v));
     "model.contacts" "-" Model Scalar false "Number of found contacts that touch." |v, _| one(v.contacts().count() as f64);
@@ -301,7 +333,7 @@ riprap_core::fields! {
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).length());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
-    "model.max_closing" "-" Model Scalar true "Deepest closing of a patch point over the distance of the centroids, or of a found contact over the smaller inscribed radius (of deformable blocks over the distance of the centre from the surface): how far blocks are pressed into each other." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_closing" "-" Model Scalar true "Deepest closing of a joint, a found contact or a held face over the radius of the largest ball in the thinner block (in found contacts of deformable blocks over the distance of the centre from the surface): how far blocks are pressed into each other. From 1 on a run is stopped." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
     "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
     "cavity.pressure" "Pa" Cavity Scalar false "Pressure in the cavity." |v, of| of_cavity(v, of, |c| c.pressure);
@@ -325,6 +357,8 @@ riprap_core::fields! {
     "boundary.displacement" "m" Boundary Vector3 true "Mean displacement, by area, of the faces a condition acts on." |v, of| v.on_boundary(first(of)).0;
     "boundary.force" "N" Boundary Vector3 true "Force by which a condition acts on the nodes of deformable blocks: tractions and reactions." |v, of| v.on_boundary(first(of)).1;
     "boundary.work" "J" Boundary Scalar false "Work of a condition on its faces: of given tractions and of the motion it prescribes, less what its dashpots absorb." |v, of| one(v.world.work_of_boundary(first(of)));
+    "support.force" "N" Support Vector3 false "Force of a support on the blocks or nodes that it holds or drives: its reaction, inertia of a driven motion included, without damping." |v, of| v.on_support(first(of))[0];
+    "support.moment" "N m" Support Vector3 false "Moment of the same about the centre of mass of its blocks, of a support of nodes about their middle." |v, of| v.on_support(first(of))[1];
     "support.work" "J" Support Scalar false "Work of a support on its blocks or nodes; what holds still does none." |v, of| one(v.world.work(first(of)));
     "load.work" "J" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
@@ -355,8 +389,8 @@ riprap_core::fields! {
     "pair.utilisation" "-" Pair Scalar true "Largest traction over strength of the springs between the two that are not broken." |v, of| one(fracture::largest(v, BondFailure::Spring, joins(pair(of))));
     "model.seepage_inflow" "m3/s" Model Scalar true "Rate at which water comes in from the open." |v, _| one(v.world.seepage_inflow());
     "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(crate::stable::stable_step(v.world, v.scratch, 0.0).dt);
-    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed." |v, _| one(v.fragments().list.len() as f64);
-    "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment." |v, _| one(v.fragments().list.first().map_or(0.0, |f| f.size));
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by patches or bonds that have not failed. Blocks all of whose freedoms are prescribed, and what is joined to them, are no fragments." |v, _| one(v.fragments().loose().count() as f64);
+    "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment; 0 without fragments." |v, _| one(v.fragments().loose().next().map_or(0.0, |f| f.size));
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
     "energy.contact_normal" "J" Energy Scalar true "Elastic energy of the normal springs of patches and of the pressure of found contacts." |v, _| one(v.balance().contact_normal);
@@ -373,6 +407,7 @@ riprap_core::fields! {
     "energy.bolt_loss" "J" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.law_defect" "J" Energy Scalar true "Made (+) or lost (-) beside their laws by contacts and joints: by steps too long for them." |v, _| one(v.balance().works.law_defect);
     "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
+    "energy.step_change" "J" Energy Scalar true "Added by changes of the step, the first one included, and by forces that jump: the kinetic energy at half steps less that of the instant." |v, _| one(v.world.works.step_change);
     "energy.residual" "J" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
     "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
 }

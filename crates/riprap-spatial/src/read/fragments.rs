@@ -1,6 +1,6 @@
 //! Fragments of a spatial model: blocks that patches and bonds hold together.
 
-use crate::frame::fragments::Fragments;
+use crate::frame::fragments::{Fragments, Member};
 use crate::read::view::View;
 use crate::world::flag;
 
@@ -13,7 +13,11 @@ impl View<'_> {
         let blocks: Vec<_> = (0..world.alive.len())
             .map(|b| {
                 let at = self.position(b) + world.setup.origin;
-                world.alive[b].then_some((world.solid_of(b).volume, at.to_array()))
+                world.alive[b].then(|| Member {
+                    size: world.solid_of(b).volume,
+                    centre: at.to_array(),
+                    held: !world.is_free(b),
+                })
             })
             .collect();
         let list = &world.patches;

@@ -2,19 +2,24 @@
 //! edits, which plan with what a [`view::View`] says.
 
 pub mod bars;
+pub mod beyond;
 pub mod bolts;
+pub mod borne;
 pub mod conditions;
 pub mod contacts;
 pub mod cracks;
 pub mod crater;
 pub mod deformable;
+pub mod depths;
 pub mod fields;
 mod fragments;
 mod heap;
 pub mod outlook;
 pub mod peaks;
 pub mod picture;
+mod states;
 mod stress;
+mod supports;
 pub mod survey;
 pub mod tetrahedra;
 pub mod view;

@@ -10,7 +10,6 @@ use crate::contacts::terrain::SAFETY;
 use crate::contacts::{constants, joined, make_shapes, roles};
 use crate::deform::contact::between;
 use crate::deform::contact::search::shown;
-use crate::found::cells::peak;
 use crate::found::desk::Desk;
 use crate::found::{Role, limits};
 use crate::world::World;
@@ -152,7 +151,7 @@ fn deformable(view: &View<'_>) -> Vec<Meets> {
         .filter_map(|(b, body)| {
             let solid = world.solid_of(b);
             let class = work.class(body);
-            let depth = peak(&class.mesh);
+            let depth = class.mesh.height();
             let own = usize::from(world.setup.blocks[b].material);
             let partners = partner.iter().enumerate().flat_map(|(material, of)| {
                 let kinds = of.iter().enumerate();

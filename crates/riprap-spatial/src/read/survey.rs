@@ -20,7 +20,7 @@ impl View<'_> {
         (-gravity).try_normalize().unwrap_or(Vec3::Z)
     }
 
-    /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs at the start.
+    /// Sum over the blocks of `m dv² + dL·dw` of the coming kick: what the ledger needs where the step changes.
     #[must_use]
     pub fn half_kick(&self) -> f64 {
         let one = |b: usize| {
@@ -29,10 +29,11 @@ impl View<'_> {
             }
             let solid = self.world.solid_of(b);
             let change = (self.world).ungiven(b, self.scratch.change(self.world, b));
-            solid.mass * change.velocity.length_squared()
-                + change.spin.dot(solid.inertia * change.spin)
+            solid.mass * change.velocity.length_squared() + change.spin.dot(change.momentum)
         };
-        self.living().map(one).sum()
+        let alive = &self.world.alive;
+        let of = |b: usize| if alive[b] { one(b) } else { 0.0 };
+        self.scratch.exec.sum(alive.len(), of)
     }
 
     /// Displacement (m) and rotation vector (rad) of every block since the start.

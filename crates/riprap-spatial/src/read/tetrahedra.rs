@@ -51,7 +51,7 @@ pub fn tetrahedra(view: &View<'_>) -> Option<Surfaces> {
 }
 
 /// Strain of a displacement gradient, by the measure of the block.
-fn strain(measure: Strain, h: &Gradient) -> Symmetric {
+pub(super) fn strain(measure: Strain, h: &Gradient) -> Symmetric {
     let one = |i: usize, j: usize| {
         let square: f64 = match measure {
             Strain::Small => 0.0,

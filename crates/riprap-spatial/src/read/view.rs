@@ -7,11 +7,10 @@ use riprap_geom::Vec3;
 use crate::boundary;
 use crate::contacts;
 use crate::dynamics::kick::past;
-use crate::found::desk::Deepest;
 use crate::laws::face_joint::{Memory, Traction};
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
-use crate::patch::{self, Points, Poses, Resultant, turned_inertia};
+use crate::patch::{self, Points, Poses, Resultant};
 use crate::state::deform::Body;
 use crate::state::hold::Hold;
 use crate::state::scratch::Scratch;
@@ -60,13 +59,7 @@ impl View<'_> {
             return deformable.spin(&self.world.solid_of(b).inverse);
         }
         let change = self.scratch.change(self.world, b);
-        match &self.world.turned[b] {
-            Some(turned) => {
-                let inverse = turned_inertia(&self.world.solid_of(b).inverse, turned.attitude);
-                inverse * (turned.momentum + self.past() * change.momentum)
-            }
-            None => self.world.bodies.spin(b) + self.past() * change.spin,
-        }
+        self.world.turning(b).spin + self.past() * change.spin
     }
 
     /// Displacement of the centroid since the start or the last reset, m.
@@ -119,17 +112,8 @@ impl View<'_> {
         // By the last step, which has been made: the coming one may be another when this is read again.
         let whole = 2.0 * self.past();
         let v = world.bodies.velocity(b);
-        let turning = match &world.turned[b] {
-            Some(turned) => {
-                let inverse = turned_inertia(&solid.inverse, turned.attitude);
-                let after = turned.momentum + whole * change.momentum;
-                turned.momentum.dot(inverse * after)
-            }
-            None => {
-                let w = world.bodies.spin(b);
-                w.dot(solid.inertia * (w + whole * change.spin))
-            }
-        };
+        let turning = world.turning(b);
+        let turning = turning.spin.dot(turning.momentum + whole * change.momentum);
         0.5 * (solid.mass * v.dot(v + whole * change.velocity) + turning)
     }
 
@@ -174,13 +158,8 @@ impl View<'_> {
                 } else {
                     self.world.reference[b]
                 };
-                let own = match &self.world.turned[b] {
-                    Some(turned) => {
-                        let change = self.scratch.change(self.world, b);
-                        turned.momentum + self.past() * change.momentum
-                    }
-                    None => solid.inertia * self.spin(b),
-                };
+                let change = self.scratch.change(self.world, b);
+                let own = self.world.turning(b).momentum + self.past() * change.momentum;
                 place.cross(solid.mass * self.velocity(b)) + own
             })
             .sum()
@@ -190,6 +169,23 @@ impl View<'_> {
     /// act on them. Of a block with prescribed motion only the freedoms count that are left to it.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
+        let [net, all] = self.net_of_all();
+        let rigid = if all > 0.0 { net / all } else { 0.0 };
+        let deformable = self.deformable_unbalanced();
+        deformable.map_or(rigid, |deformable| deformable.max(rigid))
+    }
+
+    /// What dashpots of viscous faces carry over the sum of all forces, with the condition whose faces carry most: forces that are there only
+    /// as long as the model moves.
+    #[must_use]
+    pub fn sinking(&self) -> Option<(f64, u16)> {
+        let (carried, boundary) = self.carried_by_dashpots()?;
+        let [_, all] = self.net_of_all();
+        (all > 0.0).then(|| (carried / all, boundary))
+    }
+
+    /// Sum of |net force| of the free rigid blocks, and of the forces that act on them, N.
+    fn net_of_all(&self) -> [f64; 2] {
         let (world, exec) = (self.world, &self.scratch.exec);
         let free = |b: usize| world.alive[b] && world.is_free(b) && !world.deforms(b);
         let of_block = |b: usize| {
@@ -226,9 +222,7 @@ impl View<'_> {
                 all += force.length();
             }
         }
-        let rigid = if all > 0.0 { net / all } else { 0.0 };
-        let deformable = self.deformable_unbalanced();
-        deformable.map_or(rigid, |deformable| deformable.max(rigid))
+        [net, all]
     }
 
     /// The block whose net force, as far as it is free to follow it, is the largest share of the forces that act on it, and that share.
@@ -425,64 +419,10 @@ impl View<'_> {
         out
     }
 
-    /// Largest closing of a patch point over the distance of the centroids or of a found contact ([`Self::deepest_contact`]), with the
-    /// blocks: how far blocks have been pressed into each other.
+    /// What is deepest for its blocks ([`Self::deepest`]), over the radius of the largest ball in the thinner one, with the blocks.
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
-        let found = self.deepest_contact();
-        let found = found.map(|d| (d.ratio, d.ends[0], d.ends[1]));
-        let both = self.worst_closing().into_iter().chain(found);
-        both.max_by(|a, b| a.0.total_cmp(&b.0))
-    }
-
-    /// Largest closing of a patch point over the distance of the centroids, with the blocks.
-    #[must_use]
-    pub fn worst_closing(&self) -> Option<(f64, u32, u32)> {
-        let list = &self.world.patches;
-        let one = |p: usize| {
-            let class = self.patch_class(p);
-            let at = self.patch_points(p).at;
-            let deepest = at.iter().map(|a| -a[0]).fold(0.0, f64::max);
-            Some((deepest / class.distance, list.ends[p]))
-        };
-        let patches = self.scratch.exec.largest(list.len(), one);
-        patches.map(|(ratio, [i, j])| (ratio, i, j))
-    }
-
-    /// The found contact that is deepest for its blocks: of rigid ones over the smaller inscribed radius, on terrain over that of
-    /// the block, of deformable ones over the smaller distance of their centres from the surface.
-    #[must_use]
-    pub fn deepest_contact(&self) -> Option<Deepest> {
-        let others = self.deformable_depths().chain(self.terrain_depths());
-        others.fold(self.scratch.desk.deepest, |deepest, other| {
-            Deepest::deeper(deepest, Some(other))
-        })
-    }
-
-    /// How deep each found contact of deformable blocks is.
-    fn deformable_depths(&self) -> impl Iterator<Item = Deepest> {
-        let pairs = self.world.found.deformable.pairs.iter();
-        pairs
-            .zip(&self.scratch.deformable.constants)
-            .filter(|(pair, _)| pair.depth > 0.0)
-            .map(|(pair, k)| Deepest {
-                ends: pair.ends,
-                depth: pair.depth,
-                ratio: pair.depth / k.peak,
-            })
-    }
-
-    /// How deep each rigid block on terrain lies in it, facet by facet.
-    fn terrain_depths(&self) -> impl Iterator<Item = Deepest> {
-        let desk = &self.scratch.desk;
-        let blocks = self.world.found.terrain.iter().enumerate();
-        blocks.flat_map(move |(b, on)| {
-            on.facets.iter().map(move |facet| Deepest {
-                ends: [desk.terrain.blocks[facet.terrain()], b as u32],
-                depth: facet.depth,
-                ratio: facet.depth / desk.inradius(self.world.solid[b]),
-            })
-        })
+        self.deepest().map(|d| (d.ratio, d.ends[0], d.ends[1]))
     }
 
     /// Blocks that have gone over the rim of the terrain.

@@ -286,6 +286,13 @@ impl Deform {
         }
     }
 
+    /// Number of points of a facet that have broken.
+    #[must_use]
+    pub fn failed_points(&self, facet: &Facet) -> u64 {
+        let points = &self.memory[facet.points()];
+        points.iter().filter(|m| m.state.is_broken()).count() as u64
+    }
+
     /// Living bodies.
     pub fn living(&self) -> impl Iterator<Item = &Body> {
         self.bodies.iter().filter(|b| b.alive)

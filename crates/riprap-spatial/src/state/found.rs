@@ -68,6 +68,12 @@ impl FacetContact {
         [terrain as u32 | u32::from(piece) << Self::PIECE, facet]
     }
 
+    /// Number of the piece of a block of glued parts; 0 for a convex block.
+    #[must_use]
+    pub fn piece(&self) -> u16 {
+        (self.key[0] >> Self::PIECE) as u16
+    }
+
     /// Place of the terrain among all.
     #[must_use]
     pub fn terrain(&self) -> usize {

@@ -21,6 +21,7 @@ pub(crate) mod push;
 pub(crate) mod relax;
 pub(crate) mod scratch;
 pub(crate) mod seepage;
+mod sound;
 pub mod sums;
 pub(crate) mod workspace;
 pub mod world;

@@ -1,5 +1,7 @@
 //! Everything of a spatial model that can be dropped and laid out anew without changing a result.
 
+use std::sync::OnceLock;
+
 use super::push::{Pushes, Wrench};
 use super::sums::Sums;
 use super::workspace::Workspace;
@@ -42,6 +44,8 @@ pub struct Scratch {
     pub desk: Desk,
     /// Of found contacts of deformable blocks.
     pub deformable: CellDesk,
+    /// Radius of the largest ball in a block of each mass class, m, where somebody has asked for it.
+    pub inradii: Vec<OnceLock<f64>>,
     /// Of bolts.
     pub(crate) bolts: Vec<BoltDesk>,
     pub(crate) slots: [Sums; 2],

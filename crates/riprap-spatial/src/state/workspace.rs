@@ -1,6 +1,8 @@
 //! Everything of the deformable blocks that can be dropped and laid out anew without changing a result.
 
-use riprap_geom::polyhedron::Tetrahedra;
+use std::sync::OnceLock;
+
+use riprap_geom::polyhedron::{DepthCells, Tetrahedra};
 use riprap_geom::{Mat3, Vec3};
 
 use super::cutting::Effort;
@@ -19,6 +21,8 @@ pub(crate) const FACETS: usize = 64;
 pub struct BlockClass {
     /// Nodes and tetrahedra about the centroid.
     pub mesh: Tetrahedra,
+    /// Its depth; found when it first meets another block.
+    pub(crate) depths: OnceLock<DepthCells>,
     /// Its faces: corners, anticlockwise seen from outside.
     pub faces: Vec<Vec<u32>>,
     /// The tetrahedra, eight at a time.
@@ -42,6 +46,11 @@ impl BlockClass {
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         self.inertial.as_deref().unwrap_or(&self.lumped)
+    }
+
+    /// The cells that carry its depth.
+    pub(crate) fn depths(&self) -> &DepthCells {
+        self.depths.get_or_init(|| DepthCells::new(&self.mesh))
     }
 }
 

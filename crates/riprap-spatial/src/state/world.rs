@@ -19,6 +19,7 @@ pub use super::patches::{PatchClass, Patches, flag};
 use super::seepage::Seepage;
 use crate::accounts::{Account, Holder, of};
 use crate::anchor::{Anchor, Freedoms};
+use crate::failed::FailedPoints;
 use crate::ledger::Works;
 use crate::setup::{Motion, Setup};
 
@@ -82,6 +83,8 @@ pub struct World {
     pub deform: Option<Box<Deform>>,
     /// Contacts that are found anew in each step.
     pub found: FoundContacts,
+    /// Failed points of patches that found contact has taken over, and of patches and facets whose blocks were removed.
+    pub failed: FailedPoints,
     /// Step at which the criteria of splitting were last looked at: once a step is enough.
     pub looked: u64,
     /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.

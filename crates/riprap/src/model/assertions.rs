@@ -7,6 +7,7 @@ use crate::plan::{Check, Expected, Part, Reduce, Window};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
+use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name, Quantity, units};
 
 /// A search for the value of a key at which the scene fails.
@@ -279,9 +280,9 @@ impl Builder<'_> {
             return Some(Expected::Between(low, high_value));
         }
         if let Some(csv) = &said.csv {
-            return self
-                .csv_function(csv)
-                .map(|(t, v)| Expected::Table { t, v });
+            let dim = units::dimension(unit).unwrap_or(Dim::NONE);
+            let (t, v) = self.csv_function(csv, dim)?;
+            return Some(Expected::Table { t, v });
         }
         let Some(text) = &said.formula else {
             let message = format!("check `{}` expects nothing", said.name);

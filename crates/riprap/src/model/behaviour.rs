@@ -6,7 +6,7 @@ use crate::laws::behaviour::{
 };
 use crate::laws::mohr_coulomb::Strength;
 use crate::scenario::Quantity;
-use crate::scenario::language::Interface;
+use crate::scenario::language::{Interface, curve};
 use crate::scenario::read::{Provenance, Read};
 
 impl Builder<'_> {
@@ -17,7 +17,14 @@ impl Builder<'_> {
             let mut read = self.reading(format!("interfaces.{name}.softening"), softening);
             let slip = read.slip();
             let opening = read.opening_or(slip, Provenance::Default, "`slip`");
-            behaviour.weakening = Weakening::Softening(Softening { slip, opening });
+            // Looked at with the rules of the language.
+            let curve = softening.curve.as_ref().and_then(|c| curve(c).ok());
+            let softening = Softening {
+                slip,
+                opening,
+                curve,
+            };
+            behaviour.weakening = Weakening::Softening(softening);
         }
         if let Some(rough) = &said.barton_bandis {
             let mut read = self.reading(format!("interfaces.{name}.barton_bandis"), rough);

@@ -12,11 +12,13 @@ use riprap_geom::{GeomError, Vec2};
 use super::builder::{Builder, global};
 use super::generated::Generated;
 use super::summary::Region;
+use crate::scenario::csv_columns::Column;
 use crate::scenario::language::{
     Block, Cut, Geometry, Point, Polygon, Rectangle, Voronoi, WallBond,
 };
 use crate::scenario::read::{Provenance, with_unit};
-use crate::scenario::{Diagnostic, Name, Span, csv_columns};
+use crate::scenario::units::Dim;
+use crate::scenario::{Diagnostic, Quantity, Span};
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn places(block: &Block) -> Vec<Vec2> {
@@ -51,6 +53,12 @@ pub(super) const SHORT_EDGES: (&str, &str) = (
     "give a smaller `smallest_edge` (up to a tenth of `cell` can be had), or more rounds of `relax`",
 );
 
+/// Columns of the corners of a polygon.
+const CORNER: [Column; 2] = [
+    Column::needed(&["x", "easting", "east"], Dim::LENGTH, "m"),
+    Column::needed(&["y", "northing", "north"], Dim::LENGTH, "m"),
+];
+
 impl Builder<'_> {
     /// The blocks of one table, turned, shifted and copied; `None` after an error.
     pub(super) fn generate(&mut self, block: &Block) -> Option<Generated> {
@@ -62,9 +70,10 @@ impl Builder<'_> {
                     .map(Generated::single)?
             }
             Geometry::Polygon(Polygon::Csv(file)) => {
-                let [x, y] = self.columns(file, ["x_m", "y_m"])?;
-                let place = |(x, y)| Vec2::new(x, y) - self.origin;
-                let outline = x.into_iter().zip(y).map(place).collect();
+                let table = self.table(file, &CORNER)?;
+                let corners = table.values(0).iter().zip(table.values(1));
+                let place = |(x, y): (&f64, &f64)| Vec2::new(*x, *y) - self.origin;
+                let outline = corners.map(place).collect();
                 let span = |_| Some(file.span.clone());
                 self.outline(block, outline, &span).map(Generated::single)?
             }
@@ -154,7 +163,8 @@ impl Builder<'_> {
                 || common_centroid(outlines),
                 |p| Vec2::from(p.xy()) - self.origin,
             );
-            let (sin, cos) = (libm::sin(rotate.angle.si()), libm::cos(rotate.angle.si()));
+            let angle = rotate.angle.as_ref().map_or(0.0, Quantity::si);
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
             for v in outlines.iter_mut().flatten() {
                 let arm = *v - about;
                 *v = about + Vec2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
@@ -234,7 +244,7 @@ impl Builder<'_> {
         if changes.repeated > 0 {
             let count = changes.repeated;
             note(format!(
-                "`{}` repeats {count} corner(s): they were dropped",
+                "`{}` repeats {count} corner(s) within 1e-8 of its size: they were dropped",
                 block.name
             ));
         }
@@ -249,24 +259,6 @@ impl Builder<'_> {
             points.iter().map(|p| self.point(p)).collect(),
             &spans,
         )
-    }
-
-    /// Columns of a CSV file; `None` after an error.
-    pub(super) fn columns<const N: usize>(
-        &mut self,
-        file: &Name,
-        names: [&str; N],
-    ) -> Option<[Vec<f64>; N]> {
-        let path = self.parsed.folder.join(file.as_str());
-        match csv_columns(&path, &names) {
-            Ok(columns) => columns.try_into().ok(),
-            Err(error) => {
-                let mut found = Diagnostic::error("file.csv", error.message);
-                found.help = error.help;
-                self.found.push(found.at(file.span.clone()));
-                None
-            }
-        }
     }
 
     fn cut(&mut self, block: &Block, cut: &Cut) -> Option<Generated> {

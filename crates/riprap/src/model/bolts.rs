@@ -7,7 +7,8 @@ use riprap_geom::{Vec2, Vec3};
 use crate::laws::bolt::Design;
 use crate::laws::bolt::place::{self, Misplaced};
 use crate::model::builder::Builder;
-use crate::scenario::csv_columns::csv_quantities;
+use crate::model::memory;
+use crate::scenario::csv_columns::Column;
 use crate::scenario::language::{self, Dowel, Plate};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
@@ -18,22 +19,17 @@ use crate::{planar, spatial};
 /// Most bolts of one table.
 const MOST: usize = 100_000;
 
-/// Columns of a file of bolts.
-const COLUMNS: [(&str, Dim); 6] = [
-    ("head_x", Dim::LENGTH),
-    ("head_y", Dim::LENGTH),
-    ("head_z", Dim::LENGTH),
-    ("toe_x", Dim::LENGTH),
-    ("toe_y", Dim::LENGTH),
-    ("toe_z", Dim::LENGTH),
-];
+/// Most pieces of one bolt, and of all bolts of a table: a cable of a kilometre in pieces of a centimetre.
+const MOST_PIECES: [f64; 2] = [1e5, 1e8];
 
-/// Columns of a file of bolts in the plane.
-const IN_THE_PLANE: [(&str, Dim); 4] = [
-    ("head_x", Dim::LENGTH),
-    ("head_y", Dim::LENGTH),
-    ("toe_x", Dim::LENGTH),
-    ("toe_y", Dim::LENGTH),
+/// Columns of a file of bolts; in the plane without the third of each end.
+const COLUMNS: [Column; 6] = [
+    Column::needed(&["head_x", "head_easting", "collar_x"], Dim::LENGTH, "m"),
+    Column::needed(&["head_y", "head_northing", "collar_y"], Dim::LENGTH, "m"),
+    Column::needed(&["head_z", "head_elevation", "collar_z"], Dim::LENGTH, "m"),
+    Column::needed(&["toe_x", "toe_easting"], Dim::LENGTH, "m"),
+    Column::needed(&["toe_y", "toe_northing"], Dim::LENGTH, "m"),
+    Column::needed(&["toe_z", "toe_elevation"], Dim::LENGTH, "m"),
 ];
 
 /// A bolt with the place in the text that says where it is.
@@ -51,6 +47,9 @@ impl Builder<'_> {
                 continue;
             };
             let (design, spacing) = self.design(k, said);
+            if !self.has_room_for_pieces(said, &lines, design.piece) {
+                continue;
+            }
             let many = lines.len() > 1 || said.csv.is_some();
             for (number, line) in (1..).zip(lines) {
                 let name = if many {
@@ -78,6 +77,36 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// Whether there is room for the pieces of the bolts of a table, before any is made.
+    fn has_room_for_pieces(&mut self, said: &language::Bolt, lines: &[Line], piece: f64) -> bool {
+        let pieces = |line: &Line| (line.head.distance(line.toe) / piece).ceil();
+        let longest = lines.iter().map(pieces).fold(0.0, f64::max);
+        let all: f64 = lines.iter().map(pieces).sum();
+        if longest <= MOST_PIECES[0] && all <= MOST_PIECES[1] && memory::holds_pieces(all) {
+            return true;
+        }
+        let message = if longest > MOST_PIECES[0] {
+            format!(
+                "the bolt `{}` would have {longest:.1e} pieces, at most {:.0e} are made of one",
+                said.name, MOST_PIECES[0]
+            )
+        } else {
+            format!(
+                "the bolts `{}` would have {all:.1e} pieces in all",
+                said.name
+            )
+        };
+        let at = said
+            .piece
+            .as_ref()
+            .map_or(&said.name.span, |piece| &piece.span);
+        let error = Diagnostic::error("bolt.pieces", message).at(at.clone());
+        self.found.push(error.help(
+            "give a longer `piece`: a tenth of the length over which the grout hands over the force (`sqrt(E A / k)`) is enough",
+        ));
+        false
     }
 
     /// Numbers of the bolts that a phase installs.
@@ -180,35 +209,24 @@ impl Builder<'_> {
     }
 
     fn bolts_of_file(&mut self, csv: &Name) -> Option<Vec<Line>> {
-        let path = self.parsed.folder.join(csv.as_str());
-        let columns = match self.space {
-            InSpace::Planar => csv_quantities(&path, &IN_THE_PLANE, &[]),
-            InSpace::Spatial => csv_quantities(&path, &COLUMNS, &[]),
-        };
-        let columns = match columns {
-            Ok(columns) => columns,
-            Err(error) => {
-                let mut found = Diagnostic::error("file.csv", error.message);
-                found.help = error.help;
-                self.found.push(found.at(csv.span.clone()));
-                return None;
-            }
-        };
-        let columns: Vec<Vec<f64>> = columns.into_iter().flatten().collect();
-        let count = columns.first().map_or(0, Vec::len);
+        let mut columns = COLUMNS;
+        for k in [2, 5] {
+            columns[k].needed = self.space == InSpace::Spatial;
+        }
+        let table = self.table(csv, &columns)?;
         let mut lines = Vec::new();
-        for k in 0..count {
-            let end = |first: usize, of: usize| {
-                let mut place = [0.0; 3];
-                for (x, column) in place.iter_mut().zip(&columns[first..first + of]) {
-                    *x = column[k];
-                }
+        for (k, line) in table.lines.iter().enumerate() {
+            let end = |first: usize| {
+                let place = [0, 1, 2].map(|axis| match self.space {
+                    // Depths of a file in space are no part of the plane.
+                    InSpace::Planar if axis == 2 => 0.0,
+                    InSpace::Planar | InSpace::Spatial => table.values(first + axis)[k],
+                });
                 Vec3::from(place)
             };
-            let of = columns.len() / 2;
-            let (head, toe) = (end(0, of), end(of, of));
+            let (head, toe) = (end(0), end(3));
             if head == toe {
-                let message = format!("`{csv}`, bolt {}: it has no length", k + 1);
+                let message = format!("`{csv}`, line {line}: bolt {} has no length", k + 1);
                 self.error_at("file.csv", csv, message, "head and toe must differ");
                 return None;
             }

@@ -14,7 +14,7 @@ use crate::plan::Plan;
 use crate::planar::setup::{BlockSpec, Group, Setup};
 use crate::record::field::FieldInfo;
 use crate::scenario::language::{Block, Planar, Space};
-use crate::scenario::quantity::Axial;
+use crate::scenario::quantity::{Axial, Moments};
 use crate::scenario::read::Provenance;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Diagnostics, Parsed, Quantity};
@@ -111,6 +111,9 @@ impl Builder<'_> {
         self.draw();
         self.find_origin();
         self.blocks();
+        if self.errors() == 0 {
+            self.start_states();
+        }
         // Names and sizes of blocks that could not be made would only give follow-up errors.
         if self.errors() > 0 {
             return false;
@@ -234,19 +237,51 @@ impl Builder<'_> {
             .as_ref()
             .map_or(Vec2::ZERO, |v| v.xy().into());
         let spin = block.spin.as_ref().and_then(Axial::single).unwrap_or(0.0);
+        if let Some(mass) = &block.mass {
+            self.explain(
+                format!("blocks.{}.mass", block.name),
+                mass.raw.to_string(),
+                Provenance::Given,
+                "in place of density times area",
+            );
+        }
+        // Copies and poured blocks are stones of their own, everything else that a table makes spins as one body.
+        let loose = block.copies.is_some() || block.pour.is_some();
+        let one = !loose && generated.outlines.len() > 1 && spin != 0.0;
+        let about = one.then(|| common_centroid(&generated.outlines));
         for vertices in generated.outlines {
             let number = self.setup.blocks.len() as u32;
-            let centroid = polygon::mass_properties(&vertices).centroid;
+            let moments = polygon::mass_properties(&vertices);
+            let centroid = moments.centroid;
+            let swing = about.map_or(Vec2::ZERO, |about| spin * (centroid - about).perp());
+            let density = block
+                .mass
+                .as_ref()
+                .map_or(density, |m| m.si() / moments.area);
+            if let Some(inertia) = block.inertia.as_ref().and_then(Moments::single) {
+                self.setup.inertias.push((number, inertia));
+            }
             self.directory.centroids.push([centroid.x, centroid.y, 0.0]);
             self.setup.blocks.push(BlockSpec {
                 name: self.directory.name(number),
                 vertices,
                 material: material as u16,
                 density,
-                velocity,
+                velocity: velocity + swing,
                 spin,
             });
         }
         self.summary.regions.extend(generated.region);
     }
+}
+
+/// Centroid of the areas of outlines, m.
+fn common_centroid(outlines: &[Vec<Vec2>]) -> Vec2 {
+    let (mut sum, mut all) = (Vec2::ZERO, 0.0);
+    for outline in outlines {
+        let of = polygon::mass_properties(outline);
+        sum += of.area * of.centroid;
+        all += of.area;
+    }
+    sum / all
 }

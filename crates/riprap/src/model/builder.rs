@@ -10,6 +10,7 @@ use super::summary::Summary;
 use crate::plan::Plan;
 use crate::planar::setup::Setup;
 use crate::record::field::FieldInfo;
+use crate::scenario::csv_columns::{Column, Table, csv_table};
 use crate::scenario::language::{BoxRegion, Point, Target};
 use crate::scenario::quantity::{Acceleration, Down};
 use crate::scenario::read::{Explained, Provenance, Read};
@@ -83,6 +84,34 @@ impl Builder<'_> {
         said: &'b T,
     ) -> Read<'b, T> {
         Read::new(said, self.space, path, &mut self.explained)
+    }
+
+    /// Columns of a CSV file of the scene, and a note of what was read; `None` after an error.
+    pub(super) fn table<const N: usize>(
+        &mut self,
+        file: &Name,
+        columns: &[Column; N],
+    ) -> Option<Table<N>> {
+        match csv_table(&self.parsed.folder.join(file.as_str()), columns) {
+            Ok(table) => {
+                self.note_import(file, &table.note());
+                Some(table)
+            }
+            Err(error) => {
+                let mut found = Diagnostic::error("file.csv", error.message);
+                found.help = error.help;
+                self.found.push(found.at(file.span.clone()));
+                None
+            }
+        }
+    }
+
+    /// Notes what was read of a file, once: a file may be read for several keys.
+    pub(super) fn note_import(&mut self, file: &Name, words: &str) {
+        let words = format!("{file}: {words}");
+        if !self.summary.imports.contains(&words) {
+            self.summary.imports.push(words);
+        }
     }
 
     /// A point in local coordinates.

@@ -1,18 +1,38 @@
 //! Outlines and traces from drawings and tessellations in the plane.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use riprap_geom::Vec2;
 use riprap_geom::polygon::{self, Collinear};
 
 use super::builder::Builder;
 use super::generated::{Drawn, Generated};
+use crate::scenario::csv_columns::Column;
 use crate::scenario::diagnostic::suggest;
-use crate::scenario::foreign::dxf::{Drawing, parse_dxf};
+use crate::scenario::foreign::dxf::{Drawing, Outlines, Why, parse_dxf};
 use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::foreign::{self, Place};
 use crate::scenario::language::{Block, Cut, Geometry, Polygons, Traces};
 use crate::scenario::quantity::PositiveLength;
-use crate::scenario::read::Provenance;
+use crate::scenario::read::{Provenance, with_unit};
+use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name, Quantity};
+
+/// Columns of the ends of traces.
+const ENDS: [Column; 4] = [
+    Column::needed(
+        &["x1", "x_1", "x_start", "start_x", "from_x"],
+        Dim::LENGTH,
+        "m",
+    ),
+    Column::needed(
+        &["y1", "y_1", "y_start", "start_y", "from_y"],
+        Dim::LENGTH,
+        "m",
+    ),
+    Column::needed(&["x2", "x_2", "x_end", "end_x", "to_x"], Dim::LENGTH, "m"),
+    Column::needed(&["y2", "y_2", "y_end", "end_y", "to_y"], Dim::LENGTH, "m"),
+];
 
 /// What is asked of a drawing.
 struct Wanted<'a> {
@@ -56,6 +76,7 @@ impl Builder<'_> {
                 self.error_at("file.tess", file, message, help);
                 return None;
             };
+            self.note_import(file, &format!("read {0} of {0} cells", cells.len()));
             let mut drawn = Drawn::default();
             for cell in cells {
                 let points = cell.points.iter().map(|p| unit * Vec2::from(*p));
@@ -75,8 +96,10 @@ impl Builder<'_> {
         let unit = self
             .reading(key, said)
             .unit_or(own.value, own.from, own.why);
+        let outlines = drawing.outlines();
+        self.note_import(file, &outlines_text(&drawing, &outlines, unit));
         let mut drawn = Drawn::default();
-        for line in drawing.lines.into_iter().filter(|line| line.closed) {
+        for line in outlines.closed {
             let number = drawn.outlines.len() as u32;
             let points = line.points.iter().map(|p| unit * Vec2::from(*p));
             drawn.outlines.push(points.collect());
@@ -85,8 +108,11 @@ impl Builder<'_> {
         }
         if drawn.outlines.is_empty() {
             let message = format!("`{file}` has no closed polylines there");
-            let help = "close them in the drawing (flag or equal ends); blocks of the drawing (INSERT) are not read: explode them";
-            self.error_at("file.dxf", file, message, help);
+            let open = outlines.left_out.iter().chain(&drawing.left_out);
+            let open = left_out_text(open);
+            let help =
+                format!("close them in the drawing (flag, or ends that meet); left out {open}");
+            self.error_at("file.dxf", file, message, &help);
             return None;
         }
         Some(drawn)
@@ -144,9 +170,9 @@ impl Builder<'_> {
     ) -> Option<T> {
         match foreign::read(&self.parsed.folder.join(file.as_str()), parse) {
             Ok(read) => Some(read),
-            Err(message) => {
-                let help = format!("{help}; paths are seen from the folder of the scenario file");
-                self.error_at("file.shape", file, message, &help);
+            Err(refused) => {
+                let help = refused.help.unwrap_or_else(|| help.to_owned());
+                self.error_at("file.shape", file, refused.message, &help);
                 None
             }
         }
@@ -215,8 +241,10 @@ impl Builder<'_> {
         let unit = self
             .reading(key, mapped)
             .unit_or(own.value, own.from, own.why);
-        let open = drawing.lines.iter().filter(|line| !line.closed);
-        let pieces = open.flat_map(|line| line.points.windows(2));
+        let open: Vec<_> = drawing.lines.iter().filter(|line| !line.closed).collect();
+        let closed = drawing.lines.len() - open.len();
+        self.note_import(file, &traces_text(&drawing, open.len(), closed));
+        let pieces = open.iter().flat_map(|line| line.points.windows(2));
         let place = |p: [f64; 2]| unit * Vec2::from(p) - self.origin;
         let traces: Vec<[Vec2; 2]> = pieces
             .map(|pair| [place(pair[0]), place(pair[1])])
@@ -232,12 +260,13 @@ impl Builder<'_> {
     }
 
     fn traces_of_csv(&mut self, csv: &Name) -> Option<Vec<[Vec2; 2]>> {
-        let [x1, y1, x2, y2] = self.columns(csv, ["x1_m", "y1_m", "x2_m", "y2_m"])?;
+        let table = self.table(csv, &ENDS)?;
+        let [x1, y1, x2, y2] = std::array::from_fn(|k| table.values(k));
         let mut traces = Vec::with_capacity(x1.len());
-        for k in 0..x1.len() {
+        for (k, line) in table.lines.iter().enumerate() {
             let ends = [Vec2::new(x1[k], y1[k]), Vec2::new(x2[k], y2[k])];
             if ends[0] == ends[1] {
-                let message = format!("trace {} has no length", k + 1);
+                let message = format!("`{csv}`, line {line}: trace {} has no length", k + 1);
                 let found = Diagnostic::error("geometry.joints", message);
                 let help = "give each trace two different ends, or leave it out";
                 self.found.push(found.at(csv.span.clone()).help(help));
@@ -247,4 +276,94 @@ impl Builder<'_> {
         }
         Some(traces)
     }
+}
+
+/// What is left out of a drawing, by kind and reason.
+fn left_out_text<'a>(all: impl Iterator<Item = (&'a (String, Why), &'a usize)>) -> String {
+    let mut reasons: BTreeMap<Why, Vec<String>> = BTreeMap::new();
+    for ((kind, why), count) in all {
+        reasons
+            .entry(why)
+            .or_default()
+            .push(format!("{count} {kind}"));
+    }
+    let reasons = reasons.into_iter();
+    let reasons: Vec<String> = reasons
+        .map(|(why, kinds)| format!("{} ({why})", kinds.join(", ")))
+        .collect();
+    match reasons.is_empty() {
+        true => "nothing".to_owned(),
+        false => reasons.join("; "),
+    }
+}
+
+/// What became of the entities of a drawing; `unit` is the length of its unit, m.
+fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
+    let left = || outlines.left_out.iter().chain(&drawing.left_out);
+    let all = outlines.used + left().map(|(_, count)| count).sum::<usize>();
+    let mut words = format!(
+        "read {} of {all} entities as {} outlines",
+        outlines.used,
+        outlines.closed.len()
+    );
+    let [chains, lines] = outlines.joined;
+    if chains > 0 {
+        words.push_str(&format!("; {chains} outlines are chains of {lines} lines"));
+    }
+    if outlines.over_gaps > 0 {
+        words.push_str(&format!(
+            "; {} open polylines were closed",
+            outlines.over_gaps
+        ));
+    }
+    if outlines.largest_gap > 0.0 {
+        let gap = with_unit(unit * outlines.largest_gap, "m");
+        words.push_str(&format!("; ends up to {gap} apart were joined"));
+    }
+    if drawing.inserted > 0 {
+        words.push_str(&format!(
+            "; {} blocks of the drawing inserted",
+            drawing.inserted
+        ));
+    }
+    let round = outlines.closed.iter().filter(|line| line.kind == "CIRCLE");
+    let corners: BTreeSet<usize> = round.clone().map(|line| line.points.len()).collect();
+    if let (Some(least), Some(most)) = (corners.first(), corners.last()) {
+        let many = match least == most {
+            true => least.to_string(),
+            false => format!("{least} to {most}"),
+        };
+        words.push_str(&format!(
+            "; {} circles are polygons of {many} corners",
+            round.count()
+        ));
+    }
+    if outlines.healed > 0 {
+        let healed = outlines.healed;
+        words.push_str(&format!(
+            "; {healed} edges no longer than round-off became corners"
+        ));
+    }
+    if left().next().is_some() {
+        words.push_str(&format!("; left out {}", left_out_text(left())));
+    }
+    if let Some(gap) = outlines.smallest_open {
+        let gap = with_unit(unit * gap, "m");
+        words.push_str(&format!("; the smallest gap of an open polyline is {gap}"));
+    }
+    words
+}
+
+/// What became of the entities of a drawing with traces.
+fn traces_text(drawing: &Drawing, open: usize, closed: usize) -> String {
+    let mut left = drawing.left_out.clone();
+    if closed > 0 {
+        left.insert(("closed lines".to_owned(), "outlines, no traces"), closed);
+    }
+    let all = open + left.values().sum::<usize>();
+    let mut words = format!("read {open} of {all} entities as traces");
+    if !left.is_empty() {
+        words.push_str(&format!("; left out {}", left_out_text(left.iter())));
+    }
+    words
 }

@@ -250,7 +250,8 @@ fn slivers(b: &mut Builder<'_>) {
                 with_unit((report.ratio * 1e3).round() / 10.0, ""),
                 b.at_text(report)
             );
-            let help = "it sets the time step for all; generators merge slivers with smallest_edge";
+            let help = "a narrow block shortens the time step for all (a short edge of a wide one \
+                        does not); generators merge slivers with smallest_edge";
             let note = Diagnostic::warning("geometry.sliver", message).help(help);
             b.found.push(note.at(entry_span(b, report.block)));
         }

@@ -160,8 +160,10 @@ impl Builder<'_> {
                 continue;
             }
             let (Some(young), Some(poisson)) = (&properties.young, &properties.poisson) else {
-                // It might be the softest: without its moduli nothing can be estimated.
-                lacking = Some(material.as_str());
+                // It might be the softest: without its moduli nothing can be estimated, where it has blocks that meet others.
+                if self.meets_in_row(number, row) {
+                    lacking = Some(material.as_str());
+                }
                 continue;
             };
             // K + 4G/3 = E (1 - nu) / ((1 + nu)(1 - 2 nu))
@@ -188,6 +190,23 @@ impl Builder<'_> {
             with_unit(size, "m")
         );
         Some((stiffness, why))
+    }
+
+    /// Whether the model has blocks of a material, and others that they meet through this row.
+    fn meets_in_row(&self, number: usize, row: usize) -> bool {
+        let (n, blocks) = (self.setup.materials.len(), &self.setup.blocks);
+        let count = |k: usize| {
+            blocks
+                .iter()
+                .filter(|b| usize::from(b.material) == k)
+                .count()
+        };
+        count(number) > 0
+            && (0..n).any(|other| {
+                let least = if other == number { 1 } else { 0 };
+                usize::from(self.setup.pair_table[number * n + other]) == row
+                    && count(other) > least
+            })
     }
 
     /// Median of the square root of the area, of the blocks that are free to move if there are any:

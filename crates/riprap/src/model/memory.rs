@@ -26,6 +26,9 @@ const FLAT_NEAR: f64 = 600.0;
 const WRITTEN: [f64; 2] = [1200.0, 3000.0];
 const WRITTEN_MOST: f64 = 25e6;
 
+/// Of each piece of a bolt.
+const BOLT_PIECE: f64 = 400.0;
+
 /// What of a model takes memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Parts {
@@ -53,6 +56,8 @@ pub(crate) struct Parts {
     pub flat_corners: usize,
     /// Pairs of those near each other.
     pub flat_near: usize,
+    /// Pieces of all bolts.
+    pub bolt_pieces: f64,
 }
 
 /// Most memory that a run will hold at a time, B. `blocks` that are split while it runs, and pairs that come near, are not in it.
@@ -60,7 +65,7 @@ pub(crate) struct Parts {
 /// Told and measured (MB, peak of `riprap run` on 2 threads): bricks in a lattice 8,000: 42 and 38, 64,000: 141 and 124, 512,000: 813 and
 /// 631, 1,000,000: 1545 and 1228 (where most joints give way 47, 151, and 1785 for the million); random cells 1,331: 51 and 48, 8,000: 208 and 211; polyhedra poured 5,005: 119 and 108; dry wall of 4,801: 67 and 67; deformable bricks
 /// 8,000: 114 and 123, 27,000: 285 and 268; deformable random cells 512: 61 and 60, 2,197: 208 and 209; deformable tetrahedra of a mesh 105,456:
-/// 2000 and 1561; slope in the plane of 12,581: 93 and 99, wall of 10,001: 64 and 68, of 100,001: 362 and 315.
+/// 2000 and 1561; a bolt of 1,000,000 pieces: 420 and 392; slope in the plane of 12,581: 93 and 99, wall of 10,001: 64 and 68, of 100,001: 362 and 315.
 pub(crate) fn expected(parts: &Parts) -> f64 {
     let n = |count: usize| count as f64;
     let rigid = parts.bricks + parts.solids + parts.flat;
@@ -83,6 +88,17 @@ pub(crate) fn expected(parts: &Parts) -> f64 {
         + BOND * n(parts.bonds)
         + FLAT_CORNER * n(parts.flat_corners)
         + FLAT_NEAR * n(parts.flat_near)
+        + BOLT_PIECE * parts.bolt_pieces
+}
+
+/// Most bricks that free memory holds; infinite where nobody says how much there is.
+pub(super) fn most_bricks() -> f64 {
+    available().map_or(f64::INFINITY, |free| free / BRICK)
+}
+
+/// Whether free memory holds so many pieces of bolts.
+pub(super) fn holds_pieces(count: f64) -> bool {
+    available().is_none_or(|free| BOLT_PIECE * count <= free)
 }
 
 impl Builder<'_> {
@@ -192,6 +208,10 @@ mod tests {
             near: 29_908,
             ..bricks(4801, 0)
         };
+        let bolted = Parts {
+            bolt_pieces: 1e6,
+            ..bricks(1, 0)
+        };
         for (parts, measured) in [
             (bricks(8000, 22_800), 38.2),
             (bricks(64_000, 187_200), 124.0),
@@ -213,6 +233,7 @@ mod tests {
             (flat(10_001, 40_004, 29_461), 68.4),
             (flat(100_001, 400_004, 294_961), 315.0),
             (flat(20_003, 110_061, 2), 73.8),
+            (bolted, 392.0),
         ] {
             let told = 1e-6 * expected(&parts);
             let ratio = told / measured;

@@ -31,6 +31,7 @@ mod motion;
 mod names;
 mod phases;
 mod solid;
+mod start;
 mod summary;
 mod unused;
 mod water;

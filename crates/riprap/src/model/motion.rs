@@ -9,14 +9,38 @@ use super::builder::Builder;
 use crate::accounts::Holder;
 use crate::dynamics::{Formula, TimeFunction};
 use crate::planar::setup::{Load, LoadKind, Motion, Support};
+use crate::scenario::csv_columns::{self, Column};
+use crate::scenario::foreign::at2::parse_at2;
 use crate::scenario::language::{self, EdgeLoad, Point, Target};
 use crate::scenario::quantity::{Kind, Length, Vector, Velocity};
-use crate::scenario::read::Given;
-use crate::scenario::time_function::{CsvFunction, OF_PLACE_AND_TIME, OF_TIME};
-use crate::scenario::{self, Diagnostic, Name, Quantity, Span, csv_columns, target_span};
+use crate::scenario::read::{Given, with_unit};
+use crate::scenario::time_function::{CsvFunction, OF_PLACE_AND_TIME, OF_TIME, RecordFunction};
+use crate::scenario::units::Dim;
+use crate::scenario::vectors::InSpace;
+use crate::scenario::{self, Diagnostic, Name, Quantity, Span, target_span};
 
 /// A point of a load lies on a boundary if it is nearer than this, times the size of the block.
 const ON_BOUNDARY: f64 = 1e-6;
+/// A factor nearer than this share to that of a unit was meant to convert from it: 9.8, 9.81 and 9.80665.
+const ALIKE: f64 = 0.005;
+
+/// Whether a spin turns the blocks as one body: several, or any about a given point.
+pub(super) fn as_one<L: Kind, R: Kind>(
+    said: &language::MotionComponents<L, R>,
+    blocks: &[u32],
+) -> bool {
+    said.each != Some(true) && (said.about.is_some() || blocks.len() > 1)
+}
+
+/// Whether a spin turns anything.
+pub(super) fn turns(spin: &TimeFunction) -> bool {
+    *spin != TimeFunction::Constant(0.0)
+}
+
+/// The function, or rest where there is none `if` what is not given is held.
+pub(super) fn held_if(held: bool, f: Option<TimeFunction>) -> Option<TimeFunction> {
+    f.or_else(|| held.then_some(TimeFunction::Constant(0.0)))
+}
 
 impl Builder<'_> {
     pub(super) fn supports(&mut self) {
@@ -34,19 +58,27 @@ impl Builder<'_> {
                 }),
                 (None, Some(language::Motion::Velocity(m))) => {
                     let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
+                    let spin = self.maybe(m.spin.as_ref());
+                    let about =
+                        (spin.as_ref().is_some_and(turns) && as_one(m, &blocks)).then(|| {
+                            let given =
+                                m.about.as_ref().map(|at| Vec2::from(at.xy()) - self.origin);
+                            given.unwrap_or_else(|| self.centroid_of(&blocks))
+                        });
                     Some(Motion::Velocity {
-                        x,
-                        y,
-                        spin: self.maybe(m.spin.as_ref()),
+                        x: held_if(about.is_some(), x),
+                        y: held_if(about.is_some(), y),
+                        spin,
+                        about,
                     })
                 }
                 (None, Some(language::Motion::Acceleration(m))) => {
                     let (x, y) = (self.maybe(m.x.as_ref()), self.maybe(m.y.as_ref()));
-                    Some(Motion::Acceleration {
-                        x,
-                        y,
-                        spin: self.maybe(m.spin.as_ref()),
-                    })
+                    let spin = self.maybe(m.spin.as_ref());
+                    if spin.as_ref().is_some_and(turns) && as_one(m, &blocks) {
+                        self.tell_turning_each(&support.on);
+                    }
+                    Some(Motion::Acceleration { x, y, spin })
                 }
                 // Reported by the rules of the language.
                 (None, None) => None,
@@ -57,6 +89,26 @@ impl Builder<'_> {
                 self.setup.supports.push(Support { blocks, motion });
             }
         }
+    }
+
+    /// Centroid of the masses of some blocks, m (local).
+    fn centroid_of(&self, blocks: &[u32]) -> Vec2 {
+        let (mut sum, mut mass) = (Vec2::ZERO, 0.0);
+        for &b in blocks {
+            let block = &self.setup.blocks[b as usize];
+            let of = polygon::mass_properties(&block.vertices);
+            sum += block.density * of.area * of.centroid;
+            mass += block.density * of.area;
+        }
+        sum / mass
+    }
+
+    /// An acceleration turns each block about its own centroid, which is told where there are several.
+    fn tell_turning_each(&mut self, on: &Target) {
+        let message = "an acceleration turns each of these blocks about its own centroid";
+        let error = Diagnostic::error("supports.turn", message).at(target_span(on));
+        let help = "prescribe the spin by a `velocity`, which turns them as one body, or write each = true";
+        self.found.push(error.help(help));
     }
 
     /// Warns of blocks that a support before this one holds or drives: the last one alone acts on them, freedoms do not add up.
@@ -138,39 +190,54 @@ impl Builder<'_> {
             Said::Duvall(d) => TimeFunction::duvall(d.peak.si(), d.decay.si(), d.rise.si()),
             Said::Triangle(t) => TimeFunction::triangle(t.peak.si(), t.rise.si(), t.fall.si()),
             Said::Csv(csv) => {
-                let (t, v) = self.csv_function(csv)?;
+                let (t, v) = self.csv_function(csv, self.dim_of::<K>())?;
+                TimeFunction::Table { t, v }
+            }
+            Said::At2(record) => {
+                let (t, v) = self.record_function(record, self.dim_of::<K>())?;
                 TimeFunction::Table { t, v }
             }
             Said::Formula(text) => TimeFunction::Formula(self.formula(text, known)?),
         })
     }
 
+    /// Dimension of the values of a kind in this space.
+    fn dim_of<K: Kind>(&self) -> Dim {
+        let other = match self.space {
+            InSpace::Spatial => K::SPATIAL.map(|other| other.dim),
+            InSpace::Planar => None,
+        };
+        other.or(K::DIM).unwrap_or(Dim::NONE)
+    }
+
     pub(super) fn formula(&mut self, text: &Name, known: &[&str]) -> Option<Formula> {
         self.take(scenario::read_formula(text, known).map_err(|error| vec![error]))
     }
 
-    /// Times, strictly ascending, and values of a CSV file.
-    pub(super) fn csv_function(&mut self, csv: &CsvFunction) -> Option<(Vec<f64>, Vec<f64>)> {
-        let path = self.parsed.folder.join(csv.file.as_str());
-        let columns = match csv_columns(&path, &[csv.time.as_str(), csv.column.as_str()]) {
-            Ok(columns) => columns,
-            Err(error) => {
-                let mut found = Diagnostic::error("file.csv", error.message);
-                found.help = error.help;
-                self.found.push(found.at(csv.file.span.clone()));
-                return None;
-            }
-        };
-        let [times, values] = <[Vec<f64>; 2]>::try_from(columns).ok()?;
+    /// Times, strictly ascending, and values of a CSV file, which are of the dimension `dim`.
+    pub(super) fn csv_function(
+        &mut self,
+        csv: &CsvFunction,
+        dim: Dim,
+    ) -> Option<(Vec<f64>, Vec<f64>)> {
+        let (time, column) = ([csv.time.as_str()], [csv.column.as_str()]);
+        let unit = dim.unit();
+        let mut values = Column::chosen(&column, dim, &unit);
+        if let Some(said) = &csv.unit {
+            values.given = Some(self.unit_of_values(said, dim)?);
+        }
+        let columns = [Column::chosen(&time, Dim::TIME, "s"), values];
+        let table = self.table(&csv.file, &columns)?;
+        let (times, values) = (table.values(0), table.values(1));
         // Between two equal times nothing could be interpolated.
         if let Some(k) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
             let message = format!(
-                "`{}`: the time does not grow from {} s to {} s (lines of numbers {} and {})",
+                "`{}`: the time does not grow from {} s to {} s (lines {} and {})",
                 csv.file,
                 times[k],
                 times[k + 1],
-                k + 1,
-                k + 2
+                table.lines[k],
+                table.lines[k + 1]
             );
             self.error_at(
                 "file.csv",
@@ -181,7 +248,64 @@ impl Builder<'_> {
             return None;
         }
         let scale = csv.scale.si_or(1.0);
-        Some((times, values.into_iter().map(|v| v * scale).collect()))
+        if let (Some(said), Some(found)) = (&csv.scale, &table.columns[1])
+            && csv.unit.is_none()
+            && converts(scale, found.factor)
+        {
+            let message = format!(
+                "`scale` is {scale}, and the column `{}` is read in its unit, which makes {} of 1",
+                found.name, found.factor
+            );
+            let error = Diagnostic::error("csv.scale", message).at(said.span.clone());
+            let help =
+                "take `scale` out; or give `unit`, and the name of the column is not looked at";
+            self.found.push(error.help(help));
+            return None;
+        }
+        let scaled = values.iter().map(|v| v * scale).collect();
+        Some((times.to_vec(), scaled))
+    }
+
+    /// Times and values of a record, which are of the dimension `dim`; `None` after an error.
+    fn record_function(&mut self, said: &RecordFunction, dim: Dim) -> Option<(Vec<f64>, Vec<f64>)> {
+        let help = "a record of PEER has NPTS and DT in its fourth line, and its unit in the third";
+        let record = self.foreign_file(&said.file, parse_at2, help)?;
+        if record.dim != dim {
+            let message = format!("`{}` is {}", said.file, record.dim.describe());
+            let help = format!("{} is expected here", dim.describe());
+            self.error_at("unit.dimension", &said.file, message, &help);
+            return None;
+        }
+        let count = record.values.len();
+        let last = with_unit(record.dt * (count - 1) as f64, "s");
+        self.note_import(
+            &said.file,
+            &format!("read {count} of {count} values, 0 to {last}"),
+        );
+        let scale = said.scale.si_or(1.0);
+        let times = (0..count).map(|k| k as f64 * record.dt);
+        let values = record.values.into_iter().map(|v| v * scale);
+        Some((times.collect(), values.collect()))
+    }
+
+    /// SI value of 1 in the unit that a scene gives the values of a file; `None` after an error.
+    fn unit_of_values(&mut self, said: &Name, dim: Dim) -> Option<f64> {
+        match csv_columns::unit(said.as_str(), dim) {
+            Ok(factor) => Some(factor),
+            Err(message) => {
+                let help = format!(
+                    "{} is expected, for example \"{}\"",
+                    dim.describe(),
+                    dim.unit()
+                );
+                let help = match dim {
+                    Dim::NONE => "the values are plain numbers here: write \"1\"".to_owned(),
+                    _ => help,
+                };
+                self.error_at("unit.dimension", said, message, &help);
+                None
+            }
+        }
     }
 
     pub(super) fn loads(&mut self) {
@@ -293,4 +417,9 @@ impl Builder<'_> {
 /// Place of a point in the text.
 pub(super) fn span_of(point: &Point) -> Span {
     point[0].span.start..point[1].span.end
+}
+
+/// Whether a factor is that of a unit other than SI: a scene from before units of columns were read.
+fn converts(scale: f64, factor: f64) -> bool {
+    factor != 1.0 && (scale / factor - 1.0).abs() < ALIKE
 }

@@ -120,6 +120,14 @@ impl Directory {
         Some(blocks)
     }
 
+    /// Number of the one block of a name.
+    pub(super) fn single(&self, name: &str) -> Option<u32> {
+        match self.lookup(name)?[..] {
+            [block] if self.name(block) == name => Some(block),
+            _ => None,
+        }
+    }
+
     /// Blocks whose centroid lies in a box, bounds included; ascending.
     pub(super) fn inside(&self, min: [f64; 3], max: [f64; 3]) -> Vec<u32> {
         let inside = |c: &[f64; 3]| (0..3).all(|k| min[k] <= c[k] && c[k] <= max[k]);

@@ -43,7 +43,9 @@ pub struct Summary {
     pub regions: Vec<Region>,
     /// Grids whose cells were fitted to a charge, in words.
     pub fitted: Vec<String>,
-    /// Blocks in space that joints divide, in words: area of joints per volume, units that their lists do not name.
+    /// Files that the scene names, in words: how much of each was read, what was left out and why, units that it does not name.
+    pub imports: Vec<String>,
+    /// Blocks in space that joints divide, in words: area of joints per volume, cuts that were not made.
     pub joints: Vec<String>,
     /// Terrain, in words: extent, triangles, steepest place.
     pub terrain: Vec<String>,

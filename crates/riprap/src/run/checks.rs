@@ -7,7 +7,7 @@
 
 mod watch;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use watch::Watch;
 
@@ -15,7 +15,7 @@ pub use watch::Watch;
 use crate::plan::Check;
 
 /// How a check ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
     /// As expected.
@@ -27,7 +27,7 @@ pub enum Status {
 }
 
 /// The result of one check, as `riprap verify --json` prints it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CheckResult {
     /// Scene file.
     pub scene: String,

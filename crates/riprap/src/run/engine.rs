@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use reading::Reading;
-pub use view::{Movement, View};
+pub use view::{Drawn, Movement, View};
 
 use crate::exec::Exec;
 use crate::ledger::Works;
@@ -360,6 +360,20 @@ impl Engine {
         }
     }
 
+    /// Ends a motion with the half kick of the forces that act now: what comes next begins with half a kick of its own.
+    ///
+    /// # Errors
+    /// A block whose forces are not finite.
+    pub fn end_motion(&mut self, damping: &Damping) -> Result<(), u32> {
+        match self {
+            Self::Planar(e) => {
+                planar::step::end_motion(&mut e.world, &mut e.scratch, damping).map_err(|e| e.block)
+            }
+            Self::Spatial(e) => spatial::step::end_motion(&mut e.world, &mut e.scratch, damping)
+                .map_err(|e| e.block),
+        }
+    }
+
     /// How far a relaxing phase of deformable blocks is; `None` if none is.
     #[must_use]
     pub fn relaxing(&self) -> Option<Relaxed> {
@@ -471,13 +485,13 @@ impl Engine {
     pub fn edit(&mut self, phase: &Phase) -> Result<(), String> {
         match self {
             Self::Planar(e) => {
-                edit::planar(&mut e.world, &e.scratch.shapes, phase)
-                    .map_err(|error| error.to_string())?;
+                edit::planar(&mut e.world, &e.scratch, phase).map_err(|error| error.to_string())?;
                 // Supports, laws and the number of blocks may have changed, and the lists were built for those before.
                 e.scratch.invalidate(&mut e.world);
             }
             Self::Spatial(e) => {
-                edit::spatial(&mut e.world, phase).map_err(|error| error.to_string())?;
+                edit::spatial(&mut e.world, &e.scratch, phase)
+                    .map_err(|error| error.to_string())?;
                 e.scratch.invalidate(&mut e.world);
             }
         }

@@ -14,7 +14,8 @@ use super::simulation::{RunError, Simulation, Stage};
 use crate::dynamics::TimeFunction;
 use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
-use crate::plan::{Phase, PhaseKind, Plan, Relaxing, TimeStep};
+use crate::plan::{Phase, PhaseKind, Plan, Relaxing, SAFETY_IN_SPACE, TimeStep};
+use crate::planar;
 use crate::setup::Setup;
 use crate::spatial::read::outlook::can_give_way;
 use crate::spatial::setup::{BoundaryKind, Shape};
@@ -174,7 +175,9 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let at_most = plan.phases.iter().any(may_rest);
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
-    let warnings = doubts(&simulation, plan, stable.dt);
+    let mut warnings = doubts(&simulation, plan, stable.dt);
+    let meets = touching.min(simulation.engine().contact_step_limit(USUAL));
+    warnings.extend((plan.phases.iter()).filter_map(|p| idle_safety(p, stable.dt, meets)));
     let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
     let trial = Trial::of(&mut simulation, stage)?;
     let (steps, least_steps) = match trial.end {
@@ -241,6 +244,8 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
                 .to_owned(),
         );
     }
+    found.extend(meeting::only_dashpots(&view));
+    found.extend(meeting::idle_bolts(&view));
     found.extend((plan.phases.iter()).filter_map(|p| gravity_cut_off(p, stable)));
     for phase in plan.phases.iter().filter(|p| relaxing(p).is_none()) {
         let dt = phase
@@ -279,6 +284,28 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
         ));
     }
     found
+}
+
+/// The rule under which found contacts in space have the longest steps that any rule gives them.
+const USUAL: TimeStep = TimeStep::Auto {
+    safety: SAFETY_IN_SPACE,
+};
+
+/// That a `safety` above the usual one has no effect, in words; `stable` is the stable step at the start, s, `contacts` what found contacts
+/// in space allow, s, infinite where there are none.
+fn idle_safety(phase: &Phase, stable: f64, contacts: f64) -> Option<String> {
+    let TimeStep::Auto { safety } = phase.time_step else {
+        return None;
+    };
+    let wanted = |rule: TimeStep| rule.wanted(stable, &phase.until, phase.gravity_ramp);
+    let rules = contacts < wanted(USUAL) && relaxing(phase).is_none();
+    (safety > SAFETY_IN_SPACE && rules).then(|| {
+        format!(
+            "the `safety` {safety} of phase `{}` gives no longer steps than {SAFETY_IN_SPACE}: contacts that are found allow {contacts:.3e} s, a share of \
+             the stable step that a smaller `safety` makes smaller and a larger one leaves as it is",
+            phase.name
+        )
+    })
 }
 
 /// Share of the stable step up to which bonds that break make no energy worth a word. A bar that spalls (`spall.toml`) makes 0.05 % of what moves at
@@ -393,7 +420,10 @@ fn corners(shape: &Shape) -> Option<usize> {
 fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook>) -> Parts {
     let setup = match setup {
         Setup::Planar(setup) => {
+            let pieces =
+                |bolt: &planar::setup::Bolt| (bolt.toe - bolt.head).length() / bolt.design.piece;
             return Parts {
+                bolt_pieces: setup.bolts.iter().map(pieces).sum(),
                 flat: setup.blocks.len(),
                 flat_corners: setup.blocks.iter().map(|b| b.vertices.len()).sum(),
                 flat_near: (view.planar())
@@ -427,6 +457,9 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
         bonds: (view.spatial())
             .and_then(|v| v.world.deform.as_ref())
             .map_or(0, |deform| deform.facets.len()),
+        bolt_pieces: (setup.bolts.iter())
+            .map(|bolt| bolt.head.distance(bolt.toe) / bolt.design.piece)
+            .sum(),
         ..Parts::default()
     }
 }
@@ -526,6 +559,32 @@ mod tests {
         assert!(!tells(soft, elastic, "safety = 0.95"));
         assert!(!tells(soft, bond, "safety = 0.95\nbreaking = false"));
         assert!(!tells("", bond, "safety = 0.95"));
+    }
+
+    #[test]
+    fn a_safety_that_found_contacts_leave_without_effect_is_told() {
+        let tells = |more: &str, phase: &str| {
+            let text = format!(
+                "riprap = 1\ntitle = \"t\"\nspace.spatial.gravity = \"9.81 m/s2\"\n\
+                 [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n\
+                 [interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\nfriction_angle = \"30 deg\"\n\
+                 [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nbrick = {{ size = [\"4 m\", \"4 m\", \"1 m\"], corner = [\"-2 m\", \"-2 m\", \"-1 m\"] }}\n\
+                 {more}[[supports]]\non.block = \"floor\"\nfixed = {{}}\n\
+                 [[phases]]\nname = \"run\"\nuntil.time = \"0.5 s\"\n{phase}\n"
+            );
+            let wanted = "the `safety` 0.8 of phase `run` gives no longer steps than 0.5";
+            told(text).warnings.iter().any(|s| s.starts_with(wanted))
+        };
+        let brick = |z: &str| {
+            format!(
+                "[[blocks]]\nname = \"b\"\nmaterial = \"rock\"\nbrick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\", \"{z}\"] }}\n"
+            )
+        };
+        assert!(tells(&brick("1 mm"), "safety = 0.8"));
+        // A smaller one has its effect, a given step its own word, and joints take what they are given.
+        assert!(!tells(&brick("1 mm"), "safety = 0.3"));
+        assert!(!tells(&brick("1 mm"), ""));
+        assert!(!tells(&brick("0 m"), "safety = 0.8"));
     }
 
     #[test]

@@ -262,7 +262,15 @@ impl Live {
                 ended,
             });
         }
-        let admit = |path: &Path, found: &Checkpoint| found.origin.admit(path, &manifest);
+        let admit = |path: &Path, found: &Checkpoint| {
+            found.origin.admit(path, &manifest)?;
+            // Its sum says that it is as it was written, not who wrote it.
+            let sound = found.snapshot.sound();
+            sound.map_err(|reason| CheckpointError::Decode {
+                path: path.to_owned(),
+                reason,
+            })
+        };
         let latest = checkpoint::latest_of(folder, KIND, admit)?;
         let broken = latest.broken.iter();
         let mut notes: Vec<String> = broken

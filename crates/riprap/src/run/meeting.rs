@@ -54,6 +54,42 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
     })
 }
 
+/// That found contact does not act across the ends of a periodic model, where blocks are loose.
+pub(super) fn across_ends(view: &View<'_>) -> Option<String> {
+    let world = view.spatial()?.world;
+    let loose = contacts::meeting(world);
+    let periodic = world.setup.periodic.iter().any(Option::is_some);
+    (loose.on && loose.seekers > 0 && periodic).then(|| {
+        "blocks that come loose do not meet across the ends of the periodic model: they pass through each other there".to_owned()
+    })
+}
+
+/// That nothing but dashpots of viscous faces carries the weight, in words.
+pub(super) fn only_dashpots(view: &View<'_>) -> Option<String> {
+    let of = view.spatial()?;
+    let name = of.sinks_into()?;
+    Some(format!(
+        "nothing but the dashpots of the viscous boundary `{name}` carries the weight: the model sinks for ever, at the speed at which they bear it; \
+         hold the base (`held`) or give `[in_situ]`, the stress that viscous faces take up"
+    ))
+}
+
+/// Bolts that tie nothing, in words.
+pub(super) fn idle_bolts(view: &View<'_>) -> Vec<String> {
+    let idle = view.idle_bolts();
+    let Some((bolt, block)) = idle.first() else {
+        return Vec::new();
+    };
+    let others = match idle.len() {
+        1 => String::new(),
+        n => format!(" (nor do {} others)", n - 1),
+    };
+    vec![format!(
+        "bolt `{bolt}` has no effect{others}: all of it lies in block `{block}`, which is rigid, so that it ties nothing to anything; let it cross a \
+         joint, or make the block deformable"
+    )]
+}
+
 /// What a user must know of blocks that do not act on each other, or act otherwise than one would think.
 pub(super) fn words(view: &View<'_>) -> Vec<String> {
     let mut found: Vec<String> = off(view).into_iter().collect();
@@ -73,11 +109,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     if !meeting.on {
         return found;
     }
-    if meeting.seekers > 0 && world.setup.periodic.iter().any(Option::is_some) {
-        found.push(
-            "blocks that come loose do not meet across the ends of the periodic model: they pass through each other there".to_owned(),
-        );
-    }
+    found.extend(across_ends(view));
     if meeting.seekers > 0 && !meeting.sticking.is_empty() {
         found.push(format!(
             "blocks that meet under {} never slide on each other: an elastic interface says nothing of friction; give its `friction_angle`",

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::record::checkpoint::CheckpointError;
 use crate::record::manifest::{InputFile, Manifest};
+use crate::record::read_plain_text;
 
 /// The scene of a checkpoint.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -81,7 +82,7 @@ impl Origin {
             "a run goes on with the values of its checkpoint; for others, run the scene anew";
         let mut found = Vec::new();
         let resolved = folder.join("scenario.resolved.toml");
-        if let Ok(text) = std::fs::read_to_string(&resolved) {
+        if let Ok(text) = read_plain_text(&resolved) {
             let differ = differences(&self.resolved, &text);
             if !differ.is_empty() {
                 found.push(format!(
@@ -93,7 +94,7 @@ impl Origin {
         }
         // Seen from where the command is called, as when the run began; nothing can be said of a scene that is elsewhere.
         let scene = Path::new(&manifest.scenario);
-        if let Ok(text) = std::fs::read_to_string(scene) {
+        if let Ok(text) = read_plain_text(scene) {
             match as_run(&text, manifest) {
                 Ok(text) => {
                     let differ = differences(&self.resolved, &text);

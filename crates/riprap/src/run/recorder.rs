@@ -306,7 +306,12 @@ impl Recorder {
         if let Some(fragments) = simulation.view().fragments() {
             self.folder
                 .write_file("fragments.csv", fragments.csv().as_bytes())?;
+            let members = fragments.members_csv();
+            self.folder
+                .write_file("fragment_blocks.csv", members.as_bytes())?;
         }
+        self.folder
+            .write_file("final_states.csv", view.states().as_bytes())?;
         if let Some(bolts) = view.bolt_table() {
             self.folder.write_file("bolts.csv", bolts.as_bytes())?;
         }

@@ -295,10 +295,16 @@ pub fn input_hash(text: &str, folder: &Path) -> String {
     for name in &named_files(text) {
         add(name.as_bytes());
         // A file that cannot be read stops the model before this.
-        add(&std::fs::read(folder.join(name)).unwrap_or_default());
+        add(&crate::record::read_plain(&folder.join(name)).unwrap_or_default());
     }
     hasher.finalize().to_hex().to_string()
 }
+
+/// How the names of the files end that scenes read.
+const ENDS: [&str; 14] = [
+    ".csv", ".txt", ".dat", ".obj", ".msh", ".tess", ".stl", ".dxf", ".asc", ".at2", ".vt2",
+    ".dt2", ".fab", ".dfn",
+];
 
 /// Texts of a scene that end as the files do which scenes read.
 fn named_files(text: &str) -> Vec<String> {
@@ -306,8 +312,8 @@ fn named_files(text: &str) -> Vec<String> {
     let mut names = Vec::new();
     strings(&root, &mut names);
     names.retain(|name| {
-        let ends = [".csv", ".obj", ".msh", ".tess", ".stl", ".dxf", ".asc"];
-        ends.iter().any(|end| name.ends_with(end))
+        let name = name.to_lowercase();
+        ENDS.iter().any(|end| name.ends_with(end))
     });
     names
 }

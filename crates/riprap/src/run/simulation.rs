@@ -9,8 +9,11 @@ mod cause;
 mod cursor;
 mod ends;
 mod error;
+mod noted;
 mod shorter;
 mod stop;
+#[cfg(all(test, feature = "scenario"))]
+mod tests;
 
 pub use advance::Reached;
 pub use cursor::{
@@ -272,27 +275,24 @@ impl Simulation {
     /// Moves on by one step; call [`Simulation::prepare`] before.
     pub fn step(&mut self) {
         self.standing = false;
-        // So it is at the start, and after an edit that has stopped all blocks:
-        // either way a motion begins with half a kick.
-        if self.view().last_dt() == 0.0 {
-            self.book_start();
-        }
+        self.book_step_change();
         self.engine.advance(self.dt);
         self.cursor.crossed += self.engine.crossed(self.dt);
     }
 
-    /// Books the start of a motion, after the half kick that begins it is known.
-    ///
-    /// What the leapfrog keeps is `m v(n-1/2)·v(n+1/2)/2` and the stored energy. At the start the two
-    /// half-step velocities are `v - dv` and `v + dv` about the given one: `m dv²/2` less than `m v²/2`.
-    fn book_start(&mut self) {
-        let half_kick = self.view().half_kick();
+    /// Books what the coming step, if it has another length than the last one, makes of the energy of motion at half steps
+    /// ([`crate::ledger`]). The first one of a motion grows from nothing.
+    fn book_step_change(&mut self) {
         if self.engine.start_energy().is_none() {
             let total = self.view().balance().total();
-            *self.engine.start_energy() = Some(total - 0.5 * half_kick);
-        } else {
-            // Within a run the start of the ledger stands: what the half kick takes is booked as part of the edit.
-            self.engine.works().edit_defect -= 0.5 * half_kick;
+            *self.engine.start_energy() = Some(total);
+        }
+        let (last, coming) = (self.view().last_dt(), self.dt);
+        if last != coming {
+            // The kick `dv` over the mean of both steps is `a (last + coming)/2`.
+            let share = 0.5 * (last - coming) / (last + coming);
+            let energy = share * self.view().half_kick();
+            self.engine.works().change_step(energy, last == 0.0);
         }
     }
 
@@ -354,6 +354,7 @@ impl Simulation {
         if let Some(gravity) = phase.gravity {
             self.cursor.gravity_after = gravity;
         }
+        self.end_motion(&phase)?;
         if phase.gravity_ramp.is_none() {
             self.engine.set_gravity(self.cursor.gravity_after);
         }
@@ -385,6 +386,32 @@ impl Simulation {
         let after = self.view().balance().residual();
         self.engine.works().edit_defect += after - before;
         Ok(())
+    }
+
+    /// Ends the phase before `phase` with the half kick of its own step and forces where those of `phase` are others: velocities are
+    /// those of the instant then, and `phase` begins with a half kick of its own.
+    fn end_motion(&mut self, phase: &Phase) -> Result<(), RunError> {
+        let before = self.cursor.phase.checked_sub(1);
+        let Some(before) = before.and_then(|k| self.plan.phases.get(k)).cloned() else {
+            return Ok(());
+        };
+        let relaxes = phase.deform.is_some_and(|d| d.relax.is_some());
+        if relaxes || !self.forces_jump(&before, phase) {
+            return Ok(());
+        }
+        let ended = self.engine.end_motion(&damping_of(&before));
+        ended.map_err(|block| self.no_force(block))
+    }
+
+    /// Whether forces at the first instant of `phase` are others than at the last one of the phase `before` it.
+    fn forces_jump(&self, before: &Phase, phase: &Phase) -> bool {
+        let gravity = phase.gravity_ramp.is_none_or(|span| span <= 0.0)
+            && self.engine.gravity() != self.cursor.gravity_after;
+        let strain = |phase: &Phase| phase.deform.and_then(|d| d.strain);
+        gravity
+            || damping_of(before) != damping_of(phase)
+            || phase.edits_forces()
+            || strain(phase).is_some_and(|now| strain(before) != Some(now))
     }
 
     fn ramp_gravity(&mut self, ramp: Option<f64>) {

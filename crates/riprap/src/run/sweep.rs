@@ -1,6 +1,5 @@
 //! All cases of a scene side by side, each in its own sub-folder, with one table.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::checks::{CheckResult, Status};
@@ -11,6 +10,8 @@ use super::verify::Tally;
 use crate::exec::side_by_side;
 use crate::record::field::with_unit;
 use crate::record::folder::Existing;
+use crate::record::manifest::{Ended, Manifest};
+use crate::record::read_plain_text;
 use crate::record::table::Table;
 use crate::scenario::{Case, Diagnostics, swept_and_set};
 
@@ -27,6 +28,8 @@ pub struct Row {
     pub ended: String,
     /// Whether it reached its end.
     pub finished: bool,
+    /// Whether it was run before, by this program and with the same input, and is kept as it is.
+    pub kept: bool,
     /// Whether results could not be written.
     pub unwritten: bool,
     /// Steps done.
@@ -51,7 +54,8 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 }
 
 /// Runs all cases into sub-folders of `folder`, `jobs` at a time, and hands each row to `report` in
-/// the order of the cases.
+/// the order of the cases. Unless what is there is to be replaced, a case that has finished there before, with the same input and
+/// by the same program, is kept and not run again.
 ///
 /// # Examples
 ///
@@ -102,6 +106,7 @@ fn one(
         changes: as_run(&case.changes, &scene.changes),
         ended: "stopped by the user before it began".to_owned(),
         finished: false,
+        kept: false,
         unwritten: false,
         steps: 0,
         last: Vec::new(),
@@ -118,14 +123,26 @@ fn one(
             Control::Continue
         }
     };
-    let outcome = scene
-        .prepare(case)
-        .map_err(|wrong| wrong.render())
-        .and_then(|prepared| {
-            job::run(prepared.job(), &folder, existing, 1, &mut look).map_err(|wrong: JobError| {
-                row.unwritten = wrong.is_output();
-                wrong.to_string()
-            })
+    let prepared = match scene.prepare(case) {
+        Ok(prepared) => prepared,
+        Err(wrong) => {
+            row.ended = wrong.render();
+            return row;
+        }
+    };
+    if existing == Existing::Refuse
+        && let Some((steps, checks)) = finished_before(&folder, &prepared.manifest)
+    {
+        row.ended = "finished".to_owned();
+        (row.finished, row.kept) = (true, true);
+        (row.steps, row.checks) = (steps, checks);
+        row.last = last_values(&folder);
+        return row;
+    }
+    let outcome =
+        job::run(prepared.job(), &folder, existing, 1, &mut look).map_err(|wrong: JobError| {
+            row.unwritten = wrong.is_output();
+            wrong.to_string()
         });
     match outcome {
         Err(why) => row.ended = why,
@@ -147,6 +164,26 @@ fn one(
         }
     }
     row
+}
+
+/// Steps and checks of a run in `folder` that has come to its end with the input and the program of `wanted`.
+fn finished_before(folder: &Path, wanted: &Manifest) -> Option<(u64, Vec<CheckResult>)> {
+    let there = Manifest::read(folder).ok()?;
+    let same = there.input_hash == wanted.input_hash
+        && there.riprap == wanted.riprap
+        && there.variant == wanted.variant
+        && there.preview == wanted.preview;
+    if there.ended != Ended::Finished || !same {
+        return None;
+    }
+    let file = folder.join("checks.jsonl");
+    let text = match read_plain_text(&file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
+        Err(_) => return None,
+    };
+    let checks = text.lines().map(serde_json::from_str);
+    Some((there.steps, checks.collect::<Result<_, _>>().ok()?))
 }
 
 /// The changes of a case with the values that ran: the user's changes win over those of a variant.
@@ -192,62 +229,125 @@ pub fn tally(rows: &[Row]) -> Tally {
 /// # Errors
 /// Never in practice: it is written to memory.
 pub fn table(rows: &[Row]) -> Result<Vec<u8>, csv::Error> {
-    let mut keys: Vec<&str> = Vec::new();
-    let mut heads: Vec<&str> = Vec::new();
-    let mut checks: Vec<&str> = Vec::new();
-    for row in rows {
-        add_new(&mut keys, row.changes.iter().map(|(key, _)| key.as_str()));
-        add_new(&mut heads, row.last.iter().map(|(head, _)| head.as_str()));
-        add_new(
-            &mut checks,
-            row.checks.iter().map(|check| check.check.as_str()),
-        );
+    table_with(rows, None)
+}
+
+/// As [`table`], with the rows of an earlier table of the same folder whose cases are not among `rows`: a sweep over other values
+/// leaves them where they are.
+///
+/// # Errors
+/// As [`table`]; an earlier table that is none is left out.
+pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::Error> {
+    let mut lines: Vec<Line> = rows.iter().map(Line::of).collect();
+    let here: Vec<&str> = rows.iter().map(|row| row.case.as_str()).collect();
+    let before = earlier.map(Line::all_of).unwrap_or_default();
+    lines.extend(
+        before
+            .into_iter()
+            .filter(|line| !here.contains(&line.case())),
+    );
+    let mut heads: [Vec<&str>; 3] = Default::default();
+    for line in &lines {
+        for (heads, cells) in heads.iter_mut().zip(&line.cells) {
+            add_new(heads, cells.iter().map(|(head, _)| head.as_str()));
+        }
     }
+    let [keys, last, checks] = &heads;
     let mut out = csv::Writer::from_writer(Vec::new());
-    let mut line: Vec<String> = vec!["case".to_owned(), "variant".to_owned()];
-    line.extend(keys.iter().map(|key| (*key).to_owned()));
-    line.extend(["ended".to_owned(), "steps".to_owned()]);
-    line.extend(heads.iter().map(|head| (*head).to_owned()));
-    line.extend(checks.iter().map(|check| format!("check: {check}")));
-    out.write_record(&line)?;
-    for row in rows {
-        let changes: BTreeMap<&str, &str> = row
-            .changes
-            .iter()
-            .map(|(key, value)| (key.as_str(), value.as_str()))
-            .collect();
-        let last: BTreeMap<&str, f64> = row
-            .last
-            .iter()
-            .map(|(head, value)| (head.as_str(), *value))
-            .collect();
-        let status: BTreeMap<&str, Status> = row
-            .checks
-            .iter()
-            .map(|c| (c.check.as_str(), c.status))
-            .collect();
-        let mut line = vec![row.case.clone(), row.variant.clone()];
-        line.extend(keys.iter().map(|key| {
-            changes
-                .get(key)
-                .map_or_else(String::new, |v| v.trim_matches('"').to_owned())
-        }));
-        line.extend([row.ended.clone(), row.steps.to_string()]);
-        line.extend(
-            heads
-                .iter()
-                .map(|h| last.get(h).map_or_else(String::new, |v| format!("{v}"))),
-        );
-        line.extend(checks.iter().map(|c| match status.get(c) {
-            Some(Status::Passed) => "passed".to_owned(),
-            Some(Status::Failed) => "failed".to_owned(),
-            Some(Status::Skipped) => "skipped".to_owned(),
-            None => String::new(),
-        }));
-        out.write_record(&line)?;
+    let first = ["case", "variant"].into_iter().chain(keys.iter().copied());
+    let all = first
+        .chain(["ended", "steps"])
+        .chain(last.iter().chain(checks).copied());
+    out.write_record(all)?;
+    for line in &lines {
+        let cell = |of: usize, head: &&str| {
+            let found = line.cells[of].iter().find(|(known, _)| known == head);
+            found.map_or("", |(_, cell)| cell.as_str())
+        };
+        let [case, variant, ended, steps] = line.fixed.each_ref().map(String::as_str);
+        let own = [case, variant]
+            .into_iter()
+            .chain(keys.iter().map(|head| cell(0, head)));
+        let own = own
+            .chain([ended, steps])
+            .chain(last.iter().map(|head| cell(1, head)));
+        out.write_record(own.chain(checks.iter().map(|head| cell(2, head))))?;
     }
     out.into_inner().map_err(|error| error.into_error().into())
 }
+
+/// A line of the table.
+struct Line {
+    /// Case, variant, how it ended, steps.
+    fixed: [String; 4],
+    /// Changed keys, last values, checks, each with the head of its column.
+    cells: [Vec<(String, String)>; 3],
+}
+
+impl Line {
+    fn case(&self) -> &str {
+        &self.fixed[0]
+    }
+
+    fn of(row: &Row) -> Self {
+        let keys = row.changes.iter();
+        let keys = keys.map(|(key, value)| (key.clone(), value.trim_matches('"').to_owned()));
+        let last = row.last.iter();
+        let last = last.map(|(head, value)| (head.clone(), format!("{value}")));
+        let checks = row.checks.iter().map(|check| {
+            let status = match check.status {
+                Status::Passed => "passed",
+                Status::Failed => "failed",
+                Status::Skipped => "skipped",
+            };
+            (format!("{CHECK}{}", check.check), status.to_owned())
+        });
+        Line {
+            fixed: [
+                row.case.clone(),
+                row.variant.clone(),
+                row.ended.clone(),
+                row.steps.to_string(),
+            ],
+            cells: [keys.collect(), last.collect(), checks.collect()],
+        }
+    }
+
+    /// The lines of a table; none of a text that is no such table.
+    fn all_of(text: &str) -> Vec<Self> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let heads = reader.headers().cloned().unwrap_or_default();
+        let place = |name: &str| heads.iter().position(|head| head == name);
+        let (Some(0), Some(1), Some(ended)) = (place("case"), place("variant"), place("ended"))
+        else {
+            return Vec::new();
+        };
+        if place("steps") != Some(ended + 1) {
+            return Vec::new();
+        }
+        let line = |record: csv::StringRecord| {
+            let text = |k: usize| record.get(k).unwrap_or_default().to_owned();
+            let mut line = Line {
+                fixed: [0, 1, ended, ended + 1].map(text),
+                cells: Default::default(),
+            };
+            for (k, head) in heads.iter().enumerate() {
+                let of = match k {
+                    _ if [0, 1, ended, ended + 1].contains(&k) || text(k).is_empty() => continue,
+                    _ if k < ended => 0,
+                    _ if head.starts_with(CHECK) => 2,
+                    _ => 1,
+                };
+                line.cells[of].push((head.to_owned(), text(k)));
+            }
+            line
+        };
+        reader.records().filter_map(Result::ok).map(line).collect()
+    }
+}
+
+/// Head of the column of a check, before its name.
+const CHECK: &str = "check: ";
 
 fn add_new<'a>(list: &mut Vec<&'a str>, more: impl Iterator<Item = &'a str>) {
     for one in more {
@@ -280,6 +380,7 @@ mod tests {
             changes: vec![(key.to_owned(), "\"5 deg\"".to_owned())],
             ended: "finished".to_owned(),
             finished: true,
+            kept: false,
             unwritten: false,
             steps: 7,
             last: vec![(head.to_owned(), 0.5)],
@@ -292,5 +393,15 @@ mod tests {
             "case,variant,k,l,ended,steps,slip [m]\na,default,5 deg,,finished,7,0.5\n\
              b,default,,5 deg,finished,7,0.5\n"
         );
+        // Another sweep into the same folder: cases of its own are new, others stay.
+        let more = [row("b", "l", "turn [rad]"), row("c", "l", "slip [m]")];
+        let both = String::from_utf8(table_with(&more, Some(&text)).unwrap()).unwrap();
+        assert_eq!(
+            both,
+            "case,variant,l,k,ended,steps,turn [rad],slip [m]\nb,default,5 deg,,finished,7,0.5,\n\
+             c,default,5 deg,,finished,7,,0.5\na,default,,5 deg,finished,7,,0.5\n"
+        );
+        let foreign = table_with(&more, Some("hello\n1\n")).unwrap();
+        assert_eq!(foreign, table(&more).unwrap());
     }
 }

@@ -71,7 +71,7 @@ pub fn scenes_under(path: &Path) -> std::io::Result<Vec<PathBuf>> {
 }
 
 fn has_checks(path: &Path) -> bool {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let text = crate::record::read_plain_text(path).unwrap_or_default();
     let mut keys = text
         .lines()
         .map(str::trim)

@@ -315,6 +315,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
             strength,
             energy: [20.0, 80.0],
             softening: Softening::Munjiza,
+            curve: None,
         }),
         ..bonds(3e-4)
     });

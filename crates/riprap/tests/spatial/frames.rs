@@ -38,6 +38,7 @@ fn still(velocity: Vec3) -> Motion {
     Motion::Velocity {
         translation: velocity.to_array().map(|v| Some(constant(v))),
         spin: [0.0; 3].map(|v| Some(constant(v))),
+        about: None,
     }
 }
 

@@ -20,6 +20,7 @@ fn softening() -> Behaviour {
         weakening: Weakening::Softening(Softening {
             slip: 1e-3,
             opening: 1e-4,
+            curve: None,
         }),
         closure: Closure::Linear,
     }
@@ -124,6 +125,46 @@ fn cohesion_and_friction_go_linearly_to_their_residuals() {
     for (t, f) in sheared.point.iter().zip(&sheared.face) {
         assert!((t[1] - f[1]).abs() < 1e-6 * peak);
     }
+}
+
+/// Along a curve by points: what is left of the strength at a slip and at an opening, and the work of separation under it.
+#[test]
+fn joints_soften_along_a_curve() {
+    let curve = Curve::new(&[[0.0, 1.0], [0.2, 0.3], [0.6, 0.25], [1.0, 0.0]]).unwrap();
+    let behaviour = Behaviour {
+        weakening: Weakening::Softening(Softening {
+            slip: 1e-3,
+            opening: 1e-4,
+            curve: Some(curve),
+        }),
+        closure: Closure::Linear,
+    };
+    let strength = strength();
+    let law = Law::new(Some(&strength), &behaviour, SPRINGS);
+    let sheared = shear(&law, &straight(-5e-5, 2e-3));
+    let (peak, residual) = (1e6 + 0.6 * 1e6, 0.1e6 + 0.5 * 1e6);
+    for slip in [0.05e-3, 0.2e-3, 0.5e-3, 0.9e-3] {
+        let wanted = residual + curve.at(slip / 1e-3) * (peak - residual);
+        let k = ((slip + wanted / 1e10) / 2e-3 * 20_000.0).round() as usize;
+        let ratio = sheared.point[k][1] / wanted;
+        assert!((ratio - 1.0).abs() < 2e-3, "{slip} {ratio}");
+    }
+    assert!(sheared.memory.broken);
+    let open: Vec<[f64; 3]> = (0..=20_000)
+        .map(|k| [1.3e-4 * f64::from(k) / 20_000.0, 0.0, 0.0])
+        .collect();
+    let drawn = shear(&law, &open);
+    for parted in [0.1e-4, 0.4e-4, 0.8e-4] {
+        let wanted = 0.3e6 * curve.at(parted / 1e-4);
+        let k = ((parted + wanted / SPRINGS[0]) / 1.3e-4 * 20_000.0).round() as usize;
+        let ratio = drawn.point[k][0] / wanted;
+        assert!((ratio - 1.0).abs() < 2e-3, "{parted} {ratio}");
+    }
+    let work =
+        0.3e6 * (0.5 * 0.3e6 / SPRINGS[0] + curve.area() * 1e-4) - 0.3e6 * 0.5 * 0.3e6 / SPRINGS[0];
+    let lost = drawn.loss.fracture;
+    assert!((lost / work - 1.0).abs() < 2e-3, "{lost} {work}");
+    assert!(drawn.memory.open && drawn.memory.broken);
 }
 
 #[test]

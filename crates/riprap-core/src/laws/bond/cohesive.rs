@@ -9,14 +9,17 @@
 //! takes is on top.
 //!
 //! Source: bilinear law as in Camanho & Davila (2002), NASA/TM-2002-211737, with the linear energy criterion; curve of
-//! Munjiza, Andrews & White (1999), Int. J. Numer. Meth. Engng 44, 41-57.
+//! Munjiza, Andrews & White (1999), Int. J. Numer. Meth. Engng 44, 41-57; Petersson (1981), report TVBM-1006, Lund;
+//! Cornelissen, Hordijk & Reinhardt (1986), Heron 31 (2), 45-56.
 //! Deviations: damage is driven by the slip of the slider, because with the whole `e_s` friction would count twice
-//! at the peak; D itself is remembered, not kappa, because the length of the curve changes with the direction.
+//! at the peak; curves run over the displacement past the peak (the crack of the sources opens by that and by what the springs give
+//! back, less than `strength/k`), with the whole area as fracture energy; D itself is remembered, not kappa, because the length of the curve changes with the direction.
 
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
 use super::{Springs, State, Strength, Traction, from_rest, norm, slider};
+use crate::laws::softening_curve::Curve;
 
 /// Softening curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
@@ -26,6 +29,12 @@ pub enum Softening {
     Linear,
     /// Measured on concrete (Munjiza): steep first, with a long tail.
     Munjiza,
+    /// Two lines for concrete (Petersson): to a third of the strength at 0.8 G/f, to nothing at 3.6 G/f.
+    Petersson,
+    /// Measured on concrete (Cornelissen, Hordijk and Reinhardt): steeper than `munjiza` at first, nothing left at 5.136 G/f.
+    Hordijk,
+    /// Exponential, `exp(-w f/G)`; cut off where a thousandth is left.
+    Exponential,
 }
 
 /// Strength and fracture energies; tension and cohesion are above 0.
@@ -37,6 +46,8 @@ pub struct Cohesive {
     pub energy: [f64; 2],
     /// Curve from the peak to nothing.
     pub softening: Softening,
+    /// Curve by points; in the place of `softening`.
+    pub curve: Option<Curve>,
 }
 
 /// Area under [`munjiza`].
@@ -55,7 +66,68 @@ pub fn munjiza(x: f64) -> f64 {
     fall * (A * rest + B * square * square * square)
 }
 
+/// Share of the strength where Petersson's two lines meet, and of their length.
+const PETERSSON: [f64; 2] = [0.8 / 3.6, 1.0 / 3.0];
+/// Constants c_1 and c_2 of Cornelissen, Hordijk and Reinhardt, and the area under their curve.
+const HORDIJK: [f64; 2] = [3.0, 6.93];
+pub(super) const HORDIJK_AREA: f64 = 0.194_701_953_6;
+/// Logarithm of the strength at which an exponential curve is cut off.
+const CUT_OFF: f64 = 7.0;
+
+/// Traction over strength at the share `x` (0 to 1) of the softening length, of a curve that is no straight line.
+fn hordijk(x: f64) -> f64 {
+    let [c, d] = HORDIJK;
+    let cube = |x: f64| x * x * x;
+    (1.0 + cube(c * x)) * libm::exp(-d * x) - x * (1.0 + cube(c)) * libm::exp(-d)
+}
+
+/// The same for an exponential curve.
+fn exponential(x: f64) -> f64 {
+    let end = libm::exp(-CUT_OFF);
+    (libm::exp(-CUT_OFF * x) - end) / (1.0 - end)
+}
+
+/// The same for two lines.
+fn petersson(x: f64) -> f64 {
+    let [at, share] = PETERSSON;
+    if x < at {
+        1.0 - (1.0 - share) * x / at
+    } else {
+        share * (1.0 - x) / (1.0 - at)
+    }
+}
+
 impl Cohesive {
+    /// Traction over strength at the share `x` (0 to 1) of the softening length.
+    #[must_use]
+    pub fn share(&self, x: f64) -> f64 {
+        if let Some(curve) = &self.curve {
+            return curve.at(x);
+        }
+        match self.softening {
+            Softening::Linear => 1.0 - x,
+            Softening::Munjiza => munjiza(x),
+            Softening::Petersson => petersson(x),
+            Softening::Hordijk => hordijk(x),
+            Softening::Exponential => exponential(x),
+        }
+    }
+
+    /// Area under the curve of [`Cohesive::share`].
+    #[must_use]
+    pub fn share_area(&self) -> f64 {
+        if let Some(curve) = &self.curve {
+            return curve.area();
+        }
+        match self.softening {
+            Softening::Linear => 0.5,
+            Softening::Munjiza => MUNJIZA_AREA,
+            Softening::Petersson => 1.0 / 3.6,
+            Softening::Hordijk => HORDIJK_AREA,
+            Softening::Exponential => 1.0 / CUT_OFF - 1.0 / libm::expm1(CUT_OFF),
+        }
+    }
+
     /// Least fracture energies (opening, shear, J/m²) that these springs resolve, `strength²/(2 k)`: with less the point
     /// breaks at once and takes this much.
     #[must_use]
@@ -72,24 +144,20 @@ impl Cohesive {
         if kappa <= 1.0 {
             return 0.0;
         }
-        match self.softening {
-            Softening::Linear => {
-                // A triangle as high as the peak: half of its base is its area.
-                let end = 2.0 * area;
-                if kappa >= end {
-                    return 1.0;
-                }
-                1.0 - (end - kappa) / ((end - 1.0) * kappa)
+        if self.curve.is_none() && self.softening == Softening::Linear {
+            // A triangle as high as the peak: half of its base is its area.
+            let end = 2.0 * area;
+            if kappa >= end {
+                return 1.0;
             }
-            Softening::Munjiza => {
-                // The rise to the peak has an area of one half.
-                let length = (area - 0.5) / MUNJIZA_AREA;
-                if kappa - 1.0 >= length {
-                    return 1.0;
-                }
-                1.0 - munjiza((kappa - 1.0) / length) / kappa
-            }
+            return 1.0 - (end - kappa) / ((end - 1.0) * kappa);
         }
+        // The rise to the peak has an area of one half.
+        let length = (area - 0.5) / self.share_area();
+        if kappa - 1.0 >= length {
+            return 1.0;
+        }
+        1.0 - self.share((kappa - 1.0) / length) / kappa
     }
 }
 

@@ -48,7 +48,23 @@ fn law(softening: Softening) -> Cohesive {
         strength: STRENGTH,
         energy: [20.0, 80.0],
         softening,
+        curve: None,
     }
+}
+
+/// All curves by name, and one by points.
+fn curves() -> Vec<(Softening, Option<Curve>)> {
+    let points = [[0.0, 1.0], [0.1, 0.4], [0.4, 0.4], [0.9, 0.05], [2.0, 0.0]];
+    let named = [
+        Softening::Linear,
+        Softening::Munjiza,
+        Softening::Petersson,
+        Softening::Hordijk,
+        Softening::Exponential,
+    ];
+    let named = named.map(|softening| (softening, None));
+    let own = (Softening::Linear, Some(Curve::new(&points).unwrap()));
+    named.into_iter().chain([own]).collect()
 }
 
 #[test]
@@ -177,7 +193,7 @@ fn reload(end: f64) -> impl Iterator<Item = f64> {
 fn work_to_full_separation_is_the_fracture_energy() {
     for thickness in [3e-3, 3e-4, 3e-5] {
         let k = springs(40e9, 16e9, thickness);
-        for softening in [Softening::Linear, Softening::Munjiza] {
+        for (softening, curve) in curves() {
             let law = Cohesive {
                 strength: Strength {
                     tension: 2e6,
@@ -186,11 +202,12 @@ fn work_to_full_separation_is_the_fracture_energy() {
                 },
                 energy: [50.0, 200.0],
                 softening,
+                curve,
             };
             let least = law.least_energy(k);
             assert!(least[0] < law.energy[0] && least[1] < law.energy[1]);
             for (mode, direction) in [[1.0, 0.0, 0.0], [0.0, 0.6, -0.8]].iter().enumerate() {
-                let path = reload(1.5e-4).map(|s| direction.map(|d| s * d));
+                let path = reload(2e-4).map(|s| direction.map(|d| s * d));
                 let (sum, state) = work(k, &law, path);
                 assert_eq!(state.damage, 1.0);
                 let ratio = sum / law.energy[mode];
@@ -205,13 +222,16 @@ fn work_to_full_separation_is_the_fracture_energy() {
 
 #[test]
 fn mixed_modes_share_the_energy() {
-    for softening in [Softening::Linear, Softening::Munjiza] {
-        let law = law(softening);
+    for (softening, curve) in curves() {
+        let law = Cohesive {
+            curve,
+            ..law(softening)
+        };
         for angle in [0.2_f64, 0.7, 1.2] {
             let (mut at, mut t, mut state) = ([0.0; 3], NONE, State::default());
             let mut taken = [0.0; 2];
             for k in 1..=100_000 {
-                let s = 6e-5 * f64::from(k) / 1e5;
+                let s = 1e-4 * f64::from(k) / 1e5;
                 let next = [s * angle.cos(), s * angle.sin(), 0.0];
                 let (u, new) = cohesive(K, &law, &NONE, &next, &state);
                 for (k, sum) in taken.iter_mut().enumerate() {
@@ -263,8 +283,11 @@ fn energy_is_only_lost() {
             .wrapping_add(1442695040888963407);
         (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     };
-    for softening in [Softening::Linear, Softening::Munjiza] {
-        let law = law(softening);
+    for (softening, curve) in curves() {
+        let law = Cohesive {
+            curve,
+            ..law(softening)
+        };
         let start = [-1e6, 2e6, 0.0];
         for _ in 0..20 {
             let mut at = [0.0; 3];
@@ -311,6 +334,68 @@ fn the_slider_loses_what_it_rubs() {
     assert!(
         (total / (5e6 * (1.1e-6 - 1.25e-7)) - 1.0).abs() < 1e-9,
         "{total}"
+    );
+}
+
+/// A point that is pulled apart follows its curve: traction over strength at the opening past the peak.
+#[test]
+fn a_pulled_point_is_on_its_curve() {
+    let strength = Strength {
+        tension: 2e6,
+        ..STRENGTH
+    };
+    let (rise, energy) = (2e6 / K[0], 50.0);
+    for (softening, curve) in curves() {
+        let law = Cohesive {
+            strength,
+            energy: [energy, 200.0],
+            softening,
+            curve,
+        };
+        assert!((law.share(0.0) - 1.0).abs() < 1e-15 && law.share(1.0).abs() < 1e-15);
+        let steps = 100_000_u32;
+        let x = |k: u32| f64::from(k) / f64::from(steps);
+        let sum: f64 = (0..steps).map(|k| law.share(0.5 * (x(k) + x(k + 1)))).sum();
+        assert!((sum / f64::from(steps) - law.share_area()).abs() < 2e-7);
+        assert!((0..steps).all(|k| law.share(x(k)) >= law.share(x(k + 1))));
+        let length = (energy / 2e6 - 0.5 * rise) / law.share_area();
+        for part in [0.01, 0.05, 0.2, 0.4, 0.7, 0.95] {
+            let at = [rise + part * length, 0.0, 0.0];
+            let (t, _) = cohesive(K, &law, &NONE, &at, &State::default());
+            let wanted = 2e6 * law.share(part);
+            assert!(
+                (t[0] - wanted).abs() < 1e-3,
+                "{softening:?} {part}: {t:?} {wanted}"
+            );
+        }
+    }
+}
+
+#[test]
+fn curves_have_the_numbers_of_their_sources() {
+    let of = |softening| law(softening);
+    // Petersson: kink at 0.8 G/f, end at 3.6 G/f; Hordijk: end at 5.136 G/f; exponential: tangent meets nothing at G/f.
+    assert!((1.0 / of(Softening::Petersson).share_area() - 3.6).abs() < 1e-12);
+    assert!((of(Softening::Petersson).share(0.8 / 3.6) - 1.0 / 3.0).abs() < 1e-12);
+    assert!((1.0 / of(Softening::Hordijk).share_area() - 5.136).abs() < 1e-3);
+    let exponential = of(Softening::Exponential);
+    let slope = (1.0 - exponential.share(1e-6)) / 1e-6 * exponential.share_area();
+    assert!((slope - 1.0).abs() < 0.01, "{slope}");
+}
+
+#[test]
+fn points_that_are_no_curve_are_refused() {
+    let new = |points: &[[f64; 2]]| Curve::new(points).unwrap_err();
+    assert_eq!(new(&[[0.0, 1.0]]), CurveError::Count { count: 1 });
+    assert_eq!(new(&[[0.0, 0.9], [1.0, 0.0]]), CurveError::Start);
+    assert_eq!(new(&[[0.0, 1.0], [1.0, 0.1]]), CurveError::End);
+    let order = new(&[[0.0, 1.0], [0.5, 0.3], [0.5, 0.0]]);
+    assert_eq!(order, CurveError::Order { point: 3 });
+    let rise = new(&[[0.0, 1.0], [0.5, 0.3], [0.6, 0.4], [1.0, 0.0]]);
+    assert_eq!(rise, CurveError::Rise { point: 3 });
+    assert_eq!(
+        new(&[[0.0, 1.0], [f64::NAN, 0.0]]),
+        CurveError::Order { point: 2 }
     );
 }
 

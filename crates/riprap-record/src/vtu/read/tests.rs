@@ -121,6 +121,11 @@ fn pvd_round_trip() {
     let text = write_pvd(&entries);
     std::fs::write(&path, &text).unwrap();
     assert_eq!(read_pvd(&path).unwrap(), entries);
+    // A million entries of one frame had it read a million times.
+    let twice = write_pvd(&[entries[0].clone(), entries[0].clone()]);
+    std::fs::write(&path, twice).unwrap();
+    let refused = read_pvd(&path).unwrap_err().to_string();
+    assert!(refused.contains("frame_000000.vtu twice"), "{refused}");
     std::fs::write(&path, &text[..text.len() / 2]).unwrap();
     assert!(read_pvd(&path).is_err());
     std::fs::write(&path, "hello").unwrap();

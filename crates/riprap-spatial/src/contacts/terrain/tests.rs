@@ -66,6 +66,35 @@ fn a_flat_terrain_is_a_floor() {
     assert!((facet.force - force).length() < 1e-9 * force.length());
 }
 
+/// Blocks that come to terrain from outside, below its surface: at an edge, at a corner, at a notch of its rim, and one that has gone
+/// over the rim and hits the side below. None makes energy; each goes back.
+#[test]
+fn what_comes_from_outside_meets_a_wall() {
+    let come = |at: [f64; 3], velocity: [f64; 3], turn: f64| {
+        let mut block = turned(at, [0.5, 0.6, 0.4], Quat::from_rotation_z(turn));
+        block.velocity = Vec3::from_array(velocity);
+        let hills = |x: f64, y: f64| 0.1 * libm::sin(3.0 * x) * libm::cos(2.0 * y);
+        let mut setup = above_ground(vec![block], 0.0, 0.0, 16, hills);
+        setup.gravity = Vec3::ZERO;
+        let mut run = Run::new(setup, 1, 5e-5);
+        let start = run.view().kinetic_energy();
+        run.until(0.35);
+        let most = run.view().balance();
+        let loss = most.residual().abs() / start;
+        assert!(loss < 2e-3, "{at:?}: {loss:e}");
+        let kinetic = run.view().kinetic_energy();
+        assert!(
+            (kinetic / start - 1.0).abs() < 5e-3,
+            "{at:?}: {kinetic} {start}"
+        );
+        let (before, after) = (Vec3::from_array(velocity), run.world.bodies.velocity(1));
+        assert!(after.dot(before) < 0.0, "{at:?}: {after}");
+    };
+    come([-5.2, 0.3, -0.3], [4.0, 0.0, 0.0], 0.2);
+    come([-5.0, -5.0, -0.35], [3.0, 3.0, 0.0], 0.0);
+    come([1.0, 4.8, -3.0], [0.0, -4.0, 0.0], 0.4);
+}
+
 /// On 30 degrees: slides as fast as it should at 20 degrees of friction, stays at 31.
 #[test]
 fn a_block_on_a_slope() {

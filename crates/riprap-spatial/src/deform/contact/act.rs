@@ -128,17 +128,22 @@ fn put(
                 let n = (body.first + n) as usize;
                 deform.nodes.place[n] + Vec3::from_array(deform.nodes.displacement[n])
             };
-            let tets = &work.class(body).mesh.tets;
-            star.put(tets, member.peak, place(body.count - 1), place);
+            let class = work.class(body);
+            star.put(
+                class.depths(),
+                &class.mesh.tets,
+                place(body.count - 1),
+                place,
+            );
         }
         None => {
-            let Some(mesh) = &member.mesh else {
+            let Some((field, nodes)) = &member.rigid else {
                 return;
             };
             let pose = pose();
             let turn = Mat3::from_quat(pose.rotation);
-            let place = |n: u32| pose.position + turn * mesh.nodes[n as usize];
-            star.put(&mesh.tets, member.peak, pose.position, place);
+            let place = |n: u32| pose.position + turn * nodes[n as usize];
+            star.put(field, &[], pose.position, place);
         }
     }
 }
@@ -252,7 +257,7 @@ impl Evaluation<'_> {
             for (side, forces) in slot.forces.iter_mut().enumerate() {
                 let (weights, arm) = (&spot.weights[side], spot.arms[side]);
                 let own = [-force, force][side];
-                sides.add(side, forces, spot.tets[side], weights, arm, own);
+                sides.add(side, forces, spot.cells[side], weights, arm, own);
             }
         }
     }
@@ -306,7 +311,7 @@ fn press(
                 continue;
             };
             slot.touching = true;
-            for (side, (cell, tet)) in [(first, i), (second, j)].into_iter().enumerate() {
+            for (side, (cell, number)) in [(first, i), (second, j)].into_iter().enumerate() {
                 let half = &overlap.halves[side];
                 if half.volume == 0.0 {
                     continue;
@@ -318,14 +323,14 @@ fn press(
                 }
                 let arm = [half.centroid, half.centroid - shift][side];
                 let weights = cell.weights(half.centroid);
-                sides.add(side, &mut slot.forces[side], tet, &weights, arm, force);
+                sides.add(side, &mut slot.forces[side], number, &weights, arm, force);
             }
             let surface = &overlap.surface;
             if surface.weight > 0.0 {
                 workspace.surface.add(surface);
                 let at = surface.weight_first / surface.weight;
                 slot.spots.push(Spot {
-                    tets: [i, j],
+                    cells: [i, j],
                     weights: [first.weights(at), second.weights(at)],
                     arms: [at, at - shift],
                     pressure: scale * surface.weight,

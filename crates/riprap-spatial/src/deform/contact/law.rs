@@ -2,7 +2,7 @@
 //!
 //! As between rigid blocks (`found::friction`): a shear force and a torsion about the normal are springs on the area of the contact, and slide
 //! together at the ellipse `|F_s|²/F_max² + M_t²/(F_max r_m)² = 1`. They act at **spots**, the centres of pressure of the pieces
-//! of the surface of equal depth, with the shape functions of both tetrahedra there: opposite forces in the same points, so momentum and
+//! of the surface of equal depth, with the shape functions of both cells there: opposite forces in the same points, so momentum and
 //! angular momentum stay, and the velocities that belong to shear and torsion are the means over the spots with the same weights.
 //!
 //! Deviations: the mean radius of the pressure is [`MEAN_RADIUS`] of its radius of gyration (0.866 for a line, 0.943 for a disc, 0.937 for a
@@ -41,30 +41,26 @@ pub(super) struct Sides<'a> {
 }
 
 impl Sides<'_> {
-    /// Nodes of a tetrahedron of a deformable block.
-    fn nodes(&self, body: u32, tet: u32) -> (u32, [u32; 4]) {
+    /// Hands out the nodes of a deformable block with their shares in what acts at a point of a cell.
+    fn share(&self, body: u32, cell: u32, weights: &[f64; 4], to: impl FnMut(u32, f64)) {
         let body = &self.deform.bodies[body as usize];
-        let tets = &self.work.class(body).mesh.tets;
-        (body.first, tets[tet as usize])
+        self.work.class(body).depths().share(cell, weights, to);
     }
 
-    /// Adds a force (N) at a point of a tetrahedron, `arm` (m) from the centre of the block, to those on a side.
+    /// Adds a force (N) at a point of a cell, `arm` (m) from the centre of the block, to those on a side.
     pub(super) fn add(
         &self,
         side: usize,
         forces: &mut [Vec3],
-        tet: u32,
+        cell: u32,
         weights: &[f64; 4],
         arm: Vec3,
         force: Vec3,
     ) {
         match self.members[side].body {
-            Some(body) => {
-                let (_, nodes) = self.nodes(body, tet);
-                for (node, weight) in nodes.into_iter().zip(weights) {
-                    forces[node as usize] += *weight * force;
-                }
-            }
+            Some(body) => self.share(body, cell, weights, |node, weight| {
+                forces[node as usize] += weight * force;
+            }),
             None => {
                 forces[0] += force;
                 forces[1] += arm.cross(force);
@@ -77,12 +73,17 @@ impl Sides<'_> {
         let member = self.members[side];
         match member.body {
             Some(body) => {
-                let (first, nodes) = self.nodes(body, spot.tets[side]);
+                let first = self.deform.bodies[body as usize].first;
                 let rates = &self.deform.nodes.velocity;
                 let mut sum = Vec3::ZERO;
-                for (node, weight) in nodes.into_iter().zip(spot.weights[side]) {
-                    sum += weight * Vec3::from_array(rates[(first + node) as usize]);
-                }
+                self.share(
+                    body,
+                    spot.cells[side],
+                    &spot.weights[side],
+                    |node, weight| {
+                        sum += weight * Vec3::from_array(rates[(first + node) as usize]);
+                    },
+                );
                 sum
             }
             None => {
@@ -215,10 +216,14 @@ impl Contact {
             shares.clear();
             shares.resize(own.count as usize, 0.0);
             for spot in spots {
-                let (_, nodes) = sides.nodes(body, spot.tets[side]);
-                for (node, weight) in nodes.into_iter().zip(spot.weights[side]) {
-                    shares[node as usize] += weight * spot.pressure / self.pressure;
-                }
+                sides.share(
+                    body,
+                    spot.cells[side],
+                    &spot.weights[side],
+                    |node, weight| {
+                        shares[node as usize] += weight * spot.pressure / self.pressure;
+                    },
+                );
             }
             let masses = sides.work.class(own).masses();
             let parts = shares.iter().zip(masses).map(|(w, m)| w * w / m);

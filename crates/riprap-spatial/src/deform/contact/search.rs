@@ -7,14 +7,14 @@
 use std::collections::BTreeMap;
 
 use riprap_core::sets::Sets;
-use riprap_geom::polyhedron::Tetrahedra;
+use riprap_geom::polyhedron::{DepthCells, Tetrahedra};
 use riprap_geom::{Mat3, Vec3};
 
 use crate::deform::relax;
 use crate::deform::shape::centred;
 use crate::exec::{CHUNK, Exec, piece};
 use crate::found::Terrain;
-use crate::found::cells::{CellDesk, Member, PairConstants, PairSlot, PairWorkspace, Star, peak};
+use crate::found::cells::{CellDesk, Member, PairConstants, PairSlot, PairWorkspace, Star};
 use crate::found::desk::TerrainDesk;
 use crate::found::grid::{Box3, Role};
 use crate::found::search::path_bound;
@@ -375,16 +375,18 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &Terra
             let mut places = pair.ends.map(place);
             if let Some((k, side)) = on {
                 let block = pair.ends[1 - side];
-                let peak = members[places[1 - side] as usize].peak;
+                let over = &members[places[1 - side] as usize];
+                let ground = below(pair.ends[side], over);
                 places[side] = members.len() as u32;
-                members.push(below(pair.ends[side], peak));
+                members.push(ground);
                 stars.push(terrain.grounds[k].prisms(&boxes[block as usize]));
             }
             let two = places.map(|k| &members[k as usize]);
             let peaks = two.map(|m| m.peak);
             let rigid = two.map(|m| m.body.is_none());
             // Looked at when the model was built; NaN would stop the run at once.
-            let law = super::between(&world.setup, pair.ends, rigid, peaks).unwrap_or(
+            let halves = two.map(|m| m.half);
+            let law = super::between(&world.setup, pair.ends, rigid, halves).unwrap_or(
                 crate::found::ContactLaw {
                     normal_stiffness: f64::NAN,
                     shear_stiffness: f64::NAN,
@@ -420,12 +422,13 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &Terra
 }
 
 /// Terrain under a block: it has no far side, and counts as deep as the block.
-fn below(terrain: u32, peak: f64) -> Member {
+fn below(terrain: u32, block: &Member) -> Member {
     Member {
         block: terrain,
         body: None,
-        mesh: None,
-        peak,
+        rigid: None,
+        half: block.half,
+        peak: block.peak,
         largest: f64::INFINITY,
         areas: Vec::new(),
         ease: 0.0,
@@ -443,14 +446,17 @@ fn member(
     let Some(body) = deform.body(block as usize) else {
         let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
         let mesh = Tetrahedra::new(&solid).ok();
+        let half = mesh.as_ref().map_or(f64::NAN, Tetrahedra::height);
+        let rigid = mesh.map(|mesh| (DepthCells::new(&mesh), mesh.nodes));
         let largest = (0..solid.faces.len())
             .map(|f| solid.area_vector(f).length())
             .fold(0.0, f64::max);
         return Member {
             block,
             body: None,
-            peak: mesh.as_ref().map_or(f64::NAN, peak),
-            mesh,
+            half,
+            peak: rigid.as_ref().map_or(f64::NAN, |r| r.0.peak()),
+            rigid,
             largest,
             areas: Vec::new(),
             ease: world.freedoms(block as usize)[0].max_element()
@@ -465,8 +471,9 @@ fn member(
     Member {
         block,
         body: Some(deform.slot[block as usize]),
-        mesh: None,
-        peak: peak(&class.mesh),
+        rigid: None,
+        half: class.mesh.height(),
+        peak: class.depths().peak(),
         largest,
         areas,
         ease,

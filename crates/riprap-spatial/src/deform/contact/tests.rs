@@ -1,7 +1,7 @@
 //! Deformable blocks that meet: energy, momenta, rest, sliding, parting; threads and restart.
 
 use riprap_geom::height_field::HeightField;
-use riprap_geom::polyhedron::Polyhedron;
+use riprap_geom::polyhedron::{Polyhedron, hull};
 use riprap_geom::{Quat, Vec3};
 
 use crate::contacts::tests::joint;
@@ -36,7 +36,15 @@ fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
 
 /// A cube of a metre, turned.
 fn cube(centre: Vec3, turn: Quat) -> BlockSpec {
-    let solid = Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5));
+    shaped(
+        Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5)),
+        centre,
+        turn,
+    )
+}
+
+/// A solid, turned.
+fn shaped(solid: Polyhedron, centre: Vec3, turn: Quat) -> BlockSpec {
     spec(Shape::Polyhedron(Box::new(Solid {
         vertices: solid.vertices.iter().map(|v| centre + turn * *v).collect(),
         faces: solid.faces,
@@ -153,26 +161,23 @@ impl Run {
     }
 }
 
-/// Two deformable cubes that come together at 10 m/s: largest error of the energy over the energy, and drift of the momenta.
-fn collision(turn: Quat, dt: f64) -> [f64; 3] {
-    let mut blocks = vec![
-        cube(Vec3::ZERO, Quat::IDENTITY),
-        cube(Vec3::new(0.15, 0.2, 1.45), turn),
-    ];
+/// Two deformable blocks that come together at 10 m/s: largest error of the energy over the energy, and drift of the momenta.
+fn collision(mut blocks: Vec<BlockSpec>, dt: f64) -> [f64; 3] {
     blocks[0].velocity = Vec3::new(0.0, 0.0, 5.0);
     blocks[1].velocity = Vec3::new(0.0, 0.0, -5.0);
     let mut run = Run::new(model(blocks, &[0, 1], 0.0, 0.0), 1, dt);
     run.evaluate();
     let start = run.view().kinetic_energy();
     let spin = |run: &Run| run.view().angular_momentum();
-    let before = spin(&run);
+    let (before, momentum) = (spin(&run), run.view().momentum());
     let (mut worst, mut pressed, mut turned) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut drift = 0.0_f64;
     run.watch(0.16, |run| {
         let balance = run.view().balance();
         worst = worst.max((balance.residual() / start).abs());
         pressed = pressed.max(balance.contact_normal / start);
-        drift = drift.max(run.view().momentum().length() / (2500.0 * 10.0));
+        let change = run.view().momentum() - momentum;
+        drift = drift.max(change.length() / (2500.0 * 10.0));
         turned = turned.max((spin(run) - before).length() / (2500.0 * 10.0));
     });
     // They have touched and are apart again.
@@ -196,11 +201,58 @@ fn elastic_collisions_keep_energy_and_momenta() {
         Quat::from_scaled_axis(Vec3::new(0.3, -0.7, 0.5)),
     ];
     for turn in turns {
-        let found = [4e-5, 2e-5].map(|dt| collision(turn, dt));
+        let blocks = || {
+            vec![
+                cube(Vec3::ZERO, Quat::IDENTITY),
+                cube(Vec3::new(0.15, 0.2, 1.45), turn),
+            ]
+        };
+        let found = [4e-5, 2e-5].map(|dt| collision(blocks(), dt));
         println!("{found:?}");
         let [[worst, drift, spin], [finer, ..]] = found;
         assert!(worst < 1e-5, "{worst:e}");
         assert!((worst / finer - 4.0).abs() < 0.6, "{worst:e} {finer:e}");
+        assert!(drift < 1e-13, "{drift:e}");
+        assert!(spin < 1e-12, "{spin:e}");
+    }
+}
+
+/// The same for blocks whose cells are not their own tetrahedra: a long brick on a slab, a needle on its edge, a cell with many faces.
+#[test]
+fn blocks_of_any_shape_keep_energy_and_momenta() {
+    let needle = [
+        [0.0, 0.0, -0.5],
+        [0.5, 0.1, 0.0],
+        [-0.3, 0.4, 0.1],
+        [0.0, 0.1, 2.0],
+    ];
+    let cell = (0..14).map(|k| {
+        let (height, turn) = (1.0 - (f64::from(k) + 0.5) / 7.0, 2.4 * f64::from(k));
+        let (sine, cosine) = libm::sincos(turn);
+        let round = libm::sqrt(1.0 - height * height);
+        0.6 * Vec3::new(round * cosine, round * sine, height)
+    });
+    let cell = hull(&cell.collect::<Vec<_>>()).unwrap();
+    let needle = hull(&needle.map(Vec3::from_array)).unwrap();
+    let long = Polyhedron::brick(Vec3::ZERO, Vec3::new(0.3, 0.3, 1.2));
+    let slab = Polyhedron::brick(Vec3::ZERO, Vec3::new(0.8, 1.0, 0.25));
+    let turn = Quat::from_scaled_axis(Vec3::new(0.3, -0.2, 0.5));
+    for (lower, upper, height) in [
+        (&slab, &long, 1.7),
+        (&cell, &needle, 1.4),
+        (&long, &cell, 2.0),
+    ] {
+        let blocks = || {
+            vec![
+                shaped(lower.clone(), Vec3::ZERO, Quat::IDENTITY),
+                shaped(upper.clone(), Vec3::new(0.05, 0.1, height), turn),
+            ]
+        };
+        let found = [2e-5, 1e-5].map(|dt| collision(blocks(), dt));
+        println!("{found:?}");
+        let [[worst, drift, spin], [finer, ..]] = found;
+        assert!(worst < 1e-4, "{worst:e}");
+        assert!((worst / finer - 4.0).abs() < 1.0, "{worst:e} {finer:e}");
         assert!(drift < 1e-13, "{drift:e}");
         assert!(spin < 1e-12, "{spin:e}");
     }
@@ -457,6 +509,30 @@ fn threads_and_restart_change_no_bit_on_terrain() {
         one.world.hash() == again.world.hash(),
         "a restart changes bits"
     );
+}
+
+/// A block that comes from outside, half of it below the surface, meets the side of the terrain and goes back: no energy is made.
+#[test]
+fn the_side_of_terrain_is_a_wall() {
+    let mut block = cube(Vec3::new(-5.0, 0.3, -0.1), Quat::from_rotation_x(0.3));
+    block.velocity = Vec3::new(5.0, 0.4, 0.0);
+    let mut run = Run::new(
+        model(vec![ground(|_, _| 0.0), block], &[1], 0.0, 0.0),
+        1,
+        2e-5,
+    );
+    run.evaluate();
+    let start = run.view().kinetic_energy();
+    let (mut worst, mut deepest) = (0.0_f64, 0.0_f64);
+    run.watch(0.25, |run| {
+        worst = worst.max((run.view().balance().residual() / start).abs());
+        let pairs = run.world.found.deformable.pairs.iter();
+        deepest = pairs.map(|p| p.depth).fold(deepest, f64::max);
+    });
+    assert!(deepest > 1e-3, "it has met the wall: {deepest}");
+    assert!(worst < 1e-3, "{worst:e}");
+    let velocity = run.view().velocity(1);
+    assert!(velocity.x < 0.0, "{velocity}");
 }
 
 /// What a block that is wholly below the surface presses with nobody can say.

@@ -23,6 +23,7 @@ fn blocks_that_turn_together_do_not_slide() {
         polar: 1.0,
         spread: Mat3::IDENTITY,
         gyration: 1.0,
+        hold: 1.0,
     };
     let slip = |arms| relative(&contact, motion, arms).along.length();
     // Half a step of the centripetal acceleration.

@@ -21,7 +21,7 @@ impl Terrain {
     fn below(&self, around: &Box3) -> impl Iterator<Item = &super::Cell> {
         let (low, high) = (around.low, around.high);
         let mut near = Vec::new();
-        self.bins.near([low.x, low.y], [high.x, high.y], &mut near);
+        self.near.near([low.x, low.y], [high.x, high.y], &mut near);
         let cells = near.into_iter().map(|t| &self.cells[t as usize]);
         cells.filter(move |cell| {
             let [a, b, c] = cell.corners;

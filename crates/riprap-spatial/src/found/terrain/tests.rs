@@ -267,5 +267,9 @@ fn a_block_below_the_surface_is_swallowed() {
     assert!(matches!(at(1.0), Reached::Apart(gap) if (gap - 0.5).abs() < 1e-12));
     let beside = Pose::at(Vec3::new(5.0, 0.0, -1.0));
     let beside = find(&mut Treader::default(), &terrain, &shape, beside);
-    assert_eq!(beside, Reached::Apart(0.5));
+    // From the wall, which leans out a little.
+    assert!(
+        matches!(beside, Reached::Apart(gap) if gap <= 0.5 && gap > 0.499),
+        "{beside:?}"
+    );
 }

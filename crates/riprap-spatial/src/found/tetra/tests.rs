@@ -43,7 +43,7 @@ impl Star {
 
     fn cell(&self, k: usize) -> Cell {
         let corners = self.mesh.tets[k].map(|n| self.nodes[n as usize]);
-        Cell::new(corners, self.peak).unwrap()
+        Cell::new(corners, [self.peak, 0.0, 0.0, 0.0]).unwrap()
     }
 }
 
@@ -100,7 +100,7 @@ fn bent(chance: &mut Chance, kind: Kind) -> [Star; 2] {
         });
         let sound = pair.iter().all(|s| {
             (0..s.mesh.tets.len())
-                .all(|k| Cell::new(s.mesh.tets[k].map(|n| s.nodes[n as usize]), s.peak).is_some())
+                .all(|k| Cell::new(s.mesh.tets[k].map(|n| s.nodes[n as usize]), [0.0; 4]).is_some())
         });
         if sound && contact([&pair[0], &pair[1]]).energy > 1e3 {
             return pair;
@@ -291,8 +291,8 @@ fn touching_and_separate_cells_have_no_overlap() {
 fn cells_turned_inside_out_are_refused() {
     let cell = Star::cube().cell(0);
     let [a, b, c, d] = cell.corners;
-    assert!(Cell::new([a, c, b, d], 0.5).is_none());
-    assert!(Cell::new([a, b, c, Vec3::NAN], 0.5).is_none());
+    assert!(Cell::new([a, c, b, d], [0.5; 4]).is_none());
+    assert!(Cell::new([a, b, c, Vec3::NAN], [0.5; 4]).is_none());
     let moved = cell.shifted(Vec3::new(0.1, -0.2, 0.3));
     let at = Vec3::new(0.05, 0.02, -0.1);
     let (near, far) = (

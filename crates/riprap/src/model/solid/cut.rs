@@ -12,9 +12,10 @@ use super::global;
 use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
-use crate::scenario::csv_columns::{Column, Found, csv_table};
+use crate::scenario::csv_columns::Column;
 use crate::scenario::diagnostic::suggest;
-use crate::scenario::language::{Block, Cut};
+use crate::scenario::foreign::dfn::{parse_fab, parse_polygons};
+use crate::scenario::language::{Block, Cut, JointPlanes};
 use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name};
@@ -25,18 +26,30 @@ const MOST_JOINTS: usize = 20_000;
 
 /// Columns of a list of joints; what programs that make networks of fractures write without a unit is in m and degrees.
 const COLUMNS: [Column; 11] = [
-    length(&["x", "center_x", "centre_x", "x_center", "x_centre"]),
-    length(&["y", "center_y", "centre_y", "y_center", "y_centre"]),
-    length(&["z", "center_z", "centre_z", "z_center", "z_centre"]),
+    length(&[
+        "x", "center_x", "centre_x", "x_center", "x_centre", "easting", "east",
+    ]),
+    length(&[
+        "y", "center_y", "centre_y", "y_center", "y_centre", "northing", "north",
+    ]),
+    length(&[
+        "z",
+        "center_z",
+        "centre_z",
+        "z_center",
+        "z_centre",
+        "elevation",
+        "elev",
+    ]),
     length(&["radius", "equiv_radius", "equivalent_radius"]),
     length(&["diameter"]),
     angle(&["dip"]),
-    angle(&["dip_direction", "dip_dir", "dip_azimuth"]),
+    angle(&["dip_direction", "dip_dir", "dip_dirn", "dip_azimuth", "dd"]),
     angle(&["strike"]),
     angle(&["trend", "pole_trend"]),
     angle(&["plunge", "pole_plunge"]),
-    Column {
-        names: &[
+    Column::optional(
+        &[
             "fracture",
             "fracture_id",
             "frac_id",
@@ -45,25 +58,17 @@ const COLUMNS: [Column; 11] = [
             "polygon_id",
             "id",
         ],
-        dim: Dim::NONE,
-        bare: Some(""),
-    },
+        Dim::NONE,
+        "",
+    ),
 ];
 
 const fn length(names: &'static [&'static str]) -> Column<'static> {
-    Column {
-        names,
-        dim: Dim::LENGTH,
-        bare: Some("m"),
-    }
+    Column::optional(names, Dim::LENGTH, "m")
 }
 
 const fn angle(names: &'static [&'static str]) -> Column<'static> {
-    Column {
-        names,
-        dim: Dim::ANGLE,
-        bare: Some("deg"),
-    }
+    Column::optional(names, Dim::ANGLE, "deg")
 }
 
 impl Builder<'_> {
@@ -98,7 +103,7 @@ impl Builder<'_> {
             })
             .collect();
         let mut joints = match &cut.joints {
-            Some(said) => self.joints_of_csv(&said.csv, shift)?,
+            Some(said) => self.joints_of_file(&key, said, shift)?,
             None => Vec::new(),
         };
         let bridges = cut.joints.as_ref().and_then(|said| said.bridges.as_ref());
@@ -193,19 +198,61 @@ impl Builder<'_> {
     }
 
     /// Joints one by one in local coordinates; `None` after an error.
-    fn joints_of_csv(&mut self, file: &Name, shift: Vec3) -> Option<Vec<Joint>> {
-        let path = self.parsed.folder.join(file.as_str());
-        let columns = match csv_table(&path, &COLUMNS) {
-            Ok(columns) => columns,
-            Err(error) => {
-                let mut found = Diagnostic::error("file.csv", error.message);
-                found.help = error.help;
-                self.found.push(found.at(file.span.clone()));
-                return None;
-            }
+    fn joints_of_file(&mut self, key: &str, said: &JointPlanes, shift: Vec3) -> Option<Vec<Joint>> {
+        if let Some(csv) = &said.csv {
+            return self.joints_of_csv(csv, shift);
+        }
+        let (file, network) = if let Some(fab) = &said.fab {
+            let help = "FracMan saves such a file as ASCII `.fab`";
+            (fab, self.foreign_file(fab, parse_fab, help)?)
+        } else {
+            let file = said.dfnworks.as_ref()?;
+            let help = "dfnWorks writes it as polygons.dat";
+            (file, self.foreign_file(file, parse_polygons, help)?)
         };
-        self.note_usual_units(file, &columns);
-        let values = columns.each_ref().map(|c| c.as_ref().map(|c| &c.values));
+        let (own, from, why) = match network.unit {
+            Some(unit) => (unit, Provenance::Derived, "Length_Unit of the file"),
+            None => (1.0, Provenance::Default, "the file names no unit"),
+        };
+        let key = format!("{key}.joints");
+        let unit = self.reading(key, said).unit_or(own, from, why);
+        let count = network.fractures.len();
+        let left = match network.tessellated {
+            0 => String::new(),
+            some => format!("; left out {some} because they are surfaces of triangles"),
+        };
+        let all = count + network.tessellated;
+        self.note_import(file, &format!("read {count} of {all} fractures{left}"));
+        if self.too_many(file, count) {
+            return None;
+        }
+        let mut joints = Vec::with_capacity(count);
+        for (corners, line) in network.fractures {
+            let place = |p: &[f64; 3]| unit * Vec3::from_array(*p) + shift;
+            let mut corners: Vec<Vec3> = corners.iter().map(place).collect();
+            if corners.len() > 3 && corners.first() == corners.last() {
+                corners.pop();
+            }
+            match Joint::polygon(&corners) {
+                Ok(joint) => joints.push(joint),
+                Err(what) => {
+                    let number = joints.len() + 1;
+                    let message = format!("`{file}`, line {line}: fracture {number} {what}");
+                    let help = "a fracture is a flat convex polygon: its corners in their order";
+                    self.error_at("file.shape", file, message, help);
+                    return None;
+                }
+            }
+        }
+        Some(joints)
+    }
+
+    fn joints_of_csv(&mut self, file: &Name, shift: Vec3) -> Option<Vec<Joint>> {
+        let table = self.table(file, &COLUMNS)?;
+        let values = table
+            .columns
+            .each_ref()
+            .map(|c| c.as_ref().map(|c| &c.values));
         let [
             x,
             y,
@@ -280,7 +327,11 @@ impl Builder<'_> {
                 _ => None,
             };
             if let Some((what, help)) = wrong {
-                let message = format!("`{file}`: joint {} {what}", row + 1);
+                let message = format!(
+                    "`{file}`, line {}: joint {} {what}",
+                    table.lines[row],
+                    row + 1
+                );
                 self.error_at("file.csv", file, message, help);
                 return None;
             }
@@ -344,21 +395,6 @@ impl Builder<'_> {
             self.error_at("file.csv", file, message, &help);
         }
         most
-    }
-
-    /// Tells which columns name no unit, and what was taken.
-    fn note_usual_units(&mut self, file: &Name, columns: &[Option<Found>; COLUMNS.len()]) {
-        for (unit, dim) in [("m", Dim::LENGTH), ("deg", Dim::ANGLE)] {
-            let bare = columns.iter().zip(&COLUMNS).filter(|(found, column)| {
-                column.dim == dim && found.as_ref().is_some_and(|found| found.bare)
-            });
-            let names: Vec<&str> = bare.map(|(_, column)| column.names[0]).collect();
-            if !names.is_empty() {
-                let names = names.join(", ");
-                let words = format!("{file}: {names} without a unit, read in {unit}");
-                self.summary.joints.push(words);
-            }
-        }
     }
 }
 

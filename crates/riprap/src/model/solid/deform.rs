@@ -80,6 +80,8 @@ impl Builder<'_> {
             strength,
             energy: [said.mode_1.si(), said.mode_2.si()],
             softening: read.within("cohesive", said).softening(),
+            // Looked at with the rules of the language.
+            curve: (said.curve.as_ref()).and_then(|c| language::curve(c).ok()),
         });
         BondLaw {
             springs,

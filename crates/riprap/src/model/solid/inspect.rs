@@ -30,6 +30,7 @@ struct Overlap {
 
 impl Builder<'_> {
     pub(in crate::model) fn inspect_solid(&mut self) {
+        self.join_terrain();
         self.solid_summary();
         self.solid_overlaps();
         self.glued_without_joints();

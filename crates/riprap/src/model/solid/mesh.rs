@@ -7,10 +7,12 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 
 use crate::model::builder::Builder;
 use crate::scenario::Name;
-use crate::scenario::foreign::stl::parse_stl;
+use crate::scenario::foreign;
+use crate::scenario::foreign::obj::{self, Obj};
+use crate::scenario::foreign::stl::{Part, parse_stl};
 use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::language::{self, Block};
-use crate::scenario::msh::{Mesh, read_msh};
+use crate::scenario::msh::{MAX_MSH_SIZE, Mesh, parse_msh};
 use crate::scenario::read::Provenance;
 use crate::spatial::setup::{Shape, Solid};
 
@@ -63,6 +65,11 @@ impl Builder<'_> {
             Made::of(self.tess(file, unit, shift)?)
         } else if let Some(file) = &said.stl {
             Made::of(self.stl(file, unit, shift)?)
+        } else if let Some(file) = &said.obj {
+            let obj = self.obj(file)?;
+            let help = "each part of each object is a closed convex surface";
+            let solids = self.foreign_file(file, |_| obj.solids(), help)?;
+            self.obj_solids(block, file, &obj, solids, unit, shift)?
         } else {
             self.msh(block, said, said.msh.as_ref()?, unit, shift)?
         };
@@ -80,6 +87,7 @@ impl Builder<'_> {
             self.error_at("file.tess", file, message, help);
             return None;
         };
+        self.note_import(file, &format!("read {0} of {0} cells", cells.len()));
         let mut shapes = Vec::with_capacity(cells.len());
         for cell in cells {
             let places = cell.vertices.iter();
@@ -100,28 +108,81 @@ impl Builder<'_> {
         Some(shapes)
     }
 
-    fn stl(&mut self, file: &Name, unit: f64, shift: Vec3) -> Option<Vec<Shape>> {
-        let parts = self.foreign_file(file, parse_stl, "save it as STL, text or binary")?;
-        let mut shapes = Vec::with_capacity(parts.len());
-        for (number, part) in (1..).zip(parts) {
-            let places = part.points.iter();
-            let places: Vec<Vec3> = places
-                .map(|p| unit * Vec3::from_array(*p) + shift)
-                .collect();
-            match hull(&places) {
-                Ok(solid) => shapes.push(shape_of(solid)),
-                Err(error) => {
-                    let message = format!(
-                        "`{file}`, {}: part {number} cannot be a block: {error}",
-                        part.place
-                    );
-                    let help = "each connected part is a closed convex surface";
-                    self.error_at("file.stl", file, message, help);
-                    return None;
-                }
+    /// The parts of an OBJ file as blocks; those of each name are a group.
+    pub(super) fn obj_solids(
+        &mut self,
+        block: &Block,
+        file: &Name,
+        obj: &Obj,
+        solids: Vec<obj::Solid>,
+        unit: f64,
+        shift: Vec3,
+    ) -> Option<Made> {
+        let left = match obj.others {
+            0 => String::new(),
+            others => format!("; left out {others} because they are points, lines or curves"),
+        };
+        let count = obj.count();
+        let words = format!(
+            "read {count} of {} entities as {} solids{left}",
+            count + obj.others,
+            solids.len()
+        );
+        self.note_import(file, &words);
+        let (mut shapes, mut groups) = (Vec::new(), BTreeMap::<String, Vec<u32>>::new());
+        for solid in solids {
+            let named = groups.entry(solid.name.clone().unwrap_or_default());
+            named.or_default().push(shapes.len() as u32);
+            let what = solid
+                .name
+                .unwrap_or_else(|| format!("part {}", shapes.len() + 1));
+            shapes.push(self.hull_of(file, &solid.part, &what, unit, shift)?);
+        }
+        groups.remove("");
+        for name in groups.keys() {
+            self.group_of_file(block, file, name)?;
+        }
+        Some(Made {
+            shapes,
+            groups: groups.into_iter().collect(),
+            ..Made::default()
+        })
+    }
+
+    /// A closed convex part of a file as a block; `None` after an error.
+    fn hull_of(
+        &mut self,
+        file: &Name,
+        part: &Part,
+        what: &str,
+        unit: f64,
+        shift: Vec3,
+    ) -> Option<Shape> {
+        let places = part.points.iter();
+        let places: Vec<Vec3> = places
+            .map(|p| unit * Vec3::from_array(*p) + shift)
+            .collect();
+        match hull(&places) {
+            Ok(solid) => Some(shape_of(solid)),
+            Err(error) => {
+                let message = format!(
+                    "`{file}`, {}: {what} cannot be a block: {error}",
+                    part.place
+                );
+                let help = "each connected part is a closed convex surface";
+                self.error_at("file.shape", file, message, help);
+                None
             }
         }
-        Some(shapes)
+    }
+
+    fn stl(&mut self, file: &Name, unit: f64, shift: Vec3) -> Option<Vec<Shape>> {
+        let parts = self.foreign_file(file, parse_stl, "save it as STL, text or binary")?;
+        self.note_import(file, &format!("read {0} of {0} parts", parts.len()));
+        let parts = (1..).zip(&parts);
+        parts
+            .map(|(number, part)| self.hull_of(file, part, &format!("part {number}"), unit, shift))
+            .collect()
     }
 
     /// The elements of a mesh of Gmsh.
@@ -133,15 +194,18 @@ impl Builder<'_> {
         unit: f64,
         shift: Vec3,
     ) -> Option<Made> {
-        let help = "save the mesh with `gmsh -3 -format msh41`; paths are seen from the folder of the scenario file";
-        let mesh = match read_msh(&self.parsed.folder.join(file.as_str())) {
+        let path = self.parsed.folder.join(file.as_str());
+        let mesh = match foreign::read_up_to(&path, MAX_MSH_SIZE, parse_msh) {
             Ok(mesh) => mesh,
-            Err(message) => {
-                self.error_at("file.msh", file, message, help);
+            Err(refused) => {
+                let help = "save the mesh with `gmsh -3 -format msh41`".to_owned();
+                let help = refused.help.unwrap_or(help);
+                self.error_at("file.msh", file, refused.message, &help);
                 return None;
             }
         };
         let chosen = self.chosen(said, file, &mesh)?;
+        self.note_import(file, &elements_text(&mesh, chosen.len()));
         if chosen.len() > MOST {
             let message = format!("`{file}` has {} elements", chosen.len());
             let help = format!("a mesh has {MOST} at most: make it coarser");
@@ -212,6 +276,25 @@ impl Builder<'_> {
         }
         Some(chosen)
     }
+}
+
+/// What became of the elements of a mesh.
+fn elements_text(mesh: &Mesh, chosen: usize) -> String {
+    let all = mesh.cells.len() + mesh.others;
+    let mut words = format!("read {chosen} of {all} elements as blocks");
+    if mesh.others > 0 {
+        let others = mesh.others;
+        words.push_str(&format!(
+            "; left out {others} because they are surfaces, lines or points"
+        ));
+    }
+    if mesh.cells.len() > chosen {
+        let beside = mesh.cells.len() - chosen;
+        words.push_str(&format!(
+            "; left out {beside} because they are in other volumes"
+        ));
+    }
+    words
 }
 
 /// Physical groups with the places of their blocks among the chosen elements, and the faces of physical surfaces.

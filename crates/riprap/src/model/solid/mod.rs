@@ -8,6 +8,7 @@
 //! Splitting, patches and free faces are the engine's: what is looked at here is the model as it is
 //! given, and the finest cells around charges.
 
+mod bodies;
 mod boundaries;
 mod cut;
 mod deform;
@@ -20,6 +21,7 @@ mod mesh;
 mod pattern;
 mod places;
 mod pour;
+mod seams;
 mod shapes;
 mod sources;
 mod supports;
@@ -29,6 +31,7 @@ mod turn;
 pub(super) use boundaries::boundary_name;
 pub(super) use joints::{change_joint, reduce_joint};
 pub(super) use shapes::bounds;
+pub(super) use turn::put_solid;
 
 use riprap_geom::Vec3;
 
@@ -60,6 +63,9 @@ impl Builder<'_> {
         self.solid_origin(&grids);
         self.solid_materials();
         self.solid_blocks(&grids);
+        if self.errors() == 0 {
+            self.start_states();
+        }
         if self.errors() > 0 {
             return false;
         }

@@ -3,8 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::model::builder::Builder;
-use crate::scenario::Diagnostic;
-use crate::scenario::csv_columns::csv_quantities;
+use crate::scenario::csv_columns::Column;
 use crate::scenario::language::Pattern;
 use crate::scenario::units::Dim;
 
@@ -20,52 +19,42 @@ pub(super) struct Hole {
     pub(super) delay: f64,
 }
 
-/// Columns that every pattern has.
-const NEEDED: [(&str, Dim); 7] = [
-    ("collar_x", Dim::LENGTH),
-    ("collar_y", Dim::LENGTH),
-    ("collar_z", Dim::LENGTH),
-    ("toe_x", Dim::LENGTH),
-    ("toe_y", Dim::LENGTH),
-    ("toe_z", Dim::LENGTH),
-    ("delay", Dim::TIME),
-];
-/// Columns that it may have; one of the first two.
-const OPTIONAL: [(&str, Dim); 3] = [
-    ("charge", Dim::MASS),
-    ("diameter", Dim::LENGTH),
-    ("stemming", Dim::LENGTH),
+/// Columns of a pattern; one of the mass and the diameter of each charge is there.
+const COLUMNS: [Column; 10] = [
+    Column::needed(
+        &["collar_x", "collar_easting", "collar_east"],
+        Dim::LENGTH,
+        "m",
+    ),
+    Column::needed(
+        &["collar_y", "collar_northing", "collar_north"],
+        Dim::LENGTH,
+        "m",
+    ),
+    Column::needed(
+        &["collar_z", "collar_elevation", "collar_rl"],
+        Dim::LENGTH,
+        "m",
+    ),
+    Column::needed(&["toe_x", "toe_easting", "toe_east"], Dim::LENGTH, "m"),
+    Column::needed(&["toe_y", "toe_northing", "toe_north"], Dim::LENGTH, "m"),
+    Column::needed(&["toe_z", "toe_elevation", "toe_rl"], Dim::LENGTH, "m"),
+    Column::needed(&["delay", "delay_time", "time"], Dim::TIME, "ms").with_unit(),
+    Column::optional(&["charge", "charge_mass", "mass"], Dim::MASS, "kg").with_unit(),
+    Column::optional(&["diameter", "hole_diameter"], Dim::LENGTH, "mm").with_unit(),
+    Column::optional(&["stemming", "stemming_length"], Dim::LENGTH, "m"),
 ];
 
 impl Builder<'_> {
     /// The holes of a pattern; `None` after an error. `density` of the explosive, kg/m³, makes a mass
     /// of a diameter.
     pub(super) fn holes(&mut self, pattern: &Pattern, density: f64) -> Option<Vec<Hole>> {
-        let path = self.parsed.folder.join(pattern.csv.as_str());
-        let columns = match csv_quantities(&path, &NEEDED, &OPTIONAL) {
-            Ok(columns) => columns,
-            Err(error) => {
-                let mut found = Diagnostic::error("file.csv", error.message);
-                found.help = error.help;
-                self.found.push(found.at(pattern.csv.span.clone()));
-                return None;
-            }
-        };
-        let [
-            Some(cx),
-            Some(cy),
-            Some(cz),
-            Some(tx),
-            Some(ty),
-            Some(tz),
-            Some(delay),
-            charge,
-            diameter,
-            stemming,
-        ] = &columns[..]
-        else {
-            return None; // the reader answers for all needed columns
-        };
+        let table = self.table(&pattern.csv, &COLUMNS)?;
+        let [cx, cy, cz, tx, ty, tz, delay] = std::array::from_fn(|k| table.values(k));
+        let [charge, diameter, stemming] = [7, 8, 9].map(|k| {
+            let found = table.columns[k].as_ref();
+            found.map(|found| &found.values)
+        });
         if charge.is_some() == diameter.is_some() {
             let message = format!(
                 "`{}` needs one of the columns charge_kg and diameter_mm",
@@ -91,8 +80,9 @@ impl Builder<'_> {
             };
             if !(stemmed >= 0.0 && charged > 0.0 && mass > 0.0 && delay[k] >= 0.0) {
                 let message = format!(
-                    "`{}`, hole {}: {length} m long, {stemmed} m stemming, {mass} kg, {} s delay",
+                    "`{}`, line {}: hole {}: {length} m long, {stemmed} m stemming, {mass} kg, {} s delay",
                     pattern.csv,
+                    table.lines[k],
                     k + 1,
                     delay[k]
                 );

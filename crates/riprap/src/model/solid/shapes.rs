@@ -12,12 +12,11 @@ use super::turn::{Turn, copies};
 use crate::model::blocks::SHORT_EDGES;
 use crate::model::builder::Builder;
 use crate::model::names::Entry;
+use crate::scenario::foreign::obj::{Obj, parse_obj};
 use crate::scenario::language::{self, Block, Brick, Geometry, Grid, GridCells, span_of};
 use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::{BlockName, BlockSpec, Shape, Solid};
 
-/// Largest OBJ file accepted, bytes.
-const MAX_OBJ: u64 = 16 << 20;
 /// Most cells of a box.
 const MOST_CELLS: f64 = 1e6;
 
@@ -139,9 +138,11 @@ impl Builder<'_> {
                     .as_ref()
                     .filter(|l| self.with_volume(block, l.cell.element_product()))
                     .map(|lattice| bricks(lattice, self.spatial.origin)),
-                Some(Geometry::Polyhedron(said)) => self
-                    .polyhedron(block, said, shift)
-                    .map(|solid| vec![Shape::Polyhedron(Box::new(solid))]),
+                Some(Geometry::Polyhedron(said)) => {
+                    let made = self.polyhedra(block, said, shift);
+                    self.enter_made(block, made, shift);
+                    continue;
+                }
                 Some(Geometry::Pour(said)) => self.pour(block, said, shift),
                 Some(Geometry::Parts(said)) => {
                     self.parts(block, said, shift).map(|shape| vec![shape])
@@ -291,7 +292,8 @@ impl Builder<'_> {
         let material = material.unwrap_or(0) as u16;
         let base = self.spatial.names.len() as u16;
         self.spatial.names.push(block.name.text.clone());
-        let numbered = block.is_generator();
+        // An OBJ file may hold several.
+        let numbered = block.is_generator() || shapes.len() > 1;
         let entry = Entry {
             name: block.name.text.clone(),
             first: self.spatial.blocks.len() as u32,
@@ -304,10 +306,18 @@ impl Builder<'_> {
             .as_ref()
             .map_or(Vec3::ZERO, |v| v.xyz().into());
         let spin = block.spin.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
+        // Copies and poured blocks are stones of their own, everything else that a table makes spins as one body.
+        let one = block.copies.is_none()
+            && block.pour.is_none()
+            && shapes.len() > 1
+            && spin != Vec3::ZERO;
+        let about = one.then(|| common_centroid(&shapes));
         self.spatial.blocks.reserve(shapes.len());
         let first = self.spatial.blocks.len() as u32;
         for (number, shape) in (1u32..).zip(shapes) {
-            self.directory.centroids.push(centroid(&shape).into());
+            let centroid = centroid(&shape);
+            let swing = about.map_or(Vec3::ZERO, |about| spin.cross(centroid - about));
+            self.directory.centroids.push(centroid.into());
             self.spatial.blocks.push(BlockSpec {
                 name: BlockName {
                     base,
@@ -315,10 +325,11 @@ impl Builder<'_> {
                 },
                 shape,
                 material,
-                velocity,
+                velocity: velocity + swing,
                 spin,
             });
         }
+        self.given_bodies(block, first);
         self.enter_deformable(block, first);
     }
 
@@ -331,12 +342,22 @@ impl Builder<'_> {
     ) -> Option<Solid> {
         let (vertices, faces) = match (&said.vertices, &said.obj) {
             (Some(vertices), _) => {
-                let vertices = vertices.iter().map(global).collect();
+                let vertices: Vec<Vec3> = vertices.iter().map(global).collect();
                 (vertices, said.faces.clone())
             }
             (None, Some(file)) => {
-                let (vertices, faces) = self.obj(file)?;
-                (vertices, Some(faces).filter(|faces| !faces.is_empty()))
+                let obj = self.obj(file)?;
+                if let Some(solids) = obj.solids().ok().filter(|solids| solids.len() > 1) {
+                    let message = format!("`{file}` holds {} solids, not one", solids.len());
+                    let help = "a part is one solid: save each in a file of its own, or use `mesh.obj` with `glued = true`";
+                    self.error_at("file.obj", file, message, help);
+                    return None;
+                }
+                let vertices = obj.points.iter().map(|p| Vec3::from_array(*p)).collect();
+                (
+                    vertices,
+                    Some(obj.faces()).filter(|faces| !faces.is_empty()),
+                )
             }
             (None, None) => return None, // reported by the rules of the language
         };
@@ -370,27 +391,30 @@ impl Builder<'_> {
         self.found.push(error.help(help));
     }
 
-    /// Corners and faces of an OBJ file; `None` after an error.
-    fn obj(&mut self, file: &Name) -> Option<(Vec<Vec3>, Vec<Vec<u32>>)> {
-        let path = self.parsed.folder.join(file.as_str());
-        let size = std::fs::metadata(&path).map(|meta| meta.len());
-        let text = match size {
-            Ok(size) if size > MAX_OBJ => Err(format!("`{file}` is larger than 16 MiB")),
-            Ok(_) => std::fs::read_to_string(&path)
-                .map_err(|error| format!("cannot read `{file}`: {error}")),
-            Err(error) => Err(format!("cannot read `{file}`: {error}")),
-        };
-        let read =
-            text.and_then(|text| read_obj(&text).map_err(|reason| format!("`{file}`, {reason}")));
-        match read {
-            Ok(read) => Some(read),
-            Err(message) => {
-                let help = "an OBJ file has lines `v x y z` and `f 1 2 3`; paths are seen from the \
-                            folder of the scenario file";
-                self.error_at("file.obj", file, message, help);
-                None
+    /// What an OBJ file holds; `None` after an error.
+    pub(super) fn obj(&mut self, file: &Name) -> Option<Obj> {
+        self.foreign_file(
+            file,
+            parse_obj,
+            "correct that line, or save it again as OBJ",
+        )
+    }
+
+    /// The blocks of a table with an OBJ file: one as it stands in the file, or one of each closed part.
+    fn polyhedra(
+        &mut self,
+        block: &Block,
+        said: &language::Polyhedron,
+        shift: Vec3,
+    ) -> Option<Made> {
+        if let Some(file) = &said.obj {
+            let obj = self.obj(file)?;
+            if let Some(solids) = obj.solids().ok().filter(|solids| solids.len() > 1) {
+                return self.obj_solids(block, file, &obj, solids, 1.0, shift);
             }
         }
+        let solid = self.polyhedron(block, said, shift)?;
+        Some(Made::of(vec![Shape::Polyhedron(Box::new(solid))]))
     }
 }
 
@@ -484,7 +508,8 @@ pub(super) fn volume(shape: &Shape) -> f64 {
     }
 }
 
-fn centroid(shape: &Shape) -> Vec3 {
+/// Centroid, m (local).
+pub(super) fn centroid(shape: &Shape) -> Vec3 {
     match shape {
         Shape::Brick { centre, .. } => *centre,
         Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => {
@@ -503,45 +528,4 @@ fn common_centroid(shapes: &[Shape]) -> Vec3 {
         sum += volume * centroid(shape);
     }
     sum / volume_sum
-}
-
-/// Lines `v` and `f` of an OBJ text.
-fn read_obj(text: &str) -> Result<(Vec<Vec3>, Vec<Vec<u32>>), String> {
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
-    for (line, words) in (1..).zip(text.lines().map(str::split_whitespace)) {
-        let words: Vec<&str> = words.collect();
-        match words.split_first() {
-            Some((&"v", rest)) => {
-                let number = |k: usize| {
-                    let word = rest.get(k).copied().unwrap_or_default();
-                    let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
-                    number.ok_or_else(|| format!("line {line}: a corner needs three numbers"))
-                };
-                vertices.push(Vec3::new(number(0)?, number(1)?, number(2)?));
-            }
-            Some((&"f", rest)) => {
-                let corner = |word: &&str| {
-                    let first = word.split('/').next().unwrap_or_default();
-                    let index = match first.parse::<i64>() {
-                        Ok(index) if index > 0 => index - 1,
-                        // Negative ones count back from the last corner.
-                        Ok(index) if index < 0 => vertices.len() as i64 + index,
-                        Ok(_) | Err(_) => -1,
-                    };
-                    u32::try_from(index)
-                        .map_err(|_| format!("line {line}: `{first}` is not a corner"))
-                };
-                faces.push(
-                    rest.iter()
-                        .map(corner)
-                        .collect::<Result<Vec<u32>, String>>()?,
-                );
-            }
-            Some(_) | None => {}
-        }
-    }
-    if vertices.is_empty() {
-        return Err("there are no corners in it".to_owned());
-    }
-    Ok((vertices, faces))
 }

@@ -7,6 +7,7 @@ use super::pattern::Hole;
 use super::places::region_of;
 use crate::laws::explosive::{Explosive, ExplosiveError};
 use crate::model::builder::Builder;
+use crate::model::memory;
 use crate::model::summary::Charge;
 use crate::plan::Every;
 use crate::scenario::language::{
@@ -26,6 +27,8 @@ use crate::spatial::setup::{
 const WALL_FORCE: f64 = 2.0 / 3.0;
 /// Steps between two looks at a criterion of splitting.
 const EVERY: u64 = 50;
+/// Most blocks that splitting makes.
+const MOST_PARTS: f64 = 1e8;
 /// Beyond this ratio of the volumes of removed blocks and charge a coupling by faces means little.
 const UNLIKE: f64 = 4.0;
 
@@ -250,7 +253,9 @@ impl Builder<'_> {
             };
             for around in regions {
                 let span = refine.octree.around.span();
-                if !self.can_be_split(&around, during.is_some(), span) {
+                if !self.can_be_split(&around, during.is_some(), span)
+                    || during.is_none() && !self.has_room_for(&around, levels, span)
+                {
                     continue;
                 }
                 self.spatial.refinements.push(Refinement {
@@ -363,6 +368,39 @@ impl Builder<'_> {
             self.found.push(error.at(span.clone()).help(help));
         }
         !touched.is_empty()
+    }
+
+    /// Whether there is room for the blocks that a refinement makes: before any is made, since a slip of the pen in `levels` would fill the
+    /// memory.
+    fn has_room_for(&mut self, region: &Region, levels: u8, span: &Span) -> bool {
+        let most = memory::most_bricks().min(MOST_PARTS);
+        let mut count = 0.0;
+        for shape in self.spatial.blocks.iter().map(|block| &block.shape) {
+            let block = Divisible::of(shape);
+            count += block.map_or(1.0, |block| {
+                block.parts_around(region, levels, most - count)
+            });
+            if count > most && !matches!(region, Region::All) {
+                break;
+            }
+        }
+        if count <= most {
+            return true;
+        }
+        let exact = matches!(region, Region::All);
+        let message = format!(
+            "{levels} levels here make {} {} blocks; there is room for {most:.1e}",
+            if exact { "about" } else { "more than" },
+            if exact {
+                format!("{count:.1e}")
+            } else {
+                format!("{most:.1e}")
+            },
+        );
+        let error = Diagnostic::error("refine.many", message).at(span.clone());
+        let help = "give fewer `levels` (each makes eight blocks of one) or a smaller region";
+        self.found.push(error.help(help));
+        false
     }
 
     fn during(&mut self, said: &language::During) -> Option<During> {

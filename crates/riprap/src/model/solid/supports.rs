@@ -4,10 +4,12 @@ use std::collections::BTreeSet;
 
 use riprap_geom::Vec3;
 
+use super::shapes::{centroid, volume};
 use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
 use crate::model::accounts::condition_name;
 use crate::model::builder::Builder;
+use crate::model::motion::{as_one, held_if, turns};
 use crate::scenario::language::{self, Fixed};
 use crate::spatial::setup::{Load, LoadKind, Motion, Support};
 
@@ -19,6 +21,10 @@ pub(super) fn held_along(said: &Fixed) -> [bool; 3] {
         said.z_or_default(),
     ]
 }
+
+/// What deformable blocks do not do when a spin is prescribed.
+const NO_TURN: &str =
+    "are not turned by a spin: drive their nodes by formulas of x, y, z (`on.nodes`)";
 
 /// Which freedoms are held.
 fn fixed(said: &Fixed) -> Motion {
@@ -46,18 +52,24 @@ impl Builder<'_> {
             self.tell_second_support(&mut supported, &blocks, &support.on);
             let motion = match (&support.fixed, &support.motion) {
                 (Some(said), _) => fixed(said),
-                (None, Some(language::Motion::Velocity(m))) => Motion::Velocity {
-                    translation: [
-                        self.maybe(m.x.as_ref()),
-                        self.maybe(m.y.as_ref()),
-                        self.maybe(m.z.as_ref()),
-                    ],
-                    spin: [
-                        self.maybe(m.spin_x.as_ref()),
-                        self.maybe(m.spin_y.as_ref()),
-                        self.maybe(m.spin_z.as_ref()),
-                    ],
-                },
+                (None, Some(language::Motion::Velocity(m))) => {
+                    let translation = [&m.x, &m.y, &m.z].map(|f| self.maybe(f.as_ref()));
+                    let spin = [&m.spin_x, &m.spin_y, &m.spin_z].map(|f| self.maybe(f.as_ref()));
+                    let turns = spin.iter().flatten().any(turns);
+                    if turns && self.any_deforms(&blocks, &support.on, NO_TURN) {
+                        continue;
+                    }
+                    let about = (turns && as_one(m, &blocks)).then(|| {
+                        let given = m.about.as_ref().map(|at| self.local(at.xyz()));
+                        given.unwrap_or_else(|| self.centroid_of_solids(&blocks))
+                    });
+                    let held = about.is_some();
+                    Motion::Velocity {
+                        translation: translation.map(|f| held_if(held, f)),
+                        spin: spin.map(|f| held_if(held, f)),
+                        about,
+                    }
+                }
                 (None, Some(language::Motion::Acceleration(m))) => Motion::Acceleration {
                     translation: [
                         self.maybe(m.x.as_ref()),
@@ -77,6 +89,19 @@ impl Builder<'_> {
             self.account(name, Holder::Support(self.spatial.supports.len() as u16));
             self.spatial.supports.push(Support { blocks, motion });
         }
+    }
+
+    /// Centroid of the masses of some blocks, m (local).
+    fn centroid_of_solids(&self, blocks: &[u32]) -> Vec3 {
+        let (mut sum, mut all) = (Vec3::ZERO, 0.0);
+        for &b in blocks {
+            let block = &self.spatial.blocks[b as usize];
+            let density = self.spatial.materials[usize::from(block.material)].density;
+            let mass = density * volume(&block.shape);
+            sum += mass * centroid(&block.shape);
+            all += mass;
+        }
+        sum / all
     }
 
     /// Whether a support holds a block in all freedoms.

@@ -7,7 +7,7 @@ use riprap_geom::polyhedron::Polyhedron;
 use super::shapes::{bounds, solid};
 use super::triple;
 use crate::model::builder::Builder;
-use crate::scenario::csv_columns::csv_quantities;
+use crate::scenario::csv_columns::Column;
 use crate::scenario::foreign::asc::parse_asc;
 use crate::scenario::foreign::stl::parse_surface;
 use crate::scenario::language::{self, Block, Space};
@@ -24,6 +24,17 @@ const ACCEPTED: f64 = 1e-6;
 const NAMED: usize = 10;
 /// A file with fewer places than this share of its grid is none.
 const SCATTERED: f64 = 0.25;
+
+/// Columns of places on a grid.
+const GRID: [Column; 3] = [
+    Column::needed(&["x", "easting", "east"], Dim::LENGTH, "m"),
+    Column::needed(&["y", "northing", "north"], Dim::LENGTH, "m"),
+    Column::needed(
+        &["z", "elevation", "elev", "height", "altitude"],
+        Dim::LENGTH,
+        "m",
+    ),
+];
 
 /// Heights on a grid.
 pub(in crate::model) struct GridHeights {
@@ -53,8 +64,14 @@ impl Builder<'_> {
             None => (self.reading(format!("blocks.{}.terrain", block.name), said)).unit(),
         };
         let (file, made) = if let Some(file) = &said.asc {
-            let help = "save it as ASCII grid (AAIGrid)";
+            let help = "correct that line; GIS programs save such a file as ASCII grid (AAIGrid)";
             let read = self.foreign_file(file, parse_asc, help)?;
+            let (all, none) = (read.z.len(), read.z.iter().filter(|z| z.is_none()).count());
+            let left = match none {
+                0 => String::new(),
+                none => format!("; left out {none} because they have no height"),
+            };
+            self.note_import(file, &format!("read {} of {all} cells{left}", all - none));
             let wide = read.x.len();
             let [x, y] = [(&read.x, shift.x), (&read.y, shift.y)]
                 .map(|(list, shift)| list.iter().map(|at| unit * at + shift).collect::<Vec<_>>());
@@ -70,7 +87,8 @@ impl Builder<'_> {
         } else {
             let file = said.stl.as_ref()?;
             let help = "save it as STL, text or binary";
-            let (points, triangles) = self.foreign_file(file, parse_surface, help)?;
+            let (points, triangles, flat) = self.foreign_file(file, parse_surface, help)?;
+            self.note_import(file, &triangles_text(triangles.len(), flat));
             if triangles.len() > MOST {
                 let message = format!("`{file}` has {} triangles", triangles.len());
                 let help = format!("terrain has {MOST} at most: make it coarser");
@@ -129,21 +147,8 @@ impl Builder<'_> {
         shift: Vec3,
         code: &'static str,
     ) -> Option<GridHeights> {
-        let needed = [("x", Dim::LENGTH), ("y", Dim::LENGTH), ("z", Dim::LENGTH)];
-        let path = self.parsed.folder.join(file.as_str());
-        let columns = match csv_quantities(&path, &needed, &[]) {
-            Ok(columns) => columns,
-            Err(error) => {
-                let mut found = Diagnostic::error("file.csv", error.message);
-                if let Some(help) = error.help {
-                    found = found.help(help);
-                }
-                self.found.push(found.at(file.span.clone()));
-                return None;
-            }
-        };
-        let mut columns = columns.into_iter().flatten();
-        let (x, y, z) = (columns.next()?, columns.next()?, columns.next()?);
+        let table = self.table(file, &GRID)?;
+        let [x, y, z] = std::array::from_fn(|k| table.values(k));
         let lines = |list: &[f64]| {
             // Zero with either sign is one line: the sum makes -0 a 0, which the total order tells apart.
             let mut lines: Vec<f64> = list.iter().map(|v| v + 0.0).collect();
@@ -151,7 +156,7 @@ impl Builder<'_> {
             lines.dedup();
             lines
         };
-        let (columns, rows) = (lines(&x), lines(&y));
+        let (columns, rows) = (lines(x), lines(y));
         let all = columns.len() as f64 * rows.len() as f64;
         // A cell of the grid has two triangles.
         if (x.len() as f64) < SCATTERED * all || all > 0.5 * MOST as f64 {
@@ -167,10 +172,10 @@ impl Builder<'_> {
         }
         let mut heights: Vec<Option<f64>> = vec![None; columns.len() * rows.len()];
         let place = |lines: &[f64], at: f64| lines.partition_point(|line| *line < at);
-        for ((x, y), z) in x.iter().zip(&y).zip(&z) {
+        for (((x, y), z), line) in x.iter().zip(y).zip(z).zip(&table.lines) {
             let k = place(&rows, *y) * columns.len() + place(&columns, *x);
             if heights[k].replace(z + shift.z).is_some() {
-                let message = format!("`{file}` has two heights at ({x} m, {y} m)");
+                let message = format!("`{file}`, line {line}: a second height at ({x} m, {y} m)");
                 let help = "keep one of them";
                 self.error_at(code, file, message, help);
                 return None;
@@ -282,6 +287,15 @@ impl Builder<'_> {
             self.found.push(Diagnostic::error("terrain.start", message));
         }
     }
+}
+
+/// What became of the triangles of a file.
+fn triangles_text(read: usize, flat: usize) -> String {
+    let left = match flat {
+        0 => String::new(),
+        flat => format!("; left out {flat} because they have no area"),
+    };
+    format!("read {read} of {} triangles{left}", read + flat)
 }
 
 /// How deep a block lies in a surface, m, negative above it. `None` where it is beside the surface as a whole.

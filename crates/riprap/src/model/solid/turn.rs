@@ -1,9 +1,12 @@
 //! The shapes of a table turned as a whole, and repeated.
 
 use riprap_geom::polyhedron::Polyhedron;
-use riprap_geom::{Mat3, Vec3};
+use riprap_geom::{Mat3, Quat, Vec3};
 
 use super::mesh::{Made, shape_of};
+use crate::model::builder::Builder;
+use crate::model::start::{Attitude, State};
+use crate::scenario::Quantity;
 use crate::scenario::language::{Block, Rotate};
 use crate::scenario::vectors::unit;
 use crate::spatial::setup::Shape;
@@ -23,6 +26,10 @@ pub(super) struct Turn {
 impl Turn {
     /// What `rotate` says, about a point in the coordinates of the shapes.
     pub(super) fn new(said: &Rotate, about: Vec3) -> Self {
+        if let Some(quaternion) = &said.quaternion {
+            let [w, x, y, z] = quaternion.each_ref().map(Quantity::si);
+            return Self::by(Quat::from_xyzw(x, y, z, w), about);
+        }
         let axis = match (&said.axis, &said.dip_direction) {
             (Some(axis), _) => unit(axis).map_or(Vec3::Z, Vec3::from),
             // Along the strike: about it, the upward normal leans in the direction of dip.
@@ -33,7 +40,22 @@ impl Turn {
             // Reported by the rules of the language.
             (None, None) => Vec3::Z,
         };
-        let exact = rotation(axis, said.angle.si());
+        let angle = said.angle.as_ref().map_or(0.0, Quantity::si);
+        Self::of_matrix(rotation(axis, angle), about)
+    }
+
+    /// A quaternion of any length but none.
+    pub(super) fn by(quaternion: Quat, about: Vec3) -> Self {
+        // Its largest part first, so that the square of no part is nothing or infinite.
+        let size = quaternion
+            .to_array()
+            .iter()
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
+        let quaternion = (quaternion * (1.0 / size)).normalize();
+        Self::of_matrix(Mat3::from_quat(quaternion), about)
+    }
+
+    fn of_matrix(exact: Mat3, about: Vec3) -> Self {
         let near = exact.to_cols_array();
         let keeps_axes = near.iter().all(|x| (x - x.round()).abs() < ROUND);
         let matrix = if keeps_axes {
@@ -58,12 +80,24 @@ impl Turn {
         self.about + self.matrix.transpose() * (point - self.about)
     }
 
+    /// A plane `normal . x = offset` turned.
+    pub(super) fn of_plane(&self, normal: Vec3, offset: f64) -> (Vec3, f64) {
+        let turned = self.matrix * normal;
+        (turned, offset + (turned - normal).dot(self.about))
+    }
+
+    /// A symmetric tensor turned.
+    pub(super) fn of_tensor(&self, tensor: &Mat3) -> Mat3 {
+        let turned = self.matrix * *tensor * self.matrix.transpose();
+        0.5 * (turned + turned.transpose())
+    }
+
     /// Shapes, and the faces that are named among them.
     pub(super) fn of_all(&self, made: Made) -> Made {
         let shapes = made.shapes.into_iter().map(|shape| self.of_shape(shape));
-        let face = |(block, normal, offset): (u32, Vec3, f64)| {
-            let turned = self.matrix * normal;
-            (block, turned, offset + (turned - normal).dot(self.about))
+        let face = |(block, normal, offset)| {
+            let (normal, offset) = self.of_plane(normal, offset);
+            (block, normal, offset)
         };
         let surfaces = made.surfaces.into_iter();
         Made {
@@ -75,7 +109,8 @@ impl Turn {
         }
     }
 
-    fn of_shape(&self, shape: Shape) -> Shape {
+    /// A shape turned.
+    pub(super) fn of_shape(&self, shape: Shape) -> Shape {
         match shape {
             Shape::Brick { centre, half } if self.keeps_axes => Shape::Brick {
                 centre: self.of(centre),
@@ -99,6 +134,46 @@ impl Turn {
             Shape::Terrain(surface) => Shape::Terrain(surface),
         }
     }
+}
+
+/// Puts a block where a state says; `false` where it is terrain, which nothing moves.
+pub(in crate::model) fn put_solid(builder: &mut Builder, block: usize, state: &State) -> bool {
+    let count = builder.spatial.blocks.len();
+    let spec = &mut builder.spatial.blocks[block];
+    if spec.shape.is_terrain() {
+        return false;
+    }
+    let mut faces = builder.surfaces.values_mut().flatten();
+    let mut own: Vec<_> = faces.by_ref().filter(|f| f.0 as usize == block).collect();
+    let centre = Vec3::from(builder.directory.centroids[block]);
+    if let Some(Attitude::Quaternion(attitude)) = state.attitude {
+        // What is not turned keeps its bits, and a brick its kind.
+        if attitude != Quat::IDENTITY {
+            let turn = Turn::by(attitude, centre);
+            spec.shape = turn.of_shape(spec.shape.clone());
+            for (_, normal, offset) in &mut own {
+                (*normal, *offset) = turn.of_plane(*normal, *offset);
+            }
+            let bodies = builder.spatial.bodies.iter_mut();
+            for body in bodies.filter(|body| body.block as usize == block) {
+                body.inertia = turn.of_tensor(&body.inertia);
+            }
+        }
+        builder.spatial.attitudes.resize(count, Quat::IDENTITY);
+        builder.spatial.attitudes[block] = attitude;
+    }
+    if let Some(place) = state.place {
+        let place = place - builder.spatial.origin;
+        let shift = place - centre;
+        spec.shape = moved(&spec.shape, shift);
+        for (_, normal, offset) in &mut own {
+            *offset += normal.dot(shift);
+        }
+        builder.directory.centroids[block] = place.into();
+    }
+    spec.velocity = state.velocity.unwrap_or(spec.velocity);
+    spec.spin = state.spin.unwrap_or(spec.spin);
+    true
 }
 
 /// Matrix of a rotation about a unit axis by an angle (rad), right-handed: the formula of Rodrigues.
@@ -142,7 +217,8 @@ pub(super) fn copies(block: &Block, made: Made) -> Made {
     }
 }
 
-fn moved(shape: &Shape, shift: Vec3) -> Shape {
+/// A shape moved.
+pub(super) fn moved(shape: &Shape, shift: Vec3) -> Shape {
     match shape {
         Shape::Brick { centre, half } => Shape::Brick {
             centre: *centre + shift,

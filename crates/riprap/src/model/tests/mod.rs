@@ -424,3 +424,81 @@ fn edge_loads_must_lie_on_an_edge() {
     ));
     assert!(bad(&load("1.5 m")).contains("do not lie on one edge"));
 }
+
+/// Two cubes whose centroids are 2 m apart, as a group, with a prescribed motion.
+fn driven_pair(motion: &str) -> String {
+    let cube = |name: &str, x: &str| {
+        format!(
+            "[[blocks]]\nname = \"{name}\"\ngroups = [\"pair\"]\nmaterial = \"rock\"\n\
+             rectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"{x}\", \"0 m\"] }}\n"
+        )
+    };
+    let support = format!("[[supports]]\non.group = \"pair\"\nmotion.{motion}\n");
+    format!("{}{}{support}", cube("a", "0 m"), cube("b", "2 m"))
+}
+
+#[test]
+fn a_spin_turns_a_group_as_one_body() {
+    let motion = |text: &str| {
+        let model = good(&driven_pair(text));
+        model.setup.planar().expect("a plane").supports[0]
+            .motion
+            .clone()
+    };
+    let about = |text: &str| match motion(text) {
+        Motion::Velocity { about, x, .. } => (about, x.is_some()),
+        Motion::Fixed { .. } | Motion::Acceleration { .. } => panic!("a velocity is expected"),
+    };
+    let spin = "spin = { constant = \"1 rad/s\" }";
+    // About the centroid of the group, held where nothing is given.
+    let (point, held) = about(&format!("velocity = {{ {spin} }}"));
+    assert!((point.expect("a point") - Vec2::new(1.5, 0.5)).length() < 1e-12 && held);
+    let given = about(&format!(
+        "velocity = {{ {spin}, about = [\"3 m\", \"0 m\"] }}"
+    ));
+    assert_eq!(given, (Some(Vec2::new(3.0, 0.0)), true));
+    // Each about its own centroid, and what does not turn is as it was.
+    assert_eq!(
+        about(&format!("velocity = {{ {spin}, each = true }}")),
+        (None, false)
+    );
+    let still = "velocity = { spin = { constant = \"0 rad/s\" } }";
+    assert_eq!(about(still), (None, false));
+}
+
+#[test]
+fn how_a_group_turns_is_told_where_it_cannot_be_meant() {
+    let acceleration = "acceleration = { spin = { constant = \"1 rad/s2\" } }";
+    let told = bad(&driven_pair(acceleration));
+    assert!(
+        told.contains("turns each of these blocks about its own centroid"),
+        "{told}"
+    );
+    good(&driven_pair(
+        "acceleration = { spin = { constant = \"1 rad/s2\" }, each = true }",
+    ));
+    let both =
+        "velocity = { spin = { constant = \"1 rad/s\" }, about = [\"0 m\", \"0 m\"], each = true }";
+    let told = bad(&driven_pair(both));
+    assert!(told.contains("has `about` and `each`"), "{told}");
+    let idle = "velocity = { x = { constant = \"1 m/s\" }, about = [\"0 m\", \"0 m\"] }";
+    let model = good(&driven_pair(idle));
+    let idle = |w: &Diagnostic| w.message == "`about` of a motion has no effect";
+    assert!(model.warnings.iter().any(idle));
+}
+
+#[test]
+fn blocks_of_one_table_spin_as_one_body_and_copies_do_not() {
+    let start = "spin = \"2 rad/s\"\nvelocity = [\"1 m/s\", \"0 m/s\"]\n";
+    let velocity = |blocks: &str| {
+        let model = good(&format!("{blocks}{start}"));
+        model.setup.planar().expect("a plane").blocks[0].velocity
+    };
+    assert_eq!(velocity(CUBE), Vec2::X);
+    let copies = "copies = { count = 2, step = [\"2 m\", \"0 m\"] }\n";
+    assert_eq!(velocity(&format!("{CUBE}{copies}")), Vec2::X);
+    let wall = "[[blocks]]\nname = \"wall\"\nmaterial = \"rock\"\n\
+                wall = { corner = [\"0 m\",\"0 m\"], block = [\"1 m\",\"1 m\"], courses = 1, per_course = 2 }\n";
+    // Half a metre to the left of the centroid of both.
+    assert!((velocity(wall) - Vec2::new(1.0, -1.0)).length() < 1e-12);
+}

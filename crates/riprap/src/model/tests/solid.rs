@@ -8,6 +8,7 @@ use crate::spatial::setup::{
 };
 use riprap_geom::Vec3;
 
+mod bodies;
 mod parts;
 mod turn;
 

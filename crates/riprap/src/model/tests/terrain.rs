@@ -210,3 +210,88 @@ fn terrain_does_not_move() {
         &["`ground` is terrain: nothing can move it"],
     );
 }
+
+/// Flat rasters `[x, y, cells, cell size, height]` of corners (m), one terrain each; a ball above the first.
+fn tiles(places: &[[f64; 5]]) -> Model {
+    let folder = tempfile::tempdir().unwrap();
+    let mut more = String::from(BALL);
+    for (k, [x, y, cells, size, z]) in places.iter().enumerate() {
+        let count = *cells as usize;
+        let row = vec![z.to_string(); count].join(" ");
+        let rows = vec![row; count].join("\n");
+        let text = format!(
+            "ncols {count}\nnrows {count}\nxllcorner {x}\nyllcorner {y}\ncellsize {size}\n{rows}\n"
+        );
+        std::fs::write(folder.path().join(format!("{k}.asc")), text).unwrap();
+        more += &format!(
+            "[[blocks]]\nname = \"tile{k}\"\nmaterial = \"rock\"\nterrain.asc = \"{k}.asc\"\n"
+        );
+    }
+    let mut parsed = parse(Source::new("t.toml", format!("{HEAD}{more}"))).unwrap();
+    parsed.folder = folder.path().to_path_buf();
+    let fields = crate::run::engine::Kind::Spatial.fields();
+    build(&parsed, "default", fields).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Triangles of each terrain.
+fn triangles(model: &Model) -> Vec<usize> {
+    let Setup::Spatial(setup) = &model.setup else {
+        panic!("a model in space is expected");
+    };
+    let shapes = setup.blocks.iter().filter_map(|b| match &b.shape {
+        Shape::Terrain(surface) => Some(surface.triangles.len()),
+        Shape::Brick { .. } | Shape::Polyhedron(_) | Shape::Glued(_) => None,
+    });
+    shapes.collect()
+}
+
+#[test]
+fn tiles_of_one_survey_are_joined() {
+    // Four tiles of 5 by 5 cells about a corner: 4 by 4 squares between the middles of cells, and strips of a square between tiles.
+    let four = [
+        [0.0, 0.0, 5.0, 2.0, 0.0],
+        [10.0, 0.0, 5.0, 2.0, 0.0],
+        [0.0, 10.0, 5.0, 2.0, 0.0],
+        [10.0, 10.0, 5.0, 2.0, 0.0],
+    ];
+    let model = tiles(&four);
+    assert!(model.warnings.is_empty(), "{:?}", model.warnings);
+    assert_eq!(triangles(&model), [50, 40, 40, 32]);
+    let told = model.summary.terrain.join("\n");
+    let says = "tile0: joined to tile1, tile2, tile3 over the cell between them: 50 triangles now";
+    assert!(told.contains(says), "{told}");
+    // Beside each other, half a tile apart.
+    let model = tiles(&[four[0], [10.0, 4.0, 5.0, 2.0, 0.0]]);
+    assert!(model.warnings.is_empty(), "{:?}", model.warnings);
+    assert_eq!(triangles(&model), [32 + 2 * 2, 32]);
+    // The western one comes second.
+    let model = tiles(&[four[1], four[0]]);
+    assert_eq!(triangles(&model), [32, 40]);
+}
+
+#[test]
+fn gaps_and_ground_that_is_there_twice_are_reported() {
+    let seam = |places: &[[f64; 5]]| {
+        let model = tiles(places);
+        let seams = model.warnings.iter().filter(|w| w.code == "terrain.seam");
+        seams.map(|w| w.message.clone()).collect::<Vec<_>>()
+    };
+    let first = [0.0, 0.0, 5.0, 2.0, 0.0];
+    // Another cell size; cells out of line; a part of the ground twice.
+    let told = seam(&[first, [10.0, 0.0, 10.0, 1.0, 0.0]]);
+    assert!(
+        told[0].contains("leave a gap of 1.5 m between their rims"),
+        "{told:?}"
+    );
+    let told = seam(&[first, [10.5, 0.0, 5.0, 2.0, 0.0]]);
+    assert!(
+        told[0].contains("leave a gap of 2.5 m between their rims"),
+        "{told:?}"
+    );
+    let told = seam(&[first, [5.0, 1.0, 5.0, 2.0, 0.0]]);
+    assert!(told[0].contains("are the same ground twice"), "{told:?}");
+    // Far apart; touching; a bench above a floor: nothing to say.
+    assert!(seam(&[first, [40.0, 0.0, 5.0, 2.0, 0.0]]).is_empty());
+    assert!(seam(&[first, [8.0, 0.0, 5.0, 2.0, 0.0]]).is_empty());
+    assert!(seam(&[first, [4.0, 0.0, 5.0, 2.0, 3.0]]).is_empty());
+}

@@ -11,7 +11,7 @@ use crate::{planar, spatial};
 /// A bolt that cannot be installed.
 pub(super) fn planar(
     world: &mut planar::world::World,
-    shapes: &planar::shapes::Shapes,
+    scratch: &planar::step::Scratch,
     phase: &Phase,
 ) -> Result<(), planar::bolts::InstallError> {
     use planar::setup::Motion;
@@ -30,9 +30,7 @@ pub(super) fn planar(
         world.water = table;
         world.seepage = None;
     }
-    for (row, law) in &phase.contacts {
-        world.setup.interfaces[*row as usize].contact = *law;
-    }
+    planar::change_laws(world, scratch, &phase.contacts);
     if let Some(reduction) = &phase.reduction {
         for &row in &reduction.rows {
             let interface = &mut world.setup.interfaces[row as usize];
@@ -47,17 +45,26 @@ pub(super) fn planar(
         }
         world.last_dt = 0.0;
     }
-    planar::step::hold_driven(world);
+    planar::step::hold_driven(world, &scratch.shapes);
     planar::bolts::follow(world);
-    planar::bolts::install(world, shapes, &phase.install)
+    planar::bolts::install(world, &scratch.shapes, &phase.install)
 }
 
 /// In space.
 pub(super) fn spatial(
     world: &mut spatial::world::World,
+    scratch: &spatial::step::Scratch,
     phase: &Phase,
 ) -> Result<(), InstallError> {
     use spatial::setup::Motion;
+    // Before anything else: its pairs are those of the last evaluation.
+    if !phase.joints.is_empty() {
+        spatial::contacts::change_laws(world, scratch, |world| {
+            for (row, law) in &phase.joints {
+                world.setup.interfaces[*row as usize].joint = *law;
+            }
+        });
+    }
     spatial::edit::take_out(world, &phase.remove);
     for &b in &phase.fix {
         world.motion[b as usize] = Some(Box::new(Motion::Fixed {
@@ -71,9 +78,6 @@ pub(super) fn spatial(
     if let Some(table) = phase.water {
         world.water = table;
         world.seepage = None;
-    }
-    for (row, law) in &phase.joints {
-        world.setup.interfaces[*row as usize].joint = *law;
     }
     if let Some(reduction) = &phase.reduction {
         spatial::edit::reduce_strengths(world, &reduction.rows, reduction.factor);

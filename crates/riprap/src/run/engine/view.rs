@@ -8,11 +8,27 @@ use crate::record::conditions::Conditions;
 use crate::record::field::Site;
 use crate::record::frame::bars;
 use crate::record::frame::fragments::Fragments;
+use crate::record::frame::states;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::{Source, Work};
 use crate::record::names::Names;
 use crate::spatial::found::desk::Deepest;
 use crate::{planar, spatial};
+
+/// A bolt that has been drawn out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its name.
+    pub name: String,
+    /// How much farther its points in the rock lie apart along it than when it was installed, m.
+    pub by: f64,
+    /// Its length, m.
+    pub length: f64,
+    /// Largest force that it pulls with, N; in the plane per metre.
+    pub force: f64,
+    /// Whether its bar breaks by itself once it is drawn out far enough.
+    pub breaks: bool,
+}
 
 /// How far a block has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -338,14 +354,49 @@ impl<'a> View<'a> {
         }
     }
 
-    /// What is looked at before a run is stopped because blocks lie too deep in each other: as [`Self::worst_overlap`], in space
-    /// of joints alone; found contacts have [`Self::deepest_contact`].
+    /// The bolt that has been drawn out by most of its length.
     #[must_use]
-    pub fn worst_closing(&self) -> Option<(f64, u32, u32)> {
+    pub fn most_drawn(&self) -> Option<Drawn> {
         match self {
-            Self::Planar(v) => v.worst_overlap(),
-            Self::Spatial(v) => v.worst_closing(),
+            Self::Planar(v) => {
+                let (number, [by, length, force]) = v.most_drawn()?;
+                let bolt = &v.world.setup.bolts[number as usize];
+                Some(Drawn {
+                    name: bolt.name.clone(),
+                    by,
+                    length,
+                    force,
+                    breaks: bolt.design.breaks.is_finite(),
+                })
+            }
+            Self::Spatial(v) => {
+                let drawn = v.most_drawn()?;
+                let bolt = &v.world.setup.bolts[drawn.bolt as usize];
+                Some(Drawn {
+                    name: bolt.name.clone(),
+                    by: drawn.by,
+                    length: drawn.length,
+                    force: drawn.force,
+                    breaks: bolt.design.breaks.is_finite(),
+                })
+            }
         }
+    }
+
+    /// Names of bolts that tie nothing to anything, with that of the block that all of each lies in.
+    #[must_use]
+    pub fn idle_bolts(&self) -> Vec<(String, String)> {
+        let (idle, name): (_, &dyn Fn(u32) -> String) = match self {
+            Self::Planar(v) => (v.idle_bolts(), &|k| {
+                v.world.setup.bolts[k as usize].name.clone()
+            }),
+            Self::Spatial(v) => (v.idle_bolts(), &|k| {
+                v.world.setup.bolts[k as usize].name.clone()
+            }),
+        };
+        idle.into_iter()
+            .map(|(bolt, block)| (name(bolt), self.name(block)))
+            .collect()
     }
 
     /// The found contact in space that is deepest for its blocks, rigid, on terrain or deformable.
@@ -428,6 +479,15 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => (!v.world.bonds.is_empty()).then(|| v.fragments()),
             Self::Spatial(v) => Some(v.fragments()),
+        }
+    }
+
+    /// The table of the states of the blocks, as `start.csv` of a scene reads it.
+    #[must_use]
+    pub fn states(&self) -> String {
+        match self {
+            Self::Planar(v) => states::csv(states::PLANAR, &v.states()),
+            Self::Spatial(v) => states::csv(states::SPATIAL, &v.states()),
         }
     }
 

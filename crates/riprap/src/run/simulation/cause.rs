@@ -183,7 +183,7 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
         View::Planar(v) => {
             use planar::setup::Motion;
             match v.world.motion[b].as_deref() {
-                Some(Motion::Velocity { x, y, spin }) => {
+                Some(Motion::Velocity { x, y, spin, .. }) => {
                     found.extend(named("velocity", "along x", x));
                     found.extend(named("velocity", "along y", y));
                     found.extend(named("spin", "", spin));
@@ -199,7 +199,9 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
         View::Spatial(v) => {
             use spatial::setup::Motion;
             match v.world.motion[b].as_deref() {
-                Some(Motion::Velocity { translation, spin }) => {
+                Some(Motion::Velocity {
+                    translation, spin, ..
+                }) => {
                     for (axis, f) in AXES.iter().zip(translation) {
                         found.extend(named("velocity", axis, f));
                     }

@@ -26,11 +26,13 @@ pub struct Cursor {
     /// Relaxing phases that ended at their limit of iterations.
     pub unconverged: Vec<Unconverged>,
     /// The largest energies seen so far that the ledger does not account for, in the order of [`Unexplained::ALL`].
-    pub unexplained: [Residual; 2],
+    pub unexplained: [Residual; 3],
     /// How the phases so far have ended.
     pub ends: Vec<PhaseEnd>,
-    /// The deepest found contact so far, where it was worth a warning.
+    /// What was pressed deepest so far, where it was worth a warning.
     pub deepest: Option<Deep>,
+    /// What the run went through that its laws do not mean.
+    pub noted: Noted,
     /// What the fastest block has crossed of its neighbourhood's inscribed radius since overlaps were last looked at.
     pub crossed: f64,
     /// The largest overlap over the smaller inscribed radius at the start of the run.
@@ -40,15 +42,26 @@ pub struct Cursor {
     pub stable: Option<Stable>,
 }
 
-/// Two blocks that lay deep in each other.
+/// What a block is pressed into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Into {
+    /// Another block.
+    Block,
+    /// What a condition has put behind its face.
+    Condition,
+}
+
+/// Two blocks that lay deep in each other, or one that was pressed into what holds its face.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Deep {
     /// Depth over the smaller inscribed radius; of deformable blocks over the distance of the centre from the surface.
     pub ratio: f64,
     /// Depth, m.
     pub depth: f64,
-    /// Their names.
+    /// Their names, the second that of the condition where it is one.
     pub blocks: [String; 2],
+    /// What the second one is.
+    pub into: Into,
     /// Step.
     pub step: u64,
     /// Model time, s.
@@ -58,6 +71,17 @@ pub struct Deep {
 impl std::fmt::Display for Deep {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [a, b] = &self.blocks;
+        if self.into == Into::Condition {
+            return write!(
+                f,
+                "block `{a}` was pressed {:.3e} m into what holds its face (boundary `{b}`), {:.0} % of the radius of the largest ball in it \
+                 (step {}, t = {:.4e} s): the rock is soft for what presses; a larger `young` or a smaller load keeps it from there",
+                self.depth,
+                100.0 * self.ratio,
+                self.step,
+                self.time
+            );
+        }
         write!(
             f,
             "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the radius of the largest ball in the thinner one \
@@ -108,6 +132,8 @@ pub enum Reason {
     Balanced,
     /// The kinetic energy is small enough.
     AtRest,
+    /// Forces are balanced by dashpots alone, and have been for long: it sinks and never comes to rest.
+    Sinking,
     /// The iterations of a relaxing phase are used up.
     Iterations,
 }
@@ -131,6 +157,8 @@ pub struct PhaseEnd {
     pub moving: Option<(String, f64)>,
     /// What may have been thrown by blocks that were built into each other.
     pub thrown: Option<Thrown>,
+    /// What dashpots of viscous faces carry over all forces, and the condition whose faces carry most.
+    pub sinking: Option<(f64, String)>,
 }
 
 /// A block that has gone far while blocks that lay in each other gave back energy.
@@ -146,6 +174,8 @@ pub struct Thrown {
 
 /// A block with a larger ratio of net force to the forces on it than this is not held: it falls or slides.
 const FALLS: f64 = 0.5;
+/// Dashpots that carry a larger share of all forces than this let the model sink, where no other is asked for.
+const SINKS: f64 = 1e-3;
 /// A block that would go this share of its own size in another phase as long as the last one is not at rest.
 const MOVES: f64 = 0.1;
 /// Share of the energy put in that blocks which lay in each other must have given back for one of them to have been thrown by it.
@@ -187,13 +217,21 @@ impl PhaseEnd {
                 "the model is at rest as a whole, but not every block"
             }
             Reason::AtRest => "it is at rest",
+            Reason::Sinking => "it sinks through its dashpots and will not come to rest",
             Reason::Iterations => "its iterations are used up",
         }
     }
 
-    /// The block that is not at rest, in words.
+    /// What is not at rest, in words.
     #[must_use]
     pub fn restless(&self) -> Option<String> {
+        let sinks = |(share, _): &&(f64, String)| *share > self.wanted.unwrap_or(SINKS);
+        if let Some((share, boundary)) = self.sinking.as_ref().filter(sinks) {
+            return Some(format!(
+                "the dashpots of the viscous boundary `{boundary}` bear {share:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
+                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up"
+            ));
+        }
         if let Some((name, ratio)) = self.worst.as_ref().filter(|(_, ratio)| *ratio > FALLS) {
             return Some(format!(
                 "the net force on block `{name}` is {:.0} % of the forces that act on it (it falls or slides)",
@@ -229,7 +267,7 @@ impl PhaseEnd {
             Reason::Time => Some("time"),
             Reason::Steps => Some("steps"),
             Reason::Iterations => Some("iterations"),
-            Reason::Balanced | Reason::AtRest => None,
+            Reason::Balanced | Reason::AtRest | Reason::Sinking => None,
         };
         // Iterations without balance are told by `Unconverged`.
         if let (Some(what), Some(wanted)) = (unused, self.wanted)
@@ -246,6 +284,9 @@ impl PhaseEnd {
             Some(what) => format!(
                 "phase `{phase}` used up its {what}, and not every block is at rest: {words}"
             ),
+            None if self.reason == Reason::Sinking => {
+                format!("phase `{phase}` ended without rest: {words}")
+            }
             None => format!(
                 "phase `{phase}` ended in balance as a whole, but not every block is: {words}"
             ),
@@ -288,6 +329,23 @@ pub struct Snapshot {
     pub state: State,
 }
 
+impl Snapshot {
+    /// Looks at the numbers that stand for blocks, rows, nodes and phases.
+    ///
+    /// # Errors
+    /// The first that stands for nothing, in words.
+    pub fn sound(&self) -> Result<(), String> {
+        let (phase, phases) = (self.cursor.phase, self.plan.phases.len());
+        if phase > phases {
+            return Err(format!("phase {phase} of {phases} is not there"));
+        }
+        match &self.state {
+            State::Planar(world) => world.sound(),
+            State::Spatial(world) => world.sound(),
+        }
+    }
+}
+
 /// A [`Snapshot`] to be written, of which nothing is copied: the same fields in the same order.
 #[derive(Clone, Debug, Serialize)]
 pub struct SnapshotRef<'a> {
@@ -305,4 +363,135 @@ pub enum Stage {
     PhaseEnd,
     /// All phases are done.
     Done,
+}
+
+/// What was noted so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Noted {
+    /// The largest turn of a block under kinematics for small ones.
+    pub turned: Option<Turned>,
+    /// The tetrahedron that was farthest beyond its law.
+    pub strained: Option<Noticed>,
+    /// The bolt that was drawn out by most of its length.
+    pub drawn: Option<Noticed>,
+    /// The first two blocks that met across the ends of a periodic model.
+    pub through: Option<Noticed>,
+    /// Since when forces of a static phase have been balanced by dashpots: step, and what they carried over all forces then.
+    pub sinking: Option<(u64, f64)>,
+}
+
+/// A block that turned far.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Turned {
+    /// Its name.
+    pub block: String,
+    /// How far, rad.
+    pub angle: f64,
+    /// Step.
+    pub step: u64,
+    /// Model time, s.
+    pub time: f64,
+}
+
+/// Something that was noticed, in words.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Noticed {
+    /// How far it was beyond what is meant.
+    pub size: f64,
+    /// What it was.
+    pub words: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::simulation::Simulation;
+
+    const REST: &str = r#"
+        friction_angle = "30 deg"
+        [[phases]]
+        name = "fall"
+        until = { time = "1 s" }
+        time_step = "1 ms"
+        [[supports]]
+        on = { block = "low" }
+        fixed = {}
+        [[blocks]]
+        name = "low"
+        material = "rock"
+    "#;
+
+    fn snapshot(head: &str, low: &str, high: &str) -> Snapshot {
+        let text = format!(
+            "riprap = 1\ntitle = \"two\"\n{head}\n[interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\n{REST}\n{low}\n\
+             [[blocks]]\nname = \"high\"\nmaterial = \"rock\"\n{high}\n"
+        );
+        Simulation::from_toml(&text).unwrap().snapshot()
+    }
+
+    fn plane() -> Snapshot {
+        snapshot(
+            "[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[materials.rock]\ndensity = \"2500 kg/m3\"",
+            "rectangle = { size = [\"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\"] }",
+            "rectangle = { size = [\"1 m\", \"1 m\"], corner = [\"0 m\", \"1 m\"] }",
+        )
+    }
+
+    fn space() -> Snapshot {
+        snapshot(
+            "[space.spatial]\ngravity = \"10 m/s2\"\n[materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.2",
+            "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\", \"0 m\"] }",
+            "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\", \"1 m\"] }",
+        )
+    }
+
+    /// A checkpoint made by hand, with a sound sum, made the engines read beyond their lists.
+    #[test]
+    fn numbers_that_stand_for_nothing_are_refused_in_the_plane() {
+        let mutations: [fn(&mut crate::planar::world::World); 7] = [
+            |world| world.alive.clear(),
+            |world| world.setup.blocks[0].material = 9,
+            |world| world.setup.pair_table[0] = 9,
+            |world| world.setup.supports[0].blocks[0] = 9,
+            |world| world.setup.interfaces.clear(),
+            |world| world.water = Some(3),
+            |world| world.bodies.clear(),
+        ];
+        assert_eq!(plane().sound(), Ok(()));
+        for (k, mutate) in mutations.into_iter().enumerate() {
+            let mut forged = plane();
+            let State::Planar(world) = &mut forged.state else {
+                panic!("a scene in the plane")
+            };
+            mutate(world);
+            assert!(forged.sound().is_err(), "mutation {k}");
+        }
+        let mut forged = plane();
+        forged.cursor.phase = 7;
+        assert_eq!(forged.sound().unwrap_err(), "phase 7 of 1 is not there");
+    }
+
+    #[test]
+    fn numbers_that_stand_for_nothing_are_refused_in_space() {
+        let mutations: [fn(&mut crate::spatial::world::World); 9] = [
+            |world| world.alive.clear(),
+            |world| world.solid[1] = 9,
+            |world| world.patches.ends[0] = [0, 9],
+            |world| world.patches.class[0] = 9,
+            |world| world.patches.flags.clear(),
+            |world| world.classes[0].row = 9,
+            |world| world.faces[0].block = 9,
+            |world| world.setup.names.clear(),
+            |world| world.bodies.velocity[2].clear(),
+        ];
+        assert_eq!(space().sound(), Ok(()));
+        for (k, mutate) in mutations.into_iter().enumerate() {
+            let mut forged = space();
+            let State::Spatial(world) = &mut forged.state else {
+                panic!("a scene in space")
+            };
+            mutate(world);
+            assert!(forged.sound().is_err(), "mutation {k}");
+        }
+    }
 }

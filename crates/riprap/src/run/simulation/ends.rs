@@ -57,6 +57,7 @@ impl Simulation {
             worst,
             moving,
             thrown,
+            sinking: self.sinking(),
         };
         self.cursor.ends.push(end.clone());
         Some(end)
@@ -77,7 +78,11 @@ impl Simulation {
         let deepest = cursor.deepest.as_ref().map(ToString::to_string);
         let others = residual.chain(deepest);
         let given = overruled::words(&self.view()).into_iter();
-        let off = given.chain(meeting::off(&self.view()));
+        let given = given.chain(meeting::only_dashpots(&self.view()));
+        // What was seen to happen says more than that it may.
+        let seen = cursor.noted.through.is_some();
+        let across = meeting::across_ends(&self.view()).filter(|_| !seen);
+        let off = given.chain(meeting::off(&self.view())).chain(across);
         let all = off.chain(unconverged).chain(ends).chain(others);
         let supports = self
             .left_terrain()
@@ -89,7 +94,9 @@ impl Simulation {
             .chain(self.shorter())
             .chain(self.open_surfaces())
             .chain(rough::crushed(&self.view()));
-        all.chain(supports).collect()
+        let noted = self.noted_words().into_iter();
+        let noted = noted.chain(meeting::idle_bolts(&self.view()));
+        all.chain(supports).chain(noted).collect()
     }
 
     /// Contacts in space of whose surface a part may be missing, in words.

@@ -1,7 +1,10 @@
 //! Why the physics stops a run.
 
+use std::cmp::Ordering;
+
 use thiserror::Error;
 
+use super::cursor::Into;
 use crate::ledger::Unexplained;
 
 /// Why the physics stopped a run.
@@ -114,7 +117,7 @@ pub enum RunError {
     /// Two blocks in space are about to come out on each other's far side, or one is about to be swallowed by terrain.
     #[error(
         "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), as far as the largest ball \
-         in the thinner one reaches: beyond that nothing holds them apart, and one would pass through the other. What can help: a larger \
+         in the thinner one reaches ({reach:.4e} m): beyond that nothing holds them apart, and one would pass through the other. What can help: a larger \
          `normal_stiffness` between their materials (where these have a `brittle_bond` and one block deforms: of that, or a smaller \
          `thickness`), or a look at why they meet so fast; {ruled_out}"
     )]
@@ -125,6 +128,74 @@ pub enum RunError {
         second: String,
         /// Depth, m.
         depth: f64,
+        /// Radius of the largest ball in the thinner one, m; no larger than the depth.
+        reach: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
+    /// A block in space has been pressed through what holds one of its faces.
+    #[error(
+        "block `{block}` has been pressed {depth:.4e} m into what holds its face (boundary `{boundary}`) at step {step} (t = {time:.6e} s), as far as \
+         the largest ball in it reaches ({reach:.4e} m): it would come out on the far side. The face is held through the stiffness of the half block \
+         behind it. What can help: a larger `young` of the block, a smaller load, or a larger block there; {ruled_out}"
+    )]
+    PressedOut {
+        /// The block.
+        block: String,
+        /// The condition on its face.
+        boundary: String,
+        /// Depth, m.
+        depth: f64,
+        /// Radius of the largest ball in the block, m; no larger than the depth.
+        reach: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
+    /// Two blocks overlap, and the surface on which they press each other was not found.
+    #[error(
+        "no surface was found on which blocks `{first}` and `{second}` press each other at step {step} (t = {time:.6e} s), although they overlap by \
+         {depth:.4e} m (the largest ball in the thinner one has a radius of {reach:.4e} m): no force can be given. The scene is not to blame: round-off \
+         has lost the surface. What can help: another `seed`, or blocks that are not aligned to the last digit; please report it with the checkpoint; \
+         {ruled_out}"
+    )]
+    NoSurface {
+        /// One block.
+        first: String,
+        /// The other.
+        second: String,
+        /// Depth, m.
+        depth: f64,
+        /// Radius of the largest ball in the thinner one, m; larger than the depth.
+        reach: f64,
+        /// What was looked at and ruled out.
+        ruled_out: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
+    /// A deformable block has been turned inside out.
+    #[error(
+        "deformable block `{block}` is turned inside out at ({:.4}, {:.4}, {:.4}) m: a tetrahedron there has {volume:.2} times its volume at the start \
+         (step {step}, t = {time:.6e} s). Its law means nothing there. What can help: look at `young` and its unit; a larger `young`, or a smaller load; \
+         {ruled_out}",
+        .at[0], .at[1], .at[2]
+    )]
+    InsideOut {
+        /// The block.
+        block: String,
+        /// Where, m.
+        at: [f64; 3],
+        /// Volume over that at the start.
+        volume: f64,
         /// What was looked at and ruled out.
         ruled_out: String,
         /// Step.
@@ -178,6 +249,49 @@ pub enum RunError {
 }
 
 impl RunError {
+    /// The error for blocks that are pressed too deep (m) for the radius of the largest ball in the thinner one (m), or that overlap without a
+    /// surface: its words are those that its numbers bear out.
+    pub(super) fn pressed(
+        [first, second]: [String; 2],
+        into: Into,
+        [depth, reach]: [f64; 2],
+        at: impl FnOnce() -> (String, u64, f64),
+    ) -> Self {
+        let (ruled_out, step, time) = at();
+        match into {
+            // Not a number is no proof of a depth.
+            Into::Block if depth.partial_cmp(&reach).is_none_or(Ordering::is_lt) => {
+                Self::NoSurface {
+                    first,
+                    second,
+                    depth,
+                    reach,
+                    ruled_out,
+                    step,
+                    time,
+                }
+            }
+            Into::Block => Self::PassesThrough {
+                first,
+                second,
+                depth,
+                reach,
+                ruled_out,
+                step,
+                time,
+            },
+            Into::Condition => Self::PressedOut {
+                block: first,
+                boundary: second,
+                depth,
+                reach,
+                ruled_out,
+                step,
+                time,
+            },
+        }
+    }
+
     /// Adds what was found out after the run had been stopped.
     pub(in crate::run) fn add(&mut self, found: &str) {
         match self {
@@ -192,6 +306,15 @@ impl RunError {
                 ruled_out: words, ..
             }
             | Self::PassesThrough {
+                ruled_out: words, ..
+            }
+            | Self::PressedOut {
+                ruled_out: words, ..
+            }
+            | Self::NoSurface {
+                ruled_out: words, ..
+            }
+            | Self::InsideOut {
                 ruled_out: words, ..
             }
             | Self::BlowUp {
@@ -218,7 +341,14 @@ impl RunError {
                 what: Unexplained::LawDefect,
                 ..
             } => "the defect of the laws",
+            Self::Residual {
+                what: Unexplained::Steps,
+                ..
+            } => "the energy that changes of the step made",
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
+            Self::PressedOut { .. } => "a block is pressed through what holds it",
+            Self::NoSurface { .. } => "the surface of a contact was not found",
+            Self::InsideOut { .. } => "a deformable block is turned inside out",
             Self::Edit { .. } => "a block cannot be split or cut",
             Self::Phase { .. } => "a phase cannot begin",
             Self::BlowUp { .. } => "energy from nowhere",
@@ -233,10 +363,14 @@ impl RunError {
             | Self::Residual { .. }
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
+            | Self::PressedOut { .. }
+            | Self::InsideOut { .. }
             | Self::BlowUp { .. } => true,
-            Self::NoStep { .. } | Self::NoFlow { .. } | Self::Edit { .. } | Self::Phase { .. } => {
-                false
-            }
+            Self::NoStep { .. }
+            | Self::NoFlow { .. }
+            | Self::NoSurface { .. }
+            | Self::Edit { .. }
+            | Self::Phase { .. } => false,
         }
     }
 
@@ -247,9 +381,12 @@ impl RunError {
             | Self::Residual { .. }
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
+            | Self::PressedOut { .. }
+            | Self::InsideOut { .. }
             | Self::BlowUp { .. } => true,
             Self::NonFinite { .. }
             | Self::NoNumber { .. }
+            | Self::NoSurface { .. }
             | Self::NoStep { .. }
             | Self::Edit { .. }
             | Self::Phase { .. } => false,
@@ -267,9 +404,42 @@ impl RunError {
             | Self::Residual { .. }
             | Self::Overlap { .. }
             | Self::PassesThrough { .. }
+            | Self::PressedOut { .. }
+            | Self::NoSurface { .. }
+            | Self::InsideOut { .. }
             | Self::Edit { .. }
             | Self::Phase { .. }
             | Self::BlowUp { .. } => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_depth_are_those_that_its_numbers_bear_out() {
+        let names = || ["a", "b"].map(str::to_owned);
+        let of = |depth: f64, reach: f64| {
+            RunError::pressed(names(), Into::Block, [depth, reach], || {
+                (String::new(), 1, 0.1)
+            })
+        };
+        // As a run was stopped: micrometres, where balls of 0.21 m fit into the thinner one.
+        let lost = of(2.6e-6, 0.21);
+        assert!(matches!(lost, RunError::NoSurface { .. }));
+        let words = lost.to_string();
+        assert!(
+            words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"),
+            "{words}"
+        );
+        assert!(!words.contains("as far as") && !lost.doubts_the_step());
+        for deep in [0.21, 0.42] {
+            let through = of(deep, 0.21);
+            assert!(matches!(through, RunError::PassesThrough { .. }));
+            assert!(through.to_string().contains("reaches (2.1000e-1 m)"));
+        }
+        assert!(matches!(of(f64::NAN, 0.21), RunError::NoSurface { .. }));
     }
 }

@@ -1,13 +1,13 @@
 //! When a phase is over, and when a run is stopped.
 
 use super::cause;
-use super::cursor::Reason;
+use super::cursor::{Deep, Into, Reason};
 use super::{Rules, RunError, Simulation};
 use crate::ledger::{COLUMNS, Unexplained};
 use crate::plan::{PhaseKind, Relaxing};
 use crate::planar::setup::NormalLaw;
 use crate::run::engine::View;
-use crate::spatial::found::desk::Deepest;
+use crate::spatial::found::desk::{Deepest, Pressed};
 use crate::spatial::found::limits::{self, Depth};
 
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
@@ -28,6 +28,10 @@ const BLOW_UP: f64 = 5.0;
 /// Share of the largest work so far that kinetic energy may have besides: what was put in may be next to nothing at this moment, where
 /// a block that fell is back at its height. What is missing by then is judged by the ledger.
 const LEFT_TO_LEDGER: f64 = 0.1;
+/// Steps of balance by dashpots after which a static phase is taken to sink for ever.
+const SINKING: u64 = 1000;
+/// Share of what they carried that dashpots must still carry then.
+const STILL_BORNE: f64 = 0.9;
 /// Energies below that of the whole model at this speed (m/s) are round-off, and no residual is judged by them.
 const STILL: f64 = 1e-6;
 
@@ -70,14 +74,43 @@ impl Simulation {
         if !settled || !ramped {
             return None;
         }
-        if until
-            .unbalanced
-            .is_some_and(|x| self.view().unbalanced() <= x)
+        if let Some(wanted) = until.unbalanced
+            && self.view().unbalanced() <= wanted
         {
-            return Some(Reason::Balanced);
+            // Forces of dashpots are there only as long as something moves: balance by them is no rest.
+            match self.sinking().filter(|(share, _)| *share > wanted) {
+                None => return Some(Reason::Balanced),
+                Some(_) if self.sinks_for_ever() => return Some(Reason::Sinking),
+                Some(_) => {}
+            }
         }
         let at_rest = until.kinetic.is_some_and(|x| self.view().kinetic() <= x);
         at_rest.then_some(Reason::AtRest)
+    }
+
+    /// Whether what the dashpots of a static phase carry has hardly fallen in many steps of balance.
+    fn sinks_for_ever(&self) -> bool {
+        let (now, noted) = (self.sinking(), self.cursor.noted.sinking);
+        let (Some((share, _)), Some((since, then))) = (now, noted) else {
+            return false;
+        };
+        self.steps() >= since + SINKING && share > STILL_BORNE * then
+    }
+
+    /// Notes since when the forces of a static phase are balanced by dashpots; anew where these have given up much of what they carried.
+    fn note_sinking(&mut self) {
+        let wanted = self.phase().and_then(|p| p.until.unbalanced);
+        // Asked last: it costs as much as a step.
+        let balanced = || wanted.is_some_and(|x| self.view().unbalanced() <= x);
+        let now = self.sinking().filter(|_| balanced());
+        let noted = self.cursor.noted.sinking;
+        self.cursor.noted.sinking = match (now, noted) {
+            (None, _) => None,
+            (Some((share, _)), Some((since, then))) if share > STILL_BORNE * then => {
+                Some((since, then))
+            }
+            (Some((share, _)), _) => Some((self.steps(), share)),
+        };
     }
 
     /// Whether a relaxing phase is over: all its time has passed and nothing moves or breaks any more, or it does
@@ -110,8 +143,11 @@ impl Simulation {
         }
         if due {
             self.look_at_motion()?;
+            self.note_motion();
+            self.note_sinking();
         }
         if over || self::due(step, LEDGER, 8) {
+            self.look_at_strain(over)?;
             self.look_at_ledger(over)?;
         }
         Ok(())
@@ -137,52 +173,71 @@ impl Simulation {
     /// Notes how deep found contacts are, and stops a run in which two blocks would come out on each other's far side; at every step,
     /// since a few steps can be enough.
     fn look_at_depth(&mut self) -> Result<(), RunError> {
-        let Some(found) = self.view().deepest_contact() else {
-            return Ok(());
-        };
+        match self.view().deepest_contact() {
+            Some(found) => self.judge(&found),
+            None => Ok(()),
+        }
+    }
+
+    /// Stops a run for a depth, or notes it.
+    fn judge(&mut self, found: &Deepest) -> Result<(), RunError> {
         if !found.depth.is_finite() {
             let [block, other] = found.ends;
             return Err(self.not_finite(block, &how_deep(&self.view().name(other))));
         }
-        if limits::judge(found.ratio, 1.0) == Depth::TooDeep {
-            return Err(self.too_deep(&found));
-        }
-        // Only the deepest one is told at the end, so that a long run leaves one warning and not thousands.
-        if found.ratio > self.cursor.deepest.as_ref().map_or(0.0, |d| d.ratio)
-            && limits::judge(found.ratio, 1.0) == Depth::Deep
-        {
-            let blocks = found.ends.map(|b| self.view().name(b));
-            self.cursor.deepest = Some(super::cursor::Deep {
-                ratio: found.ratio,
-                depth: found.depth,
-                blocks,
-                step: self.steps(),
-                time: self.time(),
-            });
+        match limits::judge(found.ratio, 1.0) {
+            Depth::TooDeep => return Err(self.too_deep(found)),
+            // Only the deepest one is told at the end, so that a long run leaves one warning and not thousands.
+            Depth::Deep if found.ratio > self.cursor.deepest.as_ref().map_or(0.0, |d| d.ratio) => {
+                let (names, into) = self.pressed(found);
+                self.cursor.deepest = Some(Deep {
+                    ratio: found.ratio,
+                    depth: found.depth,
+                    blocks: names,
+                    into,
+                    step: self.steps(),
+                    time: self.time(),
+                });
+            }
+            Depth::Deep | Depth::Fine => {}
         }
         Ok(())
     }
 
-    /// The error for two blocks that lie too deep in each other.
-    fn too_deep(&self, found: &Deepest) -> RunError {
-        let [first, second] = found.ends.map(|b| self.view().name(b));
-        RunError::PassesThrough {
-            first,
-            second,
-            depth: found.depth,
-            ruled_out: cause::of_step(self),
-            step: self.steps(),
-            time: self.time(),
+    /// Names of what is pressed, and what the second one is.
+    fn pressed(&self, found: &Deepest) -> ([String; 2], Into) {
+        let view = self.view();
+        let names = found.ends.map(|b| view.name(b));
+        match found.pressed {
+            Pressed::Contact | Pressed::NoSurface | Pressed::Joint => (names, Into::Block),
+            Pressed::Condition(k) => {
+                let [block, _] = names;
+                let name = view.spatial().map_or_else(String::new, |v| {
+                    v.world.setup.boundaries[usize::from(k)].name.clone()
+                });
+                ([block, name], Into::Condition)
+            }
         }
+    }
+
+    /// The error for two blocks that lie too deep in each other, or have no surface on which they could press each other.
+    fn too_deep(&self, found: &Deepest) -> RunError {
+        let (names, into) = self.pressed(found);
+        RunError::pressed(names, into, [found.depth, found.reach], || {
+            (cause::of_step(self), self.steps(), self.time())
+        })
     }
 
     /// The error for forces on a block that are no numbers: two blocks so deep in each other that none can be found, or what is to
     /// blame otherwise.
     pub(super) fn no_force(&self, block: u32) -> RunError {
         let deepest = self.view().deepest_contact();
-        match deepest.filter(|d| limits::judge(d.ratio, 1.0) == Depth::TooDeep) {
+        let without = |d: &Deepest| d.pressed == Pressed::NoSurface;
+        let blamed = |d: &Deepest| limits::judge(d.ratio, 1.0) == Depth::TooDeep || without(d);
+        match deepest.filter(|d| d.depth.is_finite() && blamed(d)) {
             Some(found) => self.too_deep(&found),
-            None => self.not_finite(block, "the force on it"),
+            None => (self.turned_inside_out(block))
+                .unwrap_or_else(|| self.not_finite(block, "the force on it")),
         }
     }
 
@@ -190,7 +245,19 @@ impl Simulation {
     fn look_at_overlap(&mut self) -> Result<(), RunError> {
         let (step, time) = (self.steps(), self.time());
         let view = self.view();
-        let Some((ratio, i, j)) = view.worst_closing() else {
+        let view = match view {
+            View::Planar(_) => view,
+            // Closings on the way to an equilibrium mean nothing.
+            View::Spatial(_) if self.relaxes() && !self.settled() => return Ok(()),
+            // Found contacts are looked at in every step.
+            View::Spatial(v) => {
+                return match v.deepest_joint() {
+                    Some(found) => self.judge(&found),
+                    None => Ok(()),
+                };
+            }
+        };
+        let Some((ratio, i, j)) = view.worst_overlap() else {
             return Ok(());
         };
         if !ratio.is_finite() {
@@ -270,7 +337,8 @@ impl Simulation {
         for (k, what) in Unexplained::ALL.into_iter().enumerate() {
             let (energy, share) = (what.of(&balance), balance.share(what));
             // What contacts make or lose between iterations is damped away on the way to an equilibrium that is none of a motion.
-            let of_way = self.relaxes() && matches!(what, Unexplained::LawDefect);
+            let of_way =
+                self.relaxes() && matches!(what, Unexplained::LawDefect | Unexplained::Steps);
             if of_way || !self.judged(energy) {
                 continue;
             }
@@ -300,7 +368,7 @@ impl Simulation {
     /// told.
     fn forbids(&self, what: Unexplained) -> bool {
         match what {
-            Unexplained::Residual => true,
+            Unexplained::Residual | Unexplained::Steps => true,
             Unexplained::LawDefect => self.view().planar().is_none_or(|view| {
                 let interfaces = &view.world.setup.interfaces;
                 interfaces

@@ -1,0 +1,2 @@
+#![no_main]
+riprap_fuzz_guided::guided!();
