@@ -13,7 +13,9 @@ export default defineConfig({
   // Neither needs runs.
   ...(process.env.RIPRAP_TEMPLATES || process.env.RIPRAP_LARGE ? {} : { globalSetup: "./tests/runs.ts" }),
   reporter: [["list"], ["./tests/tally.ts"]],
-  timeout: 60_000,
+  // The other steps keep both cores busy, and a machine may be half as fast: what is expected may take its time to come.
+  timeout: 180_000,
+  expect: { timeout: 30_000 },
   workers: 1,
   use: {
     ...(executablePath ? { launchOptions: { executablePath, args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"] } } : {}),

@@ -376,7 +376,7 @@ test("the field along a line goes through the rock", async ({ view }) => {
   await expect(async () => {
     if (!(await first.isVisible())) await page.mouse.click(box.x + 0.35 * box.width, box.y + 0.55 * box.height);
     await expect(first).toBeVisible({ timeout: 5_000 });
-  }).toPass({ timeout: 30_000 });
+  }).toPass({ timeout: 90_000 });
   await page.mouse.click(box.x + 0.65 * box.width, box.y + 0.5 * box.height);
   await expect(page.locator(".chart .u-title")).toHaveText(/^displacement/);
   await shoot(page, "line-blast");

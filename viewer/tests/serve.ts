@@ -90,7 +90,7 @@ export async function pickSome(page: Page): Promise<void> {
   const box = (await stage(page).boundingBox())!;
   for (const [x, y] of [[0.5, 0.5], [0.45, 0.6], [0.55, 0.55], [0.4, 0.7], [0.6, 0.7], [0.5, 0.8]] as const) {
     await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
-    const found = page.locator(".pickhead b").waitFor({ timeout: 1500 });
+    const found = page.locator(".pickhead b").waitFor({ timeout: 5000 });
     if (await found.then(() => true, () => false)) return;
   }
   throw new Error("no block under any of the places tried");
