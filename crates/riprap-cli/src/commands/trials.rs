@@ -38,6 +38,14 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     if earlier.is_none() && !again {
         make_folder(&folder, existing)?;
     }
+    if existing == Existing::Refuse
+        && let Some(other) = sweep::other_run(&scene, &folder)?
+    {
+        return Err(Failure::Input(format!(
+            "{} holds a run of another input or another program; choose another folder, or replace what is there with --force",
+            other.display()
+        )));
+    }
     let interrupt = Interrupt::listen()?;
     let (count, mut rows) = (scene.cases.len(), Vec::new());
     let jobs = threads(&args.how);

@@ -178,10 +178,25 @@ fn a_sweep_writes_one_table() {
             .is_some_and(|head| head.contains("height [m]")),
         "{table}"
     );
+    // The same again is kept; another input is not mixed into it.
     bench
         .run(&["sweep", "two.toml", "--out", "two.sweep"])
+        .expect(0)
+        .says(&["2/2", "kept from before", "checks: 2 passed"]);
+    assert_eq!(bench.read("two.sweep/sweep.csv"), table);
+    let other = [
+        "sweep",
+        "two.toml",
+        "--out",
+        "two.sweep",
+        "--set",
+        "phases.fall.until.time=0.1 s",
+    ];
+    bench
+        .run(&other)
         .expect(2)
-        .warns(&["--force"]);
+        .warns(&["holds a run of another input", "--force"]);
+    assert_eq!(bench.read("two.sweep/sweep.csv"), table);
     bench
         .run(&["run", "two.toml", "--case", "nonsense"])
         .expect(2)

@@ -1,6 +1,6 @@
 //! All cases of a scene side by side, each in its own sub-folder, with one table.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::checks::{CheckResult, Status};
 use super::drive::{Control, Ending, Look};
@@ -55,7 +55,7 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 
 /// Runs all cases into sub-folders of `folder`, `jobs` at a time, and hands each row to `report` in
 /// the order of the cases. Unless what is there is to be replaced, a case that has finished there before, with the same input and
-/// by the same program, is kept and not run again.
+/// by the same program, is kept and not run again; one that was cut short is run again.
 ///
 /// # Examples
 ///
@@ -130,15 +130,17 @@ fn one(
             return row;
         }
     };
-    if existing == Existing::Refuse
-        && let Some((steps, checks)) = finished_before(&folder, &prepared.manifest)
-    {
-        row.ended = "finished".to_owned();
-        (row.finished, row.kept) = (true, true);
-        (row.steps, row.checks) = (steps, checks);
-        row.last = last_values(&folder);
-        return row;
-    }
+    let existing = match (existing, before(&folder, &prepared.manifest)) {
+        (Existing::Refuse, Before::Finished { steps, checks }) => {
+            row.ended = "finished".to_owned();
+            (row.finished, row.kept) = (true, true);
+            (row.steps, row.checks) = (steps, checks);
+            row.last = last_values(&folder);
+            return row;
+        }
+        (Existing::Refuse, Before::CutShort) => Existing::ReplaceRun,
+        (existing, _) => existing,
+    };
     let outcome =
         job::run(prepared.job(), &folder, existing, 1, &mut look).map_err(|wrong: JobError| {
             row.unwritten = wrong.is_output();
@@ -166,24 +168,63 @@ fn one(
     row
 }
 
-/// Steps and checks of a run in `folder` that has come to its end with the input and the program of `wanted`.
-fn finished_before(folder: &Path, wanted: &Manifest) -> Option<(u64, Vec<CheckResult>)> {
-    let there = Manifest::read(folder).ok()?;
+/// What an earlier sweep has left of a case.
+enum Before {
+    Nothing,
+    /// A run with the same input and by the same program, whose results can be read.
+    Finished {
+        steps: u64,
+        checks: Vec<CheckResult>,
+    },
+    /// A run with the same input and by the same program that has not come to its end.
+    CutShort,
+    /// A run with another input or by another program.
+    Other,
+}
+
+fn before(folder: &Path, wanted: &Manifest) -> Before {
+    let Ok(there) = Manifest::read(folder) else {
+        return Before::Nothing;
+    };
     let same = there.input_hash == wanted.input_hash
         && there.riprap == wanted.riprap
         && there.variant == wanted.variant
         && there.preview == wanted.preview;
-    if there.ended != Ended::Finished || !same {
-        return None;
+    if !same {
+        return Before::Other;
     }
-    let file = folder.join("checks.jsonl");
-    let text = match read_plain_text(&file) {
-        Ok(text) => text,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
-        Err(_) => return None,
+    let text = match read_plain_text(&folder.join("checks.jsonl")) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(String::new()),
+        read => read,
     };
-    let checks = text.lines().map(serde_json::from_str);
-    Some((there.steps, checks.collect::<Result<_, _>>().ok()?))
+    let checks = text.ok().and_then(|text| {
+        let checks = text.lines().map(serde_json::from_str);
+        checks.collect::<Result<Vec<_>, _>>().ok()
+    });
+    match checks {
+        Some(checks) if there.ended == Ended::Finished => Before::Finished {
+            steps: there.steps,
+            checks,
+        },
+        _ => Before::CutShort,
+    }
+}
+
+/// A case for which `folder` holds a run with another input or by another program, which a sweep would not replace.
+///
+/// # Errors
+/// A case that is no sound model.
+pub fn other_run(scene: &Scene, folder: &Path) -> Result<Option<PathBuf>, Diagnostics> {
+    for case in &scene.cases {
+        let folder = folder.join(&case.name);
+        if matches!(
+            before(&folder, &scene.prepare(case)?.manifest),
+            Before::Other
+        ) {
+            return Ok(Some(folder));
+        }
+    }
+    Ok(None)
 }
 
 /// The changes of a case with the values that ran: the user's changes win over those of a variant.
