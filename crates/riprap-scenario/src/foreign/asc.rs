@@ -118,7 +118,9 @@ fn is_head(text: &str) -> bool {
     let Some(word) = text.split_whitespace().next() else {
         return true;
     };
-    word.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_nothing(word)
+    let letter = word.starts_with(|c: char| c.is_ascii_alphabetic());
+    // `inf` is a number that is wrong, not a word.
+    letter && !is_nothing(word) && word.parse::<f64>().is_err()
 }
 
 /// Whether a word says that there is no height.
@@ -270,7 +272,8 @@ mod tests {
             "{long}"
         );
         assert!(error("4 5 6", "4 5 x").contains("line 8"));
-        assert!(error("1 2 -9999", "inf 2 3").contains("no finite number"));
+        assert!(error("1 2 -9999", "inf 2 3").contains("line 7: `inf` is no finite number"));
+        assert!(error("1 2 -9999", "1 2 -inf").contains("no finite number"));
         assert!(error("nrows 2", "nrows two").contains("line 2"));
         assert!(error("nrows 2", "nrows 1").contains("2 along each side"));
         assert!(error("nrows 2", "nrows 99999999999").contains("4000000"));
