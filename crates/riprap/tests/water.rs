@@ -542,7 +542,7 @@ fn what_is_wrong_with_water_is_told() {
             "x [m],y [m],z [m]\n0,0,1\n1,0,1\n",
             "one line of places only",
         ),
-        ("x,y,z\n0,0,1\n1,0,1\n", "unit"),
+        ("x,y,z [kg]\n0,0,1\n1,0,1\n", "kg"),
     ] {
         std::fs::write(folder.path().join("heads.csv"), heads).unwrap();
         assert!(

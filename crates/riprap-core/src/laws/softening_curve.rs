@@ -60,7 +60,7 @@ impl Curve {
             if !(to > from && to.is_finite()) {
                 return Err(CurveError::Order { point: k + 2 });
             }
-            if !(low <= high) {
+            if low.is_nan() || low > high {
                 return Err(CurveError::Rise { point: k + 2 });
             }
         }

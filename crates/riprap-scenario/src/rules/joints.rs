@@ -3,6 +3,7 @@
 use super::Rules;
 use crate::diagnostic::{Diagnostic, list};
 use crate::language::{Interface, Scenario};
+use crate::names::Name;
 use crate::quantity::{Quantity, Span};
 
 impl Rules {
@@ -176,7 +177,7 @@ fn pairs_of<'a>(interface: &'a Interface, scenario: &'a Scenario) -> Vec<[&'a st
             .interfaces
             .iter()
             .filter_map(|(_, i)| i.between.as_ref());
-        let mut pairs = pairs.map(|pair| pair.each_ref().map(|name| name.as_str()));
+        let mut pairs = pairs.map(|pair| pair.each_ref().map(Name::as_str));
         pairs.any(|pair| pair == [*a, *b] || pair == [*b, *a])
     };
     let names: Vec<&str> = scenario.materials.names().collect();

@@ -43,6 +43,8 @@ pub(super) enum Attitude {
 
 /// Parts of a state: place, attitude, velocity, spin.
 const PARTS: usize = 4;
+/// Rows of each part that a table has, SI.
+type Parts = [Option<Vec<Vec<f64>>>; PARTS];
 
 /// Columns of a state in the plane, and how many of them each part has.
 const PLANAR: ([Column; 6], [usize; PARTS]) = (
@@ -197,7 +199,7 @@ impl Builder<'_> {
         &mut self,
         csv: &Name,
         (columns, parts): &([Column; N], [usize; PARTS]),
-    ) -> Option<(Vec<String>, [Option<Vec<Vec<f64>>>; PARTS])> {
+    ) -> Option<(Vec<String>, Parts)> {
         let labels = match csv_labels(&self.parsed.folder.join(csv.as_str()), "block") {
             Ok(labels) => labels,
             Err(error) => {

@@ -105,7 +105,8 @@ impl Simulation {
         }
     }
 
-    /// What a checkpoint holds.
+    /// What a checkpoint holds. A run goes on from it with the same bits where it is taken between a step and the next
+    /// [`Simulation::prepare`], or at the end of a phase.
     #[must_use]
     pub fn snapshot(&self) -> Snapshot {
         Snapshot {

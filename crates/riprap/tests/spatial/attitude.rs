@@ -402,7 +402,7 @@ fn leaning_blocks_split_with_the_books_of_bricks() {
         println!("{kinematics:?}: edit defect / stored {share:.3}");
         assert!((after.residual() - residual).abs() < 1e-9 * after.total());
         assert!(share.abs() < 1.0);
-        let total = after.total();
+        let total = run.beginning(DT);
         run.steps(400, DT);
         let view = run.view();
         assert!((view.momentum() - p).length() < 1e-12 * scale);

@@ -136,6 +136,12 @@ impl Run {
     pub fn balance(&self) -> Balance {
         self.view().balance()
     }
+
+    /// Energy at half steps of the motion that begins now, with half a kick, J: an edit ends the one before.
+    pub fn beginning(&mut self, dt: f64) -> f64 {
+        self.evaluate(dt);
+        self.balance().total() - 0.5 * self.view().half_kick()
+    }
 }
 
 /// Numbers between -1 and 1, the same in each run.

@@ -171,8 +171,10 @@ fn collision(mut blocks: Vec<BlockSpec>, dt: f64) -> [f64; 3] {
     let spin = |run: &Run| run.view().angular_momentum();
     let (before, momentum) = (spin(&run), run.view().momentum());
     let (mut worst, mut pressed, mut turned) = (0.0_f64, 0.0_f64, 0.0_f64);
-    let mut drift = 0.0_f64;
+    let (mut drift, mut parted) = (0.0_f64, false);
     run.watch(0.16, |run| {
+        let mut pairs = run.world.found.deformable.pairs.iter();
+        parted |= pressed > 0.1 && pairs.all(|pair| pair.depth == 0.0);
         let balance = run.view().balance();
         worst = worst.max((balance.residual() / start).abs());
         pressed = pressed.max(balance.contact_normal / start);
@@ -180,16 +182,8 @@ fn collision(mut blocks: Vec<BlockSpec>, dt: f64) -> [f64; 3] {
         drift = drift.max(change.length() / (2500.0 * 10.0));
         turned = turned.max((spin(run) - before).length() / (2500.0 * 10.0));
     });
-    // They have touched and are apart again.
-    assert!(pressed > 0.1, "{pressed}");
-    assert!(
-        run.world
-            .found
-            .deformable
-            .pairs
-            .iter()
-            .all(|p| p.depth == 0.0)
-    );
+    // They have touched and come apart; a needle that turns may strike once more.
+    assert!(pressed > 0.1 && parted, "{pressed}");
     [worst, drift, turned]
 }
 

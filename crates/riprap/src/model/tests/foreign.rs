@@ -97,11 +97,17 @@ fn closed_polylines_are_blocks_and_layers_groups() {
         };
         let setup = planar(&of(", layers = [\"rock\"]"));
         assert!((area(&setup) - 3.0).abs() < 1e-12, "{}", area(&setup));
-        let setup = planar(&of(", sagitta = \"0.1 mm\""));
+        let setup = planar(&of(
+            ", layers = [\"rock\", \"round\"], sagitta = \"0.1 mm\"",
+        ));
         let all = 3.0 + 2.0 * half_disk;
         assert!((area(&setup) - all).abs() < 1e-3, "{}", area(&setup));
         let round = setup.groups.iter().find(|g| g.name == "round").unwrap();
         assert_eq!(round.blocks, [2, 3]);
+        // A circle of 0.1 m that no layer of its own holds.
+        let setup = planar(&of(", layers = [\"0\"], sagitta = \"0.01 mm\""));
+        let disk = 0.01 * std::f64::consts::PI;
+        assert!((area(&setup) - disk).abs() < 1e-5, "{}", area(&setup));
     }
     let file = "polygons = { dxf = \"shapes/section_R12.dxf\", layers = [\"rocks\"] }\n";
     refused(
@@ -116,7 +122,7 @@ fn closed_polylines_are_blocks_and_layers_groups() {
     let file = "polygons = { dxf = \"shapes/grains2d.tess\" }\n";
     refused(
         built(text(&format!("{GRAIN}{file}")), INFOS),
-        "grains2d.tess, line 1",
+        "grains2d.tess`, line 1",
     );
 }
 

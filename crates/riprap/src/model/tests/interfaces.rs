@@ -60,7 +60,7 @@ cohesion = "1 kPa"
 
 #[test]
 fn default_stiffness_needs_elastic_constants() {
-    let text = text(CUBE).replace("young = \"10 GPa\"\npoisson = 0.25\n", "");
+    let text = text(&format!("{CUBE}{FLOOR}")).replace("young = \"10 GPa\"\npoisson = 0.25\n", "");
     let parsed = parse(Source::new("t", text));
     let error = match parsed {
         Ok(parsed) => build(&parsed, "default", INFOS).unwrap_err(),

@@ -40,6 +40,7 @@ fn surface(file: (&str, &str)) -> (Surface, Model) {
     }
 }
 
+#[track_caller]
 fn refused(file: (&str, &str), more: &str, says: &[&str]) {
     let error = build_with(file, more)
         .expect_err("should be refused")
@@ -136,7 +137,7 @@ fn holes_folds_and_bad_numbers_are_refused_with_their_place() {
         &["`g.asc` is no terrain", "hole around (4, 4)"],
     );
     refused(
-        ("g.asc", &asc("0 1 2 3 nan\n0 0 0 0 0\n")),
+        ("g.asc", &asc("0 1 2 3 inf\n0 0 0 0 0\n")),
         BALL,
         &["line 7", "no finite number"],
     );
@@ -145,7 +146,11 @@ fn holes_folds_and_bad_numbers_are_refused_with_their_place() {
     refused(("g.csv", &csv(&rows)), BALL, &["hole"]);
     rows = grid();
     rows.push((2.0, 2.0, 5.0));
-    refused(("g.csv", &csv(&rows)), BALL, &["two heights at (2 m, 2 m)"]);
+    refused(
+        ("g.csv", &csv(&rows)),
+        BALL,
+        &["line 22: a second height at (2 m, 2 m)"],
+    );
     let scattered: Vec<_> = (0..20)
         .map(|k| (0.7 * f64::from(k * k), 1.3 * f64::from(k), 0.0))
         .collect();
@@ -260,10 +265,10 @@ fn tiles_of_one_survey_are_joined() {
     let told = model.summary.terrain.join("\n");
     let says = "tile0: joined to tile1, tile2, tile3 over the cell between them: 50 triangles now";
     assert!(told.contains(says), "{told}");
-    // Beside each other, half a tile apart.
+    // Beside each other, half a tile apart: two whole cells between them, and half of a cell at both ends.
     let model = tiles(&[four[0], [10.0, 4.0, 5.0, 2.0, 0.0]]);
     assert!(model.warnings.is_empty(), "{:?}", model.warnings);
-    assert_eq!(triangles(&model), [32 + 2 * 2, 32]);
+    assert_eq!(triangles(&model), [32 + 2 * 2 + 2, 32]);
     // The western one comes second.
     let model = tiles(&[four[1], four[0]]);
     assert_eq!(triangles(&model), [32, 40]);

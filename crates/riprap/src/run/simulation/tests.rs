@@ -56,7 +56,7 @@ fn phases(gravity: &str) -> String {
     )
 }
 
-/// The state at the end, taken up anew from a snapshot where `stop` says so, before and after the forces are found.
+/// The state at the end, taken up anew from a snapshot where `stop` says so, before the forces are found, or after that at the end of a phase.
 fn end(mut simulation: Simulation, stop: Option<(u64, bool)>) -> String {
     loop {
         let due = |prepared: bool, s: &Simulation| stop == Some((s.steps(), prepared));
@@ -64,7 +64,8 @@ fn end(mut simulation: Simulation, stop: Option<(u64, bool)>) -> String {
             simulation = Simulation::resume(simulation.snapshot(), Exec::serial());
         }
         let mut stage = simulation.prepare().expect("a sound run");
-        if due(true, &simulation) {
+        // Within a phase the step that is prepared depends on the contacts of the instant before, which only the next `prepare` replaces.
+        if stage != Stage::Within && due(true, &simulation) {
             simulation = Simulation::resume(simulation.snapshot(), Exec::serial());
             stage = simulation.prepare().expect("a sound run");
         }

@@ -60,7 +60,7 @@ fn no_body_has_such_moments() {
             r#"inertia = ["1 kg m2", "1 kg m2", "1 kg m2", "0 kg m2", "0 kg m2", "2 kg m2"]"#,
             "principal values are -1 kg m2",
         ),
-        (r#"mass = "0 kg""#, "greater than 0"),
+        (r#"mass = "0 kg""#, "greater than zero"),
         (r#"mass = "1 kg/m""#, "a mass"),
         ("mass = \"1 kg\"\nmechanics.deformable = {}", "deformable"),
         (
