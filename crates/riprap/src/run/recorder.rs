@@ -179,7 +179,9 @@ impl Recorder {
             if hit {
                 *count = match every {
                     // Marks that one long step has gone past are left out, not made up for.
-                    Every::Time(span) => ((time + half) / span + 1e-9).floor() as u64 + 1,
+                    Every::Time(span) => {
+                        (((time + half) / span + 1e-9).floor() as u64).saturating_add(1)
+                    }
                     Every::Steps(_) | Every::Phase | Every::Never => *count + 1,
                 };
             }
