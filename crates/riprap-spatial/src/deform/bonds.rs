@@ -306,46 +306,26 @@ impl Context<'_> {
 
 /// Pieces of the way of a softening point in one iteration.
 const PIECES: u32 = 32;
-/// Halvings that find where on it softening begins.
-const HALVINGS: u32 = 48;
 
 /// Energy that leaves the springs of a softening point on a straight way, J/m²: with the tractions along its curve, while what it remembers
-/// waits for the equilibrium. The pieces lie where it softens: one that had the peak within it would cut it off.
+/// waits for the equilibrium.
 fn softened(law: &BondLaw, facet: &Facet, memory: &Memory, [from, to]: [&[f64; 3]; 2]) -> f64 {
-    let of = |share: f64| {
-        let at = [0, 1, 2].map(|axis| from[axis] + share * (to[axis] - from[axis]));
+    let at = |k: u32| {
+        let share = f64::from(k) / f64::from(PIECES);
+        [0, 1, 2].map(|axis| from[axis] + share * (to[axis] - from[axis]))
+    };
+    let of = |k: u32| {
+        let at = at(k);
         let (t, state) = respond(law, facet.stiffness, memory, &at, false);
         (at, t, state)
     };
-    let whole = |share: f64| of(share).2.damage <= memory.law.damage;
-    let (mut low, mut high) = (0.0, 1.0);
-    let ends = [whole(low), whole(high)];
-    if ends[0] != ends[1] {
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if whole(middle) == ends[0] {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-    }
-    let curve = match ends {
-        [true, false] => [high, 1.0],
-        [false, true] => [0.0, low],
-        _ => [0.0, 1.0],
-    };
-    let on_curve = |k: u32| curve[0] + f64::from(k) / f64::from(PIECES) * (curve[1] - curve[0]);
-    let shares = (curve[0] > 0.0).then_some(0.0).into_iter();
-    let shares = shares.chain((0..=PIECES).map(on_curve));
-    let states = shares.chain((curve[1] < 1.0).then_some(1.0)).map(of);
-    let (mut lost, mut before) = (0.0, None);
-    for after in states {
-        if let Some((at, t, state)) = &before {
-            let ends = [(at, t, state), (&after.0, &after.1, &after.2)];
-            lost += bond::loss(facet.stiffness, &memory.start, ends[0], ends[1]);
-        }
-        before = Some(after);
+    let mut lost = 0.0;
+    let mut before = of(0);
+    for k in 1..=PIECES {
+        let after = of(k);
+        let ends = [&before, &after].map(|(at, t, state)| (at, t, state));
+        lost += bond::loss(facet.stiffness, &memory.start, ends[0], ends[1]);
+        before = after;
     }
     lost
 }
