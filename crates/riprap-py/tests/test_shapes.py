@@ -93,7 +93,7 @@ def test_broken_tessellations_have_a_line(tmp_path, change, says):
     file.write_text(change(tess()))
     with pytest.raises(riprap.ShapeError, match=says) as caught:
         shapes.from_tess(file, material="rock")
-    assert "broken.tess, line" in str(caught.value)
+    assert "broken.tess`, line" in str(caught.value)
 
 
 def test_polylines_of_a_drawing(tmp_path):
