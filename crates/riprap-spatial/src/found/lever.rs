@@ -152,6 +152,40 @@ pub(crate) fn lever(polygon: &Polygon, at: [f64; 2], share: [f64; 2]) -> Lever {
     sum
 }
 
+/// `int t r rᵀ dS` over a polygon, ss, st and tt in its coordinates, with r from `at` and the traction `share[0]` times the depth plus `share[1]`:
+/// exact sums over a fan of triangles, each by its corners, the middles of its edges and its centre.
+#[must_use]
+pub(crate) fn spread(polygon: &Polygon, at: [f64; 2], share: [f64; 2]) -> [f64; 3] {
+    let [w, u, v] = polygon.slope;
+    let (s, t) = (polygon.s(), polygon.t());
+    let corner = |k: usize| [s[k] - at[0], t[k] - at[1]];
+    let level = share[0] * (w - u * at[0] - v * at[1]) + share[1];
+    let of = |[x, y]: [f64; 2]| {
+        let traction = level - share[0] * (u * x + v * y);
+        [traction * x * x, traction * x * y, traction * y * y]
+    };
+    let mut sum = [0.0; 3];
+    let mut add = |weight: f64, place: [f64; 2]| {
+        for (sum, x) in sum.iter_mut().zip(of(place)) {
+            *sum += weight * x;
+        }
+    };
+    for i in 1..polygon.len().saturating_sub(1) {
+        let [a, b, c] = [corner(0), corner(i), corner(i + 1)];
+        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        let middle = |p: [f64; 2], q: [f64; 2]| [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])];
+        for (p, q) in [(a, b), (b, c), (c, a)] {
+            add(area / 20.0, p);
+            add(area * 2.0 / 15.0, middle(p, q));
+        }
+        add(
+            area * 0.45,
+            [(a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0],
+        );
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -25,11 +25,9 @@ pub(crate) struct Rub {
 }
 
 impl Rub {
-    /// What slides by `a` while it turns by `w`, about the centre `centre` (in lengths) in its plane: from `value`, `pull` and `stiffness` there
-    /// (see [`super::lever`]) of all its parts together.
-    ///
-    /// `shrunk` is the turning over that of the centre, where that one stands nearer than it is.
-    pub(crate) fn about(a: [f64; 2], w: f64, shrunk: f64, sum: &Lever) -> Self {
+    /// What slides by `a` while it turns by `w`, about the centre of rotation `(-a_t, a_s)/w` in its plane: from `value`, `pull` and `stiffness`
+    /// there (see [`super::lever`]) of all its parts together.
+    pub(crate) fn about(a: [f64; 2], w: f64, sum: &Lever) -> Self {
         let sign = if w < 0.0 { -1.0 } else { 1.0 };
         let centre = [-a[1] / w, a[0] / w];
         let Lever {
@@ -38,19 +36,43 @@ impl Rub {
             stiffness,
         } = sum;
         let moment = sign * (value + centre[0] * pull[0] + centre[1] * pull[1]);
-        let carried = [-sign * pull[1], sign * pull[0], shrunk * moment];
+        let carried = [-sign * pull[1], sign * pull[0], moment];
         // Nothing changes along the slip itself: the derivatives with the turning follow from those with the sliding.
         let [ss, st, tt] = stiffness.map(|x| x / w.abs());
         let along = [-(ss * a[0] + st * a[1]) / w, -(st * a[0] + tt * a[1]) / w];
         let turning = -(along[0] * a[0] + along[1] * a[1]) / w;
-        let along = along.map(|x| shrunk * x);
         Self {
-            work: carried[0] * a[0] + carried[1] * a[1] + carried[2] * (shrunk * w),
+            work: carried[0] * a[0] + carried[1] * a[1] + carried[2] * w,
             carried,
             second: [
                 [ss, st, along[0]],
                 [st, tt, along[1]],
                 [along[0], along[1], turning],
+            ],
+        }
+    }
+
+    /// What slides by `a` and hardly turns: `D = |a| + w^2 (a . I a)/(2 |a|^3)`, with `I` the second moments of a traction of the force 1 about its
+    /// centre (ss, st, tt). The next term is that of the cube of w over |a|.
+    pub(crate) fn sliding(a: [f64; 2], w: f64, [ss, st, tt]: [f64; 3]) -> Self {
+        let way = (a[0] * a[0] + a[1] * a[1]).sqrt();
+        let e = a.map(|x| x / way);
+        let spread = [ss * e[0] + st * e[1], st * e[0] + tt * e[1]];
+        let across = e[0] * spread[0] + e[1] * spread[1];
+        let (share, turn) = (w / way, across / way);
+        let bent = [0, 1].map(|i| share * (spread[i] - 1.5 * across * e[i]));
+        let along = bent.map(|x| 2.0 * x / way);
+        Self {
+            work: way + 0.5 * share * across * w,
+            carried: [
+                e[0] + share * bent[0],
+                e[1] + share * bent[1],
+                share * across,
+            ],
+            second: [
+                [e[1] * e[1] / way, -e[0] * e[1] / way, along[0]],
+                [-e[0] * e[1] / way, e[0] * e[0] / way, along[1]],
+                [along[0], along[1], turn],
             ],
         }
     }
@@ -95,7 +117,7 @@ const FOUND: f64 = 1e-13;
 /// Promises below this, of a work of 1, are kept within a factor of two.
 const SURE: f64 = 0.05;
 /// A load this much nearer to the limit than 1 is on it.
-const NEAR: f64 = 1e-7;
+const NEAR: f64 = 1e-13;
 
 /// What springs carry that would carry `trial`: `None` where that is no more than friction holds, and they stick.
 ///
@@ -227,7 +249,7 @@ fn solve(m: [Three; 3], b: Three) -> Three {
 #[cfg(test)]
 mod tests {
     use super::super::kit::Chance;
-    use super::super::lever::lever;
+    use super::super::lever::{lever, spread};
     use super::super::piece::Polygon;
     use super::*;
 
@@ -236,7 +258,7 @@ mod tests {
 
     impl Rubs for Flat {
         fn rub(&self, [s, t, w]: Three) -> Rub {
-            Rub::about([s, t], w, 1.0, &lever(&self.0, [-t / w, s / w], [1.0, 0.0]))
+            Rub::about([s, t], w, &lever(&self.0, [-t / w, s / w], [1.0, 0.0]))
         }
     }
 
@@ -312,6 +334,27 @@ mod tests {
                             (second - here.second[i][k]).abs() < scale,
                             "{second} {here:?}"
                         );
+                    }
+                }
+            }
+        }
+    }
+
+    /// What hardly turns goes over into what turns.
+    #[test]
+    fn a_slip_with_a_small_turn_is_that_of_a_far_centre() {
+        for Flat(face) in faces() {
+            let spread = spread(&face, [0.0; 2], [1.0, 0.0]);
+            for angle in [0.3_f64, 1.2, 4.0] {
+                let a = [libm::cos(angle), libm::sin(angle)];
+                for w in [1e-3, -1e-3] {
+                    let centre = [-a[1] / w, a[0] / w];
+                    let far = Rub::about(a, w, &lever(&face, centre, [1.0, 0.0]));
+                    let near = Rub::sliding(a, w, spread);
+                    assert!((far.work - near.work).abs() < 1e-8, "{far:?} {near:?}");
+                    for i in 0..3 {
+                        let off = (far.carried[i] - near.carried[i]).abs();
+                        assert!(off < 1e-5, "{far:?} {near:?}");
                     }
                 }
             }

@@ -4,7 +4,7 @@ use riprap_geom::Vec3;
 
 use super::{Contact, Question};
 use crate::found::frame::Frame;
-use crate::found::lever::{Lever, lever};
+use crate::found::lever::{Lever, lever, spread};
 use crate::found::piece::Polygon;
 use crate::found::slip::{Rub, Rubs, Three, hold};
 use crate::found::sums::integrate;
@@ -14,7 +14,7 @@ use crate::found::sums::integrate;
 const LEAST_MEAN_RADIUS: f64 = 0.75;
 /// Moments below this share of the largest one do not turn the slip.
 const NO_MOMENT: f64 = 1e-9;
-/// A centre of rotation farther away than this, in radii of gyration, is put there: nearly all of the slip is sliding.
+/// With a centre of rotation farther away than this, in radii of gyration, nearly all of the slip is sliding.
 const FAR: f64 = 1e3;
 
 /// Share of the largest force that a load within the limit may be above it by round-off.
@@ -134,6 +134,8 @@ struct Face<'a> {
     centre: Vec3,
     /// Traction over depth, and the rest of it, for a force of 1.
     share: [f64; 2],
+    /// Second moments of that traction about its centre, ss, st and tt along `own`, squared radii.
+    spread: [f64; 3],
 }
 
 impl<'a> Face<'a> {
@@ -162,13 +164,26 @@ impl<'a> Face<'a> {
         let share = [(1.0 - limit.cohesive) / depth, limit.cohesive / area];
         let both = frame.normal + normal;
         let laid = |axis: Vec3| axis - axis.dot(normal) / (1.0 + frame.normal.dot(normal)) * both;
+        let centre = share[0] * deep + share[1] * at;
+        let mut second = [0.0; 3];
+        (limit.pieces)(&mut |polygon, other| {
+            let arm = centre - other.foot;
+            let at = other.axes.map(|axis| arm.dot(axis));
+            let [ss, st, tt] = spread(polygon, at, share);
+            let turn = frame.axes.map(|e| other.axes.map(|axis| e.dot(axis)));
+            for (sum, [i, k]) in second.iter_mut().zip([[0, 0], [0, 1], [1, 1]]) {
+                let (a, b) = (turn[i], turn[k]);
+                *sum += ss * a[0] * b[0] + st * (a[0] * b[1] + a[1] * b[0]) + tt * a[1] * b[1];
+            }
+        });
         Some(Self {
             pieces: limit.pieces,
             radius,
             axes: frame.axes.map(laid),
             own: frame.axes,
-            centre: share[0] * deep + share[1] * at,
+            centre,
             share,
+            spread: second.map(|x| x / (radius * radius)),
         })
     }
 
@@ -189,20 +204,11 @@ impl<'a> Face<'a> {
 
 impl Rubs for Face<'_> {
     fn rub(&self, [s, t, turn]: Three) -> Rub {
-        let way = (s * s + t * t).sqrt();
-        let least = way / FAR;
-        let near = if turn.abs() >= least {
-            turn
-        } else if turn < 0.0 {
-            -least
+        // The integrals of a centre far away cancel, and turn over where the turn changes its sign.
+        if turn.abs() <= (s * s + t * t).sqrt() / FAR {
+            Rub::sliding([s, t], turn, self.spread)
         } else {
-            least
-        };
-        Rub::about(
-            [s, t],
-            near,
-            turn / near,
-            &self.lever([-t / near, s / near]),
-        )
+            Rub::about([s, t], turn, &self.lever([-t / turn, s / turn]))
+        }
     }
 }
