@@ -152,38 +152,63 @@ pub(crate) fn lever(polygon: &Polygon, at: [f64; 2], share: [f64; 2]) -> Lever {
     sum
 }
 
-/// `int t r rᵀ dS` over a polygon, ss, st and tt in its coordinates, with r from `at` and the traction `share[0]` times the depth plus `share[1]`:
-/// exact sums over a fan of triangles, each by its corners, the middles of its edges and its centre.
-#[must_use]
-pub(crate) fn spread(polygon: &Polygon, at: [f64; 2], share: [f64; 2]) -> [f64; 3] {
+/// Points of Gauss and Legendre on [0, 1] with their weights: the lower half, and the middle one where there is one.
+const POINTS: [&[[f64; 2]]; 3] = [
+    &[
+        [0.069_431_844_202_973_71, 0.173_927_422_568_726_9],
+        [0.330_009_478_207_571_87, 0.326_072_577_431_273_05],
+    ],
+    &[
+        [0.033_765_242_898_423_975, 0.085_662_246_189_585_25],
+        [0.169_395_306_766_867_7, 0.180_380_786_524_069_3],
+        [0.380_690_406_958_401_5, 0.233_956_967_286_345_52],
+    ],
+    &[
+        [0.015_919_880_246_186_957, 0.040_637_194_180_787_32],
+        [0.081_984_446_336_682_06, 0.090_324_080_347_428_74],
+        [0.193_314_283_649_704_77, 0.130_305_348_201_467_72],
+        [0.337_873_288_298_095_54, 0.156_173_538_520_001_26],
+        [0.5, 0.165_119_677_500_629_9],
+    ],
+];
+/// Points of each of these lists, and the ratio up to which they do: the error is that of `ratio^(2 n)`.
+const ENOUGH: [(usize, f64); 3] = [(4, 0.0178), (6, 0.068), (9, FAR)];
+/// A centre of rotation whose distance is more than the extent of the surface over this is far: the integrals about it lose digits with the cube
+/// of its distance, and points take their place.
+pub(crate) const FAR: f64 = 0.167;
+
+/// Hands out points of a polygon from `at` (plane coordinates, m), each with what it carries of the traction `share[0]` times the depth plus
+/// `share[1]`. `ratio`: extent of the surface over the distance of the centre of rotation, at most [`FAR`].
+pub(crate) fn for_points(
+    polygon: &Polygon,
+    ratio: f64,
+    at: [f64; 2],
+    share: [f64; 2],
+    mut to: impl FnMut(f64, [f64; 2]),
+) {
     let [w, u, v] = polygon.slope;
     let (s, t) = (polygon.s(), polygon.t());
     let corner = |k: usize| [s[k] - at[0], t[k] - at[1]];
     let level = share[0] * (w - u * at[0] - v * at[1]) + share[1];
-    let of = |[x, y]: [f64; 2]| {
-        let traction = level - share[0] * (u * x + v * y);
-        [traction * x * x, traction * x * y, traction * y * y]
-    };
-    let mut sum = [0.0; 3];
-    let mut add = |weight: f64, place: [f64; 2]| {
-        for (sum, x) in sum.iter_mut().zip(of(place)) {
-            *sum += weight * x;
-        }
+    let list = ENOUGH.iter().position(|(_, most)| ratio <= *most);
+    let list = list.unwrap_or(ENOUGH.len() - 1);
+    let (count, half) = (ENOUGH[list].0, POINTS[list]);
+    let point = |k: usize| {
+        let [x, weight] = half[k.min(count - 1 - k)];
+        (if 2 * k < count { x } else { 1.0 - x }, weight)
     };
     for i in 1..polygon.len().saturating_sub(1) {
         let [a, b, c] = [corner(0), corner(i), corner(i + 1)];
-        let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-        let middle = |p: [f64; 2], q: [f64; 2]| [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])];
-        for (p, q) in [(a, b), (b, c), (c, a)] {
-            add(area / 20.0, p);
-            add(area * 2.0 / 15.0, middle(p, q));
+        let [ab, bc] = [[b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]];
+        let twice = ab[0] * bc[1] - ab[1] * bc[0];
+        for (x, along) in (0..count).map(point) {
+            for (y, across) in (0..count).map(point) {
+                let place = [0, 1].map(|k| a[k] + x * (ab[k] + y * bc[k]));
+                let traction = level - share[0] * (u * place[0] + v * place[1]);
+                to(twice * x * along * across * traction, place);
+            }
         }
-        add(
-            area * 0.45,
-            [(a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0],
-        );
     }
-    sum
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use riprap_geom::Vec3;
 
 use super::{Contact, Question};
 use crate::found::frame::Frame;
-use crate::found::lever::{Lever, lever, spread};
+use crate::found::lever::{FAR, Lever, for_points, lever};
 use crate::found::piece::Polygon;
 use crate::found::slip::{Rub, Rubs, Three, hold};
 use crate::found::sums::integrate;
@@ -14,8 +14,6 @@ use crate::found::sums::integrate;
 const LEAST_MEAN_RADIUS: f64 = 0.75;
 /// Moments below this share of the largest one do not turn the slip.
 const NO_MOMENT: f64 = 1e-9;
-/// With a centre of rotation farther away than this, in radii of gyration, nearly all of the slip is sliding.
-const FAR: f64 = 1e3;
 
 /// Share of the largest force that a load within the limit may be above it by round-off.
 const BEYOND: f64 = 1e-6;
@@ -134,8 +132,8 @@ struct Face<'a> {
     centre: Vec3,
     /// Traction over depth, and the rest of it, for a force of 1.
     share: [f64; 2],
-    /// Second moments of that traction about its centre, ss, st and tt along `own`, squared radii.
-    spread: [f64; 3],
+    /// Largest distance of a corner from the centre, radii.
+    reach: f64,
 }
 
 impl<'a> Face<'a> {
@@ -165,15 +163,12 @@ impl<'a> Face<'a> {
         let both = frame.normal + normal;
         let laid = |axis: Vec3| axis - axis.dot(normal) / (1.0 + frame.normal.dot(normal)) * both;
         let centre = share[0] * deep + share[1] * at;
-        let mut second = [0.0; 3];
+        let mut reach = 0.0_f64;
         (limit.pieces)(&mut |polygon, other| {
             let arm = centre - other.foot;
-            let at = other.axes.map(|axis| arm.dot(axis));
-            let [ss, st, tt] = spread(polygon, at, share);
-            let turn = frame.axes.map(|e| other.axes.map(|axis| e.dot(axis)));
-            for (sum, [i, k]) in second.iter_mut().zip([[0, 0], [0, 1], [1, 1]]) {
-                let (a, b) = (turn[i], turn[k]);
-                *sum += ss * a[0] * b[0] + st * (a[0] * b[1] + a[1] * b[0]) + tt * a[1] * b[1];
+            let [s, t] = other.axes.map(|axis| arm.dot(axis));
+            for (x, y) in polygon.s().iter().zip(polygon.t()) {
+                reach = reach.max((x - s) * (x - s) + (y - t) * (y - t));
             }
         });
         Some(Self {
@@ -183,7 +178,7 @@ impl<'a> Face<'a> {
             own: frame.axes,
             centre,
             share,
-            spread: second.map(|x| x / (radius * radius)),
+            reach: reach.sqrt() / radius,
         })
     }
 
@@ -204,11 +199,21 @@ impl<'a> Face<'a> {
 
 impl Rubs for Face<'_> {
     fn rub(&self, [s, t, turn]: Three) -> Rub {
-        // The integrals of a centre far away cancel, and turn over where the turn changes its sign.
-        if turn.abs() <= (s * s + t * t).sqrt() / FAR {
-            Rub::sliding([s, t], turn, self.spread)
-        } else {
-            Rub::about([s, t], turn, &self.lever([-t / turn, s / turn]))
+        let way = (s * s + t * t).sqrt();
+        if turn.abs() * self.reach > FAR * way {
+            return Rub::about([s, t], turn, &self.lever([-t / turn, s / turn]));
         }
+        let ratio = turn.abs() * self.reach / way;
+        let mut sum = Rub::default();
+        (self.pieces)(&mut |polygon, frame| {
+            let arm = self.centre - frame.foot;
+            let at = frame.axes.map(|axis| arm.dot(axis));
+            let turned = self.own.map(|e| frame.axes.map(|axis| e.dot(axis)));
+            for_points(polygon, ratio, at, self.share, |share, [x, y]| {
+                let [p, q] = turned.map(|e| (e[0] * x + e[1] * y) / self.radius);
+                sum.add(share, [s, t, turn], [-q, p], 0.0);
+            });
+        });
+        sum
     }
 }
