@@ -55,7 +55,7 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 
 /// Runs all cases into sub-folders of `folder`, `jobs` at a time, and hands each row to `report` in
 /// the order of the cases. Unless what is there is to be replaced, a case that has finished there before, with the same input and
-/// by the same program, is kept and not run again; one that was cut short is run again.
+/// by the same program, is kept and not run again; one that was cut short goes on from its last checkpoint.
 ///
 /// # Examples
 ///
@@ -130,7 +130,7 @@ fn one(
             return row;
         }
     };
-    let existing = match (existing, before(&folder, &prepared.manifest)) {
+    let outcome = match (existing, before(&folder, &prepared.manifest)) {
         (Existing::Refuse, Before::Finished { steps, checks }) => {
             row.ended = "finished".to_owned();
             (row.finished, row.kept) = (true, true);
@@ -138,14 +138,20 @@ fn one(
             row.last = last_values(&folder);
             return row;
         }
-        (Existing::Refuse, Before::CutShort) => Existing::ReplaceRun,
-        (existing, _) => existing,
+        (Existing::Refuse, Before::CutShort) => match job::resume(&folder, 1, &mut look) {
+            // Nothing to go on from: it begins again.
+            Err(JobError::Checkpoint(_) | JobError::Ended { .. }) => {
+                let replace = Existing::ReplaceRun;
+                job::run(prepared.job(), &folder, replace, 1, &mut look)
+            }
+            gone_on => gone_on,
+        },
+        (existing, _) => job::run(prepared.job(), &folder, existing, 1, &mut look),
     };
-    let outcome =
-        job::run(prepared.job(), &folder, existing, 1, &mut look).map_err(|wrong: JobError| {
-            row.unwritten = wrong.is_output();
-            wrong.to_string()
-        });
+    let outcome = outcome.map_err(|wrong: JobError| {
+        row.unwritten = wrong.is_output();
+        wrong.to_string()
+    });
     match outcome {
         Err(why) => row.ended = why,
         Ok(Outcome {
@@ -411,6 +417,43 @@ mod tests {
             as_run(&of_variant, &set),
             [pair("a.b", "1"), pair("a.c", "4")]
         );
+    }
+
+    #[test]
+    fn what_was_cut_short_goes_on_and_what_has_finished_is_kept() {
+        use std::sync::atomic::{AtomicUsize, Ordering};
+
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let file = root.join("scenes/verify/planar/a5_stop.toml");
+        let mut scene = Scene::load(&file, &[]).expect("a scene");
+        scene.cases.truncate(1);
+        let run = |folder: &Path, looks: usize| {
+            let count = AtomicUsize::new(0);
+            let stop = || count.fetch_add(1, Ordering::Relaxed) >= looks;
+            let mut rows = Vec::new();
+            sweep(&scene, folder, Existing::Refuse, 1, &stop, |row| {
+                rows.push(row);
+            });
+            rows.remove(0)
+        };
+        let folder = tempfile::tempdir().expect("a folder");
+        let [whole, cut] = ["whole", "cut"].map(|name| folder.path().join(name));
+        let all = run(&whole, usize::MAX);
+        let short = run(&cut, 2);
+        assert!(
+            !short.finished && (1..all.steps).contains(&short.steps),
+            "{short:?}"
+        );
+        let on = run(&cut, usize::MAX);
+        assert!(on.finished && !on.kept, "{}", on.ended);
+        assert_eq!((on.steps, &on.last), (all.steps, &all.last));
+        let again = run(&cut, 2);
+        assert!(again.finished && again.kept);
+        // Without a checkpoint there is nothing to go on from.
+        let begun = folder.path().join("begun");
+        run(&begun, 2);
+        std::fs::remove_dir_all(begun.join(&scene.cases[0].name).join("checkpoints")).ok();
+        assert!(run(&begun, usize::MAX).finished);
     }
 
     #[test]
