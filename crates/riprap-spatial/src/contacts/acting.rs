@@ -316,7 +316,7 @@ impl Evaluation<'_> {
             &law,
             &Question {
                 sums: &surface,
-                mean_radius: &|point| workspace.walker.mean_radius(point),
+                pieces: &|show| workspace.walker.rubbing(show),
                 origin: planes::origin(&bodies[0], &bodies[1]),
                 centres: bodies.map(|b| b.position),
                 motion: self.motion(pair.ends),

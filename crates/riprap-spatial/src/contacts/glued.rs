@@ -105,7 +105,7 @@ pub(super) fn act(
                 law,
                 &Question {
                     sums: &surface,
-                    mean_radius: &|point| gluer.walker.mean_radius(point),
+                    pieces: &|show| gluer.walker.rubbing(show),
                     origin,
                     centres: placed.poses.map(|pose| pose.position),
                     motion: *motion,

@@ -10,9 +10,12 @@ use super::constants::{inverse_mass, law};
 use super::{make_shapes, pose};
 use crate::exec::piece;
 use crate::found::desk::{Acting, Desk, TerrainWorkspace};
+use crate::found::frame::Frame;
 use crate::found::glued::Glued;
+use crate::found::piece::Polygon;
 use crate::found::{
-    Body, ContactLaw, Motion, Question, Reached, Shape, Sums, Terrain, Wrench, respond, turn,
+    Body, ContactLaw, Motion, Pieces, Question, Reached, Shape, Sums, Terrain, Wrench, respond,
+    turn,
 };
 use crate::setup;
 use crate::state::event::EditKind;
@@ -279,9 +282,9 @@ impl Here<'_> {
     ) {
         let areas = workspace.under.facets.iter();
         let whole: f64 = areas.map(|on| on.sums.vector_area.length()).sum();
-        let any = |_| f64::NAN;
+        let none = |_: &mut dyn FnMut(&Polygon, &Frame)| ();
         if let Some(on) = workspace.under.facets.first() {
-            let asked = self.question(&on.sums, &any);
+            let asked = self.question(&on.sums, &none);
             workspace
                 .ridges
                 .find(self.law, &asked, &workspace.under.facets);
@@ -297,10 +300,10 @@ impl Here<'_> {
                 |k| workspace.old.remove(k),
             );
             let law = self.law.part(on.sums.vector_area.length() / whole);
-            let mean_radius = |point| workspace.under.mean_radius(on, point);
+            let pieces = |show: &mut dyn FnMut(&Polygon, &Frame)| workspace.under.rubbing(on, show);
             let question = Question {
                 shared: workspace.ridges.shared(k),
-                ..self.question(&on.sums, &mean_radius)
+                ..self.question(&on.sums, &pieces)
             };
             let reply = respond(&law, &question, &mut contact.memory, &mut None);
             workspace.friction += reply.friction;
@@ -316,10 +319,10 @@ impl Here<'_> {
         }
     }
 
-    fn question<'q>(&self, sums: &'q Sums, mean_radius: &'q dyn Fn(Vec3) -> f64) -> Question<'q> {
+    fn question<'q>(&self, sums: &'q Sums, pieces: &'q Pieces<'q>) -> Question<'q> {
         Question {
             sums,
-            mean_radius,
+            pieces,
             origin: self.position,
             centres: [self.position; 2],
             motion: [Motion::default(), self.motion],

@@ -1,14 +1,13 @@
 //! From the sums over the surface to forces: pressure, dashpots, friction along the surface and against spinning about it.
 //!
-//! The contact carries a shear force and a torsion about its normal as springs on its area. Both slide together when they reach the
-//! ellipse `|F_s|²/F_max² + M_t²/(F_max r_m)² = 1` with `F_max = mu N + c A_c` and the mean radius
-//! `r_m = int p |x - x_c| dS / int p dS`, which gives the exact stopping time of a spinning plate. Dashpots across the contact and against rocking act on the
+//! The contact carries a shear force and a torsion about its normal as springs on its area. Both slide together when they reach what Coulomb's
+//! law at every point of the surface allows, and along the slip that belongs to it ([`limit`]). Dashpots across the contact and against rocking act on the
 //! pressure, those along it only while it sticks. Surfaces of a block on a ridge share those across, see [`share`].
 //!
 //! Deviation: the couple of the dashpots against rocking follows the second moments of the area about each axis instead of half
 //! the polar one.
 //!
-//! Source: limit surface of Howe and Cutkosky (1996); mean radius of Coulomb friction under a given pressure.
+//! Source: limit surface of Goyal, Ruina and Papadopoulos (1991), integrated exactly.
 
 use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
@@ -18,16 +17,17 @@ use super::springs::{shrunk, stored, turned};
 use super::sums::Sums;
 use crate::laws::mohr_coulomb::shear_limit;
 
+mod limit;
 mod shared;
 
+use limit::Limit;
+pub use limit::Pieces;
 pub use shared::{Pressing, Shared, pressing, share};
 
 /// Below this share of |S_F| over the integral of the depth, opposite pressures cancel and there is no one normal.
 const CANCELLED: f64 = 0.05;
 /// Overlaps less deep than this, times the radius of the smaller block, have no direction that can be trusted.
 const LOST: f64 = 1e-14;
-/// No pressure has a mean radius below this, times its radius of gyration (a uniform line has 0.866): sticking below it is certain.
-const LEAST_MEAN_RADIUS: f64 = 0.86;
 
 /// Stiffness of the springs along a contact that sticks, over the negative one of its pressure: what slides needs the friction to be overcome, less
 /// one part of this.
@@ -217,8 +217,8 @@ struct Contact {
 pub struct Question<'a> {
     /// Sums over the surface.
     pub sums: &'a Sums,
-    /// Mean distance of the pressure from a point (m from the origin of the planes), m; asked only near slip.
-    pub mean_radius: &'a dyn Fn(Vec3) -> f64,
+    /// Shows the pieces of the surface that rub; asked only near slip.
+    pub pieces: &'a Pieces<'a>,
     /// Origin of the planes in space, m.
     pub origin: Vec3,
     /// Centroids of A and B, m.
@@ -335,17 +335,19 @@ pub fn respond(
         let normal = (pressed - across * v.normal).max(0.0);
         (normal, against_rocking(across, &c, &v, normal))
     };
-    let mut limit = Limit {
-        force: shear_limit(law.cohesion * c.area, law.friction, -normal),
-        radius: LEAST_MEAN_RADIUS * c.gyration.sqrt(),
-        exact: false,
-    };
+    let cohesion = law.cohesion * c.area;
+    let limit = Limit::new(
+        [shear_limit(cohesion, law.friction, -normal), cohesion],
+        &c,
+        q,
+        (v.along, v.twist),
+    );
     let before = memory.stored(law.shear_stiffness);
     // Found for the first time without a move (at the start, after an edit), it still has to learn where it is.
     if q.dt > 0.0 || memory.normal == Vec3::ZERO {
         let turning = 0.5 * (a.spin + b.spin).dot(c.normal) * q.dt;
         memory.arms = arms;
-        advance(law, memory, &c, &v, turning, q, &mut limit);
+        advance(law, memory, &v, [q.dt, turning], &limit);
     }
     work += memory.work(&q.motion, q.dt);
     let (mut shear, mut torsion) = (memory.shear, memory.torsion);
@@ -353,12 +355,8 @@ pub fn respond(
         let along = law.dashpot(law.shear_stiffness, c.hold * c.area, mass);
         shear -= along * v.along;
         torsion -= along * c.polar / c.area * v.twist;
-        let excess = limit.excess(shear, torsion, &c, q.mean_radius);
         // Only this answer is cut: the springs are within the limit, and keep what they have.
-        if excess > 1.0 {
-            shear /= excess;
-            torsion /= excess;
-        }
+        limit.hold(&mut shear, &mut torsion);
     }
     let stored = memory.stored(law.shear_stiffness);
     let spring = about(arms, memory.shear, memory.torsion * c.normal);
@@ -472,65 +470,23 @@ fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {
 fn advance(
     law: &ContactLaw,
     memory: &mut Memory,
-    c: &Contact,
     v: &Relative,
-    turning: f64,
-    q: &Question,
-    limit: &mut Limit,
+    [dt, turning]: [f64; 2],
+    limit: &Limit,
 ) {
+    let c = limit.contact;
     // First with the contact, then less what has opened: only then the
     // way of this step is one along the contact of now.
     let shear = turned(memory.shear, [memory.normal, c.normal], turning);
     let torsion = memory.torsion;
     let (area, polar) = (c.hold * c.area, c.hold * c.polar);
-    memory.shear = shear * shrunk(memory.area, area) - law.shear_stiffness * area * q.dt * v.along;
+    memory.shear = shear * shrunk(memory.area, area) - law.shear_stiffness * area * dt * v.along;
     memory.torsion =
-        torsion * shrunk(memory.polar, polar) - law.shear_stiffness * polar * q.dt * v.twist;
-    let excess = limit.excess(memory.shear, memory.torsion, c, q.mean_radius);
-    memory.sliding = excess > 1.0;
-    if memory.sliding {
-        memory.shear /= excess;
-        memory.torsion /= excess;
-    }
+        torsion * shrunk(memory.polar, polar) - law.shear_stiffness * polar * dt * v.twist;
+    memory.sliding = limit.hold(&mut memory.shear, &mut memory.torsion);
     memory.normal = c.normal;
     memory.area = area;
     memory.polar = polar;
-}
-
-/// The ellipse of sliding.
-struct Limit {
-    /// Largest shear force, N.
-    force: f64,
-    /// Mean radius of the pressure, m: at first a bound from below.
-    radius: f64,
-    exact: bool,
-}
-
-impl Limit {
-    /// How far outside the ellipse: more than 1 slides. The exact radius is only found where the bound does not decide.
-    fn excess(
-        &mut self,
-        shear: Vec3,
-        torsion: f64,
-        c: &Contact,
-        mean_radius: &dyn Fn(Vec3) -> f64,
-    ) -> f64 {
-        // A NaN lets nothing through.
-        if self.force.is_nan() || self.force <= 0.0 {
-            return f64::INFINITY;
-        }
-        let ratio = |radius: f64| {
-            let (f, m) = (shear.length() / self.force, torsion / (self.force * radius));
-            (f * f + m * m).sqrt()
-        };
-        let bound = ratio(self.radius);
-        if bound <= 1.0 || self.exact {
-            return bound;
-        }
-        self.radius = mean_radius(c.point);
-        self.exact = true;
-        ratio(self.radius)
-    }
 }
 
 fn wrench(q: &Question, force: Vec3, moment: Vec3) -> Wrench {

@@ -141,7 +141,7 @@ impl Two {
         let falls = self.walker.falling(&self.law, &sums);
         let question = Question {
             sums: &sums,
-            mean_radius: &|point| self.walker.mean_radius(point),
+            pieces: &|show| self.walker.rubbing(show),
             origin: placed.origin(),
             centres: [0, 1].map(|s| self.blocks[s].pose.position),
             motion: [0, 1].map(|s| self.blocks[s].motion()),
@@ -397,50 +397,43 @@ fn spinning_plates() {
     }
 }
 
-/// A square plate that slides and spins. Springs slide in the direction `(ks A v, ks J w)` of their loading, so that the friction F and
-/// the torsion M are as v to `r_g² w`, and with the inertia `m r_g²` both fall in proportion: `dv/dw = v/w`, F keeps its size
-/// `mu m g/sqrt(1 + x²)` with `x = r_g² w/(r_m v)`, and both stop after `v/(mu g) sqrt(1 + x²)`, half of v times that away.
+/// Coulomb's law at every point of a square of uniform pressure that slides and spins, by Runge-Kutta steps of 0.5 ms on 240 x 240 points: after
+/// 0.5 s it has gone 0.486419 m, slides at 0.436942 m/s and spins at 2.164327 1/s; it stops at 0.6925 s after 0.529046 m.
 #[test]
 fn slide_and_spin_stop_together() {
     let (side, thick) = (0.6, 0.02);
     let (friction, gravity) = (0.4, 9.81);
-    let (slide, spin) = (1.5, 8.0);
     let mut plate = Free::brick(Vec3::new(side, side, thick), 2500.0);
     plate.pose.position.z = 0.5 + 0.5 * thick - 2500.0 * thick * gravity / 1e10;
-    plate.velocity = Vec3::new(slide, 0.0, 0.0);
-    plate.set_spin(Vec3::new(0.0, 0.0, spin));
+    plate.velocity = Vec3::new(1.5, 0.0, 0.0);
+    plate.set_spin(Vec3::new(0.0, 0.0, 8.0));
     let floor = Free::fixed(Vec3::new(4.0, 4.0, 1.0));
     let mut two = Two::new([floor, plate], law(1e10, friction, 0.2));
     two.gravity = Vec3::new(0.0, 0.0, -gravity);
-    let gyration = side / 6.0_f64.sqrt();
-    let x = gyration * spin / (0.9372 * slide);
-    let exact = slide / (friction * gravity) * (1.0 + x * x).sqrt();
-    // As the note has it, which takes them for a plate of these sides.
-    assert!((exact - 0.6558).abs() < 1e-4, "{exact}");
     let dt = 2e-5;
-    let (mut stopped, mut apart, mut time) = ([0.0; 2], 0.0_f64, 0.0);
-    while time < 1.05 * exact {
-        two.step(dt, time == 0.0);
-        time += dt;
+    let near = |found: f64, exact: f64, slack: f64| {
+        assert!((found / exact - 1.0).abs() < slack, "{found} {exact}");
+    };
+    let mut stopped = 0.0;
+    for step in 1..=36_000 {
+        let lost = two.lost;
+        two.step(dt, step == 1);
+        let time = dt * f64::from(step);
         let plate = &two.blocks[1];
-        let left = [plate.velocity.x / slide, plate.spin().z / spin];
-        apart = apart.max((left[0] - left[1]).abs());
-        for (stopped, left) in stopped.iter_mut().zip(left) {
-            // The last thousandth is left to the springs.
-            if *stopped == 0.0 && left < 1e-3 {
-                *stopped = time / (1.0 - 1e-3);
-            }
+        if step == 25_000 {
+            near(plate.velocity.x, 0.436_942, 2e-3);
+            near(plate.spin().z, 2.164_327, 2e-3);
+            near(plate.pose.position.x, 0.486_419, 1e-3);
+        }
+        let moves = plate.velocity.length() > 1e-3 || plate.spin().z > 1e-2;
+        if moves {
+            assert!(two.lost > lost - 1e-9, "friction gives {}", lost - two.lost);
+            stopped = time;
         }
     }
+    near(stopped, 0.6925, 3e-3);
     let plate = &two.blocks[1];
-    let way = plate.pose.position.x / (0.5 * slide * exact) - 1.0;
-    let off = stopped.map(|stopped| stopped / exact - 1.0);
-    println!("{exact} s: {off:.6?}, apart by {apart:.1e}, way {way:.1e}");
-    assert!(off.iter().all(|off| off.abs() < 3e-4), "{off:?}");
-    // To a few steps; the note has 6e-4.
-    assert!((stopped[0] / stopped[1] - 1.0).abs() < 1e-4);
-    assert!(apart < 2e-4, "{apart}");
-    assert!(way.abs() < 3e-4, "{way}");
+    near(plate.pose.position.x, 0.529_046, 1e-3);
     assert!(plate.velocity.length() < 1e-6 && plate.spin().length() < 1e-6);
 }
 

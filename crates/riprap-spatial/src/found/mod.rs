@@ -19,6 +19,7 @@ pub mod friction;
 pub mod glued;
 pub mod grid;
 mod lateral;
+mod lever;
 pub mod limits;
 #[cfg(target_arch = "x86_64")]
 mod octagon;
@@ -30,6 +31,7 @@ mod remnant;
 pub mod ridges;
 pub mod search;
 pub mod shape;
+pub(crate) mod slip;
 pub(crate) mod springs;
 pub mod sums;
 pub mod surface;
@@ -38,7 +40,8 @@ pub mod tetra;
 
 pub(crate) use friction::part;
 pub use friction::{
-    ContactLaw, Memory, Motion, Pressing, Question, Reply, Shared, Wrench, pressing, respond, share,
+    ContactLaw, Memory, Motion, Pieces, Pressing, Question, Reply, Shared, Wrench, pressing,
+    respond, share,
 };
 pub use grid::Role;
 pub use peak::{Peak, peak};

@@ -18,8 +18,6 @@ pub const OPEN: u16 = u16::MAX;
 pub const BOUNDARY: u16 = u16::MAX - 1;
 /// Half the side of the starting square over the radius of the smaller block; every piece lies within one radius of its centre.
 const SQUARE: f64 = 2.2;
-/// An edge whose line passes nearer by a point than this, times its length, makes no triangle with it.
-const THROUGH: f64 = 1e-14;
 
 /// A convex polygon in the plane of a piece. Edge `i` runs from corner `i` to the next one.
 ///
@@ -321,112 +319,5 @@ impl Cutter {
         to.len = m;
         std::mem::swap(&mut self.polygon, &mut self.spare);
         m >= 3
-    }
-}
-
-/// Mean distance of the pressure from the point `at` (plane coordinates), m: `int p |x - at| dS / int p dS`, exact.
-#[must_use]
-pub fn mean_radius(polygon: &Polygon, at: [f64; 2]) -> f64 {
-    let [above, below] = lever(polygon, at);
-    above / below
-}
-
-/// `int p |x - at| dS` and `int p dS`, exact.
-///
-/// Edge by edge: the triangle from the point to an edge at distance h has, with `R² = h² + s²` along the edge,
-/// `int p r dA = h int R (p_c / 3 + (p - p_c) / 4) ds`.
-#[must_use]
-pub fn lever(polygon: &Polygon, at: [f64; 2]) -> [f64; 2] {
-    let [w, u, v] = polygon.slope;
-    let centre = w - u * at[0] - v * at[1];
-    let (mut above, mut below) = (0.0, 0.0);
-    let n = polygon.len();
-    for i in 0..n {
-        let next = if i + 1 < n { i + 1 } else { 0 };
-        let (x, y) = (polygon.s[i] - at[0], polygon.t[i] - at[1]);
-        let (dx, dy) = (
-            polygon.s[next] - polygon.s[i],
-            polygon.t[next] - polygon.t[i],
-        );
-        let length = (dx * dx + dy * dy).sqrt();
-        if length <= 0.0 {
-            continue;
-        }
-        // With its sign: triangles of edges that turn their back on the point
-        // count as negative, so that it may lie outside.
-        let h = (x * dy - y * dx) / length;
-        if h.abs() < THROUGH * length {
-            continue;
-        }
-        let from = (x * dx + y * dy) / length;
-        let to = from + length;
-        let (p, q) = (polygon.depth[i], polygon.depth[next]);
-        let rise = (q - p) / length;
-        let base = p - rise * from;
-        let primitive = |s: f64| {
-            let r = (h * h + s * s).sqrt();
-            let whole = 0.5 * (s * r + h * h * libm::asinh(s / h.abs()));
-            (whole, r * r * r / 3.0)
-        };
-        let ((k0, k1), (l0, l1)) = (primitive(from), primitive(to));
-        let (k0, k1) = (l0 - k0, l1 - k1);
-        above += h * (centre * k0 / 3.0 + ((base - centre) * k0 + rise * k1) / 4.0);
-        below += h * length * (centre / 2.0 + (0.5 * (p + q) - centre) / 3.0);
-    }
-    [above, below]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Under uniform pressure, rectangles 1:1, 2:1 and 10:1 over their radius of gyration.
-    #[test]
-    fn mean_radius_of_rectangles() {
-        for (a, exact) in [(1.0, 0.9372), (2.0, 0.9190), (10.0, 0.8727)] {
-            let polygon = Polygon {
-                len: 4,
-                s: vec![0.0, a, a, 0.0],
-                t: vec![0.0, 0.0, 1.0, 1.0],
-                depth: vec![1.0; 4],
-                label: vec![0; 4],
-                slope: [1.0, 0.0, 0.0],
-            };
-            let gyration = ((a * a + 1.0) / 12.0).sqrt();
-            let ratio = mean_radius(&polygon, [0.5 * a, 0.5]) / gyration;
-            assert!((ratio - exact).abs() < 5e-5, "{ratio}");
-        }
-    }
-
-    /// A pressure that grows along the rectangle, against a sum over small squares.
-    #[test]
-    fn mean_radius_under_a_slope() {
-        let polygon = Polygon {
-            len: 4,
-            s: vec![0.0, 2.0, 2.0, 0.0],
-            t: vec![0.0, 0.0, 1.0, 1.0],
-            depth: vec![1.0, 7.0, 7.0, 1.0],
-            label: vec![0; 4],
-            slope: [1.0, -3.0, 0.0],
-        };
-        let (mut above, mut below) = (0.0, 0.0);
-        let n = 400;
-        for i in 0..2 * n {
-            for k in 0..n {
-                let (s, t) = (
-                    (f64::from(i) + 0.5) / f64::from(n),
-                    (f64::from(k) + 0.5) / f64::from(n),
-                );
-                let p = 1.0 + 3.0 * s;
-                above += p * ((s - 1.2) * (s - 1.2) + (t - 0.4) * (t - 0.4)).sqrt();
-                below += p;
-            }
-        }
-        let found = mean_radius(&polygon, [1.2, 0.4]);
-        assert!(
-            (found - above / below).abs() < 1e-5,
-            "{found} {}",
-            above / below
-        );
     }
 }

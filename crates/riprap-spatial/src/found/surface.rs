@@ -15,7 +15,7 @@ use super::ContactLaw;
 use super::frame::{Frame, Frames, PARALLEL};
 use super::lateral;
 use super::peak::{Peak, peak};
-use super::piece::{self, BOUNDARY, Cutter, OPEN, Polygon};
+use super::piece::{BOUNDARY, Cutter, OPEN, Polygon};
 use super::planes::{Planes, origin};
 use super::remnant::Remnant;
 use super::shape::Body;
@@ -359,13 +359,9 @@ impl Walker {
         more
     }
 
-    /// Mean distance of the pressure on the largest piece of the pair evaluated last from a point (m from the origin of the
-    /// planes), m.
-    #[must_use]
-    pub fn mean_radius(&self, point: Vec3) -> f64 {
-        let frame = &self.largest_frame;
-        let arm = point - frame.foot;
-        piece::mean_radius(&self.largest, frame.axes.map(|axis| arm.dot(axis)))
+    /// Shows the piece that rubs: the largest one of the pair evaluated last.
+    pub fn rubbing(&self, show: &mut dyn FnMut(&Polygon, &Frame)) {
+        show(&self.largest, &self.largest_frame);
     }
 
     /// Negative stiffness along the surface of the pair evaluated last over the normal stiffness of its law, m², with the sums of the contact; 0

@@ -25,7 +25,7 @@ use riprap_geom::Vec3;
 use riprap_geom::height_field::{Bins, HeightField};
 
 use super::frame::Frame;
-use super::piece::{self, Cutter, Polygon};
+use super::piece::{Cutter, Polygon};
 use super::planes::Planes;
 use super::shape::Body;
 use super::sums::Sums;
@@ -272,10 +272,8 @@ impl Treader {
         }
     }
 
-    /// Mean distance of the pressure on a facet from a point (m from the centroid of the block), m: on the face of the block that
-    /// carries most there.
-    #[must_use]
-    pub fn mean_radius(&self, facet: u32, point: Vec3) -> f64 {
+    /// Shows the pieces that rub on a facet: those of the face of the block that carries most there.
+    pub fn rubbing(&self, facet: u32, show: &mut dyn FnMut(&Polygon, &Frame)) {
         let pieces = || self.kept[..self.pieces].iter().filter(|p| p.facet == facet);
         let weight = |face: u16| -> f64 {
             let own = pieces().filter(|p| p.face == face);
@@ -288,15 +286,9 @@ impl Treader {
                 largest = (face, all);
             }
         }
-        let (mut above, mut below) = (0.0, 0.0);
         for piece in pieces().filter(|p| p.face == largest.0) {
-            let arm = point - piece.frame.foot;
-            let at = piece.frame.axes.map(|axis| arm.dot(axis));
-            let [a, b] = piece::lever(&piece.polygon, at);
-            above += a;
-            below += b;
+            show(&piece.polygon, &piece.frame);
         }
-        above / below
     }
 
     /// Corners of the block; the box around it, from its centroid.

@@ -211,7 +211,8 @@ fn a_flat_terrain_is_a_floor_for_glued_parts() {
         floor.until(0.005 * f64::from(k));
         ground.until(0.005 * f64::from(k));
         let [v, w] = [&floor, &ground].map(|run| run.world.bodies.velocity(1));
-        assert!((v - w).length() < 1e-9, "{v} {w}");
+        // Impacts enlarge the last digits in which friction of sliding and spinning is found.
+        assert!((v - w).length() < 1e-8, "{v} {w}");
         legs.extend(ground.world.found.terrain[1].facets.iter().map(|f| f.key));
     }
     assert!(legs.len() >= 2, "{legs:?}");

@@ -1,12 +1,12 @@
 //! Friction, torsion and dashpots of a contact between blocks of cells.
 //!
 //! As between rigid blocks (`found::friction`): a shear force and a torsion about the normal are springs on the area of the contact, and slide
-//! together at the ellipse `|F_s|²/F_max² + M_t²/(F_max r_m)² = 1`. They act at **spots**, the centres of pressure of the pieces
+//! together where Coulomb's law at every point lets them (`found::slip`). They act at **spots**, the centres of pressure of the pieces
 //! of the surface of equal depth, with the shape functions of both cells there: opposite forces in the same points, so momentum and
 //! angular momentum stay, and the velocities that belong to shear and torsion are the means over the spots with the same weights.
 //!
-//! Deviations: the mean radius of the pressure is [`MEAN_RADIUS`] of its radius of gyration (0.866 for a line, 0.943 for a disc, 0.937 for a
-//! square); dashpots are tuned to the masses that the contact moves at once, those of the nodes, not to whole blocks; those across the
+//! Deviations: the points of Coulomb's law are the spots, each as wide as what they leave of the spread of the pressure, with a mean radius of
+//! all of [`MEAN_RADIUS`] times the radius of gyration (0.866 for a line, 0.943 for a disc, 0.937 for a square); dashpots are tuned to the masses that the contact moves at once, those of the nodes, not to whole blocks; those across the
 //! contact act spot by spot, which damps rocking too; those along it act while springs and dashpots together are within the ellipse, and not at all
 //! beyond it, where between rigid blocks both are shrunk onto it.
 
@@ -14,6 +14,7 @@ use riprap_geom::Vec3;
 
 use crate::found::ContactLaw;
 use crate::found::cells::{Member, Spot};
+use crate::found::slip::{Rub, Rubs, Three, hold};
 use crate::found::springs::{shrunk, turned};
 use crate::found::tetra::Piece;
 use crate::laws::mohr_coulomb::shear_limit;
@@ -24,6 +25,10 @@ use crate::state::workspace::Workspace;
 
 /// Mean radius of the pressure over its radius of gyration.
 const MEAN_RADIUS: f64 = 0.93;
+/// Moments below this share of the largest one do not turn the slip.
+const NO_MOMENT: f64 = 1e-9;
+/// Least square of the width of a spot over that of the radius of gyration: none is a point, at which friction would jump.
+const LEAST_WIDTH: f64 = 1e-3;
 /// Below this share of the force over the sum of the pressure, opposite pressures cancel and there is no one normal.
 const CANCELLED: f64 = 0.05;
 /// Overlaps less deep than this times the root of their area have no direction that can be trusted.
@@ -279,28 +284,13 @@ pub(super) fn respond(
     } else {
         shear_limit(law.cohesion * c.area, law.friction, -normal)
     };
-    let radius = MEAN_RADIUS * c.gyration.sqrt();
-    // How far outside the ellipse of sliding.
-    let excess = |shear: Vec3, torsion: f64| {
-        if largest == f64::INFINITY {
-            return 0.0;
-        }
-        if largest.is_nan() || largest <= 0.0 {
-            return f64::INFINITY;
-        }
-        let (f, m) = (shear.length() / largest, torsion / (largest * radius));
-        (f * f + m * m).sqrt()
-    };
+    let motion = (along, c.twist[0]);
     // Asked again at the same instant, springs are what they are to the last bit.
     let same = memory.normal == c.normal && memory.area == c.area && memory.polar == c.polar;
     if asked.dt > 0.0 || !same {
         take_on(law, &c, along, asked.dt, memory);
-        let outside = excess(memory.shear, memory.torsion);
-        memory.sliding = outside > 1.0;
-        if memory.sliding {
-            memory.shear /= outside;
-            memory.torsion /= outside;
-        }
+        let DeformableMemory { shear, torsion, .. } = memory;
+        memory.sliding = limit(&c, spots, largest, motion, shear, torsion);
     }
     reply.stored = memory.stored(law.shear_stiffness);
     let viscous = dashpot(law.shear_stiffness);
@@ -308,8 +298,8 @@ pub(super) fn respond(
     if c.moment == 0.0 {
         sticking.1 = 0.0;
     }
-    let within = excess(memory.shear + sticking.0, memory.torsion + sticking.1) <= 1.0;
-    if memory.sliding || !within {
+    let (mut shear, mut torsion) = (memory.shear + sticking.0, memory.torsion + sticking.1);
+    if memory.sliding || limit(&c, spots, largest, motion, &mut shear, &mut torsion) {
         sticking = (Vec3::ZERO, 0.0);
     }
     for spot in spots {
@@ -320,6 +310,97 @@ pub(super) fn respond(
         reply.damping -= 0.5 * asked.dt * spot.drag.dot(velocity);
     }
     reply
+}
+
+/// Lets a shear force and a torsion go down to what friction of this largest force (N) holds, by the rate of slip if nothing sticks (m/s,
+/// rad/s); whether they had to.
+fn limit(
+    c: &Contact,
+    spots: &[Spot],
+    largest: f64,
+    (way, angle): (Vec3, f64),
+    shear: &mut Vec3,
+    torsion: &mut f64,
+) -> bool {
+    if largest == f64::INFINITY {
+        return false;
+    }
+    let radius = c.gyration.sqrt();
+    let (f, m) = (
+        shear.length() / largest,
+        *torsion / (largest * MEAN_RADIUS * radius),
+    );
+    // A NaN lets nothing through.
+    if largest.is_nan() || largest <= 0.0 || m.abs() <= NO_MOMENT {
+        let excess = (f * f + m * m).sqrt();
+        if excess <= 1.0 && largest > 0.0 {
+            return false;
+        }
+        let excess = if largest > 0.0 { excess } else { f64::INFINITY };
+        *shear /= excess;
+        *torsion /= excess;
+        return true;
+    }
+    // A convex limit that has both of its ends has all between them.
+    if f + m.abs() <= 1.0 {
+        return false;
+    }
+    let first = c.normal.any_orthonormal_vector();
+    let axes = [first, c.normal.cross(first)];
+    let points = Points::new(c, spots, axes, radius);
+    let trial = [
+        -shear.dot(axes[0]) / largest,
+        -shear.dot(axes[1]) / largest,
+        -*torsion / (largest * radius),
+    ];
+    let motion = [way.dot(axes[0]), way.dot(axes[1]), angle * radius];
+    let Some([s, t, turned]) = hold(&points, trial, c.polar / (c.area * c.gyration), motion) else {
+        return false;
+    };
+    *shear = -largest * (s * axes[0] + t * axes[1]);
+    *torsion = -largest * radius * turned;
+    true
+}
+
+/// Spots as points of Coulomb's law.
+struct Points<'a> {
+    contact: &'a Contact,
+    spots: &'a [Spot],
+    axes: [Vec3; 2],
+    /// Places of the spots over their distance in the contact, 1/m: without units, and stretched to the mean radius of all.
+    stretch: f64,
+    /// Square of the width of each spot, in the same measure.
+    width: f64,
+}
+
+impl<'a> Points<'a> {
+    fn new(contact: &'a Contact, spots: &'a [Spot], axes: [Vec3; 2], radius: f64) -> Self {
+        let spread = contact.moment / contact.pressure / contact.gyration;
+        let mut points = Self {
+            contact,
+            spots,
+            axes,
+            stretch: 1.0 / radius,
+            width: (1.0 - spread).max(LEAST_WIDTH),
+        };
+        let factor = MEAN_RADIUS / points.rub([0.0, 0.0, 1.0]).work;
+        points.stretch *= factor;
+        points.width *= factor * factor;
+        points
+    }
+}
+
+impl Rubs for Points<'_> {
+    fn rub(&self, [s, t, w]: Three) -> Rub {
+        let mut sum = Rub::default();
+        for spot in self.spots {
+            let share = spot.pressure / self.contact.pressure;
+            let lever = self.stretch * self.contact.lever(spot);
+            let [x, y] = self.axes.map(|axis| lever.dot(axis));
+            sum.add(share, [s, t, w], [x, y], self.width);
+        }
+        sum
+    }
 }
 
 /// Turns the springs with the contact, lets go what has opened, and stretches them.

@@ -4,7 +4,9 @@ use riprap_geom::height_field::HeightField;
 use riprap_geom::{Mat3, Quat, Vec3};
 
 use super::super::kit::{Chance, KINDS, Placed, block};
-use super::super::{Pose, Shape, Walker};
+use super::super::lever::lever;
+use super::super::sums::integrate;
+use super::super::{Pieces, Pose, Shape, Walker};
 use super::*;
 
 /// A grid over a square about the origin.
@@ -79,7 +81,17 @@ fn a_flat_floor_of_triangles_is_a_floor_of_one_brick() {
             let spread = |s: &Sums| Mat3::from_cols_array_2d(&s.area_second.map(|c| c.to_array()));
             assert!((spread(on) - spread(&sums)).abs_diff_eq(Mat3::ZERO, 1e-11));
             let centre = sums.weight_first / sums.weight;
-            let [found, exact] = [treader.mean_radius(0, centre), walker.mean_radius(centre)];
+            let radius = |show: &Pieces| {
+                let (mut above, mut below) = (0.0, 0.0);
+                show(&mut |polygon, frame| {
+                    let at = frame.axes.map(|axis| axis.dot(centre - frame.foot));
+                    above += lever(polygon, at, [1.0, 0.0]).value;
+                    below += integrate(polygon).depth;
+                });
+                above / below
+            };
+            let found = radius(&|show| treader.rubbing(0, show));
+            let exact = radius(&|show| walker.rubbing(show));
             near(found, exact, 1e-9 * exact);
         }
     }

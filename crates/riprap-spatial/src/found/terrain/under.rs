@@ -6,7 +6,9 @@
 use riprap_geom::Vec3;
 
 use super::{OnFacet, Reached, Terrain, Treader};
+use crate::found::frame::Frame;
 use crate::found::glued::{CANCELLED, Glued, Term};
+use crate::found::piece::Polygon;
 use crate::found::shape::{Body, Pose, turn};
 use crate::found::sums::Sums;
 use crate::lanes::Width;
@@ -102,12 +104,9 @@ impl Under {
         }
     }
 
-    /// Mean distance of the pressure on a facet from a point (m from the centroid of the block), m: on the face of the piece that
-    /// carries most there.
-    #[must_use]
-    pub fn mean_radius(&self, on: &OnFacet, point: Vec3) -> f64 {
-        let piece = usize::from(on.piece);
-        self.treaders[piece].mean_radius(on.facet, point - self.centres[piece])
+    /// Shows the pieces that rub on a facet: those of the face of the piece of the block that carries most there.
+    pub fn rubbing(&self, on: &OnFacet, show: &mut dyn FnMut(&Polygon, &Frame)) {
+        self.treaders[usize::from(on.piece)].rubbing(on.facet, show);
     }
 }
 
